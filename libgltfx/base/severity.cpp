@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+
+#include <gltfx/diagnostic.hpp>
+
+namespace gltfx {
+namespace {
+constexpr std::array<std::string_view, 4> kNames{"error", "warning", "info", "hint"};
+}
+
+std::string_view severity_name(Severity severity) {
+  return kNames[static_cast<std::size_t>(severity)];
+}
+
+std::optional<Severity> severity_from_name(std::string_view name) {
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (kNames[i] == name) return static_cast<Severity>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace gltfx

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where phases leave what they find. Rooms below `validate` know codes, not severities: those are
+/// decided by the rule registry and the user's options behind this interface.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <gltfx/diagnostic.hpp>
+
+#include "base/json_pointer.hpp"
+#include "base/span.hpp"
+
+namespace gltfx {
+
+/// One finding as a phase hands it over.
+struct Finding {
+  std::string_view code;  ///< static storage: the code of a rule
+  std::string message;    ///< one sentence; asset text in it is neutralised by the formatters
+  std::string help;       ///< what to do in this very case; empty: the rule's remedy is used
+  Span span;              ///< bytes of the JSON text to mark; empty: no place in the text
+  std::optional<Severity> severity;  ///< instead of the rule's default
+};
+
+/// Not thread-safe: each thread of a phase fills its own.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  /// Takes a finding about the value at `path`. The path is only used during the call.
+  virtual void report(const Path& path, Finding finding) = 0;
+
+ protected:
+  Sink() = default;
+  Sink(const Sink&) = default;
+  Sink& operator=(const Sink&) = default;
+};
+
+}  // namespace gltfx

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Text that comes from an asset is never trusted: it is measured, cut and neutralised here.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gltfx {
+
+/// `text` with control characters (C0, C1, DEL), bidirectional overrides and invalid UTF-8 shown
+/// as visible escapes ("\u001b", "\x80"), so that it can neither drive a terminal nor fake a line.
+/// A tab becomes one space. One code point in gives at least one out.
+std::string printable(std::string_view text);
+
+/// `text` in single quotes, printable, cut to at most `limit` code points with an ellipsis.
+std::string quoted(std::string_view text, std::size_t limit = 60);
+
+/// Code points of a UTF-8 text; a byte that is no valid lead counts as one.
+std::size_t count_code_points(std::string_view text);
+
+/// Code points that mark the extent of the first `bytes` bytes are `count_code_points`; this is
+/// the inverse: bytes taken by the first `code_points` code points of `text`.
+std::size_t bytes_of_code_points(std::string_view text, std::size_t code_points);
+
+/// The candidate nearest to `word` by Damerau-Levenshtein distance (case counts half), or empty
+/// when none is near enough to be what the author meant.
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+/// "a", "a or b", "a, b or c"; more than `limit` items end in "or N others".
+std::string join_or(std::span<const std::string> items, std::size_t limit = 8);
+
+/// A double as a person writes it: the shortest digits that read back equal, no exponent for
+/// whole numbers below 1e15.
+std::string number_text(double value);
+
+}  // namespace gltfx

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Read-only bytes with an owner: a mapping, a vector, or a part of either.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace gltfx::container {
+
+/// Cheap to copy; keeps what it points into alive.
+class Bytes {
+ public:
+  Bytes() = default;
+  Bytes(std::span<const std::byte> view, std::shared_ptr<const void> owner)
+      : view_(view), owner_(std::move(owner)) {}
+
+  /// Takes the text's memory.
+  static Bytes from_string(std::string text);
+
+  std::span<const std::byte> view() const { return view_; }
+  std::string_view text() const {
+    return {reinterpret_cast<const char*>(view_.data()), view_.size()};
+  }
+  std::size_t size() const { return view_.size(); }
+  bool empty() const { return view_.empty(); }
+  /// A part of these bytes with the same owner. Precondition: it lies inside.
+  Bytes part(std::size_t offset, std::size_t length) const {
+    return {view_.subspan(offset, length), owner_};
+  }
+
+ private:
+  std::span<const std::byte> view_;
+  std::shared_ptr<const void> owner_;
+};
+
+}  // namespace gltfx::container

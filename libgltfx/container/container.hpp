@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Opens what holds a glTF asset: a .gltf or .glb file, bytes, or a stream that was read whole.
+///
+/// Nothing is read that nobody asks for: files are mapped, buffers and images stay on the disk until
+/// a phase wants them, and nothing outside the asset's root is ever opened (`container/resolver.hpp`).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "base/span.hpp"
+#include "container/bytes.hpp"
+
+namespace gltfx::container {
+
+/// What the bytes are, told by their first bytes and not by the file's name.
+enum class Format : std::uint8_t {
+  gltf,         ///< JSON text
+  glb,          ///< binary container, version 2
+  git_lfs_pointer,
+  empty,
+  unknown,
+};
+
+/// A fault of the container. `code` is a rule's code (Khronos names for GLB faults).
+struct ContainerFault {
+  std::string_view code;
+  std::uint64_t offset = 0;  ///< byte in the file
+  std::string message;
+  std::string help;
+};
+
+/// One chunk of a GLB. Offsets are in the file; the data lies inside it.
+struct Chunk {
+  std::uint32_t type = 0;          ///< as the little-endian number that stands in the file
+  std::uint64_t header_offset = 0; ///< byte of the chunk's header
+  std::uint64_t offset = 0;        ///< first byte of its data
+  std::uint64_t length = 0;        ///< bytes of data that are really there
+};
+
+inline constexpr std::uint32_t kChunkJson = 0x4E4F534A;
+inline constexpr std::uint32_t kChunkBin = 0x004E4942;
+
+/// A container taken apart. Owns (or maps) the bytes; the JSON text is a copy, so that a file
+/// changed by somebody else while it is read cannot change under the parser.
+struct Container {
+  Format format = Format::unknown;
+  Bytes bytes;  ///< the whole file
+  std::shared_ptr<const std::string> json;  ///< null when there is none
+  std::uint64_t json_offset = 0;            ///< byte in the file where the JSON begins
+  std::vector<Chunk> chunks;                ///< GLB only, in the order of the file
+  std::optional<Chunk> bin;                 ///< the BIN chunk that buffer 0 may refer to
+  std::vector<ContainerFault> faults;       ///< found before the JSON is read
+  std::vector<ContainerFault> late_faults;  ///< end-of-file faults: reported behind those of the JSON
+  std::optional<std::uint32_t> glb_version; ///< of a GLB header, also when it is not 2
+};
+
+struct OpenLimits {
+  std::uint64_t max_bytes = UINT64_MAX;  ///< larger files are refused
+};
+
+/// Opens and takes apart a regular file. An Error when it cannot be read at all: missing, no
+/// permission, not a regular file, a folder.
+Result<Container> open_file(const std::filesystem::path& path, const OpenLimits& limits = {});
+
+/// The same for bytes that are already in memory, which the container keeps.
+Container open_bytes(Bytes bytes);
+
+}  // namespace gltfx::container

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+/// URIs of buffers and images: data URIs (RFC 2397), relative references (RFC 3986 section 4.2).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+#include "container/bytes.hpp"
+
+namespace gltfx::container {
+
+enum class UriKind : std::uint8_t {
+  data,           ///< data:...
+  relative_path,  ///< a path to resolve against the asset's folder
+  non_relative,   ///< scheme, authority, absolute path, query or fragment: never fetched
+  invalid,        ///< no URI at all: bad percent escape, forbidden character
+};
+
+struct Uri {
+  UriKind kind = UriKind::invalid;
+  std::string path;        ///< relative_path: percent-decoded, '/' separated
+  std::string normalized;  ///< as reports print it: a space becomes %20
+  std::string problem;     ///< invalid: why, printable
+};
+
+/// Never fails: what is wrong is in `kind` and `problem`. Data URIs are not decoded here.
+Uri classify_uri(std::string_view uri);
+
+struct DataUri {
+  std::string media_type;  ///< lower case, without parameters; "text/plain" when none is given
+  bool base64 = false;
+  std::string_view payload;  ///< points into the URI
+};
+
+/// Splits "data:[type][;parameter]*[;base64],payload". Case of the scheme does not matter.
+Result<DataUri> split_data_uri(std::string_view uri);
+
+/// Decodes the payload: base64 strictly (RFC 4648: alphabet, padding, no whitespace, zero spare
+/// bits), otherwise percent escapes. The Error names the first bad byte.
+Result<std::string> decode_payload(const DataUri& uri);
+
+}  // namespace gltfx::container

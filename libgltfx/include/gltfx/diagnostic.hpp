@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What gltfx says about an asset: severities, rules and diagnostics. Plain data, no behaviour.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gltfx {
+
+/// How loud a finding is. The numbers are those of the Khronos validator's report.
+enum class Severity : std::uint8_t { error = 0, warning = 1, info = 2, hint = 3 };
+
+/// Lower-case English name: "error", "warning", "info", "hint".
+std::string_view severity_name(Severity severity);
+
+/// The severity with that name, or nothing.
+std::optional<Severity> severity_from_name(std::string_view name);
+
+/// Whether a program can repair a finding, and whether the picture is certain to stay the same.
+enum class Fix : std::uint8_t { none, safe, unsafe };
+
+/// One rule: the single source of `explain`, `rules` and every format that links a finding to its
+/// explanation. All text has static storage duration.
+struct RuleDescription {
+  std::string_view code;     ///< SCREAMING_SNAKE, stable once released
+  Severity severity;         ///< default severity
+  std::string_view summary;  ///< one line, no full stop
+  std::string_view why;      ///< one paragraph: what goes wrong in practice
+  std::string_view remedy;   ///< what to do about it, one or two sentences
+  std::string_view bad;      ///< smallest asset (JSON text) that raises exactly this code
+  std::string_view good;     ///< the same asset, mended: raises nothing
+  Fix fix = Fix::none;
+  bool khronos = false;  ///< the Khronos validator has a code of this name and meaning
+};
+
+/// A place in a JSON text. Lines and columns count from 1, columns in UTF-8 characters (code
+/// points). In a GLB they count inside the JSON chunk; `offset` is the byte in the file.
+struct Location {
+  std::uint32_t line = 0;    ///< 0: no place in the text
+  std::uint32_t column = 0;  ///< 1-based, in code points
+  std::uint32_t end_line = 0;
+  std::uint32_t end_column = 0;  ///< one past the last character
+  std::uint64_t offset = 0;      ///< byte in the file
+  std::uint64_t length = 0;      ///< bytes
+};
+
+/// The source line a finding points at, cut to a window that fits a terminal.
+struct Excerpt {
+  std::string text;              ///< raw asset text: formatters neutralise it before printing
+  std::uint32_t caret = 0;       ///< first marked code point of `text`, 0-based
+  std::uint32_t width = 0;       ///< marked code points, at least 1 where there is an excerpt
+  bool cut_left = false;         ///< text was cut on that side
+  bool cut_right = false;
+};
+
+/// One finding. Owns all it says, so it outlives the asset.
+struct Diagnostic {
+  std::string_view code;  ///< static storage: the code of a rule
+  Severity severity = Severity::error;
+  std::string message;                  ///< one sentence, our words
+  std::string pointer;                  ///< RFC 6901 pointer to the member or its object
+  std::optional<std::uint64_t> offset;  ///< set for findings on the GLB container: byte in file
+  std::string help;                     ///< the remedy for this very case, may be empty
+  std::string object_name;              ///< `name` of the nearest named object, may be empty
+  Location location;
+  Excerpt excerpt;
+  /// Repeats of this code at the same place but for array indices are folded into the first.
+  std::uint64_t count = 1;
+  std::string last_pointer;  ///< pointer of the last repeat when count > 1
+};
+
+}  // namespace gltfx

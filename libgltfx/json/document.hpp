@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A JSON text kept as it is, with every value and key as a span of it.
+///
+/// The document is one flat array in the order of the text: a container is followed by its
+/// content, a key by its value. A node takes 16 bytes, and an array that holds nothing but numbers
+/// is a single node whose elements are read from the text again when somebody asks. Line and column
+/// are computed only for what is printed (`json/lines.hpp`).
+#pragma once
+
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/span.hpp"
+
+namespace gltfx::json {
+
+/// Position of a node in the document's array. 0 is the root.
+using NodeId = std::uint32_t;
+/// A member name, the same number for the same name within one document (after unescaping).
+using KeyId = std::uint32_t;
+
+inline constexpr NodeId kNoNode = UINT32_MAX;
+inline constexpr KeyId kNoKey = UINT32_MAX;
+
+enum class Kind : std::uint8_t {
+  null,
+  false_value,
+  true_value,
+  number,
+  string,
+  array,         ///< elements are nodes
+  number_array,  ///< one node; elements are numbers and have no nodes of their own. Never empty
+  object,
+  key,  ///< a member's name; its value is the next node
+};
+
+struct Node {
+  std::uint32_t begin = 0;  ///< first byte of the token; a string's opening quote
+  std::uint32_t end = 0;    ///< one past the last byte, closing bracket or quote
+  std::uint32_t next = 0;   ///< node after this one's content; of a key: its KeyId
+  Kind kind = Kind::null;
+  bool escaped = false;          ///< string or key with a backslash in it
+  std::uint16_t reserved = 0;
+};
+static_assert(sizeof(Node) == 16);
+
+/// A number as it stands in the text.
+struct Number {
+  Span span;
+  double value = 0;  ///< nearest double; an infinity when the literal is beyond its range
+  /// Zero fraction and within +-2^53, so that it is exact: 1.0 and 1e3 count.
+  bool is_integer() const;
+};
+
+class Document;
+
+/// Forward range over the members of an object, in the order of the text (repeats included).
+class Members {
+ public:
+  struct Member {
+    NodeId key;
+    NodeId value;
+    KeyId key_id;
+  };
+  class Iterator {
+   public:
+    Iterator(const Document& document, NodeId at) : document_(&document), at_(at) {}
+    Member operator*() const;
+    Iterator& operator++();
+    bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+
+   private:
+    const Document* document_;
+    NodeId at_;
+  };
+  Members(const Document& document, NodeId object) : document_(&document), object_(object) {}
+  Iterator begin() const;
+  Iterator end() const;
+
+ private:
+  const Document* document_;
+  NodeId object_;
+};
+
+/// Forward range over the element nodes of an `array` (not of a `number_array`).
+class Elements {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Document& document, NodeId at) : document_(&document), at_(at) {}
+    NodeId operator*() const { return at_; }
+    Iterator& operator++();
+    bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+
+   private:
+    const Document* document_;
+    NodeId at_;
+  };
+  Elements(const Document& document, NodeId array) : document_(&document), array_(array) {}
+  Iterator begin() const;
+  Iterator end() const;
+
+ private:
+  const Document* document_;
+  NodeId array_;
+};
+
+/// Reads the numbers of a `number_array` one after the other.
+///
+///     for (NumberCursor at(document, id); at.valid(); at.advance()) use(at.number());
+class NumberCursor {
+ public:
+  NumberCursor(const Document& document, NodeId number_array);
+  bool valid() const { return valid_; }
+  const Number& number() const { return number_; }
+  void advance();
+
+ private:
+  void read();
+  std::string_view text_;
+  std::uint32_t at_ = 0;
+  std::uint32_t end_ = 0;
+  bool valid_ = false;
+  Number number_;
+};
+
+/// Immutable once built; any number of threads may read it. Owns its text.
+/// A default-constructed document has no nodes: check `empty()` before `root()`.
+class Document {
+ public:
+  Document() = default;
+
+  std::string_view text() const { return text_ ? std::string_view(*text_) : std::string_view(); }
+  bool empty() const { return nodes_.empty(); }
+  NodeId root() const { return 0; }
+  std::size_t node_count() const { return nodes_.size(); }
+  const Node& node(NodeId id) const { return nodes_[id]; }
+  Kind kind(NodeId id) const { return nodes_[id].kind; }
+  Span span(NodeId id) const { return {nodes_[id].begin, nodes_[id].end}; }
+  /// The bytes of a value as they stand in the text; a string with its quotes.
+  std::string_view raw(NodeId id) const { return span(id).in(text()); }
+  /// The node after this value and all of its content.
+  NodeId next(NodeId id) const { return nodes_[id].next; }
+
+  bool is_object(NodeId id) const { return kind(id) == Kind::object; }
+  bool is_array(NodeId id) const {
+    return kind(id) == Kind::array || kind(id) == Kind::number_array;
+  }
+  bool is_string(NodeId id) const { return kind(id) == Kind::string; }
+  bool is_number(NodeId id) const { return kind(id) == Kind::number; }
+  bool is_boolean(NodeId id) const {
+    return kind(id) == Kind::true_value || kind(id) == Kind::false_value;
+  }
+
+  Members members(NodeId object) const { return {*this, object}; }
+  Elements elements(NodeId array) const { return {*this, array}; }
+
+  /// Number of elements of any array; linear in it.
+  std::size_t array_size(NodeId array) const;
+  /// Number of members of an object, repeats included; linear in it.
+  std::size_t object_size(NodeId object) const;
+
+  /// The value of the last member with that name (of repeated names the last wins), or kNoNode.
+  /// Also kNoNode when `object` is no object or kNoNode itself.
+  NodeId find(NodeId object, std::string_view name) const;
+  NodeId find(NodeId object, KeyId name) const;
+
+  /// Precondition: kind(id) == Kind::number.
+  Number number(NodeId id) const;
+  /// The number at `id` if it is a number with zero fraction, at least 0 and at most 2^53.
+  std::optional<std::uint64_t> unsigned_integer(NodeId id) const;
+  /// The unescaped content of a string or key. A lone surrogate becomes U+FFFD.
+  std::string string(NodeId id) const;
+  /// The content without copying when it has no escape; otherwise unescaped into `buffer`.
+  std::string_view string(NodeId id, std::string& buffer) const;
+
+  /// Number of different member names; KeyIds are below it.
+  std::size_t key_count() const { return keys_.size(); }
+  /// The unescaped name behind a KeyId.
+  std::string_view key(KeyId id) const { return keys_[id]; }
+  /// The KeyId of a name, or kNoKey when no object of the document has it.
+  KeyId key_id(std::string_view name) const;
+
+  /// RFC 6901 pointer to a node: linear in the breadth of what lies above it. For many nodes build
+  /// a `Path` while walking instead.
+  std::string pointer_of(NodeId id) const;
+  /// The value a pointer names, or kNoNode. An element of a number_array has no node: then the
+  /// array's node is returned and `element` set.
+  NodeId resolve(std::string_view pointer, std::optional<std::uint64_t>* element = nullptr) const;
+
+ private:
+  friend class Parser;
+  std::shared_ptr<const std::string> text_;
+  std::vector<Node> nodes_;
+  std::vector<std::string> keys_;  // by KeyId
+  std::vector<KeyId> keys_sorted_;  // by name, for key_id()
+};
+
+}  // namespace gltfx::json

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+/// JSON (RFC 8259) into a flat `Document`: one pass, iterative, every fault with its place.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/span.hpp"
+#include "json/document.hpp"
+
+namespace gltfx::json {
+
+/// What can be wrong with a JSON text.
+enum class Fault : std::uint8_t {
+  // The text could not be read to its end: there is no document.
+  syntax,           ///< something else than the grammar allows here
+  unexpected_end,   ///< the text ends inside a value
+  invalid_utf8,     ///< bytes that are not UTF-8
+  control_character,///< a raw control character inside a string
+  bad_escape,       ///< an escape JSON does not have
+  bad_number,       ///< 01, +1, .5, 1., 0x10, NaN, Infinity
+  bad_literal,      ///< True, None, undefined, single quotes, comments, unquoted keys
+  too_deep,         ///< nested deeper than Limits::depth
+  too_large,        ///< longer than a span can address (4 GiB)
+  trailing_data,    ///< something behind the root value
+  // Read on: the document is whole, what was meant is plain.
+  byte_order_mark,      ///< U+FEFF before the text
+  trailing_comma,       ///< before ']' or '}'
+  missing_comma,        ///< two members or elements without one between them
+  duplicate_key,        ///< the last one wins
+  lone_surrogate,       ///< half of a UTF-16 pair, read as U+FFFD
+  number_out_of_range,  ///< beyond a double, read as an infinity
+};
+
+/// Whether parsing went on behind the fault.
+bool is_recoverable(Fault fault);
+
+struct ParseFault {
+  Fault fault;
+  Span span;           ///< bytes of the text to mark; never empty but at the end of the text
+  std::string detail;  ///< what was found and expected, printable; may be empty
+  Span other;          ///< duplicate_key: the first key; unclosed bracket: where it was opened
+};
+
+struct Limits {
+  std::uint32_t depth = 1024;          ///< containers inside one another
+  std::uint32_t recorded_faults = 64;  ///< recoverable faults kept; the others are only counted
+};
+
+struct Parsed {
+  Document document;  ///< empty when a fault was not recoverable
+  std::vector<ParseFault> faults;  ///< in the order of the text
+  std::uint64_t unrecorded_faults = 0;
+  bool ok() const { return faults.empty(); }
+};
+
+/// Parses `text`, which the document keeps. Time and memory are linear in its length.
+Parsed parse(std::shared_ptr<const std::string> text, const Limits& limits = {});
+/// Convenience for small texts: copies.
+Parsed parse(std::string_view text, const Limits& limits = {});
+
+}  // namespace gltfx::json

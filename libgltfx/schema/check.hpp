@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// One walk over a document that checks it against a Set: types, ranges, unknown and missing members,
+/// exclusions, companions, homes of extensions, and every index.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/json_pointer.hpp"
+#include "base/sink.hpp"
+#include "json/document.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::schema {
+
+/// Which extensions' objects are looked into, and how strictly the Khronos validator is followed.
+enum class Scope : std::uint8_t {
+  all,      ///< every extension the Set knows
+  khronos,  ///< only those that validator knows and that are declared; its severities and order
+};
+
+struct CheckOptions {
+  Scope scope = Scope::all;
+};
+
+/// A texture slot that is filled.
+struct SlotUse {
+  json::NodeId texture_info = json::kNoNode;
+  json::NodeId owner = json::kNoNode;  ///< object that holds the slot
+  ShapeId shape = kNone;               ///< the slot's shape (has `slot`)
+  std::string pointer;                 ///< of the texture info
+};
+
+/// Indices that some reference points at: one flag per element of a target array.
+class UsedElements {
+ public:
+  void resize(std::size_t count) { used_.resize(count, 0); }
+  void mark(std::uint64_t index) { used_[index] = 1; }
+  bool contains(std::uint64_t index) const { return index < used_.size() && used_[index] != 0; }
+  std::size_t size() const { return used_.size(); }
+
+ private:
+  std::vector<std::uint8_t> used_;
+};
+
+/// An array that references point into.
+struct TargetArray {
+  std::string pointer;  ///< "/accessors", "/extensions/KHR_lights_punctual/lights"
+  json::NodeId node = json::kNoNode;
+  UsedElements used;
+};
+
+/// What the walk learned beside the findings.
+struct CheckResult {
+  std::vector<TargetArray> targets;   ///< arrays that the document has and something may refer to
+  std::vector<SlotUse> slots;
+  std::vector<std::string> extensions_seen;  ///< names of extension objects met anywhere, once each
+  std::vector<std::string> extensions_used;      ///< as declared, once each
+  std::vector<std::string> extensions_required;  ///< as declared, once each
+
+  const TargetArray* target(std::string_view pointer) const;
+};
+
+/// Called for each object with a type, behind its members: the place for rules that need several
+/// members of one object. `path` is only valid during the call.
+using ObjectVisitor = std::function<void(const ObjectType& type, json::NodeId object, const Path& path)>;
+
+/// Checks a whole document. Findings about the document's own form go to `schema_sink`, those about
+/// references between objects to `reference_sink`, which is reported behind it.
+/// Iterative; linear in the document.
+CheckResult check(const json::Document& document, const Set& set, const CheckOptions& options,
+                  Sink& schema_sink, Sink& reference_sink, const ObjectVisitor& visitor = {});
+
+}  // namespace gltfx::schema

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What gltfx knows of glTF, compiled from schema files: object types, their properties, extensions.
+///
+/// A Set is built once (`schema/compile.hpp`) and then only read, by any number of threads. Nothing in
+/// the library knows a property, a range or an extension's home but through it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace gltfx::schema {
+
+using ShapeId = std::uint32_t;
+using TypeId = std::uint32_t;       ///< index into Set::types()
+using ExtensionId = std::uint32_t;  ///< index into Set::extensions()
+inline constexpr std::uint32_t kNone = UINT32_MAX;
+
+/// Bits of the JSON types a shape accepts; 0 accepts all.
+enum TypeBit : std::uint8_t {
+  kNull = 1, kBoolean = 2, kInteger = 4, kNumber = 8, kString = 16, kArray = 32, kObject = 64,
+};
+
+enum class Status : std::uint8_t { ratified, release_candidate, draft, legacy, archived, vendor };
+std::string_view status_name(Status status);  ///< as in the files: "release-candidate"
+
+/// Which channels of an image a texture slot reads, and how RGB is coded (alpha is always linear).
+struct Slot {
+  std::string channels;  ///< subset of "rgba", in that order
+  bool srgb = false;
+  std::string scaled_by;  ///< property of the same object that multiplies the texel; may be empty
+};
+
+/// What an integer indexes, or a string names.
+struct Target {
+  enum class Base : std::uint8_t { root_array, root_path, enclosing };
+  Base base = Base::root_array;
+  TypeId enclosing = kNone;        ///< Base::enclosing: nearest enclosing object of this type
+  std::vector<std::string> steps;  ///< members from there; "*" steps over all elements
+  std::string text;                ///< as written in the schema file
+};
+
+/// A scalar of an `enum` or `const`.
+struct Literal {
+  enum class Kind : std::uint8_t { null, boolean, number, string };
+  Kind kind = Kind::null;
+  double number = 0;
+  std::string string;
+  std::string name;  ///< enumNames: "UNSIGNED_BYTE"; may be empty
+};
+
+struct Property {
+  std::string name;
+  ShapeId shape = kNone;
+  bool required = false;
+  std::string mutable_type;          ///< object-model type for animation pointers; empty: not mutable
+  std::vector<std::string> aliases;  ///< names of earlier drafts
+  std::string default_json;          ///< JSON text of the default; empty: none
+  std::string deprecated;            ///< what to use instead; empty: current
+  std::string unit;
+  std::string description;
+};
+
+/// `if` a shape holds, then another must.
+struct Condition {
+  ShapeId if_shape = kNone;
+  ShapeId then_shape = kNone;
+  ShapeId else_shape = kNone;
+};
+
+/// One schema or subschema. Limits that are absent hold their neutral value.
+struct Shape {
+  std::string label;  ///< where it stands: "material.KHR_x", "KHR_x.light/color"
+  std::uint8_t types = 0;
+  bool never = false;  ///< the schema `false`
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  bool exclusive_minimum = false;
+  bool exclusive_maximum = false;
+  double multiple_of = 0;
+  std::uint64_t min_length = 0, max_length = UINT64_MAX;
+  std::uint64_t min_items = 0, max_items = UINT64_MAX;
+  std::uint64_t min_properties = 0, max_properties = UINT64_MAX;
+  bool unique_items = false;
+  std::uint32_t pattern = kNone;  ///< index into Set::patterns()
+  std::string format;
+  std::vector<Literal> literals;  ///< enum, or the one of const; empty: any
+  bool is_const = false;
+  ShapeId items = kNone;
+  TypeId type = kNone;        ///< the object type, when the shape describes members
+  ShapeId values = kNone;     ///< shape of members not listed (additionalProperties)
+  std::vector<std::pair<std::uint32_t, ShapeId>> pattern_properties;  ///< pattern, shape
+  ShapeId property_names = kNone;
+  std::vector<ShapeId> all_of, any_of, one_of;
+  ShapeId not_shape = kNone;
+  std::vector<Condition> conditions;
+  std::vector<std::pair<std::string, std::vector<std::string>>> dependent_required;
+  std::optional<Target> ref;
+  std::optional<Target> ref_name;
+  std::optional<Slot> slot;
+  std::string title, description, hint;
+};
+
+/// An object with known members.
+struct ObjectType {
+  std::string name;  ///< "material", "mesh.primitive", "KHR_lights_punctual.light"; of an extension's
+                     ///< own object: "material.KHR_materials_ior"
+  ShapeId shape = kNone;
+  std::vector<Property> properties;  ///< in checking order
+  bool open = false;                 ///< unknown members are welcome
+  ExtensionId extension = kNone;     ///< the extension it belongs to
+};
+
+/// What is said about another extension on the same object.
+struct Relation {
+  std::string extension;
+  std::string because;
+  bool error = false;  ///< `requires` only: breaks a MUST
+};
+
+enum class MustBeRequired : std::uint8_t { optional, recommended, without_fallback, always };
+
+/// Formats an attribute semantic may have, e.g. {"VEC3"} with {"FLOAT", "BYTE_NORM"}.
+struct AttributeFormat {
+  std::string semantic;  ///< "POSITION", "TEXCOORD_n", "KHR_x:NAME"
+  std::vector<std::string> types;
+  std::vector<std::string> components;
+  bool required = false;
+};
+
+/// One generation of a name that meant different things over time.
+struct Generation {
+  std::string name, description;
+  std::vector<std::string> with, without;  ///< members that tell it
+  std::vector<std::pair<std::string, Slot>> slots;
+};
+
+struct Extension {
+  std::string name, title, description, spec;
+  Status status = Status::vendor;
+  std::vector<std::pair<TypeId, ShapeId>> homes;  ///< object type it sits on, shape of its object
+  std::vector<Relation> excludes, requires_, overridden_by;
+  bool standalone = false;
+  bool khronos_validator = false;  ///< the Khronos validator checks it
+  MustBeRequired must_be_required = MustBeRequired::optional;
+  std::string fallback;            ///< without_fallback: member of the host that is the fallback
+  std::vector<std::string> image_mime_types;
+  std::vector<AttributeFormat> vertex_attributes, morph_attributes, instance_attributes;
+  std::string successor;
+  std::vector<Generation> generations;
+  bool from_user = false;  ///< given at run time
+
+  /// The shape of its object on a type, or kNone when it is not at home there.
+  ShapeId home(TypeId type) const;
+};
+
+/// Immutable after compilation. Cheap to share, expensive to copy.
+class Set {
+ public:
+  const std::vector<Shape>& shapes() const { return shapes_; }
+  const Shape& shape(ShapeId id) const { return shapes_[id]; }
+  const std::vector<ObjectType>& types() const { return types_; }
+  const ObjectType& type(TypeId id) const { return types_[id]; }
+  const std::vector<Extension>& extensions() const { return extensions_; }
+
+  TypeId find_type(std::string_view name) const;            ///< or kNone
+  ExtensionId find_extension(std::string_view name) const;  ///< or kNone
+  /// The property with that name, or null. Aliases are not looked at.
+  const Property* find_property(TypeId type, std::string_view name) const;
+  /// Whether a string matches a compiled pattern.
+  bool matches(std::uint32_t pattern, std::string_view text) const;
+  std::string_view pattern_text(std::uint32_t pattern) const;
+
+  /// Tables made for the walk (`schema/check.hpp`): opaque to others.
+  struct WalkTables;
+  const WalkTables& walk_tables() const { return *walk_tables_; }
+
+ private:
+  friend class Compiler;
+  std::vector<Shape> shapes_;
+  std::vector<ObjectType> types_;
+  std::vector<Extension> extensions_;
+  std::unordered_map<std::string, TypeId> type_ids_;
+  std::unordered_map<std::string, ExtensionId> extension_ids_;
+  struct Patterns;
+  std::shared_ptr<const Patterns> patterns_;
+  std::shared_ptr<const WalkTables> walk_tables_;
+};
+
+}  // namespace gltfx::schema
