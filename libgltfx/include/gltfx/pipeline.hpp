@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Whole verbs as functions: what the command line does, for programs.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gltfx/report.hpp>
+#include <gltfx/validate.hpp>
+
+namespace gltfx {
+
+/// Validates the file at `path`. Never throws; a file that cannot be read gives a report with
+/// `readable == false` and one IO_ERROR. Safe to call from several threads.
+FileReport validate_file(const std::string& path, const ValidateOptions& options = {});
+
+/// Validates bytes, such as standard input. `name` stands in the report. External resources are
+/// looked up only when `options.root` names a folder.
+FileReport validate_bytes(std::string bytes, const std::string& name,
+                          const ValidateOptions& options = {});
+
+/// Validates many files on `jobs` threads (at least 1) and hands over the reports in the order of
+/// `paths`, one at a time. Memory does not grow with the number of files.
+void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
+                    unsigned jobs, const std::function<void(FileReport&&)>& consume);
+
+}  // namespace gltfx

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The verdict on one asset, and the formats it can be written in.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gltfx/diagnostic.hpp>
+
+namespace gltfx {
+
+/// Findings by severity, repeats counted one by one.
+struct Counts {
+  std::uint64_t errors = 0, warnings = 0, infos = 0, hints = 0;
+  void add(Severity severity, std::uint64_t count = 1);
+  std::uint64_t at_least(Severity severity) const;  ///< findings as loud as this or louder
+  Counts& operator+=(const Counts& other);
+};
+
+/// One entry of the Khronos report's `info.resources`.
+struct ResourceInfo {
+  std::string pointer, mime_type, storage, uri;  ///< storage: "external", "data-uri", "glb", "buffer-view"
+  std::optional<std::uint64_t> byte_length;
+  struct Image {
+    std::uint32_t width = 0, height = 0, bits = 0;
+    std::string format, primaries, transfer;
+  };
+  std::optional<Image> image;
+};
+
+/// Facts about an asset, as the Khronos report's `info` block has them.
+struct AssetInfo {
+  std::string version, min_version, generator;
+  std::vector<std::string> extensions_used, extensions_required;
+  std::vector<ResourceInfo> resources;
+  std::uint64_t animation_count = 0, material_count = 0, draw_call_count = 0;
+  std::uint64_t total_vertex_count = 0, total_triangle_count = 0;
+  std::uint64_t max_uvs = 0, max_influences = 0, max_attributes = 0;
+  bool has_morph_targets = false, has_skins = false, has_textures = false, has_default_scene = false;
+};
+
+/// Everything said about one asset. Owns its text; independent of the asset.
+struct FileReport {
+  std::string path;       ///< as the user named it, "-" for standard input
+  std::string mime_type;  ///< "model/gltf+json", "model/gltf-binary" or empty
+  bool readable = true;   ///< false: the file itself could not be opened
+  std::vector<Diagnostic> diagnostics;  ///< in the order they were found
+  Counts counts;
+  bool truncated = false;           ///< --max-issues ended the listing
+  std::uint64_t suppressed = 0;     ///< findings a baseline knew
+  std::uint64_t unverified = 0;     ///< resources not looked into: Git-LFS pointers
+  std::optional<AssetInfo> info;
+};
+
+/// What a run of files came to.
+struct RunSummary {
+  std::uint64_t files = 0;
+  std::uint64_t files_with_errors = 0;
+  std::uint64_t unreadable = 0;
+  std::uint64_t unverified = 0;
+  std::uint64_t suppressed = 0;
+  Counts counts;
+  void add(const FileReport& report);
+};
+
+enum class ReportFormat : std::uint8_t { text, json, khronos, github };
+
+std::string_view report_format_name(ReportFormat format);
+std::optional<ReportFormat> report_format_from_name(std::string_view name);
+/// All names, for help texts.
+std::span<const std::string_view> report_format_names();
+
+struct FormatOptions {
+  bool color = false;  ///< text: ANSI colours
+  bool quiet = false;  ///< text: findings only, no summary
+  std::string command;  ///< text: how the user calls the program, for help lines ("gltfx")
+  std::string profile;     ///< named in json
+  std::string pixel_level; ///< named in json: how far images were looked into
+};
+
+/// Writes reports one after the other, so that a run of any length stays flat in memory.
+/// Calls: begin, file for each report in order, end. Each appends text to `out`, which the caller
+/// writes and clears as it likes. Not thread-safe.
+class ReportWriter {
+ public:
+  virtual ~ReportWriter() = default;
+  virtual void begin(std::string& out) = 0;
+  virtual void file(const FileReport& report, std::string& out) = 0;
+  virtual void end(const RunSummary& summary, std::string& out) = 0;
+};
+
+std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format, const FormatOptions& options);
+
+/// The JSON Schema (2020-12) of `--format json`.
+std::string_view json_report_schema();
+
+}  // namespace gltfx

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/asset.hpp"
+
+namespace gltfx::model {
+namespace {
+
+constexpr std::array<std::string_view, kRootArrayCount> kNames{
+    "accessors", "animations", "buffers",  "bufferViews", "cameras", "images",  "materials",
+    "meshes",    "nodes",      "samplers", "scenes",      "skins",   "textures"};
+
+std::vector<json::NodeId> collect(const json::Document& document, json::NodeId array) {
+  if (array == json::kNoNode || !document.is_array(array)) return {};
+  if (document.kind(array) == json::Kind::number_array) {
+    return std::vector<json::NodeId>(document.array_size(array), json::kNoNode);
+  }
+  std::vector<json::NodeId> objects;
+  for (const json::NodeId element : document.elements(array)) {
+    objects.push_back(document.is_object(element) ? element : json::kNoNode);
+  }
+  return objects;
+}
+
+}  // namespace
+
+std::string_view root_array_name(RootArray array) {
+  return kNames[static_cast<std::size_t>(array)];
+}
+
+Asset::Asset(const json::Document& document) : document_(&document) {
+  if (document.empty()) return;
+  for (std::size_t i = 0; i < kRootArrayCount; ++i) {
+    elements_[i] = collect(document, document.find(document.root(), kNames[i]));
+  }
+}
+
+std::optional<std::uint32_t> Asset::index(json::NodeId object, std::string_view member,
+                                          RootArray array) const {
+  const json::NodeId value = document_->find(object, member);
+  if (value == json::kNoNode || !document_->is_number(value)) return std::nullopt;
+  return index(document_->number(value).value, array);
+}
+
+std::optional<std::uint32_t> Asset::index(double value, RootArray array) const {
+  const auto& objects = elements(array);
+  if (!(value >= 0) || value >= static_cast<double>(objects.size())) return std::nullopt;
+  const auto at = static_cast<std::uint32_t>(value);
+  if (static_cast<double>(at) != value || objects[at] == json::kNoNode) return std::nullopt;
+  return at;
+}
+
+std::string Asset::name(json::NodeId object) const {
+  const json::NodeId value = document_->find(object, "name");
+  if (value == json::kNoNode || !document_->is_string(value)) return {};
+  return document_->string(value);
+}
+
+}  // namespace gltfx::model

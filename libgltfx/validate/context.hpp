@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a rule is given, and how rules are hung into the phases.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <gltfx/validate.hpp>
+
+#include "base/json_pointer.hpp"
+#include "base/sink.hpp"
+#include "container/container.hpp"
+#include "container/resolver.hpp"
+#include "json/document.hpp"
+#include "model/asset.hpp"
+#include "schema/check.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::validate {
+
+/// Everything a rule may look at. Lives for one asset; rules do not keep it.
+struct Context {
+  const container::Container& container;
+  const container::Resolver& resolver;
+  const json::Document& document;
+  const schema::Set& schemas;
+  const model::Asset& asset;
+  const ValidateOptions& options;
+  /// What the schema walk learned. Complete for link rules; empty while object rules run.
+  schema::CheckResult checked;
+  /// Phase 3, and phase 4 which is reported behind it.
+  Sink& schema_sink;
+  Sink& link_sink;
+
+  bool khronos() const { return options.profile == Profile::khronos; }
+};
+
+/// A rule about the members of one object, run right behind its members have been checked. Reports
+/// to `schema_sink`.
+using ObjectRule = void (*)(const Context& context, json::NodeId object, const Path& path);
+
+/// A rule about how objects refer to each other, run once when all of them are known. Reports to
+/// `link_sink`.
+using LinkRule = void (*)(const Context& context);
+
+struct ObjectRuleEntry {
+  std::string_view type;  ///< object type name: "node", "mesh.primitive"
+  ObjectRule rule;
+};
+
+/// What a file of rules/ contributes: its table first, then what runs. Object rules of one type run
+/// in the order of the families, link rules in the order of `families()`.
+struct Family {
+  std::string_view name;
+  std::span<const RuleDescription> rules;
+  std::span<const ObjectRuleEntry> object_rules;
+  std::span<const LinkRule> link_rules;
+};
+
+/// All families, in the order their link rules run. One line a file in rules/families.cpp.
+std::span<const Family> families();
+
+/// Span of a member's value, or of the first character of the object when it has no such member.
+Span member_span(const json::Document& document, json::NodeId object, std::string_view member);
+/// The first character of a value: keeps the caret short where a whole object is meant.
+Span first_character(const json::Document& document, json::NodeId value);
+
+}  // namespace gltfx::validate
