@@ -9,34 +9,21 @@
 #include <string_view>
 
 #include "container/bytes.hpp"
+#include "container/confined_open.hpp"
+#include "container/resolve_fault.hpp"
 
 namespace gltfx::container {
 
-/// Why a resource could not be opened.
-enum class ResolveFault : std::uint8_t {
-  none,
-  not_found,
-  outside_root,   ///< "..", an absolute path or a symbolic link leads out of the root
-  not_regular,    ///< a folder, FIFO, socket or device
-  no_permission,
-  no_root,        ///< standard input without --root: external files are not looked up
-  io_error,
-  truncated,      ///< shorter than when it was opened
-  too_large,
-};
-
 struct Resolved {
   ResolveFault fault = ResolveFault::none;
-  Bytes bytes;           ///< mapped; valid when fault is none
+  Bytes bytes;  ///< mapped; valid when fault is none
   bool git_lfs_pointer = false;
-  std::string problem;   ///< printable detail of the fault
+  std::string problem;  ///< printable detail of the fault
 };
 
-/// How the root is enforced. `automatic` asks the kernel (openat2 with RESOLVE_BENEATH) and does it
-/// by hand where the kernel refuses; `by_hand` is for tests and old kernels. Both behave alike.
-enum class Confinement : std::uint8_t { automatic, by_hand };
-
 /// Confined to `root`; relative references are resolved against `base`, which lies inside the root.
+/// The root is opened once, by the constructor, and every look-up starts from that descriptor: a
+/// folder renamed or replaced meanwhile cannot lead elsewhere. Copies share the descriptor.
 /// Safe to use from several threads.
 class Resolver {
  public:
@@ -52,10 +39,13 @@ class Resolver {
   ResolveFault stat(std::string_view path, std::uint64_t& size) const;
 
  private:
-  std::filesystem::path root_;
-  std::filesystem::path base_;
+  ResolveFault open_at(std::string_view path, File& file) const;
+
+  std::shared_ptr<const UniqueFd> root_;  ///< null: no root, or it could not be opened
+  std::string base_;  ///< of the base, relative to the root; empty or ends in '/'
+  ResolveFault unusable_ = ResolveFault::no_root;  ///< why every look-up fails, or none
+  std::string problem_;
   Confinement confinement_ = Confinement::automatic;
-  bool has_root_ = false;
 };
 
 }  // namespace gltfx::container

@@ -21,9 +21,16 @@ enum class UriKind : std::uint8_t {
 
 struct Uri {
   UriKind kind = UriKind::invalid;
-  std::string path;        ///< relative_path: percent-decoded, '/' separated
-  std::string normalized;  ///< as reports print it: a space becomes %20
-  std::string problem;     ///< invalid: why, printable
+  /// relative_path: percent-decoded, '/' separated, "." and ".." segments removed (RFC 3986 section
+  /// 5.2.4) but for ".." at the front. It never holds a NUL.
+  std::string path;
+  /// As reports print it: what may not stand in a URI is percent-encoded, escapes of letters and
+  /// digits are undone, hexadecimal digits are upper case.
+  std::string normalized;
+  std::string problem;  ///< invalid: why, as the printable end of a sentence ("it ... at byte 3")
+  /// invalid: a lenient reader still takes it for a relative path, which `path` and `normalized`
+  /// then hold ('\\' read as '/', a stray '%' as itself). False where nobody can.
+  bool lenient_path = false;
 };
 
 /// Never fails: what is wrong is in `kind` and `problem`. Data URIs are not decoded here.
@@ -35,7 +42,12 @@ struct DataUri {
   std::string_view payload;  ///< points into the URI
 };
 
-/// Splits "data:[type][;parameter]*[;base64],payload". Case of the scheme does not matter.
+/// Undoes percent escapes; a '%' that begins none stands for itself.
+std::string percent_decode(std::string_view text);
+
+/// Splits "data:[type][;parameter]*[;base64],payload". Case of the scheme and
+/// type does not matter; "base64" is lower case, as every reader takes it. An Error when there is
+/// no comma, the type has no '/', or a parameter no '='.
 Result<DataUri> split_data_uri(std::string_view uri);
 
 /// Decodes the payload: base64 strictly (RFC 4648: alphabet, padding, no whitespace, zero spare

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/parallel.hpp"
+
+#include <algorithm>
+
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+namespace gltfx {
+namespace {
+
+constexpr std::size_t kAheadPerJob = 4;  // enough that one slow item does not idle the others
+constexpr unsigned kMaxJobs = 1024;      // an arena takes an int, and nobody has more
+
+void run_pipeline(std::size_t count, std::size_t ahead,
+                  const std::function<void(std::size_t)>& produce,
+                  const std::function<void(std::size_t)>& consume) {
+  std::size_t next = 0;
+  const auto number = [&next, count](tbb::flow_control& control) -> std::size_t {
+    if (next == count) {
+      control.stop();
+      return 0;
+    }
+    return next++;
+  };
+  const auto work = [&produce](std::size_t i) {
+    produce(i);
+    return i;
+  };
+  tbb::parallel_pipeline(
+      ahead, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, number) &
+                 tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work) &
+                 tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, consume));
+}
+
+}  // namespace
+
+unsigned default_jobs() {
+  return static_cast<unsigned>(std::max(1, tbb::this_task_arena::max_concurrency()));
+}
+
+void parallel_ordered(std::size_t count, unsigned jobs,
+                      const std::function<void(std::size_t)>& produce,
+                      const std::function<void(std::size_t)>& consume) {
+  if (jobs == 0) jobs = default_jobs();
+  if (jobs == 1 || count < 2) {
+    for (std::size_t i = 0; i < count; ++i) {
+      produce(i);
+      consume(i);
+    }
+    return;
+  }
+  jobs = std::min(jobs, kMaxJobs);
+  tbb::task_arena arena(static_cast<int>(jobs));
+  arena.execute([&] { run_pipeline(count, jobs * kAheadPerJob, produce, consume); });
+}
+
+}  // namespace gltfx

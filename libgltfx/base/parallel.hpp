@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Many items on several threads, results in the order of the items.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace gltfx {
+
+/// Threads that are worth starting on this machine, as far as this process may use them; at
+/// least 1.
+unsigned default_jobs();
+
+/// Calls produce(i) for every i in [0, count), on up to `jobs` threads at once, and consume(i)
+/// strictly in the order 0, 1, 2, ..., one call at a time, each after its produce(i). Returns when
+/// all are consumed.
+///
+/// - `jobs` 1 runs everything on the caller's thread, item by item; 0 means default_jobs().
+/// - Items that are produced and not yet consumed never exceed a small multiple of `jobs`, so
+/// memory
+///   stays flat over any number of items.
+/// - consume() may run on any of the threads, but sees all that the calls before it wrote.
+/// - Callbacks must not throw. One that does ends the work early and the exception reaches the
+///   caller of parallel_ordered; it does not end the process.
+void parallel_ordered(std::size_t count, unsigned jobs,
+                      const std::function<void(std::size_t)>& produce,
+                      const std::function<void(std::size_t)>& consume);
+
+}  // namespace gltfx

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/container.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "container/file.hpp"
+#include "container/glb.hpp"
+#include "container/sniff.hpp"
+#include "container/source.hpp"
+
+namespace gltfx::container {
+namespace {
+
+constexpr std::uint64_t kMaxJson = UINT32_MAX;  // positions in a text are 32 bits wide (Span)
+
+Error failure(const std::filesystem::path& path, ResolveFault fault, std::string_view problem) {
+  return {fmt::format("{} {}", describe(fault, path.native(), problem), remedy(fault))};
+}
+
+Error too_large(const std::filesystem::path& path, std::uint64_t size, std::uint64_t limit) {
+  return failure(path, ResolveFault::too_large,
+                 fmt::format("it has {} bytes, at most {} are read", size, limit));
+}
+
+/// The text is the only copy: `bytes` shows the same memory.
+Container from_text(std::string text) {
+  Container container;
+  container.format = Format::gltf;
+  container.json = std::make_shared<const std::string>(std::move(text));
+  container.bytes = {std::as_bytes(std::span(container.json->data(), container.json->size())),
+                     container.json};
+  return container;
+}
+
+Container from_memory(std::string text, std::string_view name) {
+  const Format format = sniff(text, text.size(), name);
+  if (format == Format::gltf) return from_text(std::move(text));
+  return open_bytes(Bytes::from_string(std::move(text)), name);
+}
+
+Result<Container> copy_whole(const File& file, const std::filesystem::path& path) {
+  Copied copy = copy_range(file.fd.get(), 0, file.size);
+  if (copy.fault != ResolveFault::none) return failure(path, copy.fault, copy.problem);
+  return from_memory(std::move(copy.text), path.native());
+}
+
+/// A large file that is not text: its JSON is copied, the rest stays where it is.
+Result<Container> open_mapped(const File& file, const std::filesystem::path& path, Format format) {
+  Container container;
+  container.format = format;
+  if (format == Format::glb) {
+    const auto fault = read_glb(Source(file.fd.get(), file.size), container);
+    if (fault) return failure(path, fault->fault, fault->problem);
+  }
+  Loaded mapping = map_file(file.fd.get(), file.size);
+  if (mapping.fault != ResolveFault::none) return failure(path, mapping.fault, mapping.problem);
+  container.bytes = std::move(mapping.bytes);
+  return container;
+}
+
+}  // namespace
+
+Result<Container> open_file(const std::filesystem::path& path, const OpenLimits& limits) {
+  const File file = open_regular(AT_FDCWD, path.c_str());
+  if (file.fault != ResolveFault::none) return failure(path, file.fault, file.problem);
+  if (file.size > limits.max_bytes) return too_large(path, file.size, limits.max_bytes);
+  if (file.size <= kCopyBelow) return copy_whole(file, path);
+  const Copied head = copy_range(file.fd.get(), 0, kSniffBytes);
+  if (head.fault != ResolveFault::none) return failure(path, head.fault, head.problem);
+  const Format format = sniff(head.text, file.size, path.native());
+  if (format != Format::gltf) return open_mapped(file, path, format);
+  if (file.size > kMaxJson) return too_large(path, file.size, kMaxJson);
+  return copy_whole(file, path);
+}
+
+Container open_bytes(Bytes bytes, std::string_view name) {
+  Container container;
+  container.format = sniff(bytes.text(), bytes.size(), name);
+  if (container.format == Format::gltf && bytes.size() <= kMaxJson) {
+    container.json = std::make_shared<const std::string>(bytes.text());
+  } else if (container.format == Format::glb) {
+    read_glb(Source(bytes), container);  // memory does not fail
+  }
+  container.bytes = std::move(bytes);
+  return container;
+}
+
+}  // namespace gltfx::container

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <limits>
+#include <memory>
+#include <new>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace gltfx::container {
+namespace {
+
+constexpr int kOpenFlags = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
+constexpr std::size_t kReadAtOnce = std::size_t{1} << 30U;  // Linux reads at most 2 GiB a call
+
+std::string_view kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "it is a folder";
+  if (S_ISFIFO(mode)) return "it is a pipe";
+  if (S_ISSOCK(mode)) return "it is a socket";
+  if (S_ISCHR(mode) || S_ISBLK(mode)) return "it is a device";
+  return "it is a special file";
+}
+
+ssize_t pread_again(int fd, char* to, std::size_t length, std::uint64_t offset) {
+  ssize_t got = -1;
+  do {
+    got = ::pread(fd, to, std::min(length, kReadAtOnce), static_cast<off_t>(offset));
+  } while (got < 0 && errno == EINTR);
+  return got;
+}
+
+bool allocate(std::string& text, std::uint64_t length) {
+  try {
+    text.resize(length);
+  } catch (const std::exception&) {  // bad_alloc, length_error
+    return false;
+  }
+  return true;
+}
+
+Copied copy_fault(ResolveFault fault, std::string problem) {
+  return {fault, {}, std::move(problem)};
+}
+
+}  // namespace
+
+UniqueFd::~UniqueFd() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+File file_fault(int error) {
+  File file;
+  file.fault = fault_of_errno(error);
+  const bool said_already = error == ENOENT || file.fault == ResolveFault::no_permission ||
+                            file.fault == ResolveFault::outside_root;
+  if (!said_already) file.problem = error == EISDIR ? "it is a folder" : errno_text(error);
+  return file;
+}
+
+File open_regular(int folder, const char* path, int flags) {
+  UniqueFd fd(::openat(folder, path, kOpenFlags | flags));
+  if (!fd) return file_fault(errno);
+  return adopt_regular(std::move(fd));
+}
+
+File adopt_regular(UniqueFd fd) {
+  struct stat status {};
+  if (::fstat(fd.get(), &status) != 0) return file_fault(errno);
+  File file;
+  if (!S_ISREG(status.st_mode)) {
+    file.fault = ResolveFault::not_regular;
+    file.problem = kind_of(status.st_mode);
+    return file;
+  }
+  file.size = static_cast<std::uint64_t>(status.st_size);
+  file.fd = std::move(fd);
+  return file;
+}
+
+Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length) {
+  Copied copy;
+  if (!allocate(copy.text, length)) {
+    return copy_fault(ResolveFault::too_large,
+                      fmt::format("{} bytes do not fit in memory", length));
+  }
+  std::size_t done = 0;
+  while (done < copy.text.size()) {
+    const ssize_t got =
+        pread_again(fd, copy.text.data() + done, copy.text.size() - done, offset + done);
+    if (got < 0) return copy_fault(fault_of_errno(errno), errno_text(errno));
+    if (got == 0) {
+      return copy_fault(ResolveFault::truncated,
+                        fmt::format("it ended at byte {} where {} were expected", offset + done,
+                                    offset + length));
+    }
+    done += static_cast<std::size_t>(got);
+  }
+  return copy;
+}
+
+Loaded map_file(int fd, std::uint64_t size) {
+  if (size == 0) return {};
+  if (size > std::numeric_limits<std::size_t>::max()) {
+    return {ResolveFault::too_large, {}, "it does not fit in the address space"};
+  }
+  const std::size_t length = size;
+  void* start = ::mmap(nullptr, length, PROT_READ, MAP_PRIVATE, fd, 0);
+  if (start == MAP_FAILED) return {fault_of_errno(errno), {}, errno_text(errno)};
+  const std::shared_ptr<const void> owner(
+      start, [length](const void* mapped) { ::munmap(const_cast<void*>(mapped), length); });
+  return {ResolveFault::none, {{static_cast<const std::byte*>(start), length}, owner}, {}};
+}
+
+Loaded load_file(const File& file) {
+  if (file.fault != ResolveFault::none) return {file.fault, {}, file.problem};
+  if (file.size > kCopyBelow) return map_file(file.fd.get(), file.size);
+  Copied copy = copy_range(file.fd.get(), 0, file.size);
+  return {copy.fault, Bytes::from_string(std::move(copy.text)), std::move(copy.problem)};
+}
+
+}  // namespace gltfx::container

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Regular files as descriptors: opened without blocking, copied with pread or mapped.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "container/bytes.hpp"
+#include "container/resolve_fault.hpp"
+
+namespace gltfx::container {
+
+/// A file descriptor with one owner, closed at the end of its life.
+class UniqueFd {
+ public:
+  UniqueFd() = default;
+  explicit UniqueFd(int fd) : fd_(fd) {}
+  UniqueFd(UniqueFd&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  UniqueFd& operator=(UniqueFd&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  UniqueFd(const UniqueFd&) = delete;
+  UniqueFd& operator=(const UniqueFd&) = delete;
+  ~UniqueFd();
+
+  int get() const { return fd_; }
+  explicit operator bool() const { return fd_ >= 0; }
+
+ private:
+  int fd_ = -1;
+};
+
+/// An open regular file, or why there is none.
+struct File {
+  UniqueFd fd;
+  std::uint64_t size = 0;  ///< bytes when it was opened
+  ResolveFault fault = ResolveFault::none;
+  std::string problem;
+};
+
+/// A File that says why there is none; the words are those of the system.
+File file_fault(int error);
+
+/// Opens `path` for reading, relative to `folder` (AT_FDCWD: the current one). `flags` are added
+/// to those every file is opened with. Neither a FIFO nor a device can make it wait.
+File open_regular(int folder, const char* path, int flags = 0);
+
+/// Takes over a descriptor opened by somebody else; a fault unless it is a regular file.
+File adopt_regular(UniqueFd fd);
+
+/// Bytes that were read, or why not.
+struct Loaded {
+  ResolveFault fault = ResolveFault::none;
+  Bytes bytes;
+  std::string problem;
+};
+
+/// Text that was read, or why not.
+struct Copied {
+  ResolveFault fault = ResolveFault::none;
+  std::string text;
+  std::string problem;
+};
+
+/// Copies [offset, offset + length) with pread; `truncated` when the file ends before. The caller
+/// has checked the length against the file's size.
+Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length);
+
+/// Maps the whole file read-only and private. No byte is read now.
+Loaded map_file(int fd, std::uint64_t size);
+
+/// Files up to this size are copied: that costs less than a mapping and cannot fault later.
+inline constexpr std::uint64_t kCopyBelow = 16U * 1024U;
+
+/// The whole file: a copy when it is small, else a mapping.
+Loaded load_file(const File& file);
+
+}  // namespace gltfx::container

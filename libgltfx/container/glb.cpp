@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/glb.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "base/checked.hpp"
+#include "container/glb_faults.hpp"
+
+namespace gltfx::container {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x46546C67;
+constexpr std::uint64_t kHeaderSize = 12;
+constexpr std::uint64_t kChunkHeaderSize = 8;
+
+std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8U * i);
+  }
+  return value;
+}
+
+/// One pass over the chunk headers. A step returns false when there is nothing left to read.
+class GlbReader {
+ public:
+  GlbReader(const Source& source, Container& out) : source_(source), out_(out) {}
+
+  std::optional<Copied> run() {
+    if (!read_header()) return std::move(failure_);
+    while (at_ < source_.size()) {
+      if (!read_chunk()) return std::move(failure_);
+    }
+    out_.ends_in_empty_chunk = !out_.chunks.empty() && out_.chunks.back().length == 0;
+    if (at_ != declared_) late(glb_fault::length_mismatch(declared_, source_.size()));
+    return std::nullopt;
+  }
+
+ private:
+  void early(ContainerFault fault) { out_.faults.push_back(std::move(fault)); }
+  void late(ContainerFault fault) { out_.late_faults.push_back(std::move(fault)); }
+
+  bool stop_short(ContainerFault fault) {
+    out_.cut_short = true;
+    late(std::move(fault));
+    return false;
+  }
+
+  bool copy(std::uint64_t offset, std::uint64_t length, std::string& text) {
+    Copied copied = source_.copy(offset, length);
+    if (copied.fault != ResolveFault::none) {
+      failure_ = std::move(copied);
+      return false;
+    }
+    text = std::move(copied.text);
+    return true;
+  }
+
+  bool read_header() {
+    if (source_.size() < kHeaderSize) return stop_short(glb_fault::end_of_header(source_.size()));
+    std::string header;
+    if (!copy(0, kHeaderSize, header)) return false;
+    const std::uint32_t magic = little_endian(header, 0);
+    const std::uint32_t version = little_endian(header, 4);
+    declared_ = little_endian(header, 8);
+    if (magic != kMagic) {
+      early(glb_fault::invalid_magic(magic));
+      return false;
+    }
+    out_.glb_version = version;
+    if (version != 2) {
+      early(glb_fault::invalid_version(version));
+      return false;
+    }
+    if (declared_ <= kHeaderSize) early(glb_fault::length_too_small(declared_));
+    return true;
+  }
+
+  bool read_chunk() {
+    const std::uint64_t size = source_.size();
+    if (at_ == declared_) {
+      early(glb_fault::extra_data(declared_, size));
+      return false;
+    }
+    if (out_.chunks.size() == kMaxChunks) {
+      early(glb_fault::too_many_chunks(at_, size));
+      return false;
+    }
+    if (!fits(at_, kChunkHeaderSize, size)) {
+      return stop_short(glb_fault::end_of_chunk_header(at_, size));
+    }
+    std::string header;
+    if (!copy(at_, kChunkHeaderSize, header)) return false;
+    return take_chunk(little_endian(header, 0), little_endian(header, 4));
+  }
+
+  bool take_chunk(std::uint32_t length, std::uint32_t type) {
+    Chunk chunk;
+    chunk.type = type;
+    chunk.header_offset = at_;
+    chunk.offset = at_ + kChunkHeaderSize;
+    chunk.length = std::min<std::uint64_t>(length, source_.size() - chunk.offset);
+    check_chunk(chunk, length);
+    const bool whole = chunk.length == length;
+    if (!keep_chunk(chunk, whole)) return false;
+    if (!whole) return stop_short(glb_fault::end_of_chunk_data(chunk, length, source_.size()));
+    at_ = chunk.offset + chunk.length;
+    return true;
+  }
+
+  void check_chunk(const Chunk& chunk, std::uint32_t length) {
+    if (length % 4 != 0) early(glb_fault::chunk_unaligned(chunk, length));
+    if (!fits(chunk.offset, length, declared_)) {
+      early(glb_fault::chunk_too_big(chunk, length, declared_));
+    }
+    if (out_.chunks.empty() && chunk.type != kChunkJson) early(glb_fault::unexpected_first(chunk));
+    if (chunk.type == kChunkBin && !out_.bin && out_.chunks.size() > 1) {
+      early(glb_fault::unexpected_bin(chunk, out_.chunks.size() + 1));
+    }
+    check_use(chunk, length);
+  }
+
+  void check_use(const Chunk& chunk, std::uint32_t length) {
+    if (chunk.type == kChunkJson) {
+      if (length == 0) early(glb_fault::empty_json(chunk));
+      if (seen_json_) early(glb_fault::duplicate(chunk));
+    } else if (chunk.type == kChunkBin) {
+      if (length == 0) early(glb_fault::empty_bin(chunk));
+      if (out_.bin) early(glb_fault::duplicate(chunk));
+    } else {
+      early(glb_fault::unknown_type(chunk));
+    }
+  }
+
+  bool keep_chunk(const Chunk& chunk, bool whole) {
+    out_.chunks.push_back(chunk);
+    if (chunk.type == kChunkBin && !out_.bin) out_.bin = chunk;
+    if (chunk.type != kChunkJson || std::exchange(seen_json_, true)) return true;
+    // Half a JSON text would only add a second message about the same cut.
+    if (!whole || chunk.length == 0) return true;
+    std::string text;
+    if (!copy(chunk.offset, chunk.length, text)) return false;
+    out_.json = std::make_shared<const std::string>(std::move(text));
+    out_.json_offset = chunk.offset;
+    return true;
+  }
+
+  const Source& source_;
+  Container& out_;
+  std::optional<Copied> failure_;
+  std::uint64_t at_ = kHeaderSize;
+  std::uint32_t declared_ = 0;
+  bool seen_json_ = false;
+};
+
+}  // namespace
+
+std::optional<Copied> read_glb(const Source& source, Container& container) {
+  return GlbReader(source, container).run();
+}
+
+}  // namespace gltfx::container

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Why a file could not be read, and how that is told to a person.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace gltfx::container {
+
+/// Why a resource could not be opened.
+enum class ResolveFault : std::uint8_t {
+  none,
+  not_found,
+  outside_root,  ///< "..", an absolute path or a symbolic link leads out of the root
+  not_regular,   ///< a folder, FIFO, socket or device
+  no_permission,
+  no_root,  ///< standard input without --root: external files are not looked up
+  io_error,
+  truncated,  ///< shorter than when it was opened
+  too_large,
+};
+
+/// The fault that a system call's errno stands for.
+ResolveFault fault_of_errno(int error);
+
+/// The system's words for an errno, safe to call from several threads.
+std::string errno_text(int error);
+
+/// One sentence that names `path` (shown printable) and what is wrong with it. `problem` is a
+/// detail such as `Resolved::problem`, put behind a colon where it adds something.
+std::string describe(ResolveFault fault, std::string_view path, std::string_view problem = {});
+
+/// What to do about it, one sentence; empty for `none`.
+std::string_view remedy(ResolveFault fault);
+
+}  // namespace gltfx::container

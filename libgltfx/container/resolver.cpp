@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/resolver.hpp"
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+
+#include "container/sniff.hpp"
+
+namespace gltfx::container {
+namespace {
+
+std::filesystem::path or_current(std::filesystem::path path) {
+  return path.empty() ? std::filesystem::path(".") : path;
+}
+
+/// `base` seen from `root`, both without links; empty when they are one folder.
+std::string relative_base(const std::filesystem::path& root, const std::filesystem::path& base,
+                          ResolveFault& fault) {
+  if (root == base) return {};
+  std::error_code error;
+  const auto real_root = std::filesystem::canonical(root, error);
+  const auto real_base = error ? base : std::filesystem::canonical(base, error);
+  if (error) {
+    fault = fault_of_errno(error.value());
+    return {};
+  }
+  const std::filesystem::path relative = real_base.lexically_relative(real_root);
+  if (relative == ".") return {};
+  if (relative.empty() || *relative.begin() == "..") {
+    fault = ResolveFault::outside_root;
+    return {};
+  }
+  return relative.native() + '/';
+}
+
+}  // namespace
+
+Resolver::Resolver(std::filesystem::path root, std::filesystem::path base, Confinement confinement)
+    : unusable_(ResolveFault::none), confinement_(confinement) {
+  root = or_current(std::move(root));
+  UniqueFd fd(::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!fd) {
+    unusable_ = fault_of_errno(errno);
+    problem_ = "the root folder cannot be opened: " + errno_text(errno);
+    return;
+  }
+  root_ = std::make_shared<const UniqueFd>(std::move(fd));
+  base_ = relative_base(root, or_current(std::move(base)), unusable_);
+  if (unusable_ != ResolveFault::none) problem_ = "the asset's folder is not inside the root";
+}
+
+ResolveFault Resolver::open_at(std::string_view path, File& file) const {
+  if (unusable_ != ResolveFault::none) {
+    file.fault = unusable_;
+    file.problem = problem_;
+  } else if (path.starts_with('/')) {
+    file = file_fault(EXDEV);
+  } else {
+    file = open_beneath(root_->get(), base_ + std::string(path), confinement_);
+  }
+  return file.fault;
+}
+
+Resolved Resolver::open(std::string_view path) const {
+  File file;
+  Resolved resolved;
+  resolved.fault = open_at(path, file);
+  resolved.problem = std::move(file.problem);
+  if (resolved.fault != ResolveFault::none) return resolved;
+  Loaded loaded = load_file(file);
+  resolved.fault = loaded.fault;
+  resolved.problem = std::move(loaded.problem);
+  resolved.bytes = std::move(loaded.bytes);
+  resolved.git_lfs_pointer = is_git_lfs_pointer(resolved.bytes.text(), resolved.bytes.size());
+  return resolved;
+}
+
+ResolveFault Resolver::stat(std::string_view path, std::uint64_t& size) const {
+  File file;
+  const ResolveFault fault = open_at(path, file);
+  size = file.size;
+  return fault;
+}
+
+}  // namespace gltfx::container

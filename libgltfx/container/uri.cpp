@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/uri.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "container/uri_characters.hpp"
+
+namespace gltfx::container {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+
+void append_escaped(std::string& out, char c) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(c);
+  out += '%';
+  out += kDigits[byte >> 4U];
+  out += kDigits[byte & 15U];
+}
+
+/// RFC 3986 section 6.2.2, and as lenient readers do: '\' is '/', what may not stand there is
+/// escaped. `kept` are further characters that stay as they are.
+std::string normalize_escapes(std::string_view text, std::string_view kept = {}) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i] == '\\' ? '/' : text[i];
+    if (is_escape(text, i)) {
+      const char byte = escaped_byte(text, i);
+      is_unreserved(byte) ? out.push_back(byte) : append_escaped(out, byte);
+      i += 2;
+    } else if (is_path_character(c) || kept.find(c) != npos) {
+      out += c;
+    } else {
+      append_escaped(out, c);
+    }
+  }
+  return out;
+}
+
+/// RFC 3986 section 5.2.4 for a relative path: ".." stays only in front, a folder keeps its '/'.
+std::string remove_dot_segments(std::string_view path) {
+  std::vector<std::string_view> segments;
+  std::size_t parents = 0;  // leading ".." in `segments`
+  bool folder = false;      // the last segment was a dot segment, so a '/' follows what is left
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    const std::string_view segment = path.substr(begin, end - begin);
+    // ".//a" names "a", not "/a".
+    const bool hollow = segment.empty() && segments.empty() && begin != 0;
+    begin = end + 1;
+    folder = segment == "." || segment == "..";
+    if (segment == "..") {
+      if (segments.size() > parents) {
+        segments.pop_back();
+      } else {
+        segments.push_back(segment);
+        ++parents;
+      }
+    } else if (segment != "." && !hollow) {
+      segments.push_back(segment);
+    }
+  }
+  if (segments.empty() && folder) return "./";
+  std::string out;
+  for (const std::string_view segment : segments) out.append(segment).push_back('/');
+  if (!folder && !out.empty()) out.pop_back();
+  return out;
+}
+
+/// A ':' in the first segment would read as the end of a scheme.
+std::string hide_colons(std::string path) {
+  const std::size_t end = std::min(path.find('/'), path.size());
+  for (std::size_t at = path.rfind(':', end); at != npos && at < end; at = path.rfind(':', at)) {
+    path.replace(at, 1, "%3A");
+    if (at == 0) break;
+    --at;
+  }
+  return path;
+}
+
+/// What no URI may hold, as the end of a sentence; empty when there is nothing.
+std::string find_problem(std::string_view uri) {
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const char c = uri[i];
+    const bool escape = is_escape(uri, i);
+    if (c == '%' && !escape) {
+      return fmt::format(
+          "has a '%' at byte {} without two hexadecimal digits behind it; a percent "
+          "sign itself is written '%25'",
+          i);
+    }
+    if (is_control(c)) {
+      return fmt::format("has the control character U+{:04X} at byte {}",
+                         static_cast<unsigned>(static_cast<unsigned char>(c)), i);
+    }
+    if (escape && is_control(escaped_byte(uri, i))) {
+      return fmt::format("has the escaped control character {} at byte {}",
+                         quoted(uri.substr(i, 3)), i);
+    }
+    if (c == '\\') {
+      return fmt::format("has a backslash at byte {}; folders are separated by '/'", i);
+    }
+  }
+  return {};
+}
+
+/// Where the ':' of a scheme stands: in the first segment, or npos.
+std::size_t scheme_end(std::string_view uri) {
+  const std::size_t end = uri.find_first_of(":/\\?#");
+  return end != npos && uri[end] == ':' ? end : npos;
+}
+
+std::string scheme_problem(std::string_view scheme) {
+  if (scheme.empty()) return "has a ':' at byte 0 with no scheme before it";
+  const auto allowed = [](char c) {
+    return is_alpha(c) || is_digit(c) || c == '+' || c == '-' || c == '.';
+  };
+  if (is_alpha(scheme.front()) && std::all_of(scheme.begin(), scheme.end(), allowed)) return {};
+  return fmt::format(
+      "has a ':' in its first segment, and {} before it is no scheme; a ':' in a "
+      "file's name is written '%3A'",
+      quoted(scheme));
+}
+
+Uri absolute(std::string_view uri, std::size_t scheme) {
+  Uri out;
+  out.problem = scheme_problem(uri.substr(0, scheme));
+  if (!out.problem.empty()) return out;
+  out.kind = UriKind::non_relative;
+  out.normalized = normalize_escapes(uri, "?#[]");
+  for (std::size_t i = 0; i < scheme; ++i) out.normalized[i] = ascii_lower(out.normalized[i]);
+  return out;
+}
+
+}  // namespace
+
+std::string percent_decode(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escape = is_escape(text, i);
+    out += escape ? escaped_byte(text, i) : text[i];
+    if (escape) i += 2;
+  }
+  return out;
+}
+
+std::size_t find_bad_escape(std::string_view text) {
+  std::size_t at = text.find('%');
+  while (at != npos && is_escape(text, at)) at = text.find('%', at + 3);
+  return at;
+}
+
+bool has_data_scheme(std::string_view uri) {
+  return uri.size() >= kDataScheme.size() &&
+         std::equal(kDataScheme.begin(), kDataScheme.end(), uri.begin(),
+                    [](char a, char b) { return a == ascii_lower(b); });
+}
+
+Uri classify_uri(std::string_view uri) {
+  Uri out;
+  if (has_data_scheme(uri)) {
+    out.kind = UriKind::data;
+    return out;
+  }
+  const std::size_t scheme = scheme_end(uri);
+  if (scheme != npos) return absolute(uri, scheme);
+  const bool rooted = !uri.empty() && (uri.front() == '/' || uri.front() == '\\');
+  if (rooted || uri.find_first_of("?#") != npos) {
+    out.kind = UriKind::non_relative;
+    out.normalized = normalize_escapes(uri, "?#");
+    return out;
+  }
+  out.problem = find_problem(uri);
+  out.kind = out.problem.empty() ? UriKind::relative_path : UriKind::invalid;
+  out.normalized = hide_colons(remove_dot_segments(normalize_escapes(uri)));
+  std::string slashes(uri);
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  out.path = remove_dot_segments(percent_decode(slashes));
+  if (out.path.find('\0') != npos) out.path.clear();
+  out.lenient_path = out.kind == UriKind::invalid && !out.path.empty();
+  return out;
+}
+
+}  // namespace gltfx::container
