@@ -2,12 +2,12 @@
 /// What a rule is given, and how rules are hung into the phases.
 #pragma once
 
+#include <gltfx/validate.hpp>
+
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-
-#include <gltfx/validate.hpp>
 
 #include "base/json_pointer.hpp"
 #include "base/sink.hpp"

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include <gltfx/pipeline.hpp>
+
+#include "base/parallel.hpp"
+#include "container/container.hpp"
+#include "container/resolver.hpp"
+#include "validate/validator.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The asset's folder is the base of its references; the root of trust is that folder or a wider one
+// that the user named.
+container::Resolver resolver_for(const fs::path& folder, const std::string& root) {
+  const fs::path base = folder.empty() ? fs::path(".") : folder;
+  return {root.empty() ? base : fs::path(root), base};
+}
+
+// The library does not throw: memory that cannot be had is one more reason why a file is unreadable.
+template <class Work>
+FileReport guarded(const std::string& name, const ValidateOptions& options, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return validate::unreadable(name, "There is not enough memory to check this file.", options);
+  } catch (const fs::filesystem_error&) {
+    return validate::unreadable(name, "The path cannot be looked up.", options);
+  }
+}
+
+}  // namespace
+
+FileReport validate_file(const std::string& path, const ValidateOptions& options) {
+  return guarded(path, options, [&] {
+    const auto opened = container::open_file(path);
+    if (!opened) return validate::unreadable(path, opened.error().message, options);
+    const container::Resolver resolver = resolver_for(fs::path(path).parent_path(), options.root);
+    return validate::validate(*opened, path, resolver, options);
+  });
+}
+
+FileReport validate_bytes(std::string bytes, const std::string& name,
+                          const ValidateOptions& options) {
+  return guarded(name, options, [&] {
+    const container::Container opened =
+        container::open_bytes(container::Bytes::from_string(std::move(bytes)));
+    const container::Resolver resolver = options.root.empty()
+                                             ? container::Resolver()
+                                             : resolver_for(options.root, options.root);
+    return validate::validate(opened, name, resolver, options);
+  });
+}
+
+void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
+                    unsigned jobs, const std::function<void(FileReport&&)>& consume) {
+  std::vector<std::optional<FileReport>> reports(paths.size());
+  parallel_ordered(
+      paths.size(), jobs, [&](std::size_t i) { reports[i] = validate_file(paths[i], options); },
+      [&](std::size_t i) {
+        consume(std::move(*reports[i]));
+        reports[i].reset();
+      });
+}
+
+}  // namespace gltfx

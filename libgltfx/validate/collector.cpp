@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/collector.hpp"
+
+#include <functional>
+#include <utility>
+
+#include "json/lines.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Mixes one step into a fold key. Collisions would only merge two findings of one code; with 64
+// bits they do not happen by accident, and a crafted one hides nothing from the counts.
+std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
+  hash ^= value + 0x9e3779b97f4a7c15ULL + (hash << 6) + (hash >> 2);
+  return hash * 0xff51afd7ed558ccdULL;
+}
+
+// Hash of a code and of the path with every array index made equal.
+std::uint64_t fold_key(const Path& path, std::string_view code) {
+  std::uint64_t hash = std::hash<std::string_view>{}(code);
+  for (const Path* step = &path; step->parent() != nullptr; step = step->parent()) {
+    hash = mix(hash, step->is_index() ? 1 : std::hash<std::string_view>{}(step->key()));
+  }
+  return hash;
+}
+
+// The name of the element of a root array that a pointer leads into: what an artist knows it by.
+std::string nearest_name(const json::Document& document, std::string_view pointer) {
+  if (document.empty() || pointer.empty()) return {};
+  const std::size_t second = pointer.find('/', 1);
+  if (second == std::string_view::npos) return {};
+  const std::string_view element = pointer.substr(0, pointer.find('/', second + 1));
+  const json::NodeId object = document.resolve(element);
+  if (object == json::kNoNode) return {};
+  const json::NodeId name = document.find(object, "name");
+  return name != json::kNoNode && document.is_string(name) ? document.string(name) : std::string();
+}
+
+}  // namespace
+
+Collector::Collector(const ValidateOptions& options) : options_(options) {
+  for (std::size_t i = 0; i < kPhaseCount; ++i) sinks_[i].bind(*this, static_cast<Phase>(i));
+}
+
+void Collector::PhaseSink::bind(Collector& collector, Phase phase) {
+  collector_ = &collector;
+  phase_ = phase;
+}
+
+void Collector::PhaseSink::report(const Path& path, Finding finding) {
+  collector_->add(phase_, path, std::move(finding));
+}
+
+Severity Collector::severity_of(const Finding& finding) const {
+  const auto wanted = options_.severity.find(finding.code);
+  if (wanted != options_.severity.end()) return wanted->second;
+  if (finding.severity) return *finding.severity;
+  const RuleDescription* rule = find_rule(finding.code);
+  return rule != nullptr ? rule->severity : Severity::error;
+}
+
+bool Collector::accepts(std::string_view code, Severity severity) const {
+  if (!options_.select.empty() && options_.select.find(code) == options_.select.end()) return false;
+  if (options_.ignore.find(code) != options_.ignore.end()) return false;
+  if (options_.profile == Profile::khronos) {
+    const RuleDescription* rule = find_rule(code);
+    return rule == nullptr || rule->khronos;
+  }
+  // Hints are for those who ask: by profile, by name, or by a severity of their own.
+  return severity != Severity::hint || options_.profile == Profile::strict ||
+         options_.select.find(code) != options_.select.end();
+}
+
+bool Collector::fold(Phase phase, const Path& path, std::string_view code) {
+  if (options_.profile == Profile::khronos) return false;
+  const auto at = static_cast<std::size_t>(phase);
+  const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, code), entries_[at].size());
+  if (fresh) return false;
+  Diagnostic& first = entries_[at][entry->second].diagnostic;
+  ++first.count;
+  first.last_pointer = path.pointer();
+  return true;
+}
+
+void Collector::add(Phase phase, const Path& path, Finding finding) {
+  const Severity severity = severity_of(finding);
+  if (!accepts(finding.code, severity) || fold(phase, path, finding.code)) return;
+  store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
+}
+
+void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
+  const Severity severity = severity_of(finding);
+  if (accepts(finding.code, severity)) store(phase, severity, std::move(finding), {}, offset);
+}
+
+void Collector::report_file(Phase phase, Finding finding) {
+  const Severity severity = severity_of(finding);
+  if (accepts(finding.code, severity)) store(phase, severity, std::move(finding), {}, std::nullopt);
+}
+
+void Collector::store(Phase phase, Severity severity, Finding finding, std::string pointer,
+                      std::optional<std::uint64_t> offset) {
+  Entry entry;
+  entry.span = finding.span;
+  entry.diagnostic.code = finding.code;
+  entry.diagnostic.severity = severity;
+  entry.diagnostic.message = std::move(finding.message);
+  entry.diagnostic.help = std::move(finding.help);
+  entry.diagnostic.pointer = std::move(pointer);
+  entry.diagnostic.offset = offset;
+  entries_[static_cast<std::size_t>(phase)].push_back(std::move(entry));
+}
+
+void Collector::finish(FileReport& report, const json::Document& document,
+                       std::uint64_t json_offset) {
+  for (std::vector<Entry>& entries : entries_) {
+    for (const Entry& entry : entries) {
+      report.counts.add(entry.diagnostic.severity, entry.diagnostic.count);
+    }
+    const std::size_t room = options_.max_issues - report.diagnostics.size();
+    if (options_.max_issues != 0 && entries.size() > room) {
+      entries.resize(room);
+      report.truncated = true;
+    }
+    // The khronos report has neither lines nor names: do not look a million of them up.
+    if (options_.profile != Profile::khronos && !entries.empty()) {
+      locate(entries, document, json_offset);
+    }
+    for (Entry& entry : entries) report.diagnostics.push_back(std::move(entry.diagnostic));
+  }
+}
+
+void Collector::locate(std::vector<Entry>& entries, const json::Document& document,
+                       std::uint64_t json_offset) {
+  if (!text_) return;
+  if (!lines_) lines_.emplace(*text_);
+  for (Entry& entry : entries) {
+    entry.diagnostic.object_name = nearest_name(document, entry.diagnostic.pointer);
+    // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.
+    if (entry.span.end == 0) continue;
+    entry.diagnostic.location = lines_->locate(entry.span, json_offset);
+    entry.diagnostic.excerpt = lines_->excerpt(entry.span);
+  }
+}
+
+}  // namespace gltfx::validate

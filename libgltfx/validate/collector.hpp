@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Gathers what the phases find into a report: severities, filters, folding, order, places.
+#pragma once
+
+#include <gltfx/report.hpp>
+#include <gltfx/validate.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "base/sink.hpp"
+#include "json/document.hpp"
+#include "json/lines.hpp"
+
+namespace gltfx::validate {
+
+/// The order of a report. Within a phase findings stand as they were found.
+enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };
+inline constexpr std::size_t kPhaseCount = 6;
+
+/// Findings of one asset. A repeat of a code at the same place, but for array indices, is folded
+/// into the first (not in the khronos profile), so a million faults cost a counter.
+class Collector {
+ public:
+  explicit Collector(const ValidateOptions& options);
+  Collector(const Collector&) = delete;
+  Collector& operator=(const Collector&) = delete;
+
+  /// The sink of a phase; lives as long as the collector.
+  Sink& sink(Phase phase) { return sinks_[static_cast<std::size_t>(phase)]; }
+  /// A finding on the container, at a byte of the file.
+  void report_offset(Phase phase, std::uint64_t offset, Finding finding);
+  /// A finding that belongs to no value: about the file as a whole, or about its text.
+  void report_file(Phase phase, Finding finding);
+  /// The JSON text that spans refer to; may be null.
+  void keep_text(std::shared_ptr<const std::string> text) { text_ = std::move(text); }
+
+  /// Moves everything into `report`: diagnostics in order, counts, and for those with a place in
+  /// the text its line, column, excerpt and name. `document` may be empty. `json_offset` is where
+  /// the text begins in the file. Call once.
+  void finish(FileReport& report, const json::Document& document, std::uint64_t json_offset);
+
+ private:
+  struct Entry {
+    Diagnostic diagnostic;
+    Span span;
+  };
+  class PhaseSink final : public Sink {
+   public:
+    void bind(Collector& collector, Phase phase);
+    void report(const Path& path, Finding finding) override;
+
+   private:
+    Collector* collector_ = nullptr;
+    Phase phase_ = Phase::schema;
+  };
+
+  void add(Phase phase, const Path& path, Finding finding);
+  bool fold(Phase phase, const Path& path, std::string_view code);
+  bool accepts(std::string_view code, Severity severity) const;
+  Severity severity_of(const Finding& finding) const;
+  void store(Phase phase, Severity severity, Finding finding, std::string pointer,
+             std::optional<std::uint64_t> offset);
+  void locate(std::vector<Entry>& entries, const json::Document& document,
+              std::uint64_t json_offset);
+
+  const ValidateOptions& options_;
+  std::array<std::vector<Entry>, kPhaseCount> entries_;
+  std::array<PhaseSink, kPhaseCount> sinks_;
+  /// Fold key -> position in entries_ of its phase.
+  std::array<std::unordered_map<std::uint64_t, std::size_t>, kPhaseCount> folded_;
+  std::shared_ptr<const std::string> text_;
+  std::optional<json::LineIndex> lines_;
+};
+
+}  // namespace gltfx::validate

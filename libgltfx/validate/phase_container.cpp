@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include "validate/phases.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+bool ends_with_ignoring_case(std::string_view text, std::string_view ending) {
+  if (text.size() < ending.size()) return false;
+  const std::string_view tail = text.substr(text.size() - ending.size());
+  for (std::size_t i = 0; i < ending.size(); ++i) {
+    const char c = tail[i] >= 'A' && tail[i] <= 'Z' ? static_cast<char>(tail[i] + 32) : tail[i];
+    if (c != ending[i]) return false;
+  }
+  return true;
+}
+
+Finding make(std::string_view code, std::string message, std::string help = {}) {
+  Finding finding;
+  finding.code = code;
+  finding.message = std::move(message);
+  finding.help = std::move(help);
+  return finding;
+}
+
+void report_faults(const std::vector<container::ContainerFault>& faults, Phase phase,
+                   Collector& collector) {
+  for (const container::ContainerFault& fault : faults) {
+    collector.report_offset(phase, fault.offset, make(fault.code, fault.message, fault.help));
+  }
+}
+
+// The name promises a GLB, the content is something else.
+bool check_promised_glb(const container::Container& container, Collector& collector) {
+  if (container.format == container::Format::glb) return true;
+  if (container.format == container::Format::empty) {
+    collector.report_offset(Phase::container, 0,
+                            make("GLB_UNEXPECTED_END_OF_HEADER", "The file is empty."));
+    return false;
+  }
+  const bool json = container.format == container::Format::gltf;
+  collector.report_offset(
+      Phase::container, 0,
+      make("GLB_INVALID_MAGIC", "The file does not begin with the four bytes 'glTF'.",
+           json ? "this looks like JSON text: rename the file to .gltf" : ""));
+  return false;
+}
+
+}  // namespace
+
+bool check_container(const container::Container& container, const std::string& name,
+                     FileReport& report, Collector& collector) {
+  report_faults(container.faults, Phase::container, collector);
+  report_faults(container.late_faults, Phase::container_end, collector);
+  if (container.format == container::Format::git_lfs_pointer) {
+    report.unverified = 1;
+    collector.report_file(
+        Phase::container,
+        make("GIT_LFS_POINTER", "The file is a Git-LFS pointer; the asset itself is not here.",
+             "fetch it with 'git lfs pull'"));
+    return false;
+  }
+  if (ends_with_ignoring_case(name, ".glb")) {
+    return check_promised_glb(container, collector) && container.json != nullptr;
+  }
+  if (container.format == container::Format::glb && ends_with_ignoring_case(name, ".gltf")) {
+    collector.report_file(
+        Phase::container,
+        make("FILE_EXTENSION_MISMATCH", "The file is named .gltf but holds a binary GLB.",
+             "rename it to .glb: loaders choose their reader by the name"));
+  }
+  if (container.format == container::Format::unknown ||
+      container.format == container::Format::empty) {
+    const bool empty = container.format == container::Format::empty;
+    collector.report_file(Phase::container,
+                          make("INVALID_JSON", empty ? "The file is empty."
+                                                     : "The file is neither JSON text nor a GLB."));
+    return false;
+  }
+  return container.json != nullptr;
+}
+
+std::string mime_type(const container::Container& container, const json::Document& document) {
+  if (container.format == container::Format::glb) return "model/gltf-binary";
+  const bool has_root = !document.empty() && document.is_object(document.root());
+  return has_root ? "model/gltf+json" : "";
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "json/parse.hpp"
+#include "validate/phases.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+std::string_view code_of(json::Fault fault) {
+  switch (fault) {
+    case json::Fault::invalid_utf8:
+      return "JSON_INVALID_UTF8";
+    case json::Fault::too_deep:
+      return "JSON_TOO_DEEP";
+    case json::Fault::trailing_data:
+      return "JSON_TRAILING_DATA";
+    case json::Fault::byte_order_mark:
+      return "JSON_BYTE_ORDER_MARK";
+    case json::Fault::trailing_comma:
+      return "JSON_TRAILING_COMMA";
+    case json::Fault::missing_comma:
+      return "JSON_MISSING_COMMA";
+    case json::Fault::duplicate_key:
+      return "JSON_DUPLICATE_KEY";
+    case json::Fault::lone_surrogate:
+      return "JSON_LONE_SURROGATE";
+    case json::Fault::number_out_of_range:
+      return "JSON_NUMBER_OUT_OF_RANGE";
+    case json::Fault::syntax:
+    case json::Fault::unexpected_end:
+    case json::Fault::control_character:
+    case json::Fault::bad_escape:
+    case json::Fault::bad_number:
+    case json::Fault::bad_literal:
+    case json::Fault::too_large:
+      break;
+  }
+  return "INVALID_JSON";
+}
+
+std::string default_message(json::Fault fault) {
+  switch (fault) {
+    case json::Fault::byte_order_mark:
+      return "The text begins with a byte order mark.";
+    case json::Fault::trailing_comma:
+      return "There is a comma behind the last item.";
+    case json::Fault::missing_comma:
+      return "A comma is missing between two items.";
+    case json::Fault::duplicate_key:
+      return "This name stands twice in one object.";
+    case json::Fault::lone_surrogate:
+      return "Half of a surrogate pair stands alone.";
+    case json::Fault::number_out_of_range:
+      return "The number is beyond what a double can hold.";
+    case json::Fault::trailing_data:
+      return "There is more text behind the end of the JSON value.";
+    case json::Fault::too_deep:
+      return "Arrays and objects are nested too deeply.";
+    case json::Fault::too_large:
+      return "The JSON text is larger than 4 GiB.";
+    case json::Fault::invalid_utf8:
+      return "The text is not valid UTF-8.";
+    default:
+      return "The text is not valid JSON.";
+  }
+}
+
+// Where the first of two equal names stands, or the bracket that was never closed.
+std::string other_place(const json::ParseFault& fault, const json::LineIndex& lines) {
+  if (fault.other.empty()) return {};
+  const Location at = lines.locate(fault.other);
+  if (fault.fault == json::Fault::duplicate_key) {
+    return fmt::format(
+        "the first one is in line {}, column {}; readers keep one of them, and not "
+        "all keep the same",
+        at.line, at.column);
+  }
+  return fmt::format("it was opened in line {}, column {}", at.line, at.column);
+}
+
+void report_fault(const json::ParseFault& fault, const json::LineIndex& lines, bool khronos,
+                  Collector& collector) {
+  Finding finding;
+  finding.code = khronos ? std::string_view("INVALID_JSON") : code_of(fault.fault);
+  finding.message = fault.detail.empty() ? default_message(fault.fault) : fault.detail;
+  finding.help = other_place(fault, lines);
+  finding.span = fault.span;
+  collector.report_file(Phase::json, std::move(finding));
+}
+
+// A text with thousands of equal faults is told once that there are more.
+void report_unlisted(std::uint64_t count, Collector& collector) {
+  if (count == 0) return;
+  Finding finding;
+  finding.code = "INVALID_JSON";
+  finding.message = fmt::format("The text has {} more faults like these.", count);
+  collector.report_file(Phase::json, std::move(finding));
+}
+
+// What the Khronos validator's parser minds: syntax, and a byte order mark, which does not stop it.
+bool minded_by_khronos(json::Fault fault) {
+  return fault != json::Fault::duplicate_key && fault != json::Fault::lone_surrogate &&
+         fault != json::Fault::number_out_of_range;
+}
+
+bool report_as_khronos(const json::Parsed& parsed, const json::LineIndex& lines,
+                       Collector& collector) {
+  for (const json::ParseFault& fault : parsed.faults) {
+    if (!minded_by_khronos(fault.fault)) continue;
+    report_fault(fault, lines, true, collector);
+    if (fault.fault != json::Fault::byte_order_mark) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool parse_document(const container::Container& container, const ValidateOptions& options,
+                    Collector& collector, json::Document& document) {
+  json::Parsed parsed = json::parse(container.json);
+  bool readable = true;
+  if (!parsed.faults.empty()) {
+    const json::LineIndex lines(*container.json);
+    if (options.profile == Profile::khronos) {
+      readable = report_as_khronos(parsed, lines, collector);
+    } else {
+      for (const json::ParseFault& fault : parsed.faults) {
+        report_fault(fault, lines, false, collector);
+      }
+      report_unlisted(parsed.unrecorded_faults, collector);
+    }
+  }
+  collector.keep_text(container.json);
+  document = std::move(parsed.document);
+  return readable && !document.empty();
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/validator.hpp"
+
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+#include "json/parse.hpp"
+#include "schema/compile.hpp"
+#include "validate/collector.hpp"
+#include "validate/context.hpp"
+#include "validate/phases.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Object rules by type, so that the walk asks once per object.
+using ObjectRules = std::unordered_map<std::string_view, std::vector<ObjectRule>>;
+
+const ObjectRules& object_rules() {
+  static const ObjectRules table = [] {
+    ObjectRules rules;
+    for (const Family& family : families()) {
+      for (const ObjectRuleEntry& entry : family.object_rules) {
+        rules[entry.type].push_back(entry.rule);
+      }
+    }
+    return rules;
+  }();
+  return table;
+}
+
+// Phases 3 and 4: the schema walk with object rules at its heels, then the link rules.
+void check_document(Context& context) {
+  schema::CheckOptions walk;
+  walk.scope = context.khronos() ? schema::Scope::khronos : schema::Scope::all;
+  const ObjectRules& rules = object_rules();
+  const auto visit = [&](const schema::ObjectType& type, json::NodeId object, const Path& path) {
+    const auto found = rules.find(type.name);
+    if (found == rules.end()) return;
+    for (const ObjectRule rule : found->second) rule(context, object, path);
+  };
+  context.checked = schema::check(context.document, context.schemas, walk, context.schema_sink,
+                                  context.link_sink, visit);
+  if (!context.document.is_object(context.document.root())) return;
+  for (const Family& family : families()) {
+    for (const LinkRule rule : family.link_rules) rule(context);
+  }
+}
+
+}  // namespace
+
+FileReport validate(const container::Container& container, const std::string& name,
+                    const container::Resolver& resolver, const ValidateOptions& options) {
+  FileReport report;
+  report.path = name;
+  Collector collector(options);
+  json::Document document;
+  const bool has_text = check_container(container, name, report, collector);
+  if (has_text && parse_document(container, options, collector, document)) {
+    const auto set = options.schemas ? options.schemas : schema::builtin_set();
+    const model::Asset asset(document);
+    Context context{container,
+                    resolver,
+                    document,
+                    *set,
+                    asset,
+                    options,
+                    {},
+                    collector.sink(Phase::schema),
+                    collector.sink(Phase::reference)};
+    if (check_identity(context, collector)) {
+      check_document(context);
+      check_resources(context, collector.sink(Phase::resources), report);
+    }
+  }
+  report.mime_type = mime_type(container, document);
+  collector.finish(report, document, container.json_offset);
+  return report;
+}
+
+FileReport unreadable(const std::string& name, const std::string& reason,
+                      const ValidateOptions& options) {
+  FileReport report;
+  report.path = name;
+  report.readable = false;
+  Collector collector(options);
+  Finding finding;
+  finding.code = "IO_ERROR";
+  finding.message = reason;
+  collector.report_file(Phase::container, std::move(finding));
+  collector.finish(report, json::Document(), 0);
+  return report;
+}
+
+}  // namespace gltfx::validate
