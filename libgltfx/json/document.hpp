@@ -16,16 +16,14 @@
 #include <vector>
 
 #include "base/span.hpp"
+#include "json/keys.hpp"
 
 namespace gltfx::json {
 
 /// Position of a node in the document's array. 0 is the root.
 using NodeId = std::uint32_t;
-/// A member name, the same number for the same name within one document (after unescaping).
-using KeyId = std::uint32_t;
 
 inline constexpr NodeId kNoNode = UINT32_MAX;
-inline constexpr KeyId kNoKey = UINT32_MAX;
 
 enum class Kind : std::uint8_t {
   null,
@@ -44,7 +42,7 @@ struct Node {
   std::uint32_t end = 0;    ///< one past the last byte, closing bracket or quote
   std::uint32_t next = 0;   ///< node after this one's content; of a key: its KeyId
   Kind kind = Kind::null;
-  bool escaped = false;          ///< string or key with a backslash in it
+  bool escaped = false;  ///< string or key with a backslash in it
   std::uint16_t reserved = 0;
 };
 static_assert(sizeof(Node) == 16);
@@ -182,9 +180,9 @@ class Document {
   /// Number of different member names; KeyIds are below it.
   std::size_t key_count() const { return keys_.size(); }
   /// The unescaped name behind a KeyId.
-  std::string_view key(KeyId id) const { return keys_[id]; }
+  std::string_view key(KeyId id) const { return keys_.name(id); }
   /// The KeyId of a name, or kNoKey when no object of the document has it.
-  KeyId key_id(std::string_view name) const;
+  KeyId key_id(std::string_view name) const { return keys_.find(name); }
 
   /// RFC 6901 pointer to a node: linear in the breadth of what lies above it. For many nodes build
   /// a `Path` while walking instead.
@@ -197,8 +195,7 @@ class Document {
   friend class Parser;
   std::shared_ptr<const std::string> text_;
   std::vector<Node> nodes_;
-  std::vector<std::string> keys_;  // by KeyId
-  std::vector<KeyId> keys_sorted_;  // by name, for key_id()
+  KeyTable keys_;
 };
 
 }  // namespace gltfx::json

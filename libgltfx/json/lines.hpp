@@ -2,18 +2,19 @@
 /// From bytes to lines and columns, and the excerpt of a line that a person is shown.
 #pragma once
 
+#include <gltfx/diagnostic.hpp>
+
 #include <cstdint>
 #include <string_view>
 #include <vector>
-
-#include <gltfx/diagnostic.hpp>
 
 #include "base/span.hpp"
 
 namespace gltfx::json {
 
-/// Finds lines of one text: builds an index of line starts once (one vectorised pass), answers
-/// in logarithmic time. The text must outlive it. Lines end at "\n", "\r\n" or "\r".
+/// Finds lines and columns of one text. One pass builds a small index (12 bytes for every 4 KiB);
+/// an answer then takes the same time wherever it lies, also in a text that is one long line. The
+/// text must outlive the index. Lines end at "\n", "\r\n" or "\r". Any number of threads may ask.
 class LineIndex {
  public:
   explicit LineIndex(std::string_view text);
@@ -27,10 +28,31 @@ class LineIndex {
   Excerpt excerpt(Span span, std::size_t width = 100) const;
 
  private:
-  std::string_view line_text(std::size_t line) const;
-  std::size_t line_of(std::uint32_t byte) const;
+  /// What lies before a block of the text.
+  struct Block {
+    std::uint32_t lines = 0;       ///< line ends
+    std::uint32_t line_start = 0;  ///< first byte of the line that reaches into the block
+    std::uint32_t code_points = 0;
+  };
+  /// A byte's line, counted from 0, and where that line starts.
+  struct Place {
+    std::uint32_t line;
+    std::uint32_t line_start;
+  };
+  bool ends_line(std::size_t byte) const;
+  bool is_end_of_line(std::size_t byte) const;
+  std::uint32_t count_line_ends(std::size_t begin, std::size_t end) const;
+  std::uint32_t last_line_start(std::size_t byte) const;
+  Place place_of(std::size_t byte) const;
+  std::uint32_t code_points_before(std::size_t byte) const;
+  std::uint32_t column_of(std::size_t byte, std::size_t line_start) const;
+  std::size_t back(std::size_t byte, std::size_t code_points, std::size_t first) const;
+  std::size_t forward(std::size_t byte, std::size_t code_points) const;
+  std::string_view slice(std::size_t begin, std::size_t end) const {
+    return text_.substr(begin, end - begin);
+  }
   std::string_view text_;
-  std::vector<std::uint32_t> starts_;
+  std::vector<Block> blocks_;
 };
 
 }  // namespace gltfx::json

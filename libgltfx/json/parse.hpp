@@ -16,16 +16,16 @@ namespace gltfx::json {
 /// What can be wrong with a JSON text.
 enum class Fault : std::uint8_t {
   // The text could not be read to its end: there is no document.
-  syntax,           ///< something else than the grammar allows here
-  unexpected_end,   ///< the text ends inside a value
-  invalid_utf8,     ///< bytes that are not UTF-8
-  control_character,///< a raw control character inside a string
-  bad_escape,       ///< an escape JSON does not have
-  bad_number,       ///< 01, +1, .5, 1., 0x10, NaN, Infinity
-  bad_literal,      ///< True, None, undefined, single quotes, comments, unquoted keys
-  too_deep,         ///< nested deeper than Limits::depth
-  too_large,        ///< longer than a span can address (4 GiB)
-  trailing_data,    ///< something behind the root value
+  syntax,             ///< something else than the grammar allows here
+  unexpected_end,     ///< the text ends inside a value
+  invalid_utf8,       ///< bytes that are not UTF-8
+  control_character,  ///< a raw control character inside a string
+  bad_escape,         ///< an escape JSON does not have
+  bad_number,         ///< 01, +1, .5, 1., 0x10, NaN, Infinity
+  bad_literal,        ///< True, None, undefined, single quotes, comments, unquoted keys
+  too_deep,           ///< nested deeper than Limits::depth
+  too_large,          ///< longer than Limits::bytes, at most what a span can address (4 GiB)
+  trailing_data,      ///< something behind the root value
   // Read on: the document is whole, what was meant is plain.
   byte_order_mark,      ///< U+FEFF before the text
   trailing_comma,       ///< before ']' or '}'
@@ -48,10 +48,11 @@ struct ParseFault {
 struct Limits {
   std::uint32_t depth = 1024;          ///< containers inside one another
   std::uint32_t recorded_faults = 64;  ///< recoverable faults kept; the others are only counted
+  std::uint32_t bytes = UINT32_MAX;    ///< length of the text
 };
 
 struct Parsed {
-  Document document;  ///< empty when a fault was not recoverable
+  Document document;               ///< empty when a fault was not recoverable
   std::vector<ParseFault> faults;  ///< in the order of the text
   std::uint64_t unrecorded_faults = 0;
   bool ok() const { return faults.empty(); }

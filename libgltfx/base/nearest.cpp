@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace gltfx {
+namespace {
+
+// Distances are counted in half edits, because a wrong case is half of one.
+constexpr std::size_t kEdit = 2;
+// Longer words are no misspelt names; the limit keeps the quadratic distance small.
+constexpr std::size_t kLongestWord = 128;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::size_t substitution(char a, char b) {
+  if (a == b) return 0;
+  return lower(a) == lower(b) ? kEdit / 2 : kEdit;
+}
+
+// Damerau-Levenshtein distance (optimal string alignment) over three rolling rows.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1);
+  std::vector<std::size_t> above(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j * kEdit;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before, above);
+    std::swap(above, row);
+    row[0] = i * kEdit;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min(
+          {above[j] + kEdit, row[j - 1] + kEdit, above[j - 1] + substitution(a[i - 1], b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && a[i - 1] != b[j - 1]) {
+        row[j] = std::min(row[j], before[j - 2] + kEdit);
+      }
+    }
+  }
+  return row[b.size()];
+}
+
+// A third of the letters may be wrong; in a very short word only their case.
+std::size_t tolerance(std::size_t length) {
+  return length < 3 ? length * (kEdit / 2) : length / 3 * kEdit;
+}
+
+}  // namespace
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
+  std::string_view best;
+  if (word.empty() || word.size() > kLongestWord) return best;
+  std::size_t best_distance = SIZE_MAX;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t allowed = tolerance(std::min(word.size(), candidate.size()));
+    const std::size_t longer = std::max(word.size(), candidate.size());
+    const std::size_t shorter = std::min(word.size(), candidate.size());
+    if (candidate.empty() || (longer - shorter) * kEdit > allowed) continue;
+    const std::size_t found = distance(word, candidate);
+    if (found <= allowed && found < best_distance) {
+      best = candidate;
+      best_distance = found;
+    }
+  }
+  return best;
+}
+
+}  // namespace gltfx

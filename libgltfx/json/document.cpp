@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/document.hpp"
+
+#include <cmath>
+
+#include "json/literals.hpp"
+#include "json/scan.hpp"
+
+namespace gltfx::json {
+namespace {
+
+constexpr double kLargestExact = 9007199254740992.0;  // 2^53
+
+bool separates_numbers(char c) { return c == ',' || is_a(kSpace, c); }
+
+}  // namespace
+
+bool Number::is_integer() const {
+  return std::fabs(value) <= kLargestExact && value == std::trunc(value);
+}
+
+Members::Member Members::Iterator::operator*() const {
+  return {at_, at_ + 1, document_->node(at_).next};
+}
+
+Members::Iterator& Members::Iterator::operator++() {
+  at_ = document_->next(at_ + 1);
+  return *this;
+}
+
+Members::Iterator Members::begin() const { return {*document_, object_ + 1}; }
+
+Members::Iterator Members::end() const {
+  const bool has_members = document_->is_object(object_);
+  return {*document_, has_members ? document_->next(object_) : object_ + 1};
+}
+
+Elements::Iterator& Elements::Iterator::operator++() {
+  at_ = document_->next(at_);
+  return *this;
+}
+
+Elements::Iterator Elements::begin() const { return {*document_, array_ + 1}; }
+
+Elements::Iterator Elements::end() const {
+  const bool has_elements = document_->kind(array_) == Kind::array;
+  return {*document_, has_elements ? document_->next(array_) : array_ + 1};
+}
+
+NumberCursor::NumberCursor(const Document& document, NodeId number_array)
+    : text_(document.text()),
+      at_(document.node(number_array).begin + 1),
+      end_(document.node(number_array).end - 1) {
+  read();
+}
+
+void NumberCursor::advance() {
+  at_ = number_.span.end;
+  read();
+}
+
+void NumberCursor::read() {
+  while (at_ < end_ && separates_numbers(text_[at_])) ++at_;
+  valid_ = at_ < end_;
+  if (!valid_) return;
+  std::uint32_t behind = at_;
+  while (behind < end_ && is_a(kWord, text_[behind])) ++behind;
+  number_.span = {at_, behind};
+  number_.value = number_value(number_.span.in(text_));
+}
+
+std::size_t Document::array_size(NodeId array) const {
+  std::size_t size = 0;
+  if (kind(array) != Kind::number_array) {
+    for ([[maybe_unused]] const NodeId element : elements(array)) ++size;
+    return size;
+  }
+  bool in_number = false;
+  for (const char c : raw(array)) {
+    const bool word = is_a(kWord, c);
+    size += word && !in_number ? 1 : 0;
+    in_number = word;
+  }
+  return size;
+}
+
+std::size_t Document::object_size(NodeId object) const {
+  std::size_t size = 0;
+  for ([[maybe_unused]] const Members::Member& member : members(object)) ++size;
+  return size;
+}
+
+NodeId Document::find(NodeId object, std::string_view name) const {
+  const KeyId id = key_id(name);
+  return id == kNoKey ? kNoNode : find(object, id);
+}
+
+NodeId Document::find(NodeId object, KeyId name) const {
+  NodeId found = kNoNode;
+  if (object == kNoNode || !is_object(object)) return found;
+  for (const Members::Member& member : members(object)) {
+    if (member.key_id == name) found = member.value;
+  }
+  return found;
+}
+
+Number Document::number(NodeId id) const { return {span(id), number_value(raw(id))}; }
+
+std::optional<std::uint64_t> Document::unsigned_integer(NodeId id) const {
+  if (!is_number(id)) return std::nullopt;
+  const Number read = number(id);
+  if (!read.is_integer() || read.value < 0) return std::nullopt;
+  return static_cast<std::uint64_t>(read.value);
+}
+
+std::string Document::string(NodeId id) const {
+  std::string buffer;
+  return std::string(string(id, buffer));
+}
+
+std::string_view Document::string(NodeId id, std::string& buffer) const {
+  const Node& read = node(id);
+  const std::string_view content = Span{read.begin + 1, read.end - 1}.in(text());
+  if (!read.escaped) return content;
+  buffer.clear();
+  append_unescaped(buffer, content);
+  return buffer;
+}
+
+}  // namespace gltfx::json

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/keys.hpp"
+
+#include <chrono>
+#include <exception>
+#include <random>
+#include <utility>
+
+#include "json/scan.hpp"
+
+namespace gltfx::json {
+namespace {
+
+__extension__ using Product = unsigned __int128;
+
+// Folded 64 x 64 multiplication, the mixing step of wyhash (Wang Yi, 2019).
+std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
+  const Product product = static_cast<Product>(a) * b;
+  return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+}
+
+std::uint64_t load4(const char* p) {
+  std::uint32_t bytes = 0;
+  std::memcpy(&bytes, p, sizeof bytes);
+  return bytes;
+}
+
+std::uint64_t byte(char c) { return static_cast<unsigned char>(c); }
+
+struct Seed {
+  std::uint64_t a;
+  std::uint64_t b;
+};
+
+Seed make_seed() {
+  const auto now = static_cast<std::uint64_t>(
+      std::chrono::high_resolution_clock::now().time_since_epoch().count());
+  const auto address = reinterpret_cast<std::uintptr_t>(&now);
+  Seed seed{mix(now ^ 0x9E3779B97F4A7C15, address ^ 0xC2B2AE3D27D4EB4F), now ^ address << 16};
+  try {
+    std::random_device device;
+    seed.a ^= static_cast<std::uint64_t>(device()) << 32 | device();
+    seed.b ^= static_cast<std::uint64_t>(device()) << 32 | device();
+  } catch (const std::exception&) {
+    // Without a source of entropy the clock and the address space's layout have to do.
+    seed.b ^= seed.a * 0xD6E8FEB86659FD93;
+  }
+  return seed;
+}
+
+const Seed& process_seed() {
+  static const Seed seed = make_seed();
+  return seed;
+}
+
+}  // namespace
+
+KeyTable::KeyTable() : KeyTable(process_seed().a, process_seed().b) {}
+
+std::uint64_t KeyTable::hash(std::string_view name) const {
+  const char* p = name.data();
+  std::size_t left = name.size();
+  std::uint64_t state = seed_b_ ^ left;
+  for (; left > 16; p += 16, left -= 16) state = mix(load8(p) ^ seed_a_, load8(p + 8) ^ state);
+  std::uint64_t low = 0;
+  std::uint64_t high = 0;
+  if (left >= 8) {
+    low = load8(p);
+    high = load8(p + left - 8);
+  } else if (left >= 4) {
+    low = load4(p);
+    high = load4(p + left - 4);
+  } else if (left > 0) {
+    low = byte(p[0]) << 16 | byte(p[left / 2]) << 8 | byte(p[left - 1]);
+  }
+  return mix(low ^ seed_a_, high ^ state);
+}
+
+std::size_t KeyTable::slot_of(std::string_view name, std::uint64_t hash) const {
+  const std::size_t mask = slots_.size() - 1;
+  const auto tag = static_cast<std::uint32_t>(hash >> 32);
+  std::size_t at = hash & mask;
+  for (;; at = (at + 1) & mask) {
+    const Slot& slot = slots_[at];
+    if (slot.id == kNoKey || (slot.tag == tag && names_[slot.id] == name)) return at;
+  }
+}
+
+KeyId KeyTable::find(std::string_view name) const {
+  return slots_.empty() ? kNoKey : slots_[slot_of(name, hash(name))].id;
+}
+
+KeyId KeyTable::intern(std::string_view name) {
+  if ((names_.size() + 1) * 2 > slots_.size()) grow();
+  const std::uint64_t hashed = hash(name);
+  Slot& slot = slots_[slot_of(name, hashed)];
+  if (slot.id == kNoKey) {
+    slot = {static_cast<std::uint32_t>(hashed >> 32), static_cast<KeyId>(names_.size())};
+    names_.push_back(name);
+  }
+  return slot.id;
+}
+
+KeyId KeyTable::intern_copy(std::string name) {
+  if (const KeyId known = find(name); known != kNoKey) return known;
+  if (!kept_) kept_ = std::make_shared<std::deque<std::string>>();
+  kept_->push_back(std::move(name));
+  return intern(kept_->back());
+}
+
+void KeyTable::grow() {
+  constexpr std::size_t kFirstSize = 64;
+  const std::size_t size = slots_.empty() ? kFirstSize : slots_.size() * 2;
+  slots_.assign(size, Slot{});
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const std::uint64_t hashed = hash(names_[i]);
+    std::size_t at = hashed & (size - 1);
+    while (slots_[at].id != kNoKey) at = (at + 1) & (size - 1);
+    slots_[at] = {static_cast<std::uint32_t>(hashed >> 32), static_cast<KeyId>(i)};
+  }
+}
+
+}  // namespace gltfx::json

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Member names, each stored once and known by a number.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gltfx::json {
+
+/// A member name, the same number for the same name within one document (after unescaping).
+using KeyId = std::uint32_t;
+inline constexpr KeyId kNoKey = UINT32_MAX;
+
+/// Interns names in an open-addressing table. The hash is seeded per process, so that nobody can
+/// write a file whose names all collide. Names are views: into the document's text, or into
+/// storage that copies of the table share.
+class KeyTable {
+ public:
+  KeyTable();
+  /// With a seed of one's own, for tests.
+  KeyTable(std::uint64_t seed_a, std::uint64_t seed_b) : seed_a_(seed_a), seed_b_(seed_b) {}
+
+  std::size_t size() const { return names_.size(); }
+  std::string_view name(KeyId id) const { return names_[id]; }
+  /// The number of a name, or kNoKey.
+  KeyId find(std::string_view name) const;
+  /// The number of a name, which must outlive the table: the next free number when it is new.
+  KeyId intern(std::string_view name);
+  /// The same for a name that the table has to keep.
+  KeyId intern_copy(std::string name);
+
+ private:
+  struct Slot {
+    std::uint32_t tag = 0;  // upper half of the hash
+    KeyId id = kNoKey;
+  };
+  std::uint64_t hash(std::string_view name) const;
+  // The slot that holds `name` or would take it. Precondition: slots_ is not empty.
+  std::size_t slot_of(std::string_view name, std::uint64_t hash) const;
+  void grow();
+
+  std::uint64_t seed_a_;
+  std::uint64_t seed_b_;
+  std::vector<Slot> slots_;  // a power of two, at most half full
+  std::vector<std::string_view> names_;
+  std::shared_ptr<std::deque<std::string>> kept_;
+};
+
+}  // namespace gltfx::json

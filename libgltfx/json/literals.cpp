@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/literals.hpp"
+
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "base/utf8.hpp"
+#include "json/scan.hpp"
+
+namespace gltfx::json {
+namespace {
+
+// Integers of up to 15 digits are exact in a double and need no rounding.
+std::optional<double> small_integer(std::string_view literal) {
+  const bool negative = literal.front() == '-';
+  if (negative) literal.remove_prefix(1);
+  if (literal.size() > 15) return std::nullopt;
+  std::int64_t value = 0;
+  for (const char c : literal) {
+    if (!is_a(kDigit, c)) return std::nullopt;
+    value = value * 10 + (c - '0');
+  }
+  return negative ? -static_cast<double>(value) : static_cast<double>(value);
+}
+
+// Decides for a literal that no double is near to: is it too large (or too small)? True when the
+// first digit that is not zero has a weight of one or more.
+bool is_large(std::string_view literal) {
+  const std::size_t mark = literal.find_first_of("eE");
+  const std::string_view mantissa = literal.substr(0, mark);
+  const std::size_t first = mantissa.find_first_of("123456789");
+  if (first == std::string_view::npos) return false;
+  const std::size_t point =
+      mantissa.find('.') == std::string_view::npos ? mantissa.size() : mantissa.find('.');
+  const auto weight = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  if (mark == std::string_view::npos) return weight > 0;
+  std::string_view digits = literal.substr(mark + 1);
+  if (digits.front() == '+') digits.remove_prefix(1);
+  std::int64_t exponent = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  if (read.ec == std::errc::result_out_of_range) return digits.front() != '-';
+  return exponent > -weight;
+}
+
+// Four hexadecimal digits, or nothing.
+std::optional<std::uint32_t> hex4(std::string_view text) {
+  std::uint32_t value = 0;
+  if (text.size() < 4) return std::nullopt;
+  const auto read = std::from_chars(text.data(), text.data() + 4, value, 16);
+  if (read.ptr != text.data() + 4) return std::nullopt;
+  return value;
+}
+
+bool is_high_surrogate(std::uint32_t unit) { return unit >= 0xD800 && unit < 0xDC00; }
+bool is_low_surrogate(std::uint32_t unit) { return unit >= 0xDC00 && unit < 0xE000; }
+
+Escape read_unicode_escape(std::string_view text) {
+  constexpr std::size_t kSize = 6;
+  const auto unit = hex4(text.substr(2));
+  if (!unit) return {};
+  if (is_high_surrogate(*unit) && text.substr(kSize, 2) == "\\u") {
+    const auto low = hex4(text.substr(kSize + 2));
+    if (low && is_low_surrogate(*low)) {
+      return {0x10000 + ((*unit - 0xD800) << 10) + (*low - 0xDC00), 2 * kSize, false};
+    }
+  }
+  if (is_high_surrogate(*unit) || is_low_surrogate(*unit)) return {0xFFFD, kSize, true};
+  return {*unit, kSize, false};
+}
+
+}  // namespace
+
+double number_value(std::string_view literal) {
+  if (const auto small = small_integer(literal)) return *small;
+  double value = 0;
+  const auto read = std::from_chars(literal.data(), literal.data() + literal.size(), value);
+  if (read.ec != std::errc::result_out_of_range) return value;
+  value = is_large(literal) ? std::numeric_limits<double>::infinity() : 0.0;
+  return literal.front() == '-' ? -value : value;
+}
+
+Escape read_escape(std::string_view text) {
+  constexpr std::string_view kLetters = "\"\\/bfnrt";
+  constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
+  if (text.size() < 2) return {};
+  if (text[1] == 'u') return read_unicode_escape(text);
+  const std::size_t letter = kLetters.find(text[1]);
+  if (letter == std::string_view::npos) return {};
+  return {static_cast<char32_t>(kMeanings[letter]), 2, false};
+}
+
+void append_unescaped(std::string& out, std::string_view content) {
+  while (!content.empty()) {
+    const std::size_t plain = content.find('\\');
+    out += content.substr(0, plain);
+    if (plain == std::string_view::npos) return;
+    content.remove_prefix(plain);
+    const Escape escape = read_escape(content);
+    if (escape.size == 0) {
+      out += content.front();
+      content.remove_prefix(1);
+      continue;
+    }
+    append_utf8(out, escape.value);
+    content.remove_prefix(escape.size);
+  }
+}
+
+}  // namespace gltfx::json

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// From the spelling of a string or number to its value.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace gltfx::json {
+
+/// The nearest double of a number literal that obeys the grammar; an infinity when it lies beyond
+/// a double's range, a (signed) zero when it is too small for one.
+double number_value(std::string_view literal);
+
+/// One escape sequence of a string.
+struct Escape {
+  char32_t value = 0;    ///< U+FFFD for half of a surrogate pair
+  std::size_t size = 0;  ///< bytes of the text; 0: not an escape of JSON
+  bool lone_surrogate = false;
+};
+
+/// Reads the escape at the backslash with which `text` begins. A surrogate takes its partner along.
+Escape read_escape(std::string_view text);
+
+/// The content of a string, given without its quotes, appended to `out`. An escape that JSON does
+/// not have is copied as it is.
+void append_unescaped(std::string& out, std::string_view content);
+
+}  // namespace gltfx::json

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The parser's entrance, and all of it that a text without faults hardly ever reaches.
+#include "json/parse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "json/literals.hpp"
+#include "json/parser.hpp"
+#include "json/scan.hpp"
+#include "json/utf8.hpp"
+
+namespace gltfx::json {
+namespace {
+
+bool is_closing(char c) { return c == ']' || c == '}'; }
+
+}  // namespace
+
+bool is_recoverable(Fault fault) { return fault >= Fault::byte_order_mark; }
+
+Parsed parse(std::shared_ptr<const std::string> text, const Limits& limits) {
+  if (!text) text = std::make_shared<const std::string>();
+  return Parser(std::move(text), limits).run();
+}
+
+Parsed parse(std::string_view text, const Limits& limits) {
+  return parse(std::make_shared<const std::string>(text), limits);
+}
+
+Parsed Parser::run() {
+  const bool whole = read();
+  Parsed parsed;
+  if (!whole) nodes_.clear();
+  if (nodes_.capacity() - nodes_.size() > nodes_.size() / 2) nodes_.shrink_to_fit();
+  // Repeated names are noticed only when their object ends.
+  std::stable_sort(faults_.begin(), faults_.end(), [](const ParseFault& a, const ParseFault& b) {
+    return a.span.begin < b.span.begin;
+  });
+  parsed.document = std::move(document_);
+  parsed.faults = std::move(faults_);
+  parsed.unrecorded_faults = unrecorded_;
+  return parsed;
+}
+
+bool Parser::read() {
+  if (text().size() > limits_.bytes) {
+    fail({Fault::too_large, {limits_.bytes - 1, limits_.bytes}, "the text is too long", {}});
+    return false;
+  }
+  if (!is_utf8(text())) {
+    fail(explain_invalid_utf8(text()));
+    return false;
+  }
+  // Typical assets have a node every 20 to 30 bytes; dense ones grow later.
+  nodes_.reserve(text().size() / 24 + 16);
+  next_keys_.assign(2, kNoKey);
+  return root(byte_order_mark(begin_)) != nullptr;
+}
+
+void Parser::reserve_more(const char* p) {
+  // What was read so far tells how much will follow, within reason.
+  const std::uint64_t nodes = nodes_.size();
+  const std::uint64_t expected = nodes * text().size() / (offset(p) + std::uint64_t{1});
+  nodes_.reserve(std::clamp(expected + expected / 16, nodes + nodes / 4 + 16, 2 * nodes + 16));
+}
+
+const char* Parser::byte_order_mark(const char* p) {
+  if (text().substr(0, 3) != "\xEF\xBB\xBF") return p;
+  warn(Fault::byte_order_mark, {0, 3}, "glTF is UTF-8 without a byte order mark");
+  return p + 3;
+}
+
+const char* Parser::checked_number(const char* p) {
+  const NumberScan scan = scan_number(p, end_);
+  if (scan.end == nullptr) return fail(explain_number(text(), offset(p)));
+  if (scan.may_overflow) warn_if_infinite(span(p, scan.end));
+  return scan.end;
+}
+
+void Parser::warn_if_infinite(Span number) {
+  if (!std::isinf(number_value(number.in(text())))) return;
+  warn(Fault::number_out_of_range, number, "the number is beyond the range of a double");
+}
+
+const char* Parser::string_with_escapes(const char* quote, const char* p) {
+  while (*p == '\\') {
+    const Escape escape = read_escape(text().substr(offset(p)));
+    if (escape.size == 0) break;
+    const char* const behind = p + escape.size;
+    if (escape.lone_surrogate) {
+      warn(Fault::lone_surrogate, span(p, behind), "half of a surrogate pair is no character");
+    }
+    p = skip_plain_string(behind, end_);
+  }
+  return *p == '"' ? p + 1 : fail(explain_string(text(), offset(quote), offset(p)));
+}
+
+bool Parser::can_follow_without_comma(const char* p) const {
+  const Span token = token_at(text(), offset(p));
+  if (*p == '"') {
+    if (token.size() < 2 || token.in(text()).back() != '"') return false;
+    return !frames_.back().is_object || *skip_space(begin_ + token.end, end_) == ':';
+  }
+  if (frames_.back().is_object) return false;
+  const std::string_view word = token.in(text());
+  return *p == '{' || *p == '[' || starts_number(*p) || word == "true" || word == "false" ||
+         word == "null";
+}
+
+// Every name is stamped with the object that has it; a stamp that is there already is a repeat.
+void Parser::find_duplicates(NodeId object) {
+  const NodeId end = nodes_[object].next;
+  for (NodeId key = object + 1; key != end; key = nodes_[key + 1].next) {
+    Stamp& stamp = stamps_[nodes_[key].next];
+    if (stamp.object != object) {
+      stamp = {object, key};
+      continue;
+    }
+    warn(Fault::duplicate_key, document_.span(key),
+         "the object has a member of this name already; the last one counts",
+         document_.span(stamp.key));
+  }
+}
+
+const char* Parser::bad_value(const char* p) {
+  if (frames_.empty()) return unexpected(p, Expected::root);
+  const bool first = !frames_.back().is_object && is_fresh();
+  return unexpected(p, first ? Expected::value_or_bracket : Expected::value);
+}
+
+const char* Parser::unexpected(const char* p, Expected expected) {
+  return fail(explain_unexpected(text(), offset(p), expected));
+}
+
+const char* Parser::too_deep(const char* bracket) {
+  return fail({Fault::too_deep,
+               span(bracket, bracket + 1),
+               "arrays and objects are nested too deeply",
+               {}});
+}
+
+const char* Parser::fail(ParseFault fault) {
+  const bool wrong_bracket = fault.fault == Fault::syntax && is_closing(text()[fault.span.begin]);
+  const bool unclosed = fault.fault == Fault::unexpected_end && fault.other.empty();
+  if ((unclosed || wrong_bracket) && !frames_.empty()) {
+    const std::uint32_t bracket = nodes_[frames_.back().node].begin;
+    fault.other = {bracket, bracket + 1};
+  }
+  faults_.push_back(std::move(fault));
+  return nullptr;
+}
+
+void Parser::warn(Fault fault, Span span, std::string_view detail, Span other) {
+  if (faults_.size() < limits_.recorded_faults) {
+    faults_.push_back({fault, span, std::string(detail), other});
+  } else {
+    ++unrecorded_;
+  }
+}
+
+}  // namespace gltfx::json

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/writer.hpp"
+
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "base/utf8.hpp"
+
+namespace gltfx::json {
+namespace {
+
+// Characters that stand for themselves: the others are looked at one by one.
+bool is_plain(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
+
+std::string_view short_escape(std::uint32_t c) {
+  switch (c) {
+    case '"':
+      return "\\\"";
+    case '\\':
+      return "\\\\";
+    case '\b':
+      return "\\b";
+    case '\f':
+      return "\\f";
+    case '\n':
+      return "\\n";
+    case '\r':
+      return "\\r";
+    case '\t':
+      return "\\t";
+    default:
+      return {};
+  }
+}
+
+void append_special(std::string& out, CodePoint point) {
+  const std::uint32_t c = point.value;
+  if (!point.valid) {
+    append_utf8(out, 0xFFFD);
+  } else if (const std::string_view escape = short_escape(c); !escape.empty()) {
+    out += escape;
+  } else if (c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029) {
+    fmt::format_to(std::back_inserter(out), "\\u{:04x}", c);
+  } else {
+    append_utf8(out, c);
+  }
+}
+
+}  // namespace
+
+void append_string(std::string& out, std::string_view text) {
+  out += '"';
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t plain = at;
+    while (plain < text.size() && is_plain(text[plain])) ++plain;
+    out += text.substr(at, plain - at);
+    at = plain;
+    if (at == text.size()) break;
+    const CodePoint point = decode_utf8(text, at);
+    append_special(out, point);
+    at += point.size;
+  }
+  out += '"';
+}
+
+void Writer::begin_object() { open('{'); }
+void Writer::end_object() { close('}'); }
+void Writer::begin_array() { open('['); }
+void Writer::end_array() { close(']'); }
+
+void Writer::open(char bracket) {
+  before_value();
+  out_ += bracket;
+  has_items_.push_back(false);
+}
+
+void Writer::close(char bracket) {
+  const bool had_items = has_items_.back();
+  has_items_.pop_back();
+  if (had_items) line_break();
+  out_ += bracket;
+}
+
+void Writer::line_break() {
+  if (!pretty_) return;
+  out_ += '\n';
+  out_.append(2 * has_items_.size(), ' ');
+}
+
+// What stands before a value: nothing behind a key, else a comma unless it is the first.
+void Writer::before_value() {
+  if (after_key_ || has_items_.empty()) {
+    after_key_ = false;
+    return;
+  }
+  if (has_items_.back()) out_ += ',';
+  has_items_.back() = true;
+  line_break();
+}
+
+void Writer::key(std::string_view name) {
+  before_value();
+  append_string(out_, name);
+  out_ += pretty_ ? ": " : ":";
+  after_key_ = true;
+}
+
+void Writer::string(std::string_view value) {
+  before_value();
+  append_string(out_, value);
+}
+
+void Writer::number(double value) {
+  // JSON has no word for NaN and the infinities.
+  raw(std::isfinite(value) ? number_text(value) : "null");
+}
+
+void Writer::integer(std::int64_t value) { raw(fmt::format_int(value).c_str()); }
+void Writer::unsigned_integer(std::uint64_t value) { raw(fmt::format_int(value).c_str()); }
+void Writer::boolean(bool value) { raw(value ? "true" : "false"); }
+void Writer::null() { raw("null"); }
+
+void Writer::raw(std::string_view json) {
+  before_value();
+  out_ += json;
+}
+
+void Writer::member(std::string_view name, std::string_view value) {
+  key(name);
+  string(value);
+}
+
+void Writer::member(std::string_view name, std::uint64_t value) {
+  key(name);
+  unsigned_integer(value);
+}
+
+void Writer::member(std::string_view name, bool value) {
+  key(name);
+  boolean(value);
+}
+
+}  // namespace gltfx::json
