@@ -11,6 +11,7 @@ const Family& glb_family();
 const Family& json_family();
 const Family& schema_family();
 const Family& extension_family();
+const Family& extension_use_family();
 const Family& identity_family();
 const Family& resource_family();
 

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the lists of extensions promise, held against what the asset really uses.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "validate/rules/families.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kMinimal = R"({"asset": {"version": "2.0"}})";
+
+constexpr RuleDescription kRules[] = {
+    {"EXTENSION_ARCHIVED", Severity::info, "The asset uses an archived extension",
+     "It was withdrawn; new programs do not read it.", "Move to its successor where there is one.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_pbrSpecularGlossiness"],
+"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"extensions": {"KHR_materials_pbrSpecularGlossiness": {"glossinessFactor": 0.5}}}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"pbrMetallicRoughness": {"roughnessFactor": 0.5}}]})",
+     Fix::none, false},
+    {"EXTENSION_DRAFT", Severity::info, "The asset uses a draft of an extension",
+     "A draft changes until it is released; readers of one version misread another.",
+     "Keep the source, and export again when the extension is released.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_scatter", "KHR_materials_transmission"],
+"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"extensions": {"KHR_materials_scatter": {"scatterStrengthFactor": 1}, "KHR_materials_transmission": {"transmissionFactor": 1}}}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_transmission"],
+"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}]})",
+     Fix::none, false},
+    {"EXTENSION_LEGACY", Severity::info,
+     "The asset uses an extension that was replaced before its release",
+     "Hardly any program reads it; the material looks plain without it.",
+     "Bring the asset up to date with its successor.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_translucency"],
+"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"extensions": {"KHR_materials_translucency": {"translucencyFactor": 0.5}}}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_diffuse_transmission"],
+"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"extensions": {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.5}}}]})",
+     Fix::none, false},
+    {"EXTENSION_SHOULD_BE_REQUIRED", Severity::warning,
+     "An extension without a fallback is only declared as used",
+     "A program that does not know it shows a broken asset instead of refusing it.",
+     "List the extension in extensionsRequired too.", kMinimal, kMinimal, Fix::none, false},
+    {"EXTENSION_UNUSED", Severity::info, "An extension is declared but used nowhere",
+     "Programs may load code for it, or refuse the asset for nothing.",
+     "Remove it from extensionsUsed.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_unlit"]})", kMinimal,
+     Fix::none, false},
+    {"UNSUPPORTED_EXTENSION", Severity::info, "Nothing is known of an extension",
+     "Its content was not looked at: the asset may have faults nobody reported.",
+     "Describe it in a schema file and give that with --schema.",
+     R"({"asset": {"version": "2.0", "extensions": {"ACME_sparkle": {}}}, "extensionsUsed": ["ACME_sparkle"]})",
+     kMinimal, Fix::none, true},
+    {"UNSUPPORTED_EXTENSION_REQUIRED", Severity::warning,
+     "The asset requires an extension of which nothing is known",
+     "The asset cannot be read without it, so hardly any program will show it, and it could "
+     "not be checked.",
+     "Describe it in a schema file and give that with --schema.",
+     R"({"asset": {"version": "2.0", "extensions": {"ACME_sparkle": {}}}, "extensionsUsed": ["ACME_sparkle"], "extensionsRequired": ["ACME_sparkle"]})",
+     kMinimal, Fix::none, false},
+};
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// One entry of extensionsUsed, or an extension that is used without being declared.
+struct Entry {
+  const Context& context;
+  const Path& path;
+  Span span;
+  std::string name;
+
+  void report(std::string_view code, std::string message, std::string help = {}) const {
+    Finding finding;
+    finding.code = code;
+    finding.message = std::move(message);
+    finding.help = std::move(help);
+    finding.span = span;
+    context.link_sink.report(path, std::move(finding));
+  }
+};
+
+void report_unknown(const Entry& entry) {
+  if (contains(entry.context.checked.extensions_required, entry.name)) {
+    entry.report("UNSUPPORTED_EXTENSION_REQUIRED",
+                 fmt::format("The asset cannot be read without {}, of which nothing is known here.",
+                             gltfx::quoted(entry.name)));
+  } else {
+    entry.report("UNSUPPORTED_EXTENSION",
+                 fmt::format("Nothing is known of {}; what it says was not checked.",
+                             gltfx::quoted(entry.name)));
+  }
+}
+
+std::string successor_help(const schema::Extension& extension) {
+  if (extension.successor.empty()) return {};
+  return fmt::format("its successor is {}", extension.successor);
+}
+
+void report_status(const Entry& entry, const schema::Extension& extension) {
+  switch (extension.status) {
+    case schema::Status::legacy:
+      entry.report("EXTENSION_LEGACY",
+                   fmt::format("{} was replaced before it was released.", extension.name),
+                   successor_help(extension));
+      break;
+    case schema::Status::archived:
+      entry.report("EXTENSION_ARCHIVED", fmt::format("{} is archived.", extension.name),
+                   successor_help(extension));
+      break;
+    case schema::Status::draft:
+      entry.report("EXTENSION_DRAFT",
+                   fmt::format("{} is a draft and may still change.", extension.name),
+                   successor_help(extension));
+      break;
+    default:
+      break;
+  }
+}
+
+void report_use(const Entry& entry, const schema::Extension& extension) {
+  const schema::CheckResult& checked = entry.context.checked;
+  if (!extension.homes.empty() && !contains(checked.extensions_seen, extension.name)) {
+    entry.report("EXTENSION_UNUSED",
+                 fmt::format("{} is declared but used nowhere.", extension.name));
+  } else if (extension.must_be_required == schema::MustBeRequired::recommended &&
+             !contains(checked.extensions_required, extension.name)) {
+    entry.report(
+        "EXTENSION_SHOULD_BE_REQUIRED",
+        fmt::format("{} has no fallback, but the asset does not require it.", extension.name));
+  }
+}
+
+void check_entry(const Entry& entry, bool declared) {
+  const schema::ExtensionId id = entry.context.schemas.find_extension(entry.name);
+  if (id == schema::kNone) {
+    if (declared) report_unknown(entry);
+    return;
+  }
+  const schema::Extension& extension = entry.context.schemas.extensions()[id];
+  report_status(entry, extension);
+  if (declared) report_use(entry, extension);
+}
+
+void check_declared(const Context& context) {
+  const json::Document& document = context.document;
+  const json::NodeId list = document.find(document.root(), "extensionsUsed");
+  if (list == json::kNoNode || document.kind(list) != json::Kind::array) return;
+  const Path root;
+  const Path used(root, "extensionsUsed");
+  std::vector<std::string> done;
+  std::uint64_t index = 0;
+  for (const json::NodeId element : document.elements(list)) {
+    const Path path(used, index++);
+    if (!document.is_string(element)) continue;
+    std::string name = document.string(element);
+    if (contains(done, name)) continue;
+    done.push_back(name);
+    check_entry({context, path, document.span(element), std::move(name)}, true);
+  }
+}
+
+void check_undeclared(const Context& context) {
+  const Path root;
+  for (const std::string& name : context.checked.extensions_seen) {
+    if (contains(context.checked.extensions_used, name)) continue;
+    check_entry({context, root, first_character(context.document, 0), name}, false);
+  }
+}
+
+// A hostile list of a million names would make the look-ups above quadratic.
+constexpr std::size_t kMostNames = 4096;
+
+void check_extension_use(const Context& context) {
+  if (context.khronos() || context.checked.extensions_used.size() > kMostNames ||
+      context.checked.extensions_seen.size() > kMostNames) {
+    return;
+  }
+  check_declared(context);
+  check_undeclared(context);
+}
+
+constexpr LinkRule kLinkRules[] = {check_extension_use};
+
+}  // namespace
+
+const Family& extension_use_family() {
+  static const Family family{"extension_use", kRules, {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
