@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
@@ -10,7 +11,6 @@ namespace gltfx {
 namespace {
 
 constexpr std::size_t kAheadPerJob = 4;  // enough that one slow item does not idle the others
-constexpr unsigned kMaxJobs = 1024;      // an arena takes an int, and nobody has more
 
 void run_pipeline(std::size_t count, std::size_t ahead,
                   const std::function<void(std::size_t)>& produce,
@@ -36,13 +36,14 @@ void run_pipeline(std::size_t count, std::size_t ahead,
 }  // namespace
 
 unsigned default_jobs() {
-  return static_cast<unsigned>(std::max(1, tbb::this_task_arena::max_concurrency()));
+  return static_cast<unsigned>(std::max(1, tbb::info::default_concurrency()));
 }
 
 void parallel_ordered(std::size_t count, unsigned jobs,
                       const std::function<void(std::size_t)>& produce,
                       const std::function<void(std::size_t)>& consume) {
-  if (jobs == 0) jobs = default_jobs();
+  // TBB has no more workers than that, and says so on stderr when asked for more.
+  if (jobs != 1) jobs = std::min(jobs == 0 ? default_jobs() : jobs, default_jobs());
   if (jobs == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) {
       produce(i);
@@ -50,7 +51,6 @@ void parallel_ordered(std::size_t count, unsigned jobs,
     }
     return;
   }
-  jobs = std::min(jobs, kMaxJobs);
   tbb::task_arena arena(static_cast<int>(jobs));
   arena.execute([&] { run_pipeline(count, jobs * kAheadPerJob, produce, consume); });
 }

@@ -15,7 +15,8 @@ unsigned default_jobs();
 /// strictly in the order 0, 1, 2, ..., one call at a time, each after its produce(i). Returns when
 /// all are consumed.
 ///
-/// - `jobs` 1 runs everything on the caller's thread, item by item; 0 means default_jobs().
+/// - `jobs` 1 runs everything on the caller's thread, item by item; 0 and more than default_jobs()
+///   mean default_jobs().
 /// - Items that are produced and not yet consumed never exceed a small multiple of `jobs`, so
 /// memory
 ///   stays flat over any number of items.

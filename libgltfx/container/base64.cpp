@@ -111,7 +111,8 @@ Result<std::string> decode_base64(std::string_view text) {
   }
   const Result<std::string> tail = decode_tail(text, whole, padding);
   if (!tail) return tail;
-  return bytes + *tail;
+  bytes += *tail;
+  return bytes;
 }
 
 }  // namespace gltfx::container

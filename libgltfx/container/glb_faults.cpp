@@ -98,12 +98,12 @@ ContainerFault too_many_chunks(std::uint64_t offset, std::uint64_t actual) {
 
 ContainerFault chunk_unaligned(const Chunk& chunk, std::uint32_t length) {
   const unsigned padding = 4U - length % 4U;
-  return {"GLB_CHUNK_LENGTH_UNALIGNED", chunk.header_offset,
-          fmt::format("The chunk {} has {}, which is no multiple of 4.", type_text(chunk.type),
-                      bytes_text(length)),
-          fmt::format("Pad the chunk with {} more ({}) and count them in its length.",
-                      bytes_text(padding),
-                      chunk.type == kChunkJson ? "spaces for JSON" : "zeros for binary data")};
+  return {
+      "GLB_CHUNK_LENGTH_UNALIGNED", chunk.header_offset,
+      fmt::format("The chunk {} has {}, which is no multiple of 4.", type_text(chunk.type),
+                  bytes_text(length)),
+      fmt::format("Pad the chunk with {} ({}) and count them in its length.", bytes_text(padding),
+                  chunk.type == kChunkJson ? "spaces for JSON" : "zeros for binary data")};
 }
 
 ContainerFault chunk_too_big(const Chunk& chunk, std::uint32_t length, std::uint32_t declared) {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/parallel.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace gltfx {
+namespace {
+
+void nothing(std::size_t) {}
+
+class ParallelOrdered : public testing::TestWithParam<unsigned> {};
+
+INSTANTIATE_TEST_SUITE_P(Jobs, ParallelOrdered, testing::Values(0U, 1U, 2U, 3U, 8U, 5000U));
+
+TEST_P(ParallelOrdered, ConsumesAllInOrderAfterTheyWereProduced) {
+  constexpr std::size_t kCount = 2000;
+  std::vector<std::atomic<int>> produced(kCount);
+  std::vector<std::size_t> consumed;
+  parallel_ordered(
+      kCount, GetParam(), [&](std::size_t i) { ++produced[i]; },
+      [&](std::size_t i) {
+        EXPECT_EQ(produced[i], 1);
+        consumed.push_back(i);
+      });
+  std::vector<std::size_t> expected(kCount);
+  std::iota(expected.begin(), expected.end(), std::size_t{0});
+  EXPECT_EQ(consumed, expected);
+}
+
+TEST_P(ParallelOrdered, NothingToDoCallsNothing) {
+  bool called = false;
+  const auto mark = [&](std::size_t) { called = true; };
+  parallel_ordered(0, GetParam(), mark, mark);
+  EXPECT_FALSE(called);
+}
+
+TEST_P(ParallelOrdered, ConsumesOneAtATime) {
+  std::atomic<int> inside = 0;
+  int most = 0;
+  parallel_ordered(300, GetParam(), nothing, [&](std::size_t) {
+    most = std::max(most, ++inside);
+    std::this_thread::yield();
+    --inside;
+  });
+  EXPECT_EQ(most, 1);
+}
+
+TEST(ParallelOrderedMemory, StaysFlatOverManyItems) {
+  std::atomic<std::size_t> waiting = 0;
+  std::atomic<std::size_t> most = 0;
+  parallel_ordered(
+      100000, 2,
+      [&](std::size_t) {
+        const std::size_t now = ++waiting;
+        std::size_t seen = most;
+        while (now > seen && !most.compare_exchange_weak(seen, now)) {
+        }
+      },
+      [&](std::size_t i) {
+        if (i % 10000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        --waiting;
+      });
+  EXPECT_EQ(waiting, 0U);
+  EXPECT_LE(most, 8U);
+}
+
+TEST(ParallelOrderedThreads, OneJobStaysOnTheCallersThread) {
+  const auto here = std::this_thread::get_id();
+  const auto check = [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), here); };
+  parallel_ordered(50, 1, check, check);
+}
+
+TEST(ParallelOrderedThreads, NeverMoreThanAsked) {
+  std::atomic<int> inside = 0;
+  std::atomic<int> most = 0;
+  parallel_ordered(
+      200, 2,
+      [&](std::size_t) {
+        const int now = ++inside;
+        int seen = most;
+        while (now > seen && !most.compare_exchange_weak(seen, now)) {
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+        --inside;
+      },
+      nothing);
+  EXPECT_LE(most, 2);
+}
+
+TEST(ParallelOrderedThreads, TwoJobsRunAtTheSameTimeWhereTheMachineHasTwo) {
+  if (default_jobs() < 2) GTEST_SKIP() << "one processor";
+  std::mutex mutex;
+  std::set<std::thread::id> threads;
+  parallel_ordered(
+      200, 2,
+      [&](std::size_t) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        const std::lock_guard lock(mutex);
+        threads.insert(std::this_thread::get_id());
+      },
+      nothing);
+  EXPECT_EQ(threads.size(), 2U);
+}
+
+TEST(ParallelOrderedThreads, AnExceptionReachesTheCallerInsteadOfEndingTheProcess) {
+  for (const unsigned jobs : {1U, 2U}) {
+    const auto fail = [](std::size_t i) {
+      if (i == 7) throw std::runtime_error("seven");
+    };
+    EXPECT_THROW(parallel_ordered(100, jobs, fail, nothing), std::runtime_error);
+  }
+}
+
+TEST(DefaultJobs, IsAtLeastOne) { EXPECT_GE(default_jobs(), 1U); }
+
+}  // namespace
+}  // namespace gltfx

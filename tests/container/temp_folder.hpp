@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A folder of its own for each test, gone at its end.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace gltfx::container::test {
+
+class TempFolder {
+ public:
+  TempFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "gltfx_test_XXXXXX").native();
+    if (::mkdtemp(name.data()) == nullptr) std::abort();
+    // Without links, so that paths can be compared with what the system says.
+    path_ = std::filesystem::canonical(name);
+  }
+  ~TempFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Writes a file, with the folders it lies in.
+  std::filesystem::path write(const std::filesystem::path& name, std::string_view content) const {
+    const std::filesystem::path file = path_ / name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << content;
+    return file;
+  }
+
+  /// Makes `name` a symbolic link that says `target`.
+  void link(const std::filesystem::path& name, const std::filesystem::path& target) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::filesystem::create_symlink(target, path_ / name);
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace gltfx::container::test

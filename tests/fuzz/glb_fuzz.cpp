@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes are taken apart; whatever is said about them must lie inside them.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "base/checked.hpp"
+#include "container/container.hpp"
+
+namespace {
+
+using namespace gltfx::container;
+
+void require(bool promise) {
+  if (!promise) std::abort();
+}
+
+void check_faults(const std::vector<ContainerFault>& faults, std::uint64_t size) {
+  for (const ContainerFault& fault : faults) {
+    require(fault.offset <= size && !fault.code.empty());
+    require(!fault.message.empty() && !fault.help.empty());
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  const Container container = open_bytes(Bytes::from_string(bytes), "fuzz.glb");
+  require(container.bytes.text() == bytes);
+  check_faults(container.faults, size);
+  check_faults(container.late_faults, size);
+  for (const Chunk& chunk : container.chunks) {
+    require(gltfx::fits(chunk.offset, chunk.length, size));
+    require(chunk.header_offset + 8 == chunk.offset);
+  }
+  if (container.bin) require(gltfx::fits(container.bin->offset, container.bin->length, size));
+  if (container.json) {
+    require(bytes.compare(container.json_offset, container.json->size(), *container.json) == 0);
+  }
+  return 0;
+}
