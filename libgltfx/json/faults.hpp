@@ -22,10 +22,6 @@ enum class Expected : std::uint8_t {
   end,               ///< behind the root value
 };
 
-/// The token at `at`, whatever it is: a string (to the end of its line when it is not closed), a
-/// comment, a run of letters and digits, or one character. Empty at the end of the text.
-Span token_at(std::string_view text, std::uint32_t at);
-
 /// Something stands at `at` that is not `expected`. Typical mistakes are called by their name.
 ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected expected);
 

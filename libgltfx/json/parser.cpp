@@ -6,6 +6,7 @@
 
 #include "json/literals.hpp"
 #include "json/scan.hpp"
+#include "json/token.hpp"
 
 namespace gltfx::json {
 
@@ -14,6 +15,22 @@ Parser::Parser(std::shared_ptr<const std::string> text, const Limits& limits)
   document_.text_ = std::move(text);
   begin_ = document_.text_->data();
   end_ = begin_ + document_.text_->size();
+}
+
+// A node more. The two functions that run for every number and node stand first, to be inlined.
+inline NodeId Parser::add(Kind kind, const char* begin, const char* end) {
+  const auto id = static_cast<NodeId>(nodes_.size());
+  if (id == nodes_.capacity()) [[unlikely]]
+    reserve_more(begin);
+  nodes_.push_back({offset(begin), offset(end), id + 1, kind, false, 0});
+  return id;
+}
+
+inline const char* Parser::checked_number(const char* p) {
+  const NumberScan scan = scan_number(p, end_);
+  if (scan.end == nullptr) return fail(explain_number(text(), offset(p)));
+  if (scan.may_overflow) warn_if_infinite(span(p, scan.end));
+  return scan.end;
 }
 
 const char* Parser::root(const char* p) {
@@ -25,7 +42,9 @@ const char* Parser::root(const char* p) {
   p = skip_space(p, end_);
   if (p == end_) return p;
   // A string before a colon is a member that lost the object around it.
-  if (*p == ':') return unexpected(begin_ + nodes_[0].begin, Expected::root);
+  if (*p == ':' && nodes_[0].kind == Kind::string) {
+    return unexpected(begin_ + nodes_[0].begin, Expected::root);
+  }
   return unexpected(p, Expected::end);
 }
 
@@ -231,13 +250,6 @@ const char* Parser::close(const char* p) {
   nodes_[frame.node].next = static_cast<NodeId>(nodes_.size());
   if (frame.is_object) find_duplicates(frame.node);
   return p + 1;
-}
-
-NodeId Parser::add(Kind kind, const char* begin, const char* end) {
-  const auto id = static_cast<NodeId>(nodes_.size());
-  if (id == nodes_.capacity()) reserve_more(begin);
-  nodes_.push_back({offset(begin), offset(end), id + 1, kind, false, 0});
-  return id;
 }
 
 }  // namespace gltfx::json

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is wrong with a number, a string, or the encoding.
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "base/utf8.hpp"
+#include "json/faults.hpp"
+#include "json/scan.hpp"
+#include "json/token.hpp"
+#include "json/utf8.hpp"
+
+namespace gltfx::json {
+namespace {
+
+bool is_cut_number(std::string_view word) {
+  const std::string completed = std::string(word) + '0';
+  return scan_number(completed.data(), completed.data() + completed.size()).end != nullptr;
+}
+
+ParseFault cut_string(std::uint32_t end, Span opening) {
+  return {Fault::unexpected_end,
+          {end, end},
+          "expected '\"' to close the string, found the end of the text",
+          opening};
+}
+
+// Reason why a run of letters and digits is no number.
+std::string_view number_mistake(std::string_view word) {
+  const std::string_view digits = word.substr(word.front() == '-' || word.front() == '+' ? 1 : 0);
+  const std::string lower = lower_case(digits.substr(0, 8));
+  const auto digit_at = [&](std::size_t i) { return i < digits.size() && is_a(kDigit, digits[i]); };
+  if (lower == "nan" || lower == "inf" || lower == "infinity") {
+    return "JSON has neither NaN nor infinities";
+  }
+  if (word.front() == '+') return "a number has no plus sign";
+  if (digits.empty()) return "a digit must follow the minus sign";
+  if (digits.front() == '.') return "a digit must stand before the decimal point";
+  if (lower.substr(0, 2) == "0x") return "JSON has no hexadecimal numbers";
+  if (digits.front() == '0' && digit_at(1)) return "a number has no leading zeros";
+  const std::size_t point = digits.find('.');
+  if (point != std::string_view::npos && !digit_at(point + 1)) {
+    return "a digit must follow the decimal point";
+  }
+  const char last = digits.back();
+  if (last == 'e' || last == 'E' || last == '+' || last == '-') {
+    return "a digit must follow in the exponent";
+  }
+  return "this is not a number of JSON";
+}
+
+ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at) {
+  const auto end = static_cast<std::uint32_t>(text.size());
+  std::uint32_t size = 1 + decode_utf8(text, at + 1).size;
+  if (text[at + 1] != 'u') {
+    return {Fault::bad_escape,
+            {at, at + size},
+            fmt::format("found {}; JSON has \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\uXXXX, and a "
+                        "backslash itself is written \\\\",
+                        quoted(text.substr(at, size))),
+            opening};
+  }
+  while (size < 6 && at + size < end &&
+         std::isxdigit(static_cast<unsigned char>(text[at + size]))) {
+    ++size;
+  }
+  if (at + size == end) return cut_string(end, opening);
+  return {Fault::bad_escape,
+          {at, at + size},
+          fmt::format("found {}; four hexadecimal digits must follow \\u",
+                      quoted(text.substr(at, size))),
+          opening};
+}
+
+}  // namespace
+
+ParseFault explain_number(std::string_view text, std::uint32_t at) {
+  const Span token = token_at(text, at);
+  const std::string_view word = token.in(text);
+  if (token.end == text.size() && is_cut_number(word)) {
+    return {Fault::unexpected_end,
+            {token.end, token.end},
+            fmt::format("the text ends inside the number {}", quoted(word)),
+            {}};
+  }
+  return {Fault::bad_number,
+          token,
+          fmt::format("found {}; {}", quoted(word), number_mistake(word)),
+          {}};
+}
+
+ParseFault explain_string(std::string_view text, std::uint32_t quote, std::uint32_t at) {
+  const Span opening{quote, quote + 1};
+  const auto end = static_cast<std::uint32_t>(text.size());
+  if (at == end || (at + 1 == end && text[at] == '\\')) return cut_string(end, opening);
+  const char c = text[at];
+  if (c == '\n' || c == '\r') {
+    return {Fault::control_character,
+            {at, at + 1},
+            "a string cannot run over the end of its line; is the closing '\"' missing?",
+            opening};
+  }
+  if (c != '\\') {
+    return {Fault::control_character,
+            {at, at + 1},
+            fmt::format("found {} inside a string; write \\u{:04x}",
+                        describe_token(text.substr(at, 1)), static_cast<unsigned char>(c)),
+            opening};
+  }
+  return explain_escape(text, opening, at);
+}
+
+ParseFault explain_invalid_utf8(std::string_view text) {
+  const Span bytes = first_invalid_utf8(text);
+  const std::string_view mark = text.substr(0, 2);
+  const bool utf16 = mark == "\xFF\xFE" || mark == "\xFE\xFF";
+  return {Fault::invalid_utf8,
+          bytes,
+          fmt::format("found {}; {}", quoted(bytes.in(text)),
+                      utf16 ? "this looks like UTF-16, and glTF is UTF-8" : "this is not UTF-8"),
+          {}};
+}
+
+}  // namespace gltfx::json
