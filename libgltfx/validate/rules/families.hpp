@@ -12,6 +12,7 @@ const Family& json_family();
 const Family& schema_family();
 const Family& extension_family();
 const Family& extension_use_family();
+const Family& fallback_family();
 const Family& identity_family();
 const Family& resource_family();
 

@@ -11,8 +11,9 @@ constexpr RuleDescription kRules[] = {
     {"FILE_EXTENSION_MISMATCH", Severity::warning,
      "The name of the file promises another container",
      "Loaders choose their reader by the ending of the name.",
-     "Rename the file: .gltf for JSON text, .glb for the binary container.", kMinimal, kMinimal,
-     Fix::none, false},
+     "Rename the file: .gltf for JSON text, .glb for the binary container.",
+     "base64:Z2xURgIAAAAwAAAAHAAAAEpTT057ImFzc2V0Ijp7InZlcnNpb24iOiIyLjAifX0g", kMinimal, Fix::none,
+     false},
     {"GIT_LFS_POINTER", Severity::info, "The file is a Git-LFS pointer",
      "The real content is kept outside the repository and was not fetched, so it could not be "
      "checked.",
