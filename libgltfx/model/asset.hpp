@@ -15,8 +15,19 @@ namespace gltfx::model {
 
 /// The arrays of the root object, in the specification's order.
 enum class RootArray : std::uint8_t {
-  accessors, animations, buffers, buffer_views, cameras, images, materials,
-  meshes, nodes, samplers, scenes, skins, textures,
+  accessors,
+  animations,
+  buffers,
+  buffer_views,
+  cameras,
+  images,
+  materials,
+  meshes,
+  nodes,
+  samplers,
+  scenes,
+  skins,
+  textures,
 };
 inline constexpr std::size_t kRootArrayCount = 13;
 /// The member's name: "bufferViews".
@@ -37,8 +48,8 @@ class Asset {
   }
   std::size_t count(RootArray array) const { return elements(array).size(); }
 
-  /// The member of `object` as an index that leads to an object of `array`; nothing when it is missing,
-  /// no index, out of range, or leads to a hole.
+  /// The member of `object` as an index that leads to an object of `array`; nothing when it is
+  /// missing, no index, out of range, or leads to a hole.
   std::optional<std::uint32_t> index(json::NodeId object, std::string_view member,
                                      RootArray array) const;
   /// `value` as such an index.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Accessors as numbers instead of JSON: where their elements lie and how they are laid out
+/// (specification section 3.6.2).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/asset.hpp"
+
+namespace gltfx::model {
+
+enum class ElementType : std::uint8_t { none, scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
+
+/// OpenGL's numbers for types of components. glTF 2.0 itself has six of them; the others are those
+/// that extensions bring.
+enum class ComponentType : std::uint16_t {
+  none = 0,
+  int8 = 5120,
+  uint8 = 5121,
+  int16 = 5122,
+  uint16 = 5123,
+  int32 = 5124,
+  uint32 = 5125,
+  float32 = 5126,
+  float64 = 5130,
+  float16 = 5131,
+};
+
+/// "VEC3"; empty for none.
+std::string_view element_type_name(ElementType type);
+std::optional<ElementType> element_type_from_name(std::string_view name);
+/// "UNSIGNED_BYTE"; empty for none.
+std::string_view component_type_name(ComponentType type);
+/// Bytes of one component, 0 for none.
+unsigned component_size(ComponentType type);
+/// One of the six types of glTF 2.0 itself.
+bool is_core_component(ComponentType type);
+/// Components of an element: 3 for VEC3, 9 for MAT3, 0 for none.
+unsigned component_count(ElementType type);
+bool is_matrix(ElementType type);
+
+/// What an element is made of.
+struct Format {
+  ElementType type = ElementType::none;
+  ComponentType component = ComponentType::none;
+  bool normalized = false;
+  bool known() const { return type != ElementType::none && component != ComponentType::none; }
+  bool operator==(const Format&) const = default;
+};
+/// "VEC3 of FLOAT", "VEC2 of normalized UNSIGNED_BYTE".
+std::string format_text(const Format& format);
+
+/// Bytes from the first to the last byte of one element; columns of matrices begin at multiples of
+/// four bytes, what pads the last column does not count. 0 when the format is not known.
+std::uint64_t element_size(const Format& format);
+/// Bytes from one element to the next where no stride is given; 0 when the format is not known.
+std::uint64_t packed_stride(const Format& format);
+
+/// One accessor. A member that is absent or malformed is an empty optional.
+struct Accessor {
+  json::NodeId node = json::kNoNode;  ///< kNoNode: the element of the array is no object
+  json::NodeId min = json::kNoNode;   ///< arrays of any content
+  json::NodeId max = json::kNoNode;
+  json::NodeId sparse = json::kNoNode;       ///< object
+  std::optional<std::uint32_t> buffer_view;  ///< leads to an object
+  std::optional<std::uint64_t> byte_offset;  ///< as written
+  std::optional<std::uint64_t> count;        ///< at least 1
+  Format format;
+
+  /// Bytes from the first to the last byte of all elements that lie `stride` apart, or nothing when
+  /// that is beyond 64 bits.
+  std::optional<std::uint64_t> span_size(std::uint64_t stride) const;
+};
+
+Accessor read_accessor(const Asset& asset, json::NodeId object);
+
+/// All accessors, by index.
+std::vector<Accessor> read_accessors(const Asset& asset);
+
+/// A part of a sparse accessor: where its indices or its values lie.
+struct SparsePart {
+  json::NodeId node = json::kNoNode;
+  std::optional<std::uint32_t> buffer_view;
+  std::optional<std::uint64_t> byte_offset;
+  Format format;  ///< of the indices a SCALAR, of the values that of the accessor
+};
+
+struct Sparse {
+  std::optional<std::uint64_t> count;  ///< at least 1
+  SparsePart indices, values;
+};
+
+/// The sparse object of an accessor, or nothing when it has none or one that lacks a part.
+std::optional<Sparse> read_sparse(const Asset& asset, const Accessor& accessor);
+
+}  // namespace gltfx::model

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/fields.hpp"
+
+#include <cmath>
+
+namespace gltfx::model {
+
+std::optional<std::uint64_t> unsigned_member(const json::Document& document, json::NodeId object,
+                                             std::string_view name) {
+  const json::NodeId value = document.find(object, name);
+  if (value == json::kNoNode) return std::nullopt;
+  return document.unsigned_integer(value);
+}
+
+std::optional<double> number_member(const json::Document& document, json::NodeId object,
+                                    std::string_view name) {
+  const json::NodeId value = document.find(object, name);
+  if (value == json::kNoNode || !document.is_number(value)) return std::nullopt;
+  const double number = document.number(value).value;
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+bool true_member(const json::Document& document, json::NodeId object, std::string_view name) {
+  const json::NodeId value = document.find(object, name);
+  return value != json::kNoNode && document.kind(value) == json::Kind::true_value;
+}
+
+std::string string_member(const json::Document& document, json::NodeId object,
+                          std::string_view name) {
+  const json::NodeId value = document.find(object, name);
+  if (value == json::kNoNode || !document.is_string(value)) return {};
+  return document.string(value);
+}
+
+json::NodeId object_member(const json::Document& document, json::NodeId object,
+                           std::string_view name) {
+  const json::NodeId value = document.find(object, name);
+  return value != json::kNoNode && document.is_object(value) ? value : json::kNoNode;
+}
+
+json::NodeId extension_object(const json::Document& document, json::NodeId object,
+                              std::string_view extension) {
+  return object_member(document, object_member(document, object, "extensions"), extension);
+}
+
+}  // namespace gltfx::model

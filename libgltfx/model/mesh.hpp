@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Meshes, their primitives and vertex attributes (specification section 3.7.2).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/asset.hpp"
+#include "model/semantic.hpp"
+
+namespace gltfx::model {
+
+enum class Mode : std::uint8_t {
+  points,
+  lines,
+  line_loop,
+  line_strip,
+  triangles,
+  triangle_strip,
+  triangle_fan,
+};
+/// "TRIANGLES".
+std::string_view mode_name(Mode mode);
+
+struct Attribute {
+  std::string_view name;  ///< lives in the document
+  Semantic semantic;
+  json::NodeId value = json::kNoNode;     ///< the index as it stands in the text
+  std::optional<std::uint32_t> accessor;  ///< leads to an object
+};
+
+/// The attributes of a primitive's `attributes` or of one morph target, in the order of the text.
+std::vector<Attribute> read_attributes(const Asset& asset, json::NodeId object);
+
+struct Primitive {
+  json::NodeId node = json::kNoNode;
+  json::NodeId attributes_node = json::kNoNode;
+  std::vector<Attribute> attributes;
+  std::vector<json::NodeId> targets;  ///< objects with the attributes of a morph target
+  json::NodeId indices_node = json::kNoNode;
+  std::optional<std::uint32_t> indices;  ///< leads to an object
+  json::NodeId material_node = json::kNoNode;
+  std::optional<std::uint32_t> material;  ///< leads to an object
+  Mode mode = Mode::triangles;
+
+  /// The attribute with that meaning, or null.
+  const Attribute* find(SemanticKind kind, std::uint64_t set = 0) const;
+};
+
+Primitive read_primitive(const Asset& asset, json::NodeId object);
+
+/// The objects of a mesh's `primitives`; an element that is no object is kNoNode.
+std::vector<json::NodeId> primitives(const json::Document& document, json::NodeId mesh);
+
+/// The objects of a primitive's `targets`; empty when there are none or one is no object.
+std::vector<json::NodeId> morph_targets(const json::Document& document, json::NodeId primitive);
+
+}  // namespace gltfx::model

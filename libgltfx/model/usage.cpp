@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/usage.hpp"
+
+#include <array>
+
+#include "model/fields.hpp"
+#include "model/mesh.hpp"
+
+namespace gltfx::model {
+
+// Walks everything that uses an accessor or a view, in the order in which uses count.
+class UsageReader {
+ public:
+  UsageReader(const Asset& asset, const std::vector<Accessor>& accessors,
+              const std::vector<BufferView>& views, Usage& usage)
+      : asset_(asset), accessors_(accessors), usage_(usage) {
+    usage_.accessors_.resize(accessors.size());
+    usage_.views_.resize(views.size());
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      if (views[i].target == ViewTarget::none) continue;
+      usage_.views_[i].kind =
+          views[i].target == ViewTarget::vertices ? ViewUse::vertices : ViewUse::indices;
+    }
+  }
+
+  void read() {
+    for (const Accessor& accessor : accessors_) read_sparse_views(accessor);
+    for (const json::NodeId image : asset_.elements(RootArray::images)) {
+      note_view(asset_.index(image, "bufferView", RootArray::buffer_views), ViewUse::image,
+                document().find(image, "bufferView"));
+    }
+    for (const json::NodeId mesh : asset_.elements(RootArray::meshes)) read_mesh(mesh);
+    for (const json::NodeId skin : asset_.elements(RootArray::skins)) {
+      note_member(skin, "inverseBindMatrices", AccessorUse::inverse_bind_matrices);
+    }
+    for (const json::NodeId animation : asset_.elements(RootArray::animations)) {
+      read_samplers(animation);
+    }
+  }
+
+ private:
+  const json::Document& document() const { return asset_.document(); }
+
+  void note_view(std::optional<std::uint32_t> view, ViewUse kind, json::NodeId place) {
+    if (!view || usage_.views_[*view].kind != ViewUse::none) return;
+    usage_.views_[*view] = {kind, place};
+  }
+
+  void note(std::optional<std::uint32_t> accessor, AccessorUse kind, json::NodeId place) {
+    if (!accessor) return;
+    auto& first = usage_.accessors_[*accessor];
+    if (first.kind == AccessorUse::none) first = {kind, place};
+    note_view(accessors_[*accessor].buffer_view, view_use(kind), place);
+  }
+
+  void note_member(json::NodeId object, std::string_view member, AccessorUse kind) {
+    note(asset_.index(object, member, RootArray::accessors), kind, document().find(object, member));
+  }
+
+  void read_sparse_views(const Accessor& accessor) {
+    const auto sparse = read_sparse(asset_, accessor);
+    if (!sparse) return;
+    for (const SparsePart* part : {&sparse->indices, &sparse->values}) {
+      note_view(part->buffer_view, ViewUse::other, document().find(part->node, "bufferView"));
+    }
+  }
+
+  void read_attributes_of(json::NodeId object) {
+    for (const Attribute& attribute : read_attributes(asset_, object)) {
+      if (attribute.semantic.kind == SemanticKind::invalid) continue;
+      note(attribute.accessor, AccessorUse::vertex_attribute, attribute.value);
+    }
+  }
+
+  void read_mesh(json::NodeId mesh) {
+    for (const json::NodeId primitive : primitives(document(), mesh)) {
+      read_attributes_of(object_member(document(), primitive, "attributes"));
+      note_member(primitive, "indices", AccessorUse::indices);
+      for (const json::NodeId target : morph_targets(document(), primitive)) {
+        read_attributes_of(target);
+      }
+    }
+  }
+
+  void read_samplers(json::NodeId animation) {
+    const json::NodeId samplers = document().find(animation, "samplers");
+    if (samplers == json::kNoNode || document().kind(samplers) != json::Kind::array) return;
+    for (const json::NodeId sampler : document().elements(samplers)) {
+      note_member(sampler, "input", AccessorUse::animation_input);
+      note_member(sampler, "output", AccessorUse::animation_output);
+    }
+  }
+
+  const Asset& asset_;
+  const std::vector<Accessor>& accessors_;
+  Usage& usage_;
+};
+
+Usage::Usage(const Asset& asset, const std::vector<Accessor>& accessors,
+             const std::vector<BufferView>& views) {
+  UsageReader(asset, accessors, views, *this).read();
+}
+
+ViewUse view_use(AccessorUse use) {
+  switch (use) {
+    case AccessorUse::indices:
+      return ViewUse::indices;
+    case AccessorUse::vertex_attribute:
+      return ViewUse::vertices;
+    case AccessorUse::inverse_bind_matrices:
+      return ViewUse::inverse_bind_matrices;
+    case AccessorUse::none:
+      return ViewUse::none;
+    default:
+      return ViewUse::other;
+  }
+}
+
+std::string_view use_text(AccessorUse use) {
+  static constexpr std::array<std::string_view, 6> kTexts{
+      "nothing",        "animation times",  "animation values", "inverse bind matrices",
+      "vertex indices", "vertex attributes"};
+  return kTexts[static_cast<std::size_t>(use)];
+}
+
+std::string_view use_text(ViewUse use) {
+  static constexpr std::array<std::string_view, 6> kTexts{
+      "nothing",        "inverse bind matrices",    "an image",
+      "vertex indices", "sparse or animation data", "vertex attributes"};
+  return kTexts[static_cast<std::size_t>(use)];
+}
+
+}  // namespace gltfx::model

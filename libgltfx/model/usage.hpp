@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What accessors and buffer views are used for. One of them holds one kind of data: the first use
+/// decides, and a later one of another kind is a fault (specification section 3.6.1).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "model/accessor.hpp"
+#include "model/buffer_view.hpp"
+
+namespace gltfx::model {
+
+enum class AccessorUse : std::uint8_t {
+  none,
+  animation_input,
+  animation_output,
+  inverse_bind_matrices,
+  indices,
+  vertex_attribute,
+};
+enum class ViewUse : std::uint8_t { none, inverse_bind_matrices, image, indices, other, vertices };
+
+/// In words, for messages: "vertex indices".
+std::string_view use_text(AccessorUse use);
+std::string_view use_text(ViewUse use);
+/// What the view behind an accessor that is used like this holds.
+ViewUse view_use(AccessorUse use);
+
+/// The first use of an accessor or buffer view.
+template <typename Kind>
+struct FirstUse {
+  Kind kind = Kind::none;
+  json::NodeId place = json::kNoNode;  ///< the index that uses it; kNoNode: a view's own `target`
+};
+
+/// First uses by index, as core members make them, in the order images, sparse accessors come
+/// before, then meshes, skins, animations. Immutable.
+class Usage {
+ public:
+  Usage() = default;
+  Usage(const Asset& asset, const std::vector<Accessor>& accessors,
+        const std::vector<BufferView>& views);
+
+  const FirstUse<AccessorUse>& accessor(std::uint32_t index) const { return accessors_[index]; }
+  const FirstUse<ViewUse>& view(std::uint32_t index) const { return views_[index]; }
+
+ private:
+  friend class UsageReader;
+  std::vector<FirstUse<AccessorUse>> accessors_;
+  std::vector<FirstUse<ViewUse>> views_;
+};
+
+}  // namespace gltfx::model
