@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One walk over a document that checks it against a Set: types, ranges, unknown and missing members,
-/// exclusions, companions, homes of extensions, and every index.
+/// One walk over a document that checks it against a Set: types, ranges, unknown and missing
+/// members, exclusions, companions, homes of extensions, and every index.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,9 @@ struct SlotUse {
   json::NodeId texture_info = json::kNoNode;
   json::NodeId owner = json::kNoNode;  ///< object that holds the slot
   ShapeId shape = kNone;               ///< the slot's shape (has `slot`)
-  std::string pointer;                 ///< of the texture info
+  const Slot* slot =
+      nullptr;          ///< the shape's, or that of the extension's generation; lives in the Set
+  std::string pointer;  ///< of the texture info
 };
 
 /// Indices that some reference points at: one flag per element of a target array.
@@ -55,18 +57,26 @@ struct TargetArray {
 
 /// What the walk learned beside the findings.
 struct CheckResult {
-  std::vector<TargetArray> targets;   ///< arrays that the document has and something may refer to
+  std::vector<TargetArray> targets;  ///< arrays that the document has and something may refer to
+  /// Arrays inside an object that references from beside it point into (the samplers of an
+  /// animation): those that were referred to, in the order of the first reference.
+  std::vector<TargetArray> local_targets;
   std::vector<SlotUse> slots;
   std::vector<std::string> extensions_seen;  ///< names of extension objects met anywhere, once each
-  std::vector<std::string> extensions_used;      ///< as declared, once each
+  std::vector<std::string> extensions_used;  ///< as declared, once each
   std::vector<std::string> extensions_required;  ///< as declared, once each
+  /// Scope::khronos: the walk ended behind `asset`, because it is missing or its version is
+  /// not 2.x.
+  bool stopped_at_asset = false;
 
+  /// Of `targets`, or null.
   const TargetArray* target(std::string_view pointer) const;
 };
 
 /// Called for each object with a type, behind its members: the place for rules that need several
 /// members of one object. `path` is only valid during the call.
-using ObjectVisitor = std::function<void(const ObjectType& type, json::NodeId object, const Path& path)>;
+using ObjectVisitor =
+    std::function<void(const ObjectType& type, json::NodeId object, const Path& path)>;
 
 /// Checks a whole document. Findings about the document's own form go to `schema_sink`, those about
 /// references between objects to `reference_sink`, which is reported behind it.

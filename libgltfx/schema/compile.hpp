@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Schema files in, a Set out. Used at build time (a mistake fails the build), at start for the embedded
-/// files and at run time for a user's own.
+/// Schema files in, a Set out. Used at build time (a mistake fails the build), at start for the
+/// embedded files and at run time for a user's own.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What gltfx knows of glTF, compiled from schema files: object types, their properties, extensions.
+/// What gltfx knows of glTF, compiled from schema files: object types, their properties,
+/// extensions.
 ///
-/// A Set is built once (`schema/compile.hpp`) and then only read, by any number of threads. Nothing in
-/// the library knows a property, a range or an extension's home but through it.
+/// A Set is built once (`schema/compile.hpp`) and then only read, by any number of threads. Nothing
+/// in the library knows a property, a range or an extension's home but through it.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,13 @@ inline constexpr std::uint32_t kNone = UINT32_MAX;
 
 /// Bits of the JSON types a shape accepts; 0 accepts all.
 enum TypeBit : std::uint8_t {
-  kNull = 1, kBoolean = 2, kInteger = 4, kNumber = 8, kString = 16, kArray = 32, kObject = 64,
+  kNull = 1,
+  kBoolean = 2,
+  kInteger = 4,
+  kNumber = 8,
+  kString = 16,
+  kArray = 32,
+  kObject = 64,
 };
 
 enum class Status : std::uint8_t { ratified, release_candidate, draft, legacy, archived, vendor };
@@ -59,7 +66,7 @@ struct Property {
   std::string name;
   ShapeId shape = kNone;
   bool required = false;
-  std::string mutable_type;          ///< object-model type for animation pointers; empty: not mutable
+  std::string mutable_type;  ///< object-model type for animation pointers; empty: not mutable
   std::vector<std::string> aliases;  ///< names of earlier drafts
   std::string default_json;          ///< JSON text of the default; empty: none
   std::string deprecated;            ///< what to use instead; empty: current
@@ -93,8 +100,8 @@ struct Shape {
   std::vector<Literal> literals;  ///< enum, or the one of const; empty: any
   bool is_const = false;
   ShapeId items = kNone;
-  TypeId type = kNone;        ///< the object type, when the shape describes members
-  ShapeId values = kNone;     ///< shape of members not listed (additionalProperties)
+  TypeId type = kNone;     ///< the object type, when the shape describes members
+  ShapeId values = kNone;  ///< shape of members not listed (additionalProperties)
   std::vector<std::pair<std::uint32_t, ShapeId>> pattern_properties;  ///< pattern, shape
   ShapeId property_names = kNone;
   std::vector<ShapeId> all_of, any_of, one_of;
@@ -109,12 +116,15 @@ struct Shape {
 
 /// An object with known members.
 struct ObjectType {
-  std::string name;  ///< "material", "mesh.primitive", "KHR_lights_punctual.light"; of an extension's
-                     ///< own object: "material.KHR_materials_ior"
+  std::string name;  ///< "material", "mesh.primitive", "KHR_lights_punctual.light"; of an
+                     ///< extension's own object: "material.KHR_materials_ior"
   ShapeId shape = kNone;
   std::vector<Property> properties;  ///< in checking order
   bool open = false;                 ///< unknown members are welcome
-  ExtensionId extension = kNone;     ///< the extension it belongs to
+  bool strict = false;  ///< unknown members break the schema (`additionalProperties: false`)
+  ExtensionId extension = kNone;  ///< the extension it belongs to
+  TypeId origin = kNone;          ///< the type this is a copy of (one definition at several homes),
+                                  ///< otherwise its own id
 };
 
 /// What is said about another extension on the same object.
@@ -149,20 +159,25 @@ struct Extension {
   bool standalone = false;
   bool khronos_validator = false;  ///< the Khronos validator checks it
   MustBeRequired must_be_required = MustBeRequired::optional;
-  std::string fallback;            ///< without_fallback: member of the host that is the fallback
+  std::string fallback;  ///< without_fallback: member of the host that is the fallback
   std::vector<std::string> image_mime_types;
   std::vector<AttributeFormat> vertex_attributes, morph_attributes, instance_attributes;
   std::string successor;
   std::vector<Generation> generations;
+  /// Values it adds to an `enum` of core: "animation.channel.target/path", {"pointer"}.
+  std::vector<std::pair<std::string, std::vector<std::string>>> enum_additions;
   bool from_user = false;  ///< given at run time
 
   /// The shape of its object on a type, or kNone when it is not at home there.
   ShapeId home(TypeId type) const;
 };
 
+class Pattern;
+
 /// Immutable after compilation. Cheap to share, expensive to copy.
 class Set {
  public:
+  Set() = default;
   const std::vector<Shape>& shapes() const { return shapes_; }
   const Shape& shape(ShapeId id) const { return shapes_[id]; }
   const std::vector<ObjectType>& types() const { return types_; }
@@ -182,14 +197,13 @@ class Set {
   const WalkTables& walk_tables() const { return *walk_tables_; }
 
  private:
-  friend class Compiler;
+  friend class SetWriter;
   std::vector<Shape> shapes_;
   std::vector<ObjectType> types_;
   std::vector<Extension> extensions_;
   std::unordered_map<std::string, TypeId> type_ids_;
   std::unordered_map<std::string, ExtensionId> extension_ids_;
-  struct Patterns;
-  std::shared_ptr<const Patterns> patterns_;
+  std::shared_ptr<const std::vector<Pattern>> patterns_;
   std::shared_ptr<const WalkTables> walk_tables_;
 };
 

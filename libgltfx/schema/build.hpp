@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the stages of compilation share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "schema/set_parts.hpp"
+#include "schema/source.hpp"
+
+namespace gltfx::schema {
+
+/// State of one compilation. Stages run in the order: vocabulary, shapes, extensions, references.
+struct Build {
+  Build(const std::vector<Source>& files, FaultList& list) : sources(files), faults(list) {}
+
+  const std::vector<Source>& sources;
+  FaultList& faults;
+  SetParts set;
+  std::unordered_map<std::string_view, SourceId> by_id;
+  std::vector<ExtensionId> extension_of;                ///< by SourceId; kNone for core
+  std::vector<Site> shape_sites;                        ///< by ShapeId
+  std::unordered_map<std::uint64_t, ShapeId> shape_at;  ///< by site key
+
+  const json::Document& document(Site at) const { return sources[at.source].document; }
+  Site member(Site object, std::string_view name) const {
+    if (!object.exists()) return {};
+    return {object.source, sources[object.source].find(object.node, name)};
+  }
+  std::string text(Site at) const { return document(at).string(at.node); }
+  static std::uint64_t key(Site at) { return (std::uint64_t{at.source} << 32) | at.node; }
+
+  /// The shape made for a node, behind its $refs; kNone when it accepts everything.
+  ShapeId shape_of(Site at) const;
+  /// What a `$ref` names, or a site that does not exist, with a fault.
+  Site resolve(Site reference);
+};
+
+/// Sets up `by_id` and the extensions' ids; faults for `$id`s that occur twice.
+void register_sources(Build& build);
+/// Makes shapes and types of all files.
+void build_shapes(Build& build);
+/// Makes extensions of the annotations of extension files, and their objects' types for each home.
+void build_extensions(Build& build);
+/// Takes `extensions` and `extras` out of types that list them without saying anything of them.
+void drop_common_members(SetParts& set);
+/// Resolves what can only be known when everything is there: targets, slots' factors, loops.
+void check_references(Build& build);
+
+}  // namespace gltfx::schema

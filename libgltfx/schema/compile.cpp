@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/compile.hpp"
+
+#include "base/text.hpp"
+#include "schema/build.hpp"
+#include "schema/vocabulary_check.hpp"
+
+namespace gltfx::schema {
+
+ShapeId Build::shape_of(Site at) const {
+  constexpr int kLongest = 100;
+  for (int steps = 0; at.exists() && steps < kLongest; ++steps) {
+    const auto known = shape_at.find(key(at));
+    if (known != shape_at.end()) return known->second;
+    const Site reference = member(at, "$ref");
+    if (!reference.exists()) break;
+    at = const_cast<Build*>(this)->resolve(reference);
+  }
+  return kNone;
+}
+
+Site Build::resolve(Site reference) {
+  const std::string text = this->text(reference);
+  const std::size_t hash = std::min(text.find('#'), text.size());
+  SourceId source = reference.source;
+  if (hash != 0) {
+    const auto file = by_id.find(std::string_view(text).substr(0, hash));
+    if (file == by_id.end()) {
+      std::vector<std::string_view> ids;
+      for (const auto& entry : by_id) ids.push_back(entry.first);
+      faults.add(reference,
+                 "there is no schema " + quoted(text.substr(0, hash)) + did_you_mean(text, ids));
+      return {};
+    }
+    source = file->second;
+  }
+  const Site root{source, sources[source].document.root()};
+  if (hash == text.size()) return root;
+  constexpr std::size_t kPrefix = std::string_view("#/$defs/").size();
+  const std::string name = text.substr(hash + kPrefix);
+  const Site defs = member(root, "$defs");
+  const Site found = member(defs, name);
+  if (found.exists()) return found;
+  std::vector<std::string_view> names;
+  if (defs.exists()) {
+    for (const auto& entry : document(defs).members(defs.node))
+      names.push_back(document(defs).key(entry.key_id));
+  }
+  faults.add(reference, quoted(name) + " is not among $defs" + did_you_mean(name, names));
+  return {};
+}
+
+void register_sources(Build& build) {
+  for (SourceId id = 0; id < build.sources.size(); ++id) {
+    const Source& source = build.sources[id];
+    const auto [first, is_new] = build.by_id.emplace(source.id, id);
+    if (!is_new) {
+      build.faults.add(build.member({id, source.document.root()}, "$id"),
+                       "this $id is taken by " + quoted(build.sources[first->second].name, 200));
+    }
+    build.extension_of.push_back(kNone);
+    if (!is_new || !source.is_extension()) continue;
+    build.extension_of.back() = static_cast<ExtensionId>(build.set.extensions.size());
+    build.set.extensions.emplace_back();
+    build.set.extension_ids.emplace(source.short_name(), build.extension_of.back());
+  }
+}
+
+Compiled compile(const std::vector<SourceFile>& files) {
+  Compiled result;
+  const std::vector<Source> sources = load_sources(files, result.faults);
+  FaultList faults(sources);
+  check_vocabulary(sources, faults);
+  Build build(sources, faults);
+  // Each stage relies on the one before.
+  for (const auto stage : {register_sources, build_shapes, build_extensions, check_references}) {
+    if (!faults.empty() || !result.faults.empty()) break;
+    stage(build);
+  }
+  for (SchemaFault& fault : faults.take()) result.faults.push_back(std::move(fault));
+  if (!result.faults.empty()) return result;
+  drop_common_members(build.set);
+  result.set = SetWriter::close(std::move(build.set));
+  return result;
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# The schema room comes in two: gltfx_schema_core knows no schema; gltfx_schema adds those of schema/,
+# which the host program gltfx_schema_compiler has checked and turned into C++.
+get_target_property(schema_sources gltfx_schema SOURCES)
+set(core_sources ${schema_sources})
+list(FILTER core_sources EXCLUDE REGEX "/schema/builtin.cpp$")
+add_library(gltfx_schema_core STATIC ${core_sources})
+target_include_directories(gltfx_schema_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)
+target_link_libraries(gltfx_schema_core PUBLIC gltfx_json PRIVATE gltfx_options fmt::fmt)
+
+add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/embed.cpp)
+target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options)
+
+set(schema_root ${PROJECT_SOURCE_DIR}/schema)
+file(GLOB schema_files CONFIGURE_DEPENDS RELATIVE ${schema_root}
+  ${schema_root}/core/*.json ${schema_root}/extensions/*.json ${schema_root}/meta/*.json)
+list(TRANSFORM schema_files PREPEND ${schema_root}/ OUTPUT_VARIABLE schema_paths)
+set(embedded ${CMAKE_CURRENT_BINARY_DIR}/embedded_schemas.cpp)
+add_custom_command(OUTPUT ${embedded}
+  COMMAND gltfx_schema_compiler ${embedded} ${schema_root} ${schema_files}
+  DEPENDS gltfx_schema_compiler ${schema_paths}
+  COMMENT "Compiling and embedding schema files" VERBATIM)
+
+set_property(TARGET gltfx_schema PROPERTY SOURCES
+  ${CMAKE_CURRENT_SOURCE_DIR}/schema/builtin.cpp ${embedded})
+target_link_libraries(gltfx_schema PUBLIC gltfx_schema_core)

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/compiler/embed.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+// JSON without the blanks between its tokens.
+std::string minified(const std::string& json) {
+  std::string out;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    const bool blank = c == ' ' || c == '\n' || c == '\r' || c == '\t';
+    if (in_string || !blank) out += c;
+    if (in_string && c == '\\' && i + 1 < json.size()) {
+      out += json[++i];
+    } else if (c == '"') {
+      in_string = !in_string;
+    }
+  }
+  return out;
+}
+
+// As an ordinary string literal, a line at a time; bytes beyond ASCII in octal.
+std::string literal(const std::string& text) {
+  std::string out = "\n    \"";
+  std::size_t column = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\' || c == '?') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte >= 0x7F) {
+      const char digits[] = {'\\', static_cast<char>('0' + (byte >> 6)),
+                             static_cast<char>('0' + ((byte >> 3) & 7)),
+                             static_cast<char>('0' + (byte & 7))};
+      out.append(digits, 4);
+    } else {
+      out += c;
+    }
+    if (++column == 100) {
+      out += "\"\n    \"";
+      column = 0;
+    }
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string embed(const std::vector<SourceFile>& files) {
+  constexpr std::size_t kPiece = 16000;
+  std::string out =
+      "// Written by gltfx_schema_compiler from schema/.\n#include \"schema/embedded.hpp\"\n\n"
+      "namespace gltfx::schema {\nnamespace {\n";
+  std::string table;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string text = minified(files[i].text);
+    const std::string name = "kText" + std::to_string(i);
+    out += "constexpr std::string_view " + name + "[]{";
+    for (std::size_t at = 0; at < text.size(); at += kPiece) {
+      out += literal(text.substr(at, kPiece)) + ",";
+    }
+    out += "};\n";
+    table += "    {" + literal(files[i].name) + ", " + name + "},\n";
+  }
+  out += "constexpr EmbeddedFile kFiles[]{\n" + table + "};\n}  // namespace\n\n";
+  return out +
+         "std::span<const EmbeddedFile> embedded_files() { return kFiles; }\n\n}  // namespace "
+         "gltfx::schema\n";
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "schema/shape_builder.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+class ExtensionBuilder {
+ public:
+  ExtensionBuilder(Build& build, SourceId source)
+      : build_(build),
+        source_(source),
+        root_{source, build.sources[source].document.root()},
+        annotation_(build.member(root_, "x-gltfx")) {}
+
+  void run() {
+    Extension extension = facts();
+    add_homes(extension);
+    build_.set.extensions[build_.extension_of[source_]] = std::move(extension);
+  }
+
+ private:
+  Site word(std::string_view name) const { return build_.member(annotation_, name); }
+  std::string text(Site at) const { return at.exists() ? build_.text(at) : std::string(); }
+  bool flag(Site at) const {
+    return at.exists() && build_.document(at).kind(at.node) == json::Kind::true_value;
+  }
+
+  Extension facts() {
+    Extension extension;
+    extension.name = text(word("extension"));
+    if (extension.name != build_.sources[source_].short_name()) {
+      build_.faults.add(word("extension"), "the $id of this file names another extension than " +
+                                               quoted(extension.name));
+    }
+    extension.title = text(build_.member(root_, "title"));
+    extension.description = text(build_.member(root_, "description"));
+    extension.spec = text(word("spec"));
+    extension.status = status();
+    extension.excludes = relations(word("excludes"));
+    extension.requires_ = relations(word("requires"));
+    extension.overridden_by = relations(word("overriddenBy"));
+    extension.standalone = flag(word("standalone"));
+    extension.khronos_validator = flag(word("khronosValidator"));
+    extension.must_be_required = must_be_required();
+    extension.fallback = text(word("fallback"));
+    extension.image_mime_types = read_names(build_, word("imageMimeTypes"));
+    extension.vertex_attributes = semantics(word("vertexAttributes"));
+    extension.morph_attributes = semantics(word("morphAttributes"));
+    extension.instance_attributes = semantics(word("instanceAttributes"));
+    extension.successor = text(word("successor"));
+    extension.generations = generations();
+    extension.enum_additions = enum_additions();
+    extension.from_user = build_.sources[source_].from_user;
+    return extension;
+  }
+
+  Status status() const {
+    const auto names = listed_values(Form::status);
+    const auto found = std::find(names.begin(), names.end(), text(word("status")));
+    return found == names.end() ? Status::vendor : static_cast<Status>(found - names.begin());
+  }
+
+  MustBeRequired must_be_required() const {
+    const std::string name = text(word("mustBeRequired"));
+    if (name == "always") return MustBeRequired::always;
+    if (name == "without-fallback") return MustBeRequired::without_fallback;
+    return name == "recommended" ? MustBeRequired::recommended : MustBeRequired::optional;
+  }
+
+  std::vector<Relation> relations(Site list) const {
+    std::vector<Relation> all;
+    if (!list.exists()) return all;
+    for (const json::NodeId element : build_.document(list).elements(list.node)) {
+      const Site at{source_, element};
+      all.push_back({text(build_.member(at, "extension")), text(build_.member(at, "because")),
+                     text(build_.member(at, "severity")) == "error"});
+    }
+    return all;
+  }
+
+  std::vector<AttributeFormat> semantics(Site map) const {
+    std::vector<AttributeFormat> all;
+    if (!map.exists()) return all;
+    const json::Document& document = build_.document(map);
+    for (const auto& member : document.members(map.node)) {
+      const Site at{source_, member.value};
+      all.push_back({std::string(document.key(member.key_id)),
+                     read_names(build_, build_.member(at, "types")),
+                     read_names(build_, build_.member(at, "components")),
+                     flag(build_.member(at, "required"))});
+    }
+    return all;
+  }
+
+  std::vector<Generation> generations() const {
+    std::vector<Generation> all;
+    const Site list = word("generations");
+    if (!list.exists()) return all;
+    for (const json::NodeId element : build_.document(list).elements(list.node)) {
+      const Site at{source_, element};
+      Generation generation{text(build_.member(at, "name")),
+                            text(build_.member(at, "description")),
+                            read_names(build_, build_.member(at, "with")),
+                            read_names(build_, build_.member(at, "without")),
+                            {}};
+      const Site slots = build_.member(at, "slots");
+      if (slots.exists()) {
+        for (const auto& member : build_.document(slots).members(slots.node)) {
+          generation.slots.emplace_back(build_.document(slots).key(member.key_id),
+                                        read_slot(build_, {source_, member.value}));
+        }
+      }
+      all.push_back(std::move(generation));
+    }
+    return all;
+  }
+
+  std::vector<std::pair<std::string, std::vector<std::string>>> enum_additions() const {
+    std::vector<std::pair<std::string, std::vector<std::string>>> all;
+    const Site map = word("enumAdditions");
+    if (!map.exists()) return all;
+    for (const auto& member : build_.document(map).members(map.node)) {
+      all.emplace_back(build_.document(map).key(member.key_id),
+                       read_names(build_, {source_, member.value}));
+    }
+    return all;
+  }
+
+  void add_homes(Extension& extension) {
+    const Site on = word("on");
+    const json::Document& document = build_.document(on);
+    if (document.kind(on.node) == json::Kind::array) {
+      for (const json::NodeId home : document.elements(on.node)) {
+        add_home(extension, document.string(home), home, root_);
+      }
+      return;
+    }
+    for (const auto& member : document.members(on.node)) {
+      const std::string place = document.string(member.value);
+      const Site schema = place == "#" ? root_ : build_.resolve({source_, member.value});
+      if (schema.exists()) {
+        add_home(extension, std::string(document.key(member.key_id)), member.key, schema);
+      }
+    }
+  }
+
+  void add_home(Extension& extension, const std::string& home, json::NodeId at, Site schema) {
+    const TypeId host = build_.set.find_type(home);
+    if (host == kNone) return unknown_home(home, at);
+    const ShapeId definition = build_.shape_of(schema);
+    extension.homes.emplace_back(host, object_at(definition, home + "." + extension.name));
+  }
+
+  void unknown_home(const std::string& home, json::NodeId at) {
+    std::vector<std::string_view> known;
+    for (const ObjectType& type : build_.set.types) known.push_back(type.name);
+    build_.faults.add({source_, at},
+                      quoted(home) + " is no type of object" + did_you_mean(home, known));
+  }
+
+  // The object that a definition describes gets a type of its own at each home. The first takes the
+  // definition's own, further ones are copies.
+  ShapeId object_at(ShapeId definition, const std::string& name) {
+    SetParts& set = build_.set;
+    Shape shape = definition == kNone ? Shape() : set.shapes[definition];
+    shape.types = kObject;
+    const bool has_type = shape.type != kNone;
+    if (has_type && std::find(renamed_.begin(), renamed_.end(), shape.type) == renamed_.end()) {
+      renamed_.push_back(shape.type);
+      set.types[shape.type].name = name;
+      set.shapes[definition].label = name;
+      set.shapes[definition].types = kObject;
+      set.type_ids.insert_or_assign(name, shape.type);
+      return definition;
+    }
+    ObjectType type = has_type ? set.types[shape.type] : ObjectType();
+    if (!has_type) type.open = true;
+    type.name = name;
+    type.shape = static_cast<ShapeId>(set.shapes.size());
+    const auto id = static_cast<TypeId>(set.types.size());
+    if (!has_type) type.origin = id;
+    type.extension = build_.extension_of[source_];
+    shape.type = id;
+    shape.label = name;
+    set.type_ids.insert_or_assign(name, id);
+    set.types.push_back(std::move(type));
+    build_.shape_sites.push_back(definition == kNone ? Site{} : build_.shape_sites[definition]);
+    set.shapes.push_back(std::move(shape));
+    return static_cast<ShapeId>(set.shapes.size() - 1);
+  }
+
+  Build& build_;
+  SourceId source_;
+  Site root_, annotation_;
+  std::vector<TypeId> renamed_;
+};
+
+}  // namespace
+
+void build_extensions(Build& build) {
+  for (SourceId id = 0; id < build.sources.size(); ++id) {
+    if (build.sources[id].is_extension()) ExtensionBuilder(build, id).run();
+  }
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The members that a schema describes, into an ObjectType.
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "schema/members.hpp"
+#include "schema/shape_builder.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+// Beside its known members every object may have these two; a schema need not list them.
+bool is_common_member(std::string_view name) { return name == "extensions" || name == "extras"; }
+
+// Listed only because other validators need it: {} or { "type": "object" }.
+bool says_nothing(const Shape& shape) {
+  return (shape.types & ~kObject) == 0 && shape.type == kNone && shape.values == kNone &&
+         !shape.never && shape.min_properties == 0 && shape.any_of.empty() &&
+         shape.one_of.empty() && shape.all_of.empty() && shape.literals.empty();
+}
+
+}  // namespace
+
+void ShapeBuilder::finish_members(ShapeId id, Site schema, const Where& where, Shape& shape,
+                                  const Members& members) {
+  const json::Document& document = build_.document(schema);
+  const bool closed = members.additional.exists() &&
+                      document.kind(members.additional.node) == json::Kind::false_value;
+  if (members.additional.exists() && !document.is_boolean(members.additional.node)) {
+    shape.values = request(members.additional, where);
+  }
+  if (!members.properties.exists() && !members.required.exists() && !closed) return;
+  ObjectType type;
+  type.name = where.type_name;
+  type.shape = id;
+  type.properties = read_properties(members, where);
+  type.open = members.additional.exists() ? !closed : where.branch || !members.properties.exists();
+  type.strict = closed;
+  type.extension = build_.extension_of[schema.source];
+  if (!type.open) fault_misspelt_required(members, type);
+  shape.type = static_cast<TypeId>(build_.set.types.size());
+  type.origin = shape.type;
+  if (!where.branch) build_.set.type_ids.emplace(type.name, shape.type);
+  build_.set.types.push_back(std::move(type));
+}
+
+std::vector<Property> ShapeBuilder::read_properties(const Members& members, const Where& where) {
+  std::vector<Property> properties;
+  if (members.properties.exists()) {
+    const json::Document& document = build_.document(members.properties);
+    for (const auto& member : document.members(members.properties.node)) {
+      const Site schema{members.properties.source, member.value};
+      properties.push_back(read_property(schema, document.key(member.key_id), where));
+    }
+  }
+  for (const std::string& name : read_names(build_, members.required)) {
+    auto property = std::find_if(properties.begin(), properties.end(),
+                                 [&](const Property& p) { return p.name == name; });
+    if (property == properties.end()) {
+      properties.emplace_back().name = name;
+      property = properties.end() - 1;
+    }
+    property->required = true;
+  }
+  return properties;
+}
+
+Property ShapeBuilder::read_property(Site schema, std::string_view name, const Where& where) {
+  Property property;
+  property.name = name;
+  const std::string type_name = where.type_name + "." + property.name;
+  property.shape =
+      request(schema, {type_name, where.type_name + "/" + property.name, where.branch});
+  if (!build_.document(schema).is_object(schema.node)) return property;
+  const auto text = [&](Site at) { return at.exists() ? build_.text(at) : std::string(); };
+  property.description = text(build_.member(schema, "description"));
+  const Site fallback = build_.member(schema, "default");
+  if (fallback.exists()) property.default_json = build_.document(fallback).raw(fallback.node);
+  const Site deprecated = build_.member(schema, "deprecated");
+  if (deprecated.exists() &&
+      build_.document(deprecated).kind(deprecated.node) == json::Kind::true_value) {
+    property.deprecated = "it is deprecated";
+  }
+  const Site annotation = build_.member(schema, "x-gltfx");
+  if (!annotation.exists()) return property;
+  property.mutable_type = text(build_.member(annotation, "mutable"));
+  property.unit = text(build_.member(annotation, "unit"));
+  property.aliases = read_names(build_, build_.member(annotation, "aliases"));
+  const std::string instead = text(build_.member(annotation, "deprecated"));
+  if (!instead.empty()) property.deprecated = instead;
+  return property;
+}
+
+// A required member that the object does not know can never be there rightly.
+void ShapeBuilder::fault_misspelt_required(const Members& members, const ObjectType& type) {
+  if (!members.required.exists() || !members.properties.exists()) return;
+  const json::Document& document = build_.document(members.required);
+  std::vector<std::string_view> known;
+  for (const auto& member : document.members(members.properties.node)) {
+    known.push_back(document.key(member.key_id));
+  }
+  if (document.kind(members.required.node) != json::Kind::array) return;
+  for (const json::NodeId name : document.elements(members.required.node)) {
+    const std::string text = document.string(name);
+    if (is_common_member(text) || std::find(known.begin(), known.end(), text) != known.end())
+      continue;
+    build_.faults.add({members.required.source, name},
+                      quoted(text) + " is required but no property of " + quoted(type.name) +
+                          did_you_mean(text, known));
+  }
+}
+
+void drop_common_members(SetParts& set) {
+  for (ObjectType& type : set.types) {
+    const auto plain = [&](const Property& p) {
+      return is_common_member(p.name) && !p.required &&
+             (p.shape == kNone || says_nothing(set.shapes[p.shape]));
+    };
+    type.properties.erase(std::remove_if(type.properties.begin(), type.properties.end(), plain),
+                          type.properties.end());
+  }
+}
+
+}  // namespace gltfx::schema

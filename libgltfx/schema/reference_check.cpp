@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be judged only when all files are compiled: where references lead, which property scales
+// a slot, whether shapes contain themselves.
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "schema/build.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+constexpr int kDeepestNesting =
+    40;  // combinators inside one another; the walk recurses on these only
+
+class ReferenceCheck {
+ public:
+  explicit ReferenceCheck(Build& build) : build_(build), set_(build.set) {}
+
+  void run() {
+    const auto count = static_cast<ShapeId>(set_.shapes.size());
+    for (ShapeId id = 0; id < count; ++id) {
+      if (set_.shapes[id].ref) target(id, *set_.shapes[id].ref, "ref");
+      if (set_.shapes[id].ref_name) target(id, *set_.shapes[id].ref_name, "refName");
+    }
+    for (TypeId id = 0; id < set_.types.size(); ++id) slots(set_.types[id]);
+    for (SourceId id = 0; id < build_.sources.size(); ++id) {
+      if (build_.sources[id].is_extension()) generations(id);
+    }
+    nesting();
+  }
+
+ private:
+  Site word(ShapeId shape, std::string_view name) const {
+    const Site schema = build_.shape_sites[shape];
+    return build_.member(build_.member(schema, "x-gltfx"), name);
+  }
+
+  // Where a path of names stands: at an object type or at a shape.
+  struct Place {
+    TypeId type = kNone;
+    ShapeId shape = kNone;
+  };
+
+  void target(ShapeId id, Target& target, std::string_view which) {
+    const Site at = word(id, which);
+    if (!at.exists()) return;  // a copy: judged at the original
+    Place place{set_.find_type("glTF"), kNone};
+    if (target.base == Target::Base::enclosing) {
+      const std::string type = target.text.substr(0, target.text.find('/'));
+      place.type = set_.find_type(type);
+      if (place.type == kNone) return unknown(at, type, "no type of object", type_names());
+      target.enclosing = set_.types[place.type].origin;
+    } else if (place.type == kNone) {
+      return;  // files without the root of glTF: nothing to judge by
+    }
+    for (std::size_t i = 0; i < target.steps.size(); ++i) {
+      if (!step(place, target.steps, i, at)) return;
+    }
+    if (which == "ref" && !is_array(place.shape)) {
+      build_.faults.add(at, quoted(target.text) + " leads to something that is no array");
+    }
+  }
+
+  bool is_array(ShapeId shape) const {
+    return shape == kNone || set_.shapes[shape].types == 0 ||
+           (set_.shapes[shape].types & kArray) != 0;
+  }
+
+  // One step of a target; `extensions` and a name together lead into an extension's object.
+  bool step(Place& place, const std::vector<std::string>& steps, std::size_t& i, Site at) {
+    const std::string& name = steps[i];
+    if (name == "*") return element(place, at);
+    if (name == "extensions" && i + 1 < steps.size()) return extension(place, steps[++i], at);
+    const Property* property = set_.find_property(place.type, name);
+    if (property == nullptr) {
+      const ShapeId values = place.shape == kNone ? kNone : set_.shapes[place.shape].values;
+      if (values == kNone)
+        return unknown(at, name, "not a member there", member_names(place.type)), false;
+      return enter(place, values);
+    }
+    return enter(place, property->shape);
+  }
+
+  bool enter(Place& place, ShapeId shape) {
+    place = {shape == kNone ? kNone : set_.shapes[shape].type, shape};
+    return true;
+  }
+
+  bool element(Place& place, Site at) {
+    const ShapeId items = place.shape == kNone ? kNone : set_.shapes[place.shape].items;
+    if (items == kNone) {
+      build_.faults.add(at, "'*' steps over the elements of an array; there is none at this place");
+      return false;
+    }
+    return enter(place, items);
+  }
+
+  bool extension(Place& place, const std::string& name, Site at) {
+    const ExtensionId id = set_.find_extension(name);
+    if (id == kNone)
+      return unknown(at, name, "no extension that is described", extension_names()), false;
+    const ShapeId object = set_.extensions[id].home(place.type);
+    if (object != kNone) return enter(place, object);
+    build_.faults.add(at, quoted(name) + " has no object at this place");
+    return false;
+  }
+
+  void unknown(Site at, std::string_view name, std::string_view what,
+               const std::vector<std::string_view>& known) {
+    build_.faults.add(at, quoted(name) + " is " + std::string(what) + did_you_mean(name, known));
+  }
+
+  std::vector<std::string_view> member_names(TypeId type) const {
+    std::vector<std::string_view> names;
+    if (type == kNone) return names;
+    for (const Property& property : set_.types[type].properties) names.push_back(property.name);
+    return names;
+  }
+
+  std::vector<std::string_view> type_names() const {
+    std::vector<std::string_view> names;
+    for (const ObjectType& type : set_.types) names.push_back(type.name);
+    return names;
+  }
+
+  std::vector<std::string_view> extension_names() const {
+    std::vector<std::string_view> names;
+    for (const Extension& extension : set_.extensions) names.push_back(extension.name);
+    return names;
+  }
+
+  void slots(const ObjectType& type) {
+    for (const Property& property : type.properties) {
+      if (property.shape == kNone || !set_.shapes[property.shape].slot) continue;
+      scaled_by(type, *set_.shapes[property.shape].slot, word(property.shape, "slot"));
+    }
+  }
+
+  void scaled_by(const ObjectType& type, const Slot& slot, Site at) {
+    const auto is_factor = [&](const Property& p) { return p.name == slot.scaled_by; };
+    const bool known = std::any_of(type.properties.begin(), type.properties.end(), is_factor);
+    if (slot.scaled_by.empty() || known || type.origin != set_.shapes[type.shape].type) return;
+    const Site place = build_.member(at, "scaledBy");
+    if (!place.exists()) return;
+    std::vector<std::string_view> names;
+    for (const Property& property : type.properties) names.push_back(property.name);
+    unknown(place, slot.scaled_by, "no property of the same object", names);
+  }
+
+  // Members that generations speak of have to exist on the extension's object.
+  void generations(SourceId id) {
+    const Extension& extension = set_.extensions[build_.extension_of[id]];
+    if (extension.homes.empty()) return;
+    const TypeId type = set_.shapes[extension.homes.front().second].type;
+    const Source& source = build_.sources[id];
+    const Site list =
+        build_.member(build_.member({id, source.document.root()}, "x-gltfx"), "generations");
+    if (!list.exists()) return;
+    std::size_t at = 0;
+    for (const json::NodeId element : source.document.elements(list.node)) {
+      generation(extension.generations[at++], type, {id, element});
+    }
+  }
+
+  void generation(const Generation& generation, TypeId type, Site at) {
+    const auto known = [&](const std::string& name, Site place) {
+      if (set_.find_property(type, name) != nullptr) return;
+      unknown(place, name, "no property of the extension's object", member_names(type));
+    };
+    for (const std::string& name : generation.with) known(name, build_.member(at, "with"));
+    for (const std::string& name : generation.without) known(name, build_.member(at, "without"));
+    for (const auto& [name, slot] : generation.slots) {
+      const Site place = build_.member(build_.member(at, "slots"), name);
+      known(name, place);
+      scaled_by(set_.types[type], slot, place);
+    }
+  }
+
+  // Shapes that hold for one value together: a cycle among them would never end.
+  std::vector<ShapeId> in_place(const Shape& shape) const {
+    std::vector<ShapeId> all;
+    for (const auto* list : {&shape.all_of, &shape.any_of, &shape.one_of}) {
+      all.insert(all.end(), list->begin(), list->end());
+    }
+    all.push_back(shape.not_shape);
+    for (const Condition& condition : shape.conditions) {
+      all.insert(all.end(), {condition.if_shape, condition.then_shape, condition.else_shape});
+    }
+    all.erase(std::remove(all.begin(), all.end(), kNone), all.end());
+    return all;
+  }
+
+  // Depth first with a stack of its own: how deep combinators are nested, and whether in
+  // themselves.
+  void nesting() {
+    std::vector<int> depth(set_.shapes.size(), 0);  // 0: not seen, -1: on the way, else depth
+    for (ShapeId start = 0; start < set_.shapes.size(); ++start) {
+      if (depth[start] == 0) nesting_from(start, depth);
+    }
+  }
+
+  void nesting_from(ShapeId start, std::vector<int>& depth) {
+    std::vector<ShapeId> stack{start};
+    while (!stack.empty()) {
+      const ShapeId id = stack.back();
+      const std::vector<ShapeId> inside = in_place(set_.shapes[id]);
+      if (depth[id] == 0) {
+        depth[id] = -1;
+        for (const ShapeId next : inside) {
+          if (depth[next] == -1)
+            return fault_at(id, "this schema contains itself; no value could be judged");
+          if (depth[next] == 0) stack.push_back(next);
+        }
+        continue;
+      }
+      stack.pop_back();
+      if (depth[id] != -1) continue;
+      depth[id] = 1;
+      for (const ShapeId next : inside) depth[id] = std::max(depth[id], depth[next] + 1);
+      if (depth[id] == kDeepestNesting) fault_at(id, "combinators are nested too deeply");
+    }
+  }
+
+  void fault_at(ShapeId shape, std::string message) {
+    const Site site = build_.shape_sites[shape];
+    if (site.exists()) build_.faults.add(site, std::move(message));
+  }
+
+  Build& build_;
+  SetParts& set_;
+};
+
+}  // namespace
+
+void check_references(Build& build) { ReferenceCheck(build).run(); }
+
+}  // namespace gltfx::schema

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/set.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "schema/set_parts.hpp"
+#include "schema/vocabulary.hpp"
+#include "schema/walk_tables.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+const Property* find_in(const ObjectType& type, std::string_view name) {
+  const auto found = std::find_if(type.properties.begin(), type.properties.end(),
+                                  [name](const Property& p) { return p.name == name; });
+  return found == type.properties.end() ? nullptr : &*found;
+}
+
+template <class Map>
+std::uint32_t find_id(const Map& map, const std::string& name) {
+  const auto found = map.find(name);
+  return found == map.end() ? kNone : found->second;
+}
+
+}  // namespace
+
+std::string_view status_name(Status status) {
+  return listed_values(Form::status)[static_cast<std::size_t>(status)];
+}
+
+ShapeId Extension::home(TypeId type) const {
+  const auto found = std::find_if(homes.begin(), homes.end(),
+                                  [type](const auto& home) { return home.first == type; });
+  return found == homes.end() ? kNone : found->second;
+}
+
+TypeId Set::find_type(std::string_view name) const { return find_id(type_ids_, std::string(name)); }
+
+ExtensionId Set::find_extension(std::string_view name) const {
+  return find_id(extension_ids_, std::string(name));
+}
+
+const Property* Set::find_property(TypeId type, std::string_view name) const {
+  return type == kNone ? nullptr : find_in(types_[type], name);
+}
+
+bool Set::matches(std::uint32_t pattern, std::string_view text) const {
+  return (*patterns_)[pattern].matches(text);
+}
+
+std::string_view Set::pattern_text(std::uint32_t pattern) const {
+  return (*patterns_)[pattern].text();
+}
+
+TypeId SetParts::find_type(const std::string& name) const { return find_id(type_ids, name); }
+
+ExtensionId SetParts::find_extension(const std::string& name) const {
+  return find_id(extension_ids, name);
+}
+
+const Property* SetParts::find_property(TypeId type, std::string_view name) const {
+  return type == kNone ? nullptr : find_in(types[type], name);
+}
+
+std::shared_ptr<const Set> SetWriter::close(SetParts parts) {
+  auto set = std::make_shared<Set>();
+  set->shapes_ = std::move(parts.shapes);
+  set->types_ = std::move(parts.types);
+  set->extensions_ = std::move(parts.extensions);
+  set->type_ids_ = std::move(parts.type_ids);
+  set->extension_ids_ = std::move(parts.extension_ids);
+  set->patterns_ = std::make_shared<const std::vector<Pattern>>(std::move(parts.patterns));
+  set->walk_tables_ = make_walk_tables(*set);
+  return set;
+}
+
+}  // namespace gltfx::schema

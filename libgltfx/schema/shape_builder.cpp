@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/shape_builder.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "schema/members.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+// Keywords that say nothing about values.
+bool is_annotation(Keyword keyword) {
+  switch (keyword) {
+    case Keyword::none:
+    case Keyword::schema:
+    case Keyword::id:
+    case Keyword::ref:
+    case Keyword::defs:
+    case Keyword::comment:
+    case Keyword::title:
+    case Keyword::description:
+    case Keyword::default_value:
+    case Keyword::deprecated:
+    case Keyword::examples:
+    case Keyword::x_gltfx:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+ShapeId ShapeBuilder::request(Site schema, const Where& where) {
+  const Site real = behind_references(schema);
+  if (!real.exists()) return kNone;
+  const json::Document& document = build_.document(real);
+  if (document.kind(real.node) == json::Kind::true_value) return kNone;
+  if (document.kind(real.node) == json::Kind::false_value) return never_shape();
+  const auto known = build_.shape_at.find(Build::key(real));
+  if (known != build_.shape_at.end()) return known->second;
+  return add(real, where);
+}
+
+ShapeId ShapeBuilder::add(Site schema, const Where& where) {
+  const auto id = static_cast<ShapeId>(build_.set.shapes.size());
+  build_.set.shapes.emplace_back().label = where.label;
+  build_.shape_sites.push_back(schema);
+  build_.shape_at.emplace(Build::key(schema), id);
+  jobs_.push_back({id, schema, {}, where});
+  return id;
+}
+
+ShapeId ShapeBuilder::never_shape() {
+  if (never_ == kNone) {
+    never_ = static_cast<ShapeId>(build_.set.shapes.size());
+    build_.set.shapes.emplace_back().never = true;
+    build_.shape_sites.push_back({});
+  }
+  return never_;
+}
+
+// Follows $refs that have nothing beside them but annotations.
+Site ShapeBuilder::behind_references(Site schema) {
+  constexpr int kLongest = 100;
+  const Site start = schema;
+  for (int steps = 0; schema.exists() && is_bare_reference(schema); ++steps) {
+    if (steps == kLongest) {
+      build_.faults.add(build_.member(start, "$ref"),
+                        "this $ref leads to $refs only, never to a schema");
+      return {};
+    }
+    schema = build_.resolve(build_.member(schema, "$ref"));
+  }
+  return schema;
+}
+
+bool ShapeBuilder::is_bare_reference(Site schema) const {
+  const json::Document& document = build_.document(schema);
+  if (!build_.member(schema, "$ref").exists() || has_constraints(schema)) return false;
+  const Site annotation = build_.member(schema, "x-gltfx");
+  for (const std::string_view word : {"slot", "ref", "refName"}) {
+    if (document.find(annotation.node, word) != json::kNoNode) return false;
+  }
+  return true;
+}
+
+bool ShapeBuilder::has_constraints(Site schema) const {
+  const Source& source = build_.sources[schema.source];
+  for (const auto& member : source.document.members(schema.node)) {
+    if (!is_annotation(source.keywords[member.key_id])) return true;
+  }
+  return false;
+}
+
+void ShapeBuilder::run() {
+  while (!jobs_.empty()) {
+    const Job job = std::move(jobs_.back());
+    jobs_.pop_back();
+    work(job);
+  }
+  settle_derived();
+}
+
+void ShapeBuilder::work(const Job& job) {
+  const Site reference = build_.member(job.schema, "$ref");
+  if (reference.exists() && !job.base.exists()) return derive(job);
+  Shape shape;
+  shape.label = job.where.label;
+  Members members;
+  const Source& source = build_.sources[job.schema.source];
+  for (const auto& member : source.document.members(job.schema.node)) {
+    const Site value{job.schema.source, member.value};
+    read_keyword(source.keywords[member.key_id], value, job.where, shape, members);
+  }
+  if (members.annotation.exists()) read_annotation(members.annotation, shape);
+  if (!build_.member(job.schema, "if").exists()) shape.conditions.clear();
+  finish_members(job.shape, job.schema, job.where, shape, members);
+  build_.set.shapes[job.shape] = std::move(shape);
+}
+
+// A $ref with something beside it: a copy of what it names, with the words beside it; further
+// constraints become a shape of their own that has to hold as well.
+void ShapeBuilder::derive(const Job& job) {
+  Job kept = job;
+  kept.base = build_.resolve(build_.member(job.schema, "$ref"));
+  if (!kept.base.exists()) return;
+  const Where base_where{kept.where.type_name, kept.where.label, false};
+  bases_.push_back(request(kept.base, base_where));
+  Shape& shape = build_.set.shapes[job.shape];
+  if (has_constraints(job.schema)) {
+    const auto beside = static_cast<ShapeId>(build_.set.shapes.size());
+    shape.all_of.push_back(beside);
+    build_.set.shapes.emplace_back();
+    build_.shape_sites.push_back(job.schema);
+    Where where = job.where;
+    where.branch = true;
+    jobs_.push_back({beside, job.schema, job.schema, where});
+  }
+  derived_.push_back(std::move(kept));
+}
+
+void ShapeBuilder::settle_derived() {
+  std::unordered_map<ShapeId, std::size_t> waiting;
+  for (std::size_t i = 0; i < derived_.size(); ++i) waiting.emplace(derived_[i].shape, i);
+  for (std::size_t i = 0; i < derived_.size(); ++i) {
+    // Bases that are derived themselves come first.
+    std::vector<std::size_t> chain;
+    std::size_t at = i;
+    while (true) {
+      const auto known = waiting.find(derived_[at].shape);
+      if (known == waiting.end()) break;
+      waiting.erase(known);
+      chain.push_back(at);
+      const auto base = waiting.find(bases_[at]);
+      if (base == waiting.end()) {
+        if (std::any_of(chain.begin(), chain.end(),
+                        [&](std::size_t link) { return derived_[link].shape == bases_[at]; })) {
+          build_.faults.add(build_.member(derived_[at].schema, "$ref"),
+                            "this $ref leads back to itself");
+          bases_[at] = kNone;
+        }
+        break;
+      }
+      at = base->second;
+    }
+    for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
+      const ShapeId base = bases_[*link];
+      Shape& shape = build_.set.shapes[derived_[*link].shape];
+      std::vector<ShapeId> beside = std::move(shape.all_of);
+      if (base != kNone) shape = build_.set.shapes[base];
+      shape.all_of.insert(shape.all_of.end(), beside.begin(), beside.end());
+      copy_base(derived_[*link]);
+    }
+  }
+}
+
+// The words beside a $ref win over those of what it names.
+void ShapeBuilder::copy_base(const Job& job) {
+  Shape& shape = build_.set.shapes[job.shape];
+  shape.label = job.where.label;
+  Members members;
+  for (const std::string_view word : {"title", "description", "x-gltfx"}) {
+    const Site value = build_.member(job.schema, word);
+    if (value.exists()) read_keyword(keyword_of(word), value, job.where, shape, members);
+  }
+  if (members.annotation.exists()) read_annotation(members.annotation, shape);
+}
+
+void build_shapes(Build& build) {
+  ShapeBuilder builder(build);
+  for (SourceId id = 0; id < build.sources.size(); ++id) {
+    const Source& source = build.sources[id];
+    const std::string name(source.short_name());
+    builder.request({id, source.document.root()}, {name, name, false});
+    const json::NodeId defs = source.find(source.document.root(), "$defs");
+    if (defs == json::kNoNode) continue;
+    for (const auto& member : source.document.members(defs)) {
+      const std::string full = name + "." + std::string(source.document.key(member.key_id));
+      builder.request({id, member.value}, {full, full, false});
+    }
+  }
+  builder.run();
+}
+
+}  // namespace gltfx::schema

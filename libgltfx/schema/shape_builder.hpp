@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+/// From schema objects to shapes and object types.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/build.hpp"
+
+namespace gltfx::schema {
+
+/// Works through a list, so that neither nesting nor `$ref`s are followed on the call stack.
+class ShapeBuilder {
+ public:
+  explicit ShapeBuilder(Build& build) : build_(build) {}
+
+  /// How things made from a schema are called, and whether it is a branch of a combinator: there,
+  /// `properties` do not make other members unknown.
+  struct Where {
+    std::string type_name;
+    std::string label;
+    bool branch = false;
+  };
+
+  /// The shape of a schema, made by run(). kNone for schemas that accept everything.
+  ShapeId request(Site schema, const Where& where);
+  void run();
+
+ private:
+  struct Job {
+    ShapeId shape;
+    Site schema;
+    Site base;  ///< what a `$ref` with something beside it names
+    Where where;
+  };
+  struct Members;
+
+  ShapeId add(Site schema, const Where& where);
+  ShapeId never_shape();
+  Site behind_references(Site schema);
+  bool is_bare_reference(Site schema) const;
+  bool has_constraints(Site schema) const;
+  void work(const Job& job);
+  void derive(const Job& job);
+  void settle_derived();
+  void copy_base(const Job& job);
+  void read_keyword(Keyword keyword, Site value, const Where& where, Shape& shape,
+                    Members& members);
+  void read_scalar(Keyword keyword, Site value, Shape& shape);
+  void read_branches(Keyword keyword, Site value, const Where& where, Shape& shape);
+  void read_annotation(Site annotation, Shape& shape);
+  void finish_members(ShapeId id, Site schema, const Where& where, Shape& shape,
+                      const Members& members);
+  std::vector<Property> read_properties(const Members& members, const Where& where);
+  Property read_property(Site schema, std::string_view name, const Where& where);
+  std::uint32_t pattern(std::string_view expression);
+  std::vector<Literal> literals(Site list) const;
+  void fault_misspelt_required(const Members& members, const ObjectType& type);
+
+  Build& build_;
+  std::vector<Job> jobs_;
+  std::vector<Job> derived_;
+  std::vector<ShapeId> bases_;  ///< by position in derived_
+  ShapeId never_ = kNone;
+};
+
+/// Parts of the annotation `x-gltfx` that both shapes and extensions read.
+Slot read_slot(const Build& build, Site slot);
+Target read_target(const Build& build, Site text);
+std::vector<std::string> read_names(const Build& build, Site list);
+Literal read_literal(const json::Document& document, json::NodeId node);
+
+}  // namespace gltfx::schema

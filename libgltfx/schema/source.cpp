@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/source.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <unordered_map>
+
+#include "base/text.hpp"
+#include "json/lines.hpp"
+#include "json/parse.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+std::string_view fault_text(json::Fault fault) {
+  using json::Fault;
+  switch (fault) {
+    case Fault::unexpected_end:
+      return "the text ends inside a value";
+    case Fault::invalid_utf8:
+      return "bytes that are not UTF-8";
+    case Fault::control_character:
+      return "a raw control character in a string";
+    case Fault::bad_escape:
+      return "an escape that JSON does not have";
+    case Fault::bad_number:
+      return "not a JSON number";
+    case Fault::bad_literal:
+      return "not a JSON value";
+    case Fault::too_deep:
+      return "nested too deeply";
+    case Fault::too_large:
+      return "the text is too large";
+    case Fault::trailing_data:
+      return "something follows the value";
+    case Fault::byte_order_mark:
+      return "a byte order mark before the text";
+    case Fault::trailing_comma:
+      return "a comma before a closing bracket";
+    case Fault::missing_comma:
+      return "a comma is missing";
+    case Fault::duplicate_key:
+      return "a key that the object has already";
+    case Fault::lone_surrogate:
+      return "half of a surrogate pair";
+    case Fault::number_out_of_range:
+      return "a number beyond the range of a double";
+    default:
+      return "JSON does not allow this here";
+  }
+}
+
+// Every fault of a file's JSON, recoverable or not: schema files have to be clean.
+void add_json_faults(const SourceFile& file, const json::Parsed& parsed,
+                     std::vector<SchemaFault>& faults) {
+  const json::LineIndex lines(file.text);
+  for (const json::ParseFault& fault : parsed.faults) {
+    const Location at = lines.locate(fault.span);
+    std::string message(fault_text(fault.fault));
+    if (!fault.detail.empty()) message += ": " + fault.detail;
+    faults.push_back({file.name, at.line, at.column, "", std::move(message)});
+  }
+}
+
+std::vector<Keyword> keywords_of(const json::Document& document) {
+  std::vector<Keyword> keywords(document.key_count());
+  for (json::KeyId key = 0; key < keywords.size(); ++key)
+    keywords[key] = keyword_of(document.key(key));
+  return keywords;
+}
+
+std::string id_of(const json::Document& document) {
+  const json::NodeId id = document.find(document.root(), "$id");
+  return id != json::kNoNode && document.is_string(id) ? document.string(id) : std::string();
+}
+
+}  // namespace
+
+std::string_view Source::short_name() const {
+  const std::size_t slash = id.find('/');
+  return slash == std::string::npos ? std::string_view() : std::string_view(id).substr(slash + 1);
+}
+
+void FaultList::add(Site at, std::string message) {
+  constexpr std::size_t kEnough = 200;  // each one costs a pass over its text
+  if (faults_.size() >= kEnough) return;
+  const Source& source = (*sources_)[at.source];
+  const json::Document& document = source.document;
+  const bool is_key = document.kind(at.node) == json::Kind::key;
+  const Span span = document.span(at.node);
+  const Location place = json::LineIndex(document.text()).locate(span);
+  faults_.push_back({at.source,
+                     span.begin,
+                     {source.name, place.line, place.column,
+                      document.pointer_of(is_key ? at.node + 1 : at.node), std::move(message)}});
+}
+
+std::vector<SchemaFault> FaultList::take() {
+  std::stable_sort(faults_.begin(), faults_.end(), [](const Entry& a, const Entry& b) {
+    return a.source != b.source ? a.source < b.source : a.begin < b.begin;
+  });
+  std::vector<SchemaFault> faults;
+  for (Entry& entry : faults_) faults.push_back(std::move(entry.fault));
+  faults_.clear();
+  return faults;
+}
+
+std::vector<Source> load_sources(const std::vector<SourceFile>& files,
+                                 std::vector<SchemaFault>& faults) {
+  std::vector<Source> sources;
+  std::unordered_map<std::string, std::size_t> by_id;
+  sources.reserve(files.size());
+  for (const SourceFile& file : files) {
+    json::Parsed parsed = json::parse(file.text);
+    if (!parsed.ok()) add_json_faults(file, parsed, faults);
+    if (parsed.document.empty()) continue;
+    Source source{file.name, file.from_user, std::move(parsed.document), {}, {}};
+    source.id = id_of(source.document);
+    source.keywords = keywords_of(source.document);
+    const auto [place, is_new] = by_id.emplace(source.id, sources.size());
+    if (is_new || source.id.empty() || !source.from_user) {
+      sources.push_back(std::move(source));
+    } else {
+      sources[place->second] = std::move(source);
+    }
+  }
+  return sources;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
+  const std::string_view near = nearest(word, candidates);
+  return near.empty() ? std::string() : "; did you mean " + quoted(near) + "?";
+}
+
+std::string SchemaFault::text() const {
+  std::string place = file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
+  return place + (pointer.empty() ? message : pointer + ": " + message);
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Schema files while they are compiled: parsed texts, and the faults found in them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "json/document.hpp"
+#include "schema/compile.hpp"
+#include "schema/vocabulary.hpp"
+
+namespace gltfx::schema {
+
+/// One file. Its position in the list of sources is its SourceId.
+struct Source {
+  std::string name;
+  bool from_user = false;
+  json::Document document;
+  std::string id;                 ///< `$id`
+  std::vector<Keyword> keywords;  ///< by KeyId: the schema keyword of that name
+  bool is_extension() const { return id.rfind("gltfx:ext/", 0) == 0; }
+  /// The part of `$id` behind the slash: "material", "KHR_x".
+  std::string_view short_name() const;
+  /// The value of a member of an object node, or kNoNode.
+  json::NodeId find(json::NodeId object, std::string_view member) const {
+    return document.find(object, member);
+  }
+};
+
+using SourceId = std::uint32_t;
+
+/// A node of a schema file.
+struct Site {
+  SourceId source = kNone;
+  json::NodeId node = json::kNoNode;
+  bool exists() const { return node != json::kNoNode; }
+  friend bool operator==(const Site&, const Site&) = default;
+};
+
+/// Collects faults with their places.
+class FaultList {
+ public:
+  explicit FaultList(const std::vector<Source>& sources) : sources_(&sources) {}
+
+  /// A fault at a value or key.
+  void add(Site at, std::string message);
+  /// At the key of a member's value.
+  void add_at_key(Site value, std::string message) {
+    add({value.source, value.node - 1}, std::move(message));
+  }
+  bool empty() const { return faults_.empty(); }
+  /// All faults, by file and place.
+  std::vector<SchemaFault> take();
+
+ private:
+  struct Entry {
+    SourceId source;
+    std::uint32_t begin;
+    SchemaFault fault;
+  };
+  const std::vector<Source>* sources_;
+  std::vector<Entry> faults_;
+};
+
+/// Parses the files; a user's file takes the place of an earlier one with the same `$id`. What
+/// cannot be parsed goes to `faults` directly.
+std::vector<Source> load_sources(const std::vector<SourceFile>& files,
+                                 std::vector<SchemaFault>& faults);
+
+/// " Did you mean 'x'?" or nothing.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace gltfx::schema

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/walk_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gltfx::schema {
+namespace {
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+bool is_combined(const Shape& shape) {
+  return !shape.all_of.empty() || !shape.any_of.empty() || !shape.one_of.empty() ||
+         shape.not_shape != kNone || !shape.conditions.empty() || !shape.dependent_required.empty();
+}
+
+class Maker {
+ public:
+  explicit Maker(const Set& set) : set_(set), tables_(std::make_shared<Set::WalkTables>()) {}
+
+  std::shared_ptr<const Set::WalkTables> run() {
+    symbol("extensions");
+    symbol("extras");
+    tables_->root = set_.find_type("glTF");
+    tables_->shapes.reserve(set_.shapes().size());
+    tables_->name_target_of.assign(set_.shapes().size(), kNone);
+    for (ShapeId id = 0; id < set_.shapes().size(); ++id) tables_->shapes.push_back(shape(id));
+    for (const ObjectType& type : set_.types()) tables_->types.push_back(object_type(type));
+    for (const Extension& extension : set_.extensions()) {
+      tables_->extensions.push_back({relations(extension.excludes),
+                                     relations(extension.requires_),
+                                     relations(extension.overridden_by),
+                                     {}});
+      additions(extension);
+    }
+    return tables_;
+  }
+
+ private:
+  Symbol symbol(std::string_view name) {
+    return tables_->symbols.emplace(name, static_cast<Symbol>(tables_->symbols.size()))
+        .first->second;
+  }
+
+  ShapePlan shape(ShapeId id) {
+    const Shape& shape = set_.shape(id);
+    ShapePlan plan;
+    plan.combined = is_combined(shape);
+    plan.slot = shape.slot.has_value();
+    plan.type = shape.type;
+    plan.items = shape.items;
+    plan.values = shape.values;
+    plan.members = shape.type != kNone || shape.values != kNone ||
+                   !shape.pattern_properties.empty() || shape.property_names != kNone ||
+                   plan.combined || shape.min_properties != 0 || shape.max_properties != UINT64_MAX;
+    if (shape.ref) plan.target = target(*shape.ref);
+    if (shape.ref_name) tables_->name_target_of[id] = target(*shape.ref_name);
+    bounds(shape, plan);
+    plan.plan = choose(shape, plan);
+    plan.every_value = plan.plan == Plan::number && std::isinf(plan.low) && std::isinf(plan.high);
+    return plan;
+  }
+
+  // Limits as closed ones, so that one comparison decides.
+  static void bounds(const Shape& shape, ShapePlan& plan) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    plan.low = shape.exclusive_minimum ? std::nextafter(shape.minimum, kInfinity) : shape.minimum;
+    plan.high = shape.exclusive_maximum ? std::nextafter(shape.maximum, -kInfinity) : shape.maximum;
+  }
+
+  static Plan choose(const Shape& shape, const ShapePlan& plan) {
+    if (shape.never || shape.multiple_of != 0 || shape.ref_name) return Plan::full;
+    if (shape.types == kObject) return Plan::object;
+    if (shape.types == kArray) return Plan::array;
+    if (plan.combined) return Plan::full;
+    if (!shape.literals.empty()) return Plan::choice;
+    if (shape.types == kInteger) {
+      return plan.target == kNone    ? Plan::integer
+             : shape.maximum < 1e300 ? Plan::full
+                                     : Plan::index;
+    }
+    if (shape.types == kNumber) return Plan::number;
+    if (shape.types == kBoolean) return Plan::boolean;
+    const bool any_text = shape.pattern == kNone && shape.min_length == 0 &&
+                          shape.max_length == UINT64_MAX && shape.format != "json-pointer";
+    if (shape.types == kString) return any_text ? Plan::text : Plan::full;
+    const bool says_something = plan.members || shape.items != kNone || !any_text ||
+                                shape.minimum > -1e300 || shape.maximum < 1e300 ||
+                                shape.min_items != 0 || shape.max_items != UINT64_MAX ||
+                                shape.unique_items;
+    return shape.types == 0 && !says_something ? Plan::any : Plan::full;
+  }
+
+  std::uint32_t target(const Target& target) {
+    auto& all = tables_->targets;
+    const auto known = std::find_if(
+        all.begin(), all.end(), [&](const TargetPlan& t) { return t.target->text == target.text; });
+    if (known != all.end()) return static_cast<std::uint32_t>(known - all.begin());
+    TargetPlan plan;
+    plan.target = &target;
+    plan.steps_over =
+        std::find(target.steps.begin(), target.steps.end(), "*") != target.steps.end();
+    if (target.base != Target::Base::enclosing) {
+      for (const std::string& step : target.steps) plan.pointer += "/" + step;
+    }
+    all.push_back(std::move(plan));
+    return static_cast<std::uint32_t>(all.size() - 1);
+  }
+
+  TypePlan object_type(const ObjectType& type) {
+    TypePlan plan;
+    plan.is_root = type.name == "glTF";
+    plan.is_asset = type.name == "asset";
+    plan.extensions_first = ends_with(type.name, "extureInfo");
+    std::size_t names = 0;
+    for (const Property& property : type.properties) {
+      plan.properties.push_back({property.shape, property.required, !property.deprecated.empty()});
+      names += 1 + property.aliases.size();
+    }
+    plan.constraints_at = static_cast<std::uint32_t>(type.properties.size());
+    if (!type.properties.empty() && type.properties.back().name == "name") --plan.constraints_at;
+    std::size_t capacity = 4;
+    while (capacity < 2 * names + 2) capacity *= 2;
+    plan.entries.resize(capacity);
+    for (std::uint16_t i = 0; i < type.properties.size(); ++i) {
+      insert(plan, symbol(type.properties[i].name), i, false);
+    }
+    for (std::uint16_t i = 0; i < type.properties.size(); ++i) {
+      for (const std::string& alias : type.properties[i].aliases)
+        insert(plan, symbol(alias), i, true);
+    }
+    return plan;
+  }
+
+  static void insert(TypePlan& plan, Symbol symbol, std::uint16_t property, bool alias) {
+    if (plan.find(symbol) != nullptr) return;
+    const std::size_t mask = plan.entries.size() - 1;
+    std::size_t at = symbol & mask;
+    while (plan.entries[at].symbol != kNone) at = (at + 1) & mask;
+    plan.entries[at] = {symbol, property, alias};
+  }
+
+  std::vector<RelationPlan> relations(const std::vector<Relation>& all) const {
+    std::vector<RelationPlan> plans;
+    for (const Relation& relation : all)
+      plans.push_back({&relation, set_.find_extension(relation.extension)});
+    return plans;
+  }
+
+  // "TYPE/property" to its shape.
+  void additions(const Extension& extension) {
+    const ExtensionId id = set_.find_extension(extension.name);
+    const auto add = [&](std::string_view place, const std::vector<std::string>& values) {
+      const std::size_t slash = std::min(place.find('/'), place.size() - 1);
+      const TypeId type = set_.find_type(place.substr(0, slash));
+      const Property* property = set_.find_property(type, place.substr(slash + 1));
+      if (property != nullptr) tables_->additions.push_back({property->shape, id, values});
+    };
+    for (const auto& [place, values] : extension.enum_additions) add(place, values);
+    if (!extension.image_mime_types.empty()) add("image/mimeType", extension.image_mime_types);
+  }
+
+  const Set& set_;
+  std::shared_ptr<Set::WalkTables> tables_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set) { return Maker(set).run(); }
+
+}  // namespace gltfx::schema

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A Set as the walk wants it: small plain tables instead of names and options.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "schema/set.hpp"
+
+namespace gltfx::schema {
+
+/// A member name that some type knows.
+using Symbol = std::uint32_t;
+
+/// What most values of a shape need to be checked for. A value that does not fit its plan, or a
+/// shape that says more than a plan can, is judged in full.
+enum class Plan : std::uint8_t {
+  any,      ///< everything is welcome
+  number,   ///< a number within [low, high]
+  integer,  ///< an integer within [low, high]
+  index,    ///< an integer that indexes a target array
+  boolean,
+  text,    ///< any string
+  choice,  ///< one of some strings or numbers
+  object,
+  array,
+  full,  ///< no short cut
+};
+
+struct ShapePlan {
+  Plan plan = Plan::any;
+  bool combined = false;     ///< has combinators, conditions or dependencies
+  bool members = false;      ///< objects of it have to be entered
+  bool slot = false;         ///< a texture slot
+  bool every_value = false;  ///< items: numbers without limits, nothing to look at
+  std::uint32_t target = kNone;
+  TypeId type = kNone;
+  ShapeId items = kNone;
+  ShapeId values = kNone;
+  double low = 0, high = 0;
+};
+
+struct PropertyPlan {
+  ShapeId shape = kNone;
+  bool required = false;
+  bool deprecated = false;
+};
+
+/// Symbol to property of one type: open addressing in a power of two of entries.
+struct TypePlan {
+  struct Entry {
+    Symbol symbol = kNone;
+    std::uint16_t property = 0;
+    bool alias = false;
+  };
+  std::vector<Entry> entries;
+  std::vector<PropertyPlan> properties;
+  std::uint32_t constraints_at =
+      0;                          ///< what concerns several members is judged before this property
+  bool extensions_first = false;  ///< texture slots
+  bool is_root = false;
+  bool is_asset = false;
+
+  const Entry* find(Symbol symbol) const {
+    const std::size_t mask = entries.size() - 1;
+    for (std::size_t at = symbol & mask;; at = (at + 1) & mask) {
+      if (entries[at].symbol == symbol) return &entries[at];
+      if (entries[at].symbol == kNone) return nullptr;
+    }
+  }
+};
+
+/// A relation with the other extension's id, kNone when the Set does not know it.
+struct RelationPlan {
+  const Relation* relation = nullptr;
+  ExtensionId other = kNone;
+};
+
+struct ExtensionPlan {
+  std::vector<RelationPlan> excludes, requires_, overridden_by;
+  std::vector<ShapeId> home;  ///< by origin of the host type; short: compared one by one
+};
+
+/// Arrays that references may point into.
+struct TargetPlan {
+  const Target* target = nullptr;
+  std::string pointer;      ///< from the root; empty for Base::enclosing
+  bool steps_over = false;  ///< has a '*'
+};
+
+struct Set::WalkTables {
+  static constexpr Symbol kExtensions = 0;
+  static constexpr Symbol kExtras = 1;
+  std::unordered_map<std::string_view, Symbol> symbols;
+  std::vector<ShapePlan> shapes;
+  std::vector<TypePlan> types;
+  std::vector<ExtensionPlan> extensions;
+  std::vector<TargetPlan> targets;
+  std::vector<std::uint32_t>
+      name_target_of;  ///< by ShapeId: index into targets for refName, or kNone
+  /// Shapes of core whose enum an extension widens.
+  struct Addition {
+    ShapeId shape;
+    ExtensionId extension;
+    std::vector<std::string> values;
+  };
+  std::vector<Addition> additions;
+  TypeId root = kNone;
+};
+
+std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set);
+
+}  // namespace gltfx::schema
