@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/document.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "json/support.hpp"
+
+namespace gltfx::json::testing {
+namespace {
+
+TEST(Document, FindsMembersByName) {
+  const Document document = parse_clean(R"({"a": 1, "b": {"a": 2}, "c": [3]})");
+  EXPECT_EQ(document.number(document.find(0, "a")).value, 1);
+  const NodeId inner = document.find(0, "b");
+  EXPECT_EQ(document.number(document.find(inner, "a")).value, 2);
+  EXPECT_EQ(document.find(inner, "c"), kNoNode);
+  EXPECT_EQ(document.find(0, "x"), kNoNode);
+  EXPECT_EQ(document.find(document.find(0, "c"), "a"), kNoNode);
+  EXPECT_EQ(document.find(kNoNode, "a"), kNoNode);
+  EXPECT_EQ(document.find(0, kNoKey), kNoNode);
+}
+
+TEST(Document, CountsMembersAndElements) {
+  const Document document = parse_clean(R"([{}, {"a": {"b": 1}, "c": 2}, [], [1], [[1, 2], "x"]])");
+  std::vector<std::size_t> sizes;
+  for (const NodeId id : document.elements(0)) {
+    sizes.push_back(document.is_object(id) ? document.object_size(id) : document.array_size(id));
+  }
+  EXPECT_THAT(sizes, ::testing::ElementsAre(0, 2, 0, 1, 2));
+}
+
+TEST(Document, IteratesNothingInWhatIsNoContainerOfThatKind) {
+  const Document document = parse_clean(R"([1, "x", {"a": 1}, [2, 3]])");
+  for (NodeId id = 1; id < document.node_count(); ++id) {
+    if (!document.is_object(id)) {
+      EXPECT_EQ(document.object_size(id), 0u) << id;
+    }
+    if (document.kind(id) == Kind::key) continue;
+    for (const NodeId element : document.elements(id)) ADD_FAILURE() << id << " has " << element;
+  }
+}
+
+TEST(Document, TellsKindsApart) {
+  const Document document = parse_clean(R"(["s", 1, true, false, null, [], [1], {}])");
+  EXPECT_TRUE(document.is_string(1));
+  EXPECT_TRUE(document.is_number(2));
+  EXPECT_TRUE(document.is_boolean(3) && document.is_boolean(4));
+  EXPECT_EQ(document.kind(5), Kind::null);
+  EXPECT_TRUE(document.is_array(6) && document.is_array(7));
+  EXPECT_TRUE(document.is_object(8));
+  EXPECT_FALSE(document.is_boolean(1) || document.is_number(1) || document.is_array(8));
+}
+
+struct IntegerCase {
+  std::string_view text;
+  std::optional<std::uint64_t> value;
+};
+
+class UnsignedInteger : public ::testing::TestWithParam<IntegerCase> {};
+
+TEST_P(UnsignedInteger, IsReadWhenTheFractionIsZeroAndTheValueExact) {
+  const Document document = parse_clean(GetParam().text);
+  EXPECT_EQ(document.unsigned_integer(0), GetParam().value) << GetParam().text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, UnsignedInteger,
+    ::testing::Values(IntegerCase{"0", 0}, IntegerCase{"-0", 0}, IntegerCase{"7", 7},
+                      IntegerCase{"1.0", 1}, IntegerCase{"1e3", 1000}, IntegerCase{"12.5e1", 125},
+                      IntegerCase{"4294967295", 4294967295},
+                      IntegerCase{"999999999999999", 999999999999999},
+                      IntegerCase{"1000000000000000", 1000000000000000},
+                      IntegerCase{"9007199254740992", 9007199254740992},
+                      IntegerCase{"9007199254740994", std::nullopt},
+                      IntegerCase{"-1", std::nullopt}, IntegerCase{"1.5", std::nullopt},
+                      IntegerCase{"1e-1", std::nullopt}, IntegerCase{"1e300", std::nullopt},
+                      IntegerCase{"\"1\"", std::nullopt}, IntegerCase{"[1]", std::nullopt},
+                      IntegerCase{"true", std::nullopt}));
+
+TEST(Number, IsTheNearestDouble) {
+  const auto value = [](std::string_view text) { return parse_clean(text).number(0).value; };
+  EXPECT_EQ(value("0.1"), 0.1);
+  EXPECT_EQ(value("123456789012345"), 123456789012345.0);
+  EXPECT_EQ(value("9007199254740993"), 9007199254740992.0);
+  EXPECT_EQ(value("18446744073709551616"), 18446744073709551616.0);
+  EXPECT_EQ(value("2.2250738585072011e-308"), 2.2250738585072011e-308);
+  EXPECT_EQ(value("4.9e-324"), 4.9e-324);
+  EXPECT_EQ(value("2e-324"), 0);
+  EXPECT_EQ(value("1.7976931348623157e308"), 1.7976931348623157e308);
+  EXPECT_EQ(value("-1.5E+2"), -150);
+  EXPECT_TRUE(std::signbit(value("-0")));
+  EXPECT_TRUE(std::signbit(value("-0.0")));
+}
+
+TEST(Number, IsAnIntegerByValueNotBySpelling) {
+  const auto is_integer = [](std::string_view text) {
+    return parse(text).document.number(0).is_integer();
+  };
+  EXPECT_TRUE(is_integer("1.0"));
+  EXPECT_TRUE(is_integer("-9007199254740992"));
+  EXPECT_FALSE(is_integer("9007199254740994"));
+  EXPECT_FALSE(is_integer("0.5"));
+  EXPECT_FALSE(is_integer("1e999"));
+}
+
+}  // namespace
+}  // namespace gltfx::json::testing
