@@ -109,7 +109,7 @@ Result<std::string> decode_base64(std::string_view text) {
     to[1] = static_cast<char>((bits >> 8U) & 0xFFU);
     to[2] = static_cast<char>(bits & 0xFFU);
   }
-  const Result<std::string> tail = decode_tail(text, whole, padding);
+  Result<std::string> tail = decode_tail(text, whole, padding);
   if (!tail) return tail;
   bytes += *tail;
   return bytes;

@@ -73,7 +73,7 @@ Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length);
 Loaded map_file(int fd, std::uint64_t size);
 
 /// Files up to this size are copied: that costs less than a mapping and cannot fault later.
-inline constexpr std::uint64_t kCopyBelow = 16U * 1024U;
+inline constexpr std::uint64_t kCopyBelow = 16384;
 
 /// The whole file: a copy when it is small, else a mapping.
 Loaded load_file(const File& file);

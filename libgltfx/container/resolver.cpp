@@ -12,7 +12,7 @@
 namespace gltfx::container {
 namespace {
 
-std::filesystem::path or_current(std::filesystem::path path) {
+std::filesystem::path or_current(const std::filesystem::path& path) {
   return path.empty() ? std::filesystem::path(".") : path;
 }
 
@@ -38,17 +38,18 @@ std::string relative_base(const std::filesystem::path& root, const std::filesyst
 
 }  // namespace
 
-Resolver::Resolver(std::filesystem::path root, std::filesystem::path base, Confinement confinement)
+Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
+                   Confinement confinement)
     : unusable_(ResolveFault::none), confinement_(confinement) {
-  root = or_current(std::move(root));
-  UniqueFd fd(::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  const std::filesystem::path folder = or_current(root);
+  UniqueFd fd(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!fd) {
     unusable_ = fault_of_errno(errno);
     problem_ = "the root folder cannot be opened: " + errno_text(errno);
     return;
   }
   root_ = std::make_shared<const UniqueFd>(std::move(fd));
-  base_ = relative_base(root, or_current(std::move(base)), unusable_);
+  base_ = relative_base(folder, or_current(base), unusable_);
   if (unusable_ != ResolveFault::none) problem_ = "the asset's folder is not inside the root";
 }
 

@@ -29,7 +29,7 @@ class Resolver {
  public:
   /// No root: every look-up answers `no_root`.
   Resolver() = default;
-  Resolver(std::filesystem::path root, std::filesystem::path base,
+  Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
            Confinement confinement = Confinement::automatic);
 
   /// Opens `path` (percent-decoded, '/' separated). Symbolic links are followed while they stay

@@ -16,7 +16,7 @@
 namespace gltfx::container {
 namespace {
 
-constexpr std::size_t kPiece = 64U * 1024U;  // what a pipe holds
+constexpr std::size_t kPiece = 65536;  // what a pipe holds
 
 ssize_t read_waiting(int fd, std::array<char, kPiece>& piece) {
   for (;;) {

@@ -46,14 +46,14 @@ std::string normalize_escapes(std::string_view text, std::string_view kept = {})
 std::string remove_dot_segments(std::string_view path) {
   std::vector<std::string_view> segments;
   std::size_t parents = 0;  // leading ".." in `segments`
-  bool folder = false;      // the last segment was a dot segment, so a '/' follows what is left
+  bool folder = false;      // the last segment is no name, so a '/' follows what is left
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
     const std::string_view segment = path.substr(begin, end - begin);
     // ".//a" names "a", not "/a".
     const bool hollow = segment.empty() && segments.empty() && begin != 0;
     begin = end + 1;
-    folder = segment == "." || segment == "..";
+    folder = segment == "." || segment == ".." || hollow;
     if (segment == "..") {
       if (segments.size() > parents) {
         segments.pop_back();
@@ -178,10 +178,10 @@ Uri classify_uri(std::string_view uri) {
   }
   out.problem = find_problem(uri);
   out.kind = out.problem.empty() ? UriKind::relative_path : UriKind::invalid;
-  out.normalized = hide_colons(remove_dot_segments(normalize_escapes(uri)));
-  std::string slashes(uri);
-  std::replace(slashes.begin(), slashes.end(), '\\', '/');
-  out.path = remove_dot_segments(percent_decode(slashes));
+  const std::string normalized = remove_dot_segments(normalize_escapes(uri));
+  out.normalized = hide_colons(normalized);
+  // Again, because an escaped slash may have hidden a dot segment.
+  out.path = remove_dot_segments(percent_decode(normalized));
   if (out.path.find('\0') != npos) out.path.clear();
   out.lenient_path = out.kind == UriKind::invalid && !out.path.empty();
   return out;
