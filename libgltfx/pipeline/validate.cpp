@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
 #include <filesystem>
 #include <new>
 #include <optional>
 #include <utility>
-
-#include <gltfx/pipeline.hpp>
 
 #include "base/parallel.hpp"
 #include "container/container.hpp"
@@ -23,7 +23,8 @@ container::Resolver resolver_for(const fs::path& folder, const std::string& root
   return {root.empty() ? base : fs::path(root), base};
 }
 
-// The library does not throw: memory that cannot be had is one more reason why a file is unreadable.
+// The library does not throw: memory that cannot be had is one more reason why a file is
+// unreadable.
 template <class Work>
 FileReport guarded(const std::string& name, const ValidateOptions& options, const Work& work) {
   try {
@@ -50,10 +51,9 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
                           const ValidateOptions& options) {
   return guarded(name, options, [&] {
     const container::Container opened =
-        container::open_bytes(container::Bytes::from_string(std::move(bytes)));
-    const container::Resolver resolver = options.root.empty()
-                                             ? container::Resolver()
-                                             : resolver_for(options.root, options.root);
+        container::open_bytes(container::Bytes::from_string(std::move(bytes)), name);
+    const container::Resolver resolver =
+        options.root.empty() ? container::Resolver() : resolver_for(options.root, options.root);
     return validate::validate(opened, name, resolver, options);
   });
 }

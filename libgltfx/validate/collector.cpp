@@ -55,6 +55,7 @@ void Collector::PhaseSink::report(const Path& path, Finding finding) {
 Severity Collector::severity_of(const Finding& finding) const {
   const auto wanted = options_.severity.find(finding.code);
   if (wanted != options_.severity.end()) return wanted->second;
+  if (options_.lfs == LfsPolicy::error && finding.code == "GIT_LFS_POINTER") return Severity::error;
   if (finding.severity) return *finding.severity;
   const RuleDescription* rule = find_rule(finding.code);
   return rule != nullptr ? rule->severity : Severity::error;

@@ -15,6 +15,7 @@
 #include "container/resolver.hpp"
 #include "json/document.hpp"
 #include "model/asset.hpp"
+#include "model/views.hpp"
 #include "schema/check.hpp"
 #include "schema/set.hpp"
 
@@ -33,6 +34,8 @@ struct Context {
   /// Phase 3, and phase 4 which is reported behind it.
   Sink& schema_sink;
   Sink& link_sink;
+  /// Accessors, buffer views and their first uses. Complete for link rules; empty before.
+  model::Views views{};
 
   bool khronos() const { return options.profile == Profile::khronos; }
 };

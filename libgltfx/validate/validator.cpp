@@ -43,6 +43,7 @@ void check_document(Context& context) {
   context.checked = schema::check(context.document, context.schemas, walk, context.schema_sink,
                                   context.link_sink, visit);
   if (!context.document.is_object(context.document.root())) return;
+  context.views = model::Views(context.asset);
   for (const Family& family : families()) {
     for (const LinkRule rule : family.link_rules) rule(context);
   }

@@ -29,8 +29,9 @@ struct RuleDescription {
   std::string_view summary;  ///< one line, no full stop
   std::string_view why;      ///< one paragraph: what goes wrong in practice
   std::string_view remedy;   ///< what to do about it, one or two sentences
-  std::string_view bad;      ///< smallest asset (JSON text) that raises exactly this code
-  std::string_view good;     ///< the same asset, mended: raises nothing
+  std::string_view
+      bad;  ///< smallest asset that raises exactly this code, as `example_bytes` reads it
+  std::string_view good;  ///< the same asset, mended: raises nothing
   Fix fix = Fix::none;
   bool khronos = false;  ///< the Khronos validator has a code of this name and meaning
 };
@@ -48,10 +49,10 @@ struct Location {
 
 /// The source line a finding points at, cut to a window that fits a terminal.
 struct Excerpt {
-  std::string text;              ///< raw asset text: formatters neutralise it before printing
-  std::uint32_t caret = 0;       ///< first marked code point of `text`, 0-based
-  std::uint32_t width = 0;       ///< marked code points, at least 1 where there is an excerpt
-  bool cut_left = false;         ///< text was cut on that side
+  std::string text;         ///< raw asset text: formatters neutralise it before printing
+  std::uint32_t caret = 0;  ///< first marked code point of `text`, 0-based
+  std::uint32_t width = 0;  ///< marked code points, at least 1 where there is an excerpt
+  bool cut_left = false;    ///< text was cut on that side
   bool cut_right = false;
 };
 

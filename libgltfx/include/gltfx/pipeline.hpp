@@ -2,12 +2,12 @@
 /// Whole verbs as functions: what the command line does, for programs.
 #pragma once
 
+#include <gltfx/report.hpp>
+#include <gltfx/validate.hpp>
+
 #include <functional>
 #include <string>
 #include <vector>
-
-#include <gltfx/report.hpp>
-#include <gltfx/validate.hpp>
 
 namespace gltfx {
 

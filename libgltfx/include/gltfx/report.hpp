@@ -2,6 +2,8 @@
 /// The verdict on one asset, and the formats it can be written in.
 #pragma once
 
+#include <gltfx/diagnostic.hpp>
+
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -10,8 +12,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <gltfx/diagnostic.hpp>
 
 namespace gltfx {
 
@@ -25,7 +25,8 @@ struct Counts {
 
 /// One entry of the Khronos report's `info.resources`.
 struct ResourceInfo {
-  std::string pointer, mime_type, storage, uri;  ///< storage: "external", "data-uri", "glb", "buffer-view"
+  std::string pointer, mime_type, storage,
+      uri;  ///< storage: "external", "data-uri", "glb", "buffer-view"
   std::optional<std::uint64_t> byte_length;
   struct Image {
     std::uint32_t width = 0, height = 0, bits = 0;
@@ -42,19 +43,20 @@ struct AssetInfo {
   std::uint64_t animation_count = 0, material_count = 0, draw_call_count = 0;
   std::uint64_t total_vertex_count = 0, total_triangle_count = 0;
   std::uint64_t max_uvs = 0, max_influences = 0, max_attributes = 0;
-  bool has_morph_targets = false, has_skins = false, has_textures = false, has_default_scene = false;
+  bool has_morph_targets = false, has_skins = false, has_textures = false,
+       has_default_scene = false;
 };
 
 /// Everything said about one asset. Owns its text; independent of the asset.
 struct FileReport {
-  std::string path;       ///< as the user named it, "-" for standard input
-  std::string mime_type;  ///< "model/gltf+json", "model/gltf-binary" or empty
-  bool readable = true;   ///< false: the file itself could not be opened
+  std::string path;                     ///< as the user named it, "-" for standard input
+  std::string mime_type;                ///< "model/gltf+json", "model/gltf-binary" or empty
+  bool readable = true;                 ///< false: the file itself could not be opened
   std::vector<Diagnostic> diagnostics;  ///< in the order they were found
   Counts counts;
-  bool truncated = false;           ///< --max-issues ended the listing
-  std::uint64_t suppressed = 0;     ///< findings a baseline knew
-  std::uint64_t unverified = 0;     ///< resources not looked into: Git-LFS pointers
+  bool truncated = false;        ///< --max-issues ended the listing
+  std::uint64_t suppressed = 0;  ///< findings a baseline knew
+  std::uint64_t unverified = 0;  ///< resources not looked into: Git-LFS pointers
   std::optional<AssetInfo> info;
 };
 
@@ -77,11 +79,11 @@ std::optional<ReportFormat> report_format_from_name(std::string_view name);
 std::span<const std::string_view> report_format_names();
 
 struct FormatOptions {
-  bool color = false;  ///< text: ANSI colours
-  bool quiet = false;  ///< text: findings only, no summary
-  std::string command;  ///< text: how the user calls the program, for help lines ("gltfx")
-  std::string profile;     ///< named in json
-  std::string pixel_level; ///< named in json: how far images were looked into
+  bool color = false;       ///< text: ANSI colours
+  bool quiet = false;       ///< text: findings only, no summary
+  std::string command;      ///< text: how the user calls the program, for help lines ("gltfx")
+  std::string profile;      ///< named in json
+  std::string pixel_level;  ///< named in json: how far images were looked into
 };
 
 /// Writes reports one after the other, so that a run of any length stays flat in memory.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What validation can be asked for, and every rule it knows. The calls are in <gltfx/pipeline.hpp>.
+/// What validation can be asked for, and every rule it knows. The calls are in
+/// <gltfx/pipeline.hpp>.
 #pragma once
+
+#include <gltfx/diagnostic.hpp>
 
 #include <cstdint>
 #include <map>
@@ -9,8 +12,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-
-#include <gltfx/diagnostic.hpp>
 
 namespace gltfx {
 
@@ -32,8 +33,8 @@ struct ValidateOptions {
   std::string root;
   /// Findings kept per file, 0: no limit.
   std::uint64_t max_issues = 0;
-  std::set<std::string, std::less<>> select;  ///< only these codes; empty: all
-  std::set<std::string, std::less<>> ignore;  ///< never these
+  std::set<std::string, std::less<>> select;              ///< only these codes; empty: all
+  std::set<std::string, std::less<>> ignore;              ///< never these
   std::map<std::string, Severity, std::less<>> severity;  ///< instead of a rule's default
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
@@ -44,5 +45,9 @@ std::span<const RuleDescription> rules();
 
 /// The rule with that code, or null.
 const RuleDescription* find_rule(std::string_view code);
+
+/// The bytes of a rule's example. An example is the text of an asset; `{{text*N}}` in it stands for
+/// N times `text`, and one that begins with "base64:" is a binary file.
+std::string example_bytes(std::string_view example);
 
 }  // namespace gltfx

@@ -68,6 +68,12 @@ constexpr RuleDescription kRules[] = {
      "Write the length of the whole file into bytes 8 to 11.",
      "base64:Z2xURgIAAAAMAAAAHAAAAEpTT057ImFzc2V0Ijp7InZlcnNpb24iOiIyLjAifX0g", kGood, Fix::none,
      true},
+    {"GLB_TOO_MANY_CHUNKS", Severity::error, "A GLB has thousands of chunks",
+     "An asset needs two. Files with thousands are made to keep a reader busy.",
+     "Remove the chunks that hold neither the JSON text nor binary data.",
+     "base64:Z2xURgIAAABAgAAAHAAAAEpTT057ImFzc2V0Ijp7InZlcnNpb24iOiIyLjAifX0g{{"
+     "AAAAAFhYWFgAAAAAWFhYWAAAAABYWFhY*1366}}",
+     kGood},
     {"GLB_UNEXPECTED_BIN_CHUNK", Severity::error, "The BIN chunk of a GLB is not the second chunk",
      "Readers look for binary data right behind the JSON chunk and nowhere else.",
      "Move the BIN chunk behind the JSON chunk, other chunks behind both.",

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an accessor says of its elements: bounds of the right number and kind, normalization,
+// columns of matrices.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/accessor.hpp"
+#include "model/fields.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr RuleDescription kRules[] = {
+    {"ACCESSOR_MATRIX_ALIGNMENT", Severity::error,
+     "The matrices of an accessor do not begin at a multiple of four bytes",
+     "Columns of matrices lie on four-byte boundaries, so that they can be copied as they are.",
+     "Move the data, and make byteOffset a multiple of 4.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_TWIST": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 0, "byteOffset": 2, "componentType": 5121, "type": "MAT2", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12, "byteStride": 8, "target": 34962}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_TWIST": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 0, "byteOffset": 4, "componentType": 5121, "type": "MAT2", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12, "byteStride": 8, "target": 34962}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
+     Fix::none, true},
+    {"ACCESSOR_NORMALIZED_INVALID", Severity::error,
+     "An accessor of floats or 32-bit integers is normalized",
+     "Normalization maps small integers to fractions. For other types it has no meaning, and "
+     "readers differ in what they do.",
+     "Remove normalized.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_HEAT": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5126, "type": "SCALAR", "count": 1, "normalized": true}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_HEAT": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5126, "type": "SCALAR", "count": 1}]})",
+     Fix::none, true},
+    {"INVALID_GL_VALUE", Severity::error,
+     "A bound of an accessor cannot be a value of its component type",
+     "min and max hold values as they are stored. One that does not fit the type was most often "
+     "taken before packing, and readers that allocate or cull by it go wrong.",
+     "Write the smallest and largest stored values.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5121, "type": "SCALAR", "count": 1, "min": [0], "max": [300]}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5121, "type": "SCALAR", "count": 1, "min": [0], "max": [0]}]})",
+     Fix::none, true},
+};
+
+struct Range {
+  double least, most;
+};
+
+// Values of an integer type; everything for the others.
+Range range_of(model::ComponentType type) {
+  using model::ComponentType;
+  switch (type) {
+    case ComponentType::int8:
+      return {-128, 127};
+    case ComponentType::uint8:
+      return {0, 255};
+    case ComponentType::int16:
+      return {-32768, 32767};
+    case ComponentType::uint16:
+      return {0, 65535};
+    case ComponentType::uint32:
+      return {0, 4294967295.0};
+    default:
+      return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+}
+
+bool is_integer_type(model::ComponentType type) { return std::isfinite(range_of(type).most); }
+
+void check_bound_values(const Context& context, const model::Accessor& accessor, json::NodeId array,
+                        const Path& path) {
+  if (!is_integer_type(accessor.format.component)) return;
+  if (context.document.kind(array) != json::Kind::number_array) return;
+  const Range range = range_of(accessor.format.component);
+  const std::string_view type = model::component_type_name(accessor.format.component);
+  for (json::NumberCursor at(context.document, array); at.valid(); at.advance()) {
+    const double value = at.number().value;
+    const bool whole = at.number().is_integer();
+    if (whole && value >= range.least && value <= range.most) continue;
+    if (!std::isfinite(value)) continue;
+    Finding finding = finding_on(
+        context, array, whole ? "INVALID_GL_VALUE" : "ARRAY_TYPE_MISMATCH",
+        whole ? fmt::format("{} is no value of a component of type {}, which goes from {} to {}.",
+                            number_text(value), type, number_text(range.least),
+                            number_text(range.most))
+              : fmt::format("{} is no integer, but components are of type {}.", number_text(value),
+                            type));
+    finding.span = at.number().span;
+    context.schema_sink.report(path, std::move(finding));
+  }
+}
+
+// The schema bounds the length by 1 and 16; the type says which it is.
+void check_bound(const Context& context, const model::Accessor& accessor, json::NodeId array,
+                 const Path& path) {
+  if (array == json::kNoNode) return;
+  const std::size_t size = context.document.array_size(array);
+  const unsigned components = model::component_count(accessor.format.type);
+  if (size == 0 || size > 16) return;
+  if (size == components) {
+    check_bound_values(context, accessor, array, path);
+    return;
+  }
+  context.schema_sink.report(
+      path, finding_on(context, array, "ARRAY_LENGTH_NOT_IN_LIST",
+                       fmt::format("A bound of {} elements has {} number{}, not {}.",
+                                   model::element_type_name(accessor.format.type), components,
+                                   components == 1 ? "" : "s", size)));
+}
+
+void check_normalized(const Context& context, const model::Accessor& accessor, const Path& path) {
+  using model::ComponentType;
+  const ComponentType type = accessor.format.component;
+  if (!accessor.format.normalized || type == ComponentType::none) return;
+  if (model::component_size(type) <= 2 && model::is_core_component(type)) return;
+  report_member(context.schema_sink, context, path, accessor.node, "normalized",
+                "ACCESSOR_NORMALIZED_INVALID",
+                fmt::format("Components of type {} cannot be normalized.",
+                            model::component_type_name(type)));
+}
+
+void check_matrix_offset(const Context& context, const model::Accessor& accessor,
+                         const Path& path) {
+  if (!model::is_matrix(accessor.format.type) || !accessor.byte_offset) return;
+  if (context.document.find(accessor.node, "bufferView") == json::kNoNode) return;
+  if (*accessor.byte_offset % 4 == 0) return;
+  report_member(context.schema_sink, context, path, accessor.node, "byteOffset",
+                "ACCESSOR_MATRIX_ALIGNMENT",
+                fmt::format("Matrices begin at multiples of 4 bytes; {} is none.",
+                            *accessor.byte_offset));
+}
+
+void check_accessor(const Context& context, json::NodeId object, const Path& path) {
+  const model::Accessor accessor = model::read_accessor(context.asset, object);
+  if (accessor.format.known()) {
+    check_bound(context, accessor, accessor.min, Path(path, "min"));
+    check_bound(context, accessor, accessor.max, Path(path, "max"));
+  }
+  check_normalized(context, accessor, path);
+  check_matrix_offset(context, accessor, path);
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {{"accessor", check_accessor}};
+
+}  // namespace
+
+const Family& accessor_values_family() {
+  static const Family family{"accessor_values", kRules, kObjectRules, {}};
+  return family;
+}
+
+}  // namespace gltfx::validate

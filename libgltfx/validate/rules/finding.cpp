@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/rules/finding.hpp"
+
+#include <utility>
+
+namespace gltfx::validate {
+
+Finding finding_on(const Context& context, json::NodeId value, std::string_view code,
+                   std::string message, std::string help) {
+  const json::Document& document = context.document;
+  Finding finding;
+  finding.code = code;
+  finding.message = std::move(message);
+  finding.help = std::move(help);
+  if (value != json::kNoNode) {
+    const bool compound = document.is_object(value) || document.is_array(value);
+    finding.span = compound ? first_character(document, value) : document.span(value);
+  }
+  return finding;
+}
+
+void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
+                   std::string_view member, std::string_view code, std::string message,
+                   std::string help) {
+  const json::NodeId value = context.document.find(object, member);
+  sink.report(Path(path, member), finding_on(context, value != json::kNoNode ? value : object, code,
+                                             std::move(message), std::move(help)));
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+/// How rules put findings together.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "validate/context.hpp"
+
+namespace gltfx::validate {
+
+/// A finding that marks `value`: all of a scalar, only the first character of an object or array.
+/// With json::kNoNode it marks nothing.
+Finding finding_on(const Context& context, json::NodeId value, std::string_view code,
+                   std::string message, std::string help = {});
+
+/// Reports a finding on a member of the object at `path`: at the member when it is there, and
+/// otherwise at the object, with the pointer of the member in both cases.
+void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
+                   std::string_view member, std::string_view code, std::string message,
+                   std::string help = {});
+
+}  // namespace gltfx::validate

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// One buffer view, one accessor: one kind of data.
+#include "validate/rules/use.hpp"
+
+#include <fmt/format.h>
+
+#include "model/fields.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kGood =
+    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 0}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12, "target": 34962}, {"buffer": 0, "byteLength": 1, "target": 34963}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})";
+
+constexpr RuleDescription kRules[] = {
+    {"ACCESSOR_USAGE_OVERRIDE", Severity::error,
+     "An accessor is used for two kinds of data",
+     "Vertex attributes, indices, animation data and skinning matrices have different forms and go "
+     "to different places; readers upload an accessor once.",
+     "Give each use an accessor of its own.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_PLACE": 1}, "indices": 1, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5121, "type": "SCALAR", "count": 1}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_PLACE": 1}, "indices": 2, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5121, "type": "SCALAR", "count": 1}, {"componentType": 5121, "type": "SCALAR", "count": 1}]})",
+     Fix::none, true},
+    {"BUFFER_VIEW_TARGET_MISSING", Severity::hint,
+     "A buffer view with vertices or indices does not say so",
+     "With target a reader can upload the view as it is, before it has looked at any mesh.",
+     "Add target: 34962 for vertex attributes, 34963 for indices.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 0}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12, "target": 34962}, {"buffer": 0, "byteLength": 1}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
+     kGood, Fix::safe, true},
+    {"BUFFER_VIEW_TARGET_OVERRIDE", Severity::error,
+     "A buffer view is used for two kinds of data",
+     "A view becomes one GPU buffer or one file; vertex attributes, indices, images and animation "
+     "data cannot share it.",
+     "Give each kind of data a view of its own, or correct target.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 0}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12, "target": 34962}, {"buffer": 0, "byteLength": 1, "target": 34962}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
+     kGood, Fix::none, true},
+};
+
+void check_skins(const Context& context) {
+  const Path root;
+  const Path array(root, "skins");
+  const auto& skins = context.asset.elements(model::RootArray::skins);
+  for (std::size_t i = 0; i < skins.size(); ++i) {
+    const auto matrices =
+        context.asset.index(skins[i], "inverseBindMatrices", model::RootArray::accessors);
+    if (!matrices) continue;
+    const Path skin(array, static_cast<std::uint64_t>(i));
+    report_use(context, *matrices, model::AccessorUse::inverse_bind_matrices,
+               context.document.find(skins[i], "inverseBindMatrices"),
+               Path(skin, "inverseBindMatrices"));
+  }
+}
+
+void check_sampler(const Context& context, json::NodeId sampler, const Path& path) {
+  using model::AccessorUse;
+  const auto check = [&](std::string_view member, AccessorUse use) {
+    const auto accessor = context.asset.index(sampler, member, model::RootArray::accessors);
+    if (!accessor) return;
+    const json::NodeId place = context.document.find(sampler, member);
+    report_use(context, *accessor, use, place, Path(path, member));
+  };
+  check("input", AccessorUse::animation_input);
+  check("output", AccessorUse::animation_output);
+}
+
+void check_animations(const Context& context) {
+  const Path root;
+  const Path array(root, "animations");
+  const auto& animations = context.asset.elements(model::RootArray::animations);
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    const json::NodeId samplers = context.document.find(animations[i], "samplers");
+    if (samplers == json::kNoNode || context.document.kind(samplers) != json::Kind::array) continue;
+    const Path animation(array, static_cast<std::uint64_t>(i));
+    const Path at(animation, "samplers");
+    std::uint64_t index = 0;
+    for (const json::NodeId sampler : context.document.elements(samplers)) {
+      check_sampler(context, sampler, Path(at, index++));
+    }
+  }
+}
+
+constexpr LinkRule kLinkRules[] = {check_skins, check_animations};
+
+}  // namespace
+
+void report_view_use(const Context& context, std::uint32_t view, model::ViewUse kind,
+                     json::NodeId place, const Path& path) {
+  const auto& first = context.views.usage.view(view);
+  if (first.kind != kind) {
+    context.link_sink.report(
+        path, finding_on(context, place, "BUFFER_VIEW_TARGET_OVERRIDE",
+                         fmt::format("View {} holds {} by its {}; here it is used for {}.", view,
+                                     model::use_text(first.kind),
+                                     first.place == json::kNoNode ? "target" : "first use",
+                                     model::use_text(kind))));
+    return;
+  }
+  const bool wants_target = kind == model::ViewUse::vertices || kind == model::ViewUse::indices;
+  if (!wants_target || first.place != place) return;
+  context.link_sink.report(
+      path, finding_on(context, place, "BUFFER_VIEW_TARGET_MISSING",
+                       fmt::format("View {} holds {}, but has no target.", view,
+                                   model::use_text(kind)),
+                       fmt::format("add \"target\": {} to buffer view {}",
+                                   kind == model::ViewUse::vertices ? 34962 : 34963, view)));
+}
+
+void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
+                json::NodeId place, const Path& path) {
+  const auto& first = context.views.usage.accessor(accessor);
+  if (first.kind != kind) {
+    context.link_sink.report(
+        path, finding_on(context, place, "ACCESSOR_USAGE_OVERRIDE",
+                         fmt::format("Accessor {} holds {} by its first use; here it is used for {}.",
+                                     accessor, model::use_text(first.kind),
+                                     model::use_text(kind))));
+  }
+  const auto view = context.views.accessors[accessor].buffer_view;
+  if (view) report_view_use(context, *view, model::view_use(kind), place, path);
+}
+
+const Family& use_family() {
+  static const Family family{"use", kRules, {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

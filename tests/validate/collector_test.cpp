@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// How findings become a report: severities, filters, folding, order, places and names.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <gltfx/pipeline.hpp>
+
+#include "validate/verdict.hpp"
+
+namespace gltfx {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+// A scene of `count` nodes with a misspelt member each.
+std::string misspelt_nodes(int count) {
+  std::string nodes;
+  std::string indices;
+  for (int i = 0; i < count; ++i) {
+    nodes += std::string(i == 0 ? "" : ", ") + R"({"transation": [0, 0, 0], "extras": {}})";
+    indices += (i == 0 ? "" : ", ") + std::to_string(i);
+  }
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [)" + indices +
+         "]}], \"nodes\": [" + nodes + "]}";
+}
+
+TEST(Collector, FoldsRepeatsIntoTheFirst) {
+  const FileReport report = validate_bytes(misspelt_nodes(1000), "test");
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].pointer, "/nodes/0/transation");
+  EXPECT_EQ(report.diagnostics[0].count, 1000U);
+  EXPECT_EQ(report.diagnostics[0].last_pointer, "/nodes/999/transation");
+  EXPECT_EQ(report.counts.warnings, 1000U);
+}
+
+TEST(Collector, KhronosProfileListsEveryRepeat) {
+  ValidateOptions options;
+  options.profile = Profile::khronos;
+  EXPECT_EQ(validate_bytes(misspelt_nodes(100), "test", options).diagnostics.size(), 100U);
+}
+
+TEST(Collector, DifferentMembersAreNotRepeats) {
+  const Lines wanted{"UNEXPECTED_PROPERTY /asset/a", "UNEXPECTED_PROPERTY /asset/b"};
+  EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.0", "a": 1, "b": 1}})"), wanted);
+}
+
+TEST(Collector, MaxIssuesEndsTheListButNotTheCount) {
+  ValidateOptions options;
+  options.max_issues = 1;
+  const FileReport report =
+      validate_bytes(R"({"asset": {"version": "2.0", "a": 1, "b": 1}})", "test", options);
+  EXPECT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_TRUE(report.truncated);
+  EXPECT_EQ(report.counts.warnings, 2U);
+}
+
+TEST(Collector, SelectAndIgnoreChooseCodes) {
+  const std::string asset = R"({"asset": {"version": "2.0", "a": 1, "minVersion": 2}})";
+  ValidateOptions options;
+  options.select = {"TYPE_MISMATCH"};
+  EXPECT_EQ(test::verdict(asset, options), Lines{"TYPE_MISMATCH /asset/minVersion"});
+  options.select.clear();
+  options.ignore = {"TYPE_MISMATCH"};
+  EXPECT_EQ(test::verdict(asset, options), Lines{"UNEXPECTED_PROPERTY /asset/a"});
+}
+
+TEST(Collector, SeverityOfACodeCanBeChanged) {
+  ValidateOptions options;
+  options.severity = {{"UNEXPECTED_PROPERTY", Severity::error}};
+  const FileReport report =
+      validate_bytes(R"({"asset": {"version": "2.0", "a": 1}})", "test", options);
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].severity, Severity::error);
+  EXPECT_EQ(report.counts.errors, 1U);
+}
+
+TEST(Collector, KnowsThePlaceAndTheNameOfTheObject) {
+  const FileReport report = validate_bytes(
+      "{\"asset\": {\"version\": \"2.0\"},\n \"scenes\": [{\"name\": \"Hall\",\n  \"colour\": 1}]}",
+      "test");
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  const Diagnostic& found = report.diagnostics[0];
+  EXPECT_EQ(found.pointer, "/scenes/0/colour");
+  EXPECT_EQ(found.object_name, "Hall");
+  EXPECT_EQ(found.location.line, 3U);
+  EXPECT_EQ(found.location.column, 3U);
+  EXPECT_EQ(found.excerpt.text.substr(found.excerpt.caret, found.excerpt.width), "\"colour\"");
+}
+
+TEST(Collector, FindingsStandInTheOrderOfThePhases) {
+  const Lines wanted{"JSON_DUPLICATE_KEY ", "UNEXPECTED_PROPERTY /a", "UNRESOLVED_REFERENCE /scene"};
+  EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.0", "version": "2.0"}, "scene": 0, "a": 1})"),
+            wanted);
+}
+
+TEST(Collector, HintsAreForTheStrictProfile) {
+  const std::string asset = R"({"asset": {"version": "2.0"}, "a": 1})";
+  ValidateOptions options;
+  options.severity = {{"UNEXPECTED_PROPERTY", Severity::hint}};
+  EXPECT_TRUE(test::verdict(asset, options).empty());
+  options.profile = Profile::strict;
+  EXPECT_EQ(test::verdict(asset, options), Lines{"UNEXPECTED_PROPERTY /a"});
+}
+
+}  // namespace
+}  // namespace gltfx

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that are not quite glTF 2.0 are named for what they are, once.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <gltfx/pipeline.hpp>
+
+#include "validate/verdict.hpp"
+
+namespace gltfx {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+TEST(Identity, NamesVersion1AndSaysNothingElse) {
+  EXPECT_EQ(test::verdict(R"({"asset": {"version": "1.0"}, "nodes": {"a": {}}})"),
+            Lines{"GLTF_VERSION_1 "});
+}
+
+TEST(Identity, NamesVersion1WithoutAnAssetObject) {
+  EXPECT_EQ(test::verdict(R"({"meshes": {"a": {}}, "techniques": {"t": {}}, "scene": "s"})"),
+            Lines{"GLTF_VERSION_1 "});
+}
+
+TEST(Identity, NamesTheDraftOf21AndChecksOn) {
+  const Lines wanted{"GLTF_VERSION_2_1_DRAFT /asset/version", "UNEXPECTED_PROPERTY /a"};
+  EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.1"}, "a": 1})"), wanted);
+}
+
+TEST(Identity, NamesBothGenerationsOfVrm) {
+  const std::string head = R"({"asset": {"version": "2.0"}, "extensionsUsed": [)";
+  const auto named = [&](const std::string& name) {
+    const auto lines =
+        test::verdict(head + '"' + name + R"("], "extensions": {")" + name + "\": {}}}");
+    return std::find(lines.begin(), lines.end(), "VRM_ASSET /extensions/" + name) != lines.end();
+  };
+  EXPECT_TRUE(named("VRM"));
+  EXPECT_TRUE(named("VRMC_vrm"));
+  EXPECT_FALSE(named("VRMC_springBone"));
+}
+
+const std::string kPointer =
+    "version https://git-lfs.github.com/spec/v1\n"
+    "oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\n"
+    "size 12345\n";
+
+TEST(Identity, NamesAGitLfsPointer) {
+  const FileReport report = validate_bytes(kPointer, "model.glb");
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].code, "GIT_LFS_POINTER");
+  EXPECT_EQ(report.diagnostics[0].severity, Severity::info);
+  EXPECT_EQ(report.unverified, 1U);
+}
+
+TEST(Identity, GitLfsPointerIsAnErrorOnRequest) {
+  ValidateOptions options;
+  options.lfs = LfsPolicy::error;
+  EXPECT_EQ(validate_bytes(kPointer, "model.gltf", options).counts.errors, 1U);
+}
+
+TEST(Identity, AnEmptyFileIsNoAsset) {
+  EXPECT_EQ(test::verdict(""), Lines{"INVALID_JSON "});
+}
+
+TEST(Identity, JsonUnderTheNameOfAGlbIsToldSo) {
+  const FileReport report = validate_bytes(R"({"asset": {"version": "2.0"}})", "a.glb");
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].code, "GLB_INVALID_MAGIC");
+  EXPECT_NE(report.diagnostics[0].help.find(".gltf"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gltfx
