@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the first bytes of an image say about it: format, size, channels, colour space. Nothing is
+/// decoded; a few hundred bytes are read of an image of any size.
+///
+/// Sources: PNG (W3C, third edition), JPEG (ITU-T T.81), WebP container (RFC 9649), KTX 2.0.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace gltfx::image {
+
+enum class Format : std::uint8_t { png, jpeg, webp, ktx2 };
+
+/// "image/png" and so on.
+std::string_view media_type(Format format);
+
+/// Channels as they are stored; a palette counts by its colours.
+enum class Channels : std::uint8_t { luminance, luminance_alpha, rgb, rgba };
+
+/// "rgb", "luminance-alpha" and so on.
+std::string_view channels_name(Channels channels);
+constexpr bool has_alpha(Channels channels) {
+  return channels == Channels::luminance_alpha || channels == Channels::rgba;
+}
+
+/// Primaries or transfer function as the file states them.
+enum class Tag : std::uint8_t { none, srgb, linear, custom };
+std::string_view tag_name(Tag tag);
+
+/// Pixels and bits are what the file declares; nobody has looked whether they are there.
+struct Header {
+  Format format = Format::png;
+  std::uint32_t width = 0;   ///< pixels
+  std::uint32_t height = 0;  ///< pixels
+  std::uint32_t bits = 8;    ///< per channel
+  Channels channels = Channels::rgb;
+  Tag primaries = Tag::none;  ///< `none` where the format has no say in it
+  Tag transfer = Tag::none;
+  bool square_pixels = true;
+  bool animated = false;
+  bool interlaced = false;  ///< or progressive
+  bool palette = false;
+};
+
+/// Why there is no header.
+struct HeaderFault {
+  enum class Kind : std::uint8_t {
+    unrecognized,    ///< the bytes are of no format known here
+    unexpected_end,  ///< the image ends before its header does
+    invalid,         ///< the header contradicts its format
+  };
+  Kind kind = Kind::unrecognized;
+  std::string problem;  ///< one sentence; empty where the kind says it all
+};
+
+/// Fewer bytes cannot be told apart.
+inline constexpr std::size_t kSniffBytes = 14;
+
+/// The format of an image by its first bytes, which need not be complete.
+struct Sniffed {
+  bool known = false;
+  Format format = Format::png;
+};
+Sniffed sniff(std::span<const std::byte> bytes);
+
+using HeaderResult = std::variant<Header, HeaderFault>;
+
+/// Reads the header of a PNG (to the first IDAT), JPEG (to the first SOF) or WebP. KTX2 is told,
+/// not read: `container` files of textures have a reader of their own.
+HeaderResult read_header(std::span<const std::byte> bytes);
+
+}  // namespace gltfx::image
