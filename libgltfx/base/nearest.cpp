@@ -41,9 +41,15 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// A third of the letters may be wrong; in a very short word only their case.
-std::size_t tolerance(std::size_t length) {
-  return length < 3 ? length * (kEdit / 2) : length / 3 * kEdit;
+bool is_same_but_for_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+// A third of the letters may be wrong, or the case of all.
+std::size_t tolerance(std::string_view a, std::string_view b) {
+  const std::size_t length = std::min(a.size(), b.size());
+  return is_same_but_for_case(a, b) ? length * (kEdit / 2) : length / 3 * kEdit;
 }
 
 }  // namespace
@@ -53,7 +59,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   if (word.empty() || word.size() > kLongestWord) return best;
   std::size_t best_distance = SIZE_MAX;
   for (const std::string_view candidate : candidates) {
-    const std::size_t allowed = tolerance(std::min(word.size(), candidate.size()));
+    const std::size_t allowed = tolerance(word, candidate);
     const std::size_t longer = std::max(word.size(), candidate.size());
     const std::size_t shorter = std::min(word.size(), candidate.size());
     if (candidate.empty() || (longer - shorter) * kEdit > allowed) continue;
