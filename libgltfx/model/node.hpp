@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Nodes of the scene graph (specification section 3.5.2) and lists of their indices.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "model/asset.hpp"
+
+namespace gltfx::model {
+
+/// Position of a node in the root array `nodes`.
+using NodeIndex = std::uint32_t;
+inline constexpr NodeIndex kNoNodeIndex = UINT32_MAX;
+
+/// One node. Members that are absent are json::kNoNode, indices that lead nowhere are empty.
+struct Node {
+  json::NodeId object = json::kNoNode;  ///< kNoNode: the element of the array is no object
+  json::NodeId matrix = json::kNoNode;
+  json::NodeId translation = json::kNoNode;
+  json::NodeId rotation = json::kNoNode;
+  json::NodeId scale = json::kNoNode;
+  json::NodeId children = json::kNoNode;
+  json::NodeId weights = json::kNoNode;
+  json::NodeId extensions = json::kNoNode;
+  json::NodeId extras = json::kNoNode;
+  json::NodeId mesh_value = json::kNoNode;    ///< the index as it stands in the text
+  json::NodeId camera_value = json::kNoNode;  ///< likewise
+  json::NodeId skin_value = json::kNoNode;    ///< likewise
+  std::optional<std::uint32_t> mesh;
+  std::optional<std::uint32_t> camera;
+  std::optional<std::uint32_t> skin;
+};
+
+/// One pass over the members; the last of repeated ones counts.
+Node read_node(const Asset& asset, json::NodeId object);
+
+/// `count` numbers of an array, rounded to single precision into `values`. False when the value is
+/// no array of just so many finite numbers within [least, most].
+bool read_floats(const json::Document& document, json::NodeId array, std::size_t count,
+                 float* values, double least = -std::numeric_limits<double>::infinity(),
+                 double most = std::numeric_limits<double>::infinity());
+
+/// An array member of N numbers as single precision, or nothing when it is absent or malformed.
+template <std::size_t N>
+std::optional<std::array<float, N>> float_array(
+    const json::Document& document, json::NodeId array,
+    double least = -std::numeric_limits<double>::infinity(),
+    double most = std::numeric_limits<double>::infinity()) {
+  std::array<float, N> values{};
+  if (!read_floats(document, array, N, values.data(), least, most)) return std::nullopt;
+  return values;
+}
+
+/// The local transform of a node as it is written; malformed members count as absent.
+struct Transform {
+  std::optional<std::array<float, 16>> matrix;  ///< column-major
+  std::optional<std::array<float, 3>> translation;
+  std::optional<std::array<float, 4>> rotation;  ///< x, y, z, w; each within [-1, 1]
+  std::optional<std::array<float, 3>> scale;
+  /// Nothing is written, or what is written moves nothing.
+  bool is_identity() const;
+};
+Transform read_transform(const json::Document& document, const Node& node);
+
+/// Calls `use(position, index, span)` for every element of an array of indices: `index` is a
+/// std::optional, empty when the element is no index or leads to no object of `target`; `span` is
+/// the element's place in the text. Does nothing for a value that is no array.
+template <typename Use>
+void for_each_index(const Asset& asset, json::NodeId array, RootArray target, Use use) {
+  const json::Document& document = asset.document();
+  if (array == json::kNoNode) return;
+  std::uint64_t position = 0;
+  if (document.kind(array) == json::Kind::number_array) {
+    for (json::NumberCursor at(document, array); at.valid(); at.advance()) {
+      use(position++, asset.index(at.number().value, target), at.number().span);
+    }
+  } else if (document.kind(array) == json::Kind::array) {
+    for (const json::NodeId element : document.elements(array)) {
+      const auto index = document.is_number(element)
+                             ? asset.index(document.number(element).value, target)
+                             : std::nullopt;
+      use(position++, index, document.span(element));
+    }
+  }
+}
+
+}  // namespace gltfx::model

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Skins and the meshes they deform (specification sections 3.7.3 and 3.8).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/node.hpp"
+
+namespace gltfx::model {
+
+/// One skin. Indices that lead nowhere are empty.
+struct Skin {
+  json::NodeId object = json::kNoNode;
+  json::NodeId inverse_bind_matrices_value = json::kNoNode;  ///< the index as it stands in the text
+  json::NodeId skeleton_value = json::kNoNode;               ///< likewise
+  json::NodeId joints = json::kNoNode;                       ///< array
+  std::optional<std::uint32_t> inverse_bind_matrices;
+  std::optional<NodeIndex> skeleton;
+  std::vector<NodeIndex> joint_nodes;  ///< those that lead to a node, in their order
+  std::uint64_t joint_count = 0;       ///< as listed
+};
+
+Skin read_skin(const Asset& asset, json::NodeId object);
+
+/// How many sets of four joints (JOINTS_0, JOINTS_1, ...) a primitive binds its vertices to. 0 when
+/// the sets have gaps or do not pair with WEIGHTS_n: that is reported where it stands.
+std::size_t joint_sets(const Asset& asset, json::NodeId primitive);
+
+}  // namespace gltfx::model
