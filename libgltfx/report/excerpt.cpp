@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/excerpt.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "report/display_width.hpp"
+#include "report/safe_text.hpp"
+
+namespace gltfx::report {
+namespace {
+
+// Excerpts count code points as LineIndex does, by the bytes that can begin one, so that the
+// numbers keep their meaning when the text is not UTF-8.
+std::size_t byte_of(std::string_view text, std::size_t code_point) {
+  std::size_t at = 0;
+  for (; at < text.size() && code_point > 0; --code_point) {
+    ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) ++at;
+  }
+  return at;
+}
+
+void trim_right(std::string& text) { text.erase(text.find_last_not_of(' ') + 1); }
+
+// A line in three parts, as it is printed.
+struct Parts {
+  std::string before, marked, after;
+};
+
+Parts split(const Excerpt& excerpt) {
+  const std::string_view text = excerpt.text;
+  const std::size_t begin = byte_of(text, excerpt.caret);
+  const std::size_t end = begin + byte_of(text.substr(begin), excerpt.width);
+  Parts parts{safe_part(text, 0, begin), safe_part(text, begin, end),
+              safe_part(text, end, text.size())};
+  if (excerpt.cut_left) parts.before = fmt::format("…{}", parts.before);
+  if (excerpt.cut_right) {
+    parts.after += "…";
+  } else {
+    trim_right(parts.after);
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::size_t gutter_width(const Diagnostic& diagnostic) {
+  return fmt::formatted_size("{}", diagnostic.location.line);
+}
+
+std::string excerpt_lines(const Diagnostic& diagnostic, const Style& style) {
+  const Parts parts = split(diagnostic.excerpt);
+  const std::size_t carets = std::max<std::size_t>(display_width(parts.marked), 1);
+  const std::string bar = std::string(gutter_width(diagnostic), ' ') + " |";
+  std::string source = parts.before + parts.marked + parts.after;
+  trim_right(source);
+  std::string out = style.paint(Ink::frame, bar) + "\n";
+  out += style.paint(Ink::frame, fmt::format("{} |", diagnostic.location.line));
+  if (!source.empty()) out.append(" ").append(source);
+  out += "\n" + style.paint(Ink::frame, bar);
+  out += std::string(1 + display_width(parts.before), ' ');
+  return out + style.paint(ink_of(diagnostic.severity), std::string(carets, '^')) + "\n";
+}
+
+}  // namespace gltfx::report

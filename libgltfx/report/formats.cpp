@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+
+#include "report/writers.hpp"
+
+namespace gltfx {
+namespace {
+
+/// In the order of ReportFormat.
+constexpr std::array<std::string_view, 4> kNames{"text", "json", "khronos", "github"};
+
+}  // namespace
+
+std::string_view report_format_name(ReportFormat format) {
+  return kNames[static_cast<std::size_t>(format)];
+}
+
+std::optional<ReportFormat> report_format_from_name(std::string_view name) {
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<ReportFormat>(found - kNames.begin());
+}
+
+std::span<const std::string_view> report_format_names() { return kNames; }
+
+std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format,
+                                                 const FormatOptions& options) {
+  switch (format) {
+    case ReportFormat::json:
+      return report::make_json_writer(options);
+    case ReportFormat::khronos:
+      return report::make_khronos_writer();
+    case ReportFormat::github:
+      return report::make_github_writer();
+    case ReportFormat::text:
+      break;
+  }
+  return report::make_text_writer(options);
+}
+
+}  // namespace gltfx

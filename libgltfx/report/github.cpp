@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Workflow commands of GitHub Actions: each finding becomes an annotation on its line.
+// https://docs.github.com/actions/reference/workflow-commands-for-github-actions
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "report/safe_text.hpp"
+#include "report/wording.hpp"
+#include "report/writers.hpp"
+
+namespace gltfx::report {
+namespace {
+
+std::string escaped(std::string_view text, std::string_view special) {
+  std::string out;
+  for (const char c : text) {
+    if (special.find(c) == std::string_view::npos) {
+      out += c;
+    } else {
+      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return out;
+}
+
+std::string escaped_message(std::string_view text) { return escaped(text, "%\r\n"); }
+std::string escaped_property(std::string_view text) { return escaped(text, "%\r\n:,"); }
+
+std::string_view command_of(Severity severity) {
+  if (severity == Severity::error) return "error";
+  return severity == Severity::warning ? "warning" : "notice";
+}
+
+// Lines of a GLB's JSON chunk are no lines of the file; columns are refused across lines.
+std::string location_properties(const FileReport& report, const Location& at) {
+  if (at.line == 0 || report.mime_type == "model/gltf-binary") return {};
+  std::string out = fmt::format(",line={},endLine={}", at.line, at.end_line);
+  if (at.line == at.end_line) {
+    out += fmt::format(",col={},endColumn={}", at.column, at.end_column);
+  }
+  return out;
+}
+
+std::string byte_place(const FileReport& report, const Diagnostic& finding) {
+  if (finding.offset) return fmt::format(" at byte {}", *finding.offset);
+  if (finding.location.line == 0 || report.mime_type != "model/gltf-binary") return {};
+  return fmt::format(" at byte {}", finding.location.offset);
+}
+
+// All asset text in here is neutralised; the line breaks are ours.
+std::string message_text(const FileReport& report, const Diagnostic& finding) {
+  std::string text = safe(finding.message);
+  const std::string place = byte_place(report, finding) + document_place(finding);
+  if (!place.empty()) text.append("\n").append(place, 1);
+  if (!finding.help.empty()) text.append("\nhelp: ").append(safe(finding.help));
+  if (finding.count > 1) text.append("\nnote: ").append(repeat_note(finding));
+  return text;
+}
+
+class GithubWriter final : public ReportWriter {
+ public:
+  void begin(std::string&) override {}
+
+  void file(const FileReport& report, std::string& out) override {
+    const std::string path = escaped_property(safe(report.path));
+    for (const Diagnostic& finding : report.diagnostics) {
+      out += fmt::format("::{} file={}{},title={}::{}\n", command_of(finding.severity), path,
+                         location_properties(report, finding.location),
+                         escaped_property(safe(finding.code)),
+                         escaped_message(message_text(report, finding)));
+    }
+    if (!report.truncated) return;
+    out += fmt::format("::notice file={},title=gltfx::{}\n", path, truncation_note(report));
+  }
+
+  void end(const RunSummary& summary, std::string& out) override {
+    if (summary.unverified == 0) return;
+    out += fmt::format("::notice title=gltfx::{}\n", unverified_note(summary.unverified));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<ReportWriter> make_github_writer() { return std::make_unique<GithubWriter>(); }
+
+}  // namespace gltfx::report

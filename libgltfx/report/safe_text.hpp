@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Asset text on its way to a terminal or a CI log. printable() of base takes the control
+/// characters out; here the words go that build servers obey wherever they stand in a line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace gltfx::report {
+
+/// printable(text) in which no `##[...]` (GitHub), `##vso[...]` (Azure) or `##teamcity[...]` is
+/// left: the second '#' becomes "\u0023". A command that must stand at the start of a line
+/// (`::error::`) is left to the formats: they begin no line with asset text.
+std::string safe(std::string_view text);
+
+/// The bytes [begin, end) of `whole` made safe, judged by all of `whole`: parts that touch give
+/// together what safe(whole) gives. Precondition: both stand at the start of a code point.
+std::string safe_part(std::string_view whole, std::size_t begin, std::size_t end);
+
+/// safe() of a text of which at most `limit` code points are shown: of a longer one the beginning
+/// and the end, with an ellipsis between them.
+std::string safe_cut(std::string_view text, std::size_t limit);
+
+/// The same for JSON text behind position `from`: the escape keeps the value what it was.
+void defuse_json(std::string& json, std::size_t from);
+
+}  // namespace gltfx::report

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/wording.hpp"
+
+#include <fmt/format.h>
+
+#include "report/safe_text.hpp"
+
+namespace gltfx::report {
+namespace {
+
+constexpr std::size_t kPointerLimit = 160;
+constexpr std::size_t kNameLimit = 40;
+
+}  // namespace
+
+std::string counted(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string document_place(const Diagnostic& diagnostic) {
+  std::string place;
+  if (!diagnostic.pointer.empty()) {
+    place.append(" at ").append(safe_cut(diagnostic.pointer, kPointerLimit));
+  }
+  if (!diagnostic.object_name.empty()) {
+    place += fmt::format(" ('{}')", safe_cut(diagnostic.object_name, kNameLimit));
+  }
+  return place;
+}
+
+std::string repeat_note(const Diagnostic& diagnostic) {
+  if (diagnostic.count < 2) return {};
+  const std::string last = safe_cut(diagnostic.last_pointer, kPointerLimit);
+  if (diagnostic.count == 2) {
+    return fmt::format("repeated once more{}{}", last.empty() ? "" : " at ", last);
+  }
+  return fmt::format("repeated {} more times{}{}", diagnostic.count - 1,
+                     last.empty() ? "" : ", last at ", last);
+}
+
+std::uint64_t unlisted(const FileReport& report) {
+  std::uint64_t listed = 0;
+  for (const Diagnostic& diagnostic : report.diagnostics) listed += diagnostic.count;
+  const std::uint64_t all = report.counts.at_least(Severity::hint);
+  return all > listed ? all - listed : 0;
+}
+
+std::string truncation_note(const FileReport& report) {
+  const std::uint64_t more = unlisted(report);
+  if (more == 0) return "more findings are not listed (--max-issues)";
+  return fmt::format("{} more finding{} not listed (--max-issues)", more,
+                     more == 1 ? " is" : "s are");
+}
+
+std::string unverified_note(std::uint64_t unverified) {
+  return counted(unverified, "file") + " not verified (Git-LFS pointers)";
+}
+
+}  // namespace gltfx::report

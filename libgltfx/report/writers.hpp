@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+/// One factory a format; make_report_writer chooses.
+#pragma once
+
+#include <gltfx/report.hpp>
+
+#include <memory>
+
+namespace gltfx::report {
+
+std::unique_ptr<ReportWriter> make_text_writer(const FormatOptions& options);
+std::unique_ptr<ReportWriter> make_json_writer(const FormatOptions& options);
+/// Holds the text of the first file back until a second one or the end shows what it is part of.
+std::unique_ptr<ReportWriter> make_khronos_writer();
+std::unique_ptr<ReportWriter> make_github_writer();
+
+}  // namespace gltfx::report
