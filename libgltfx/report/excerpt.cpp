@@ -54,15 +54,14 @@ std::size_t gutter_width(const Diagnostic& diagnostic) {
 std::string excerpt_lines(const Diagnostic& diagnostic, const Style& style) {
   const Parts parts = split(diagnostic.excerpt);
   const std::size_t carets = std::max<std::size_t>(display_width(parts.marked), 1);
-  const std::string bar = std::string(gutter_width(diagnostic), ' ') + " |";
-  std::string source = parts.before + parts.marked + parts.after;
+  const std::string bar =
+      style.paint(Ink::frame, fmt::format("{:{}} |", "", gutter_width(diagnostic)));
+  const std::string number = style.paint(Ink::frame, fmt::format("{} |", diagnostic.location.line));
+  std::string source = fmt::format(" {}{}{}", parts.before, parts.marked, parts.after);
   trim_right(source);
-  std::string out = style.paint(Ink::frame, bar) + "\n";
-  out += style.paint(Ink::frame, fmt::format("{} |", diagnostic.location.line));
-  if (!source.empty()) out.append(" ").append(source);
-  out += "\n" + style.paint(Ink::frame, bar);
-  out += std::string(1 + display_width(parts.before), ' ');
-  return out + style.paint(ink_of(diagnostic.severity), std::string(carets, '^')) + "\n";
+  return fmt::format("{0}\n{1}{2}\n{0} {3:{4}}{5}\n", bar, number, source, "",
+                     display_width(parts.before),
+                     style.paint(ink_of(diagnostic.severity), std::string(carets, '^')));
 }
 
 }  // namespace gltfx::report
