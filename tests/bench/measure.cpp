@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs whole programs by turns and prints, one line a program:
+//   median seconds, shortest seconds, peak resident KiB, exit code
+//
+//   measure REPEATS -- PROGRAM ARG... -- PROGRAM ARG...
+//
+// Taking turns lets a busy machine slow all of them alike. Standard output goes to /dev/null.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+extern char** environ;
+
+namespace {
+
+struct Program {
+  std::vector<char*> words;  ///< with the closing null
+  std::vector<double> seconds;
+  long peak_kib = 0;
+  int exit_code = 0;
+};
+
+std::vector<Program> read_programs(int argc, char** argv) {
+  std::vector<Program> programs;
+  for (int i = 2; i < argc; ++i) {
+    if (std::string_view(argv[i]) == "--") {
+      programs.emplace_back();
+    } else if (!programs.empty()) {
+      programs.back().words.push_back(argv[i]);
+    }
+  }
+  for (Program& program : programs) program.words.push_back(nullptr);
+  return programs;
+}
+
+bool run(Program& program) {
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+  const auto start = std::chrono::steady_clock::now();
+  pid_t child = 0;
+  const int fault =
+      posix_spawnp(&child, program.words[0], &files, nullptr, program.words.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (fault != 0) return false;
+  int status = 0;
+  struct rusage usage {};
+  if (wait4(child, &status, 0, &usage) != child) return false;
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  program.seconds.push_back(spent.count());
+  program.peak_kib = std::max(program.peak_kib, usage.ru_maxrss);
+  program.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int repeats = argc > 1 ? std::atoi(argv[1]) : 0;
+  std::vector<Program> programs = read_programs(argc, argv);
+  if (repeats < 1 || programs.empty()) return 2;
+  for (int i = 0; i < repeats; ++i) {
+    for (Program& program : programs) {
+      if (program.words[0] == nullptr || !run(program)) return 3;
+    }
+  }
+  for (Program& program : programs) {
+    std::sort(program.seconds.begin(), program.seconds.end());
+    std::printf("%.6f %.6f %ld %d\n", program.seconds[program.seconds.size() / 2],
+                program.seconds.front(), program.peak_kib, program.exit_code);
+  }
+  return 0;
+}
