@@ -15,6 +15,7 @@
 #include "container/resolver.hpp"
 #include "json/document.hpp"
 #include "model/asset.hpp"
+#include "model/scene_graph.hpp"
 #include "model/views.hpp"
 #include "schema/check.hpp"
 #include "schema/set.hpp"
@@ -36,6 +37,8 @@ struct Context {
   Sink& link_sink;
   /// Accessors, buffer views and their first uses. Complete for link rules; empty before.
   model::Views views{};
+  /// Who is whose parent. Likewise.
+  model::SceneGraph graph{};
 
   bool khronos() const { return options.profile == Profile::khronos; }
 };

@@ -44,6 +44,7 @@ void check_document(Context& context) {
                                   context.link_sink, visit);
   if (!context.document.is_object(context.document.root())) return;
   context.views = model::Views(context.asset);
+  context.graph = model::SceneGraph(context.asset);
   for (const Family& family : families()) {
     for (const LinkRule rule : family.link_rules) rule(context);
   }
