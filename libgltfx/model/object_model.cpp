@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/object_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/json_pointer.hpp"
+#include "base/text.hpp"
+#include "model/mesh.hpp"
+
+namespace gltfx::model {
+namespace {
+
+using Status = PropertyTarget::Status;
+
+constexpr std::array<std::string_view, 11> kTypeNames{"",         "bool",     "int",     "float",
+                                                      "float[]",  "float2",   "float3",  "float4",
+                                                      "float2x2", "float3x3", "float4x4"};
+
+// Runtime state of a node that the object model shows but nobody may set.
+constexpr std::array<std::string_view, 2> kNodeState{"globalMatrix", "parent"};
+constexpr std::string_view kLength = ".length";
+// From this many members on a table is made of an object that pointers lead through.
+constexpr std::size_t kManyMembers = 24;
+
+// An array index of RFC 6901: decimal without leading zeros.
+std::optional<std::uint64_t> array_index(std::string_view step) {
+  std::uint64_t index = 0;
+  const auto result = std::from_chars(step.data(), step.data() + step.size(), index);
+  if (step.empty() || result.ec != std::errc() || result.ptr != step.data() + step.size()) {
+    return std::nullopt;
+  }
+  return step.size() > 1 && step.front() == '0' ? std::nullopt : std::optional(index);
+}
+
+std::string plural(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string_view property_type_name(PropertyType type) {
+  return kTypeNames[static_cast<std::size_t>(type)];
+}
+
+PropertyType property_type_from_name(std::string_view name) {
+  const auto* const found = std::find(kTypeNames.begin(), kTypeNames.end(), name);
+  return found == kTypeNames.end() ? PropertyType::none
+                                   : static_cast<PropertyType>(found - kTypeNames.begin());
+}
+
+// One pointer on its way through document and types.
+struct ObjectModel::Walk {
+  enum class Place : std::uint8_t { value, extensions, unknown };
+
+  std::vector<std::string> steps;
+  std::size_t at = 0;  ///< next step
+  Place place = Place::value;
+  json::NodeId node = json::kNoNode;  ///< kNoNode: not written
+  schema::ShapeId shape = schema::kNone;
+  schema::TypeId owner = schema::kNone;  ///< type of the object that holds `property`
+  json::NodeId owner_node = json::kNoNode;
+  const schema::Property* property = nullptr;  ///< the last step's, when it was one
+  bool element = false;                        ///< behind `property` follows one of its elements
+  PropertyTarget target;
+
+  const std::string& step() const { return steps[at]; }
+  std::string pointer(std::size_t count) const {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) append_pointer_step(text, steps[i]);
+    return text;
+  }
+  /// Where the walk is, for messages.
+  std::string here() const { return at == 0 ? "the root object" : printable(pointer(at)); }
+
+  bool fail(Status status, std::string reason) {
+    target.status = status;
+    target.reason = std::move(reason);
+    return false;
+  }
+  void suggest(const std::vector<std::string_view>& candidates) {
+    const std::string_view word = nearest(step(), candidates);
+    if (word.empty() || word == step()) return;
+    std::string mended = pointer(at);
+    append_pointer_step(mended, word);
+    for (std::size_t i = at + 1; i < steps.size(); ++i) append_pointer_step(mended, steps[i]);
+    target.nearest = printable(mended);
+  }
+};
+
+ObjectModel::ObjectModel(const Asset& asset, const schema::Set& schemas)
+    : asset_(asset), schemas_(schemas) {
+  const schema::TypeId root = schemas.find_type("glTF");
+  if (root != schema::kNone) root_shape_ = schemas.type(root).shape;
+}
+
+PropertyTarget ObjectModel::resolve(std::string_view pointer) {
+  Walk walk;
+  auto steps = split_pointer(pointer);
+  if (!steps) {
+    walk.fail(Status::malformed, pointer.starts_with('/') || pointer.empty()
+                                     ? "'~' is neither \"~0\" nor \"~1\""
+                                     : "it does not begin with '/'");
+    return walk.target;
+  }
+  walk.steps = std::move(*steps);
+  walk.node = asset_.document().root();
+  walk.shape = root_shape_;
+  for (; walk.at < walk.steps.size(); ++walk.at) {
+    if (!step(walk)) return walk.target;
+  }
+  arrive(walk);
+  return walk.target;
+}
+
+bool ObjectModel::step(Walk& walk) {
+  if (walk.place == Walk::Place::unknown) return into_unknown(walk);
+  if (walk.place == Walk::Place::extensions) return into_extension(walk);
+  if (walk.property != nullptr && !walk.property->mutable_type.empty()) {
+    if (walk.element ||
+        walk.property->mutable_type != property_type_name(PropertyType::number_array)) {
+      return walk.fail(
+          Status::unresolved,
+          fmt::format("components of {} are no targets of their own, only all of it", walk.here()));
+    }
+    return into_array(walk);
+  }
+  if (walk.node == json::kNoNode) {
+    return walk.fail(Status::unresolved, fmt::format("{} is not written", walk.here()));
+  }
+  const json::Document& document = asset_.document();
+  if (document.is_array(walk.node)) return into_array(walk);
+  if (document.is_object(walk.node)) return into_object(walk);
+  return walk.fail(Status::unresolved, fmt::format("{} has no members", walk.here()));
+}
+
+bool ObjectModel::into_object(Walk& walk) {
+  const std::string& name = walk.step();
+  const schema::TypeId id = type_of(walk.shape);
+  if (name == "extras" || id == schema::kNone) {
+    walk.place = Walk::Place::unknown;
+    return into_unknown(walk);
+  }
+  walk.owner = id;
+  walk.owner_node = walk.node;
+  const schema::Property* property = schemas_.find_property(id, name);
+  if (property != nullptr && name != "extensions") return into_member(walk, *property);
+  if (name == "extensions") {
+    walk.node = member(walk.node, name);
+    walk.place = Walk::Place::extensions;
+    walk.property = nullptr;
+    return true;
+  }
+  return missing_member(walk, schemas_.type(id));
+}
+
+bool ObjectModel::into_member(Walk& walk, const schema::Property& property) {
+  walk.node = member(walk.node, walk.step());
+  walk.shape = property.shape;
+  walk.property = &property;
+  walk.element = false;
+  return true;
+}
+
+bool ObjectModel::missing_member(Walk& walk, const schema::ObjectType& type) {
+  const std::string& name = walk.step();
+  const bool last = walk.at + 1 == walk.steps.size();
+  const bool state = type.name == "node" &&
+                     std::find(kNodeState.begin(), kNodeState.end(), name) != kNodeState.end();
+  const bool length =
+      name.ends_with(kLength) &&
+      schemas_.find_property(
+          walk.owner, std::string_view(name).substr(0, name.size() - kLength.size())) != nullptr;
+  if (last && (state || length)) {
+    return walk.fail(
+        Status::immutable,
+        fmt::format("{} can be read while the asset is shown, but not set", quoted(name)));
+  }
+  if (member(walk.node, name) != json::kNoNode) {
+    if (type.open) return into_unknown(walk);
+    return walk.fail(Status::immutable, fmt::format("{} is no property that glTF knows in {}",
+                                                    quoted(name), walk.here()));
+  }
+  std::vector<std::string_view> candidates{"extensions", "extras"};
+  for (const schema::Property& each : type.properties) candidates.push_back(each.name);
+  walk.suggest(candidates);
+  return walk.fail(Status::unresolved,
+                   fmt::format("{} has no property {}", walk.here(), quoted(name)));
+}
+
+bool ObjectModel::into_array(Walk& walk) {
+  const auto index = array_index(walk.step());
+  const bool runtime = walk.property != nullptr && !walk.property->mutable_type.empty();
+  const json::Document& document = asset_.document();
+  if (!index) {
+    return walk.fail(Status::unresolved, fmt::format("{} is an array, and {} is no index",
+                                                     walk.here(), quoted(walk.step())));
+  }
+  if (runtime) {
+    walk.element = true;
+    walk.target.element = index;
+    return true;
+  }
+  const std::uint64_t size = array_size(walk.node);
+  if (*index >= size) {
+    return walk.fail(Status::unresolved,
+                     fmt::format("{} has {}", walk.here(), plural(size, "element")));
+  }
+  walk.shape = items_of(walk.shape);
+  walk.element = true;
+  const bool numbers = document.kind(walk.node) == json::Kind::number_array;
+  if (!numbers) walk.node = elements(walk.node)[*index];
+  // The elements of a number array have no members: whatever follows leads nowhere.
+  if (numbers && walk.at + 1 < walk.steps.size()) {
+    ++walk.at;
+    return walk.fail(Status::unresolved, fmt::format("{} has no members", walk.here()));
+  }
+  return true;
+}
+
+bool ObjectModel::into_extension(Walk& walk) {
+  const std::string& name = walk.step();
+  const json::NodeId object = walk.node == json::kNoNode ? json::kNoNode : member(walk.node, name);
+  if (object == json::kNoNode) {
+    std::vector<std::string_view> written;
+    const json::Document& document = asset_.document();
+    if (walk.node != json::kNoNode && document.is_object(walk.node)) {
+      for (const auto each : document.members(walk.node)) {
+        if (written.size() < kManyMembers) written.push_back(document.key(each.key_id));
+      }
+    }
+    walk.suggest(written);
+    return walk.fail(
+        Status::unresolved,
+        fmt::format("{} has no extension {}", printable(walk.pointer(walk.at - 1)), quoted(name)));
+  }
+  const schema::ExtensionId id = schemas_.find_extension(name);
+  schema::ShapeId home = schema::kNone;
+  if (id != schema::kNone) {
+    home = schemas_.extensions()[id].home(walk.owner);
+    const schema::TypeId origin = schemas_.type(walk.owner).origin;
+    if (home == schema::kNone && origin != schema::kNone) {
+      home = schemas_.extensions()[id].home(origin);
+    }
+  }
+  walk.node = object;
+  walk.shape = home;
+  walk.place = home == schema::kNone ? Walk::Place::unknown : Walk::Place::value;
+  walk.property = nullptr;
+  return true;
+}
+
+// Where no schema helps, what is written counts.
+bool ObjectModel::into_unknown(Walk& walk) {
+  walk.place = Walk::Place::unknown;
+  walk.property = nullptr;
+  const json::Document& document = asset_.document();
+  if (document.is_object(walk.node)) {
+    const json::NodeId next = member(walk.node, walk.step());
+    if (next != json::kNoNode) {
+      walk.node = next;
+      return true;
+    }
+  } else if (document.is_array(walk.node)) {
+    const auto index = array_index(walk.step());
+    if (index && *index < array_size(walk.node)) {
+      if (document.kind(walk.node) == json::Kind::array) walk.node = elements(walk.node)[*index];
+      return true;
+    }
+  }
+  return walk.fail(Status::unresolved,
+                   fmt::format("{} has no {}", walk.here(), quoted(walk.step())));
+}
+
+void ObjectModel::arrive(Walk& walk) {
+  PropertyTarget& target = walk.target;
+  if (walk.place == Walk::Place::unknown) {
+    target.status = Status::outside;
+    target.property = walk.pointer(walk.steps.size());
+    target.value = walk.node;
+    return;
+  }
+  if (walk.property == nullptr || walk.property->mutable_type.empty()) {
+    const bool known = walk.property != nullptr && !walk.element;
+    walk.fail(Status::immutable,
+              known
+                  ? fmt::format("{} is not among the properties that the object model lets change",
+                                quoted(walk.property->name))
+                  : fmt::format("{} is no property with a value of its own", walk.here()));
+    return;
+  }
+  target.status = Status::mutable_property;
+  target.type = property_type_from_name(walk.property->mutable_type);
+  target.property = walk.pointer(walk.steps.size() - (walk.element ? 1 : 0));
+  target.value = walk.element ? json::kNoNode : walk.node;
+  if (schemas_.type(walk.owner).name == "node") arrive_at_node(walk);
+  const bool runtime = target.type == PropertyType::number_array;
+  if (walk.element) target.type = PropertyType::number;
+  if (target.status == Status::mutable_property && walk.node == json::kNoNode && !runtime &&
+      walk.property->default_json.empty()) {
+    walk.fail(Status::unresolved, fmt::format("{} is not written and has no default", walk.here()));
+  }
+}
+
+// Properties of nodes exist by what the node shows, not by what is written (object model, section
+// 4).
+void ObjectModel::arrive_at_node(Walk& walk) {
+  PropertyTarget& target = walk.target;
+  const std::string_view name = walk.property->name;
+  if (name != "translation" && target.type != PropertyType::number_array &&
+      member(walk.owner_node, "matrix") != json::kNoNode) {
+    walk.fail(Status::unresolved, fmt::format("a node with a matrix has no {} of its own", name));
+    return;
+  }
+  if (target.type != PropertyType::number_array) return;
+  target.length = morph_target_count(walk.owner_node);
+  if (target.length == 0) {
+    walk.fail(Status::unresolved, "the node has no mesh with morph targets");
+  } else if (target.element && *target.element >= target.length) {
+    walk.fail(Status::unresolved,
+              fmt::format("the mesh of the node has {}", plural(target.length, "morph target")));
+  }
+}
+
+schema::TypeId ObjectModel::type_of(schema::ShapeId shape) const {
+  if (shape == schema::kNone) return schema::kNone;
+  const schema::Shape& known = schemas_.shape(shape);
+  if (known.type != schema::kNone) return known.type;
+  for (const auto* const branches : {&known.all_of, &known.one_of, &known.any_of}) {
+    for (const schema::ShapeId branch : *branches) {
+      if (schemas_.shape(branch).type != schema::kNone) return schemas_.shape(branch).type;
+    }
+  }
+  return schema::kNone;
+}
+
+schema::ShapeId ObjectModel::items_of(schema::ShapeId shape) const {
+  return shape == schema::kNone ? schema::kNone : schemas_.shape(shape).items;
+}
+
+json::NodeId ObjectModel::member(json::NodeId object, std::string_view name) {
+  const json::Document& document = asset_.document();
+  if (object == json::kNoNode || !document.is_object(object)) return json::kNoNode;
+  auto known = members_.find(object);
+  if (known == members_.end()) {
+    std::size_t count = 0;
+    for (auto at = document.members(object).begin();
+         count < kManyMembers && at != document.members(object).end(); ++at) {
+      ++count;
+    }
+    if (count < kManyMembers) return document.find(object, name);
+    known = members_.try_emplace(object).first;
+    for (const auto each : document.members(object)) known->second[each.key_id] = each.value;
+  }
+  const auto found = known->second.find(document.key_id(name));
+  return found == known->second.end() ? json::kNoNode : found->second;
+}
+
+const std::vector<json::NodeId>& ObjectModel::elements(json::NodeId array) {
+  const auto [known, fresh] = elements_.try_emplace(array);
+  if (fresh) {
+    for (const json::NodeId element : asset_.document().elements(array)) {
+      known->second.push_back(element);
+    }
+  }
+  return known->second;
+}
+
+std::uint64_t ObjectModel::array_size(json::NodeId array) {
+  if (asset_.document().kind(array) == json::Kind::array) return elements(array).size();
+  const auto [known, fresh] = sizes_.try_emplace(array);
+  if (fresh) known->second = asset_.document().array_size(array);
+  return known->second;
+}
+
+std::uint64_t ObjectModel::morph_target_count(json::NodeId node) {
+  const auto mesh = asset_.index(node, "mesh", RootArray::meshes);
+  if (!mesh) return 0;
+  const json::NodeId object = asset_.elements(RootArray::meshes)[*mesh];
+  const auto [known, fresh] = sizes_.try_emplace(object);
+  if (fresh) {
+    const auto all = primitives(asset_.document(), object);
+    known->second = all.empty() ? 0 : morph_targets(asset_.document(), all.front()).size();
+  }
+  return known->second;
+}
+
+}  // namespace gltfx::model
