@@ -29,10 +29,8 @@ class Maker {
     for (ShapeId id = 0; id < set_.shapes().size(); ++id) tables_->shapes.push_back(shape(id));
     for (const ObjectType& type : set_.types()) tables_->types.push_back(object_type(type));
     for (const Extension& extension : set_.extensions()) {
-      tables_->extensions.push_back({relations(extension.excludes),
-                                     relations(extension.requires_),
-                                     relations(extension.overridden_by),
-                                     {}});
+      tables_->extensions.push_back({relations(extension.excludes), relations(extension.requires_),
+                                     relations(extension.overridden_by), homes(extension)});
       additions(extension);
     }
     return tables_;
@@ -112,7 +110,6 @@ class Maker {
   TypePlan object_type(const ObjectType& type) {
     TypePlan plan;
     plan.is_root = type.name == "glTF";
-    plan.is_asset = type.name == "asset";
     plan.extensions_first = ends_with(type.name, "extureInfo");
     std::size_t names = 0;
     for (const Property& property : type.properties) {
@@ -121,6 +118,7 @@ class Maker {
     }
     plan.constraints_at = static_cast<std::uint32_t>(type.properties.size());
     if (!type.properties.empty() && type.properties.back().name == "name") --plan.constraints_at;
+    if (plan.is_root) root_places(type, plan);
     std::size_t capacity = 4;
     while (capacity < 2 * names + 2) capacity *= 2;
     plan.entries.resize(capacity);
@@ -132,6 +130,17 @@ class Maker {
         insert(plan, symbol(alias), i, true);
     }
     return plan;
+  }
+
+  // The root is judged in an order of its own: what it declares comes before what it holds.
+  static void root_places(const ObjectType& type, TypePlan& plan) {
+    plan.constraints_at = 0;
+    plan.declarations_at = 0;
+    for (std::uint32_t i = 0; i < type.properties.size(); ++i) {
+      const std::string& name = type.properties[i].name;
+      if (name == "extensionsUsed" || name == "extensionsRequired") plan.declarations_at = i + 1;
+      if (name == "asset") plan.asset_at = i;
+    }
   }
 
   static void insert(TypePlan& plan, Symbol symbol, std::uint16_t property, bool alias) {
@@ -147,6 +156,12 @@ class Maker {
     for (const Relation& relation : all)
       plans.push_back({&relation, set_.find_extension(relation.extension)});
     return plans;
+  }
+
+  std::vector<std::pair<TypeId, ShapeId>> homes(const Extension& extension) const {
+    auto homes = extension.homes;
+    for (auto& home : homes) home.first = set_.type(home.first).origin;
+    return homes;
   }
 
   // "TYPE/property" to its shape.
@@ -167,6 +182,31 @@ class Maker {
 };
 
 }  // namespace
+
+const Slot* slot_of_generation(const Set& set, const ObjectType& type,
+                               const json::Document& document, json::NodeId object,
+                               std::string_view property) {
+  const Property* described = nullptr;
+  for (const Property& candidate : type.properties) {
+    if (candidate.name == property) described = &candidate;
+  }
+  const auto has = [&](const std::string& name) {
+    return document.find(object, name) != json::kNoNode;
+  };
+  const Extension& extension = set.extensions()[type.extension];
+  for (const Generation& generation : extension.generations) {
+    const bool with =
+        generation.with.empty() || std::any_of(generation.with.begin(), generation.with.end(), has);
+    if (!with || std::any_of(generation.without.begin(), generation.without.end(), has)) continue;
+    for (const auto& [name, slot] : generation.slots) {
+      if (name == property) return &slot;
+    }
+    break;  // the first that fits counts
+  }
+  if (described == nullptr || described->shape == kNone) return nullptr;
+  const auto& slot = set.shape(described->shape).slot;
+  return slot ? &*slot : nullptr;
+}
 
 std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set) { return Maker(set).run(); }
 

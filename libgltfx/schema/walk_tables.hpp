@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "json/document.hpp"
 #include "schema/set.hpp"
 
 namespace gltfx::schema {
@@ -62,7 +63,9 @@ struct TypePlan {
       0;                          ///< what concerns several members is judged before this property
   bool extensions_first = false;  ///< texture slots
   bool is_root = false;
-  bool is_asset = false;
+  std::uint32_t declarations_at =
+      kNone;  ///< root: extensions' declarations are judged before this property
+  std::uint32_t asset_at = kNone - 1;  ///< root: the property `asset`
 
   const Entry* find(Symbol symbol) const {
     const std::size_t mask = entries.size() - 1;
@@ -81,7 +84,7 @@ struct RelationPlan {
 
 struct ExtensionPlan {
   std::vector<RelationPlan> excludes, requires_, overridden_by;
-  std::vector<ShapeId> home;  ///< by origin of the host type; short: compared one by one
+  std::vector<std::pair<TypeId, ShapeId>> homes;  ///< origin of the host type, shape of the object
 };
 
 /// Arrays that references may point into.
@@ -112,5 +115,11 @@ struct Set::WalkTables {
 };
 
 std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set);
+
+/// The slot that a property of an extension's object is, in the generation of the extension that
+/// the object belongs to. Lives in the Set; null when the property is no slot.
+const Slot* slot_of_generation(const Set& set, const ObjectType& type,
+                               const json::Document& document, json::NodeId object,
+                               std::string_view property);
 
 }  // namespace gltfx::schema

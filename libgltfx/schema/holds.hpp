@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Whether a value fits a shape, without a word: for conditions and alternatives.
+#pragma once
+
+#include <unordered_map>
+
+#include "schema/value.hpp"
+
+namespace gltfx::schema {
+
+/// One document against one Set. Answers about containers are remembered, so that the work is
+/// bounded by the number of shapes times that of nodes; below `kDepth` levels everything holds.
+class Holds {
+ public:
+  Holds(const json::Document& document, const Set& set) : values_(document), set_(set) {}
+  bool operator()(ShapeId shape, Value value) { return holds(shape, value, 0); }
+
+ private:
+  static constexpr int kDepth = 100;
+  bool holds(ShapeId shape, Value value, int depth);
+  bool judge(const Shape& shape, Value value, int depth);
+  bool combinators(const Shape& shape, Value value, int depth);
+  bool number(const Shape& shape, Value value) const;
+  bool text(const Shape& shape, Value value) const;
+  bool array(const Shape& shape, json::NodeId node, int depth);
+  bool object(const Shape& shape, json::NodeId node, int depth);
+  bool members(const Shape& shape, json::NodeId node, int depth);
+  bool other_member(const Shape& shape, std::string_view name, json::NodeId value, int depth);
+
+  Values values_;
+  const Set& set_;
+  std::unordered_map<std::uint64_t, bool> known_;
+};
+
+/// Whether a number is a multiple of another, within what doubles can tell.
+bool is_multiple(double number, double of);
+
+}  // namespace gltfx::schema

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/targets.hpp"
+
+#include <algorithm>
+
+namespace gltfx::schema {
+
+Targets::Targets(const json::Document& document, const Set& set)
+    : document_(document), tables_(set.walk_tables()) {
+  from_root_.reserve(tables_.targets.size());
+  for (const TargetPlan& plan : tables_.targets) {
+    Array array;
+    if (plan.steps_over) {
+      array.size = largest(document.root(), plan.target->steps);
+      array.is_array = array.size != 0;
+    } else if (plan.target->base != Target::Base::enclosing) {
+      const auto found = places(document.root(), plan.target->steps);
+      if (!found.empty()) array = read(found.front());
+    }
+    from_root_.push_back(std::move(array));
+  }
+}
+
+Targets::Array Targets::read(json::NodeId node) const {
+  Array array;
+  array.node = node;
+  array.is_array = document_.is_array(node);
+  if (!array.is_array) return array;
+  array.size = document_.array_size(node);
+  array.used.resize(array.size);
+  std::size_t index = 0;
+  for (const json::NodeId element : document_.elements(node)) {
+    if (!document_.is_object(element)) {
+      array.holes.resize(index + 1);
+      array.holes[index] = true;
+    }
+    ++index;
+  }
+  return array;
+}
+
+// All values that steps lead to; '*' goes to every element.
+std::vector<json::NodeId> Targets::places(json::NodeId from,
+                                          const std::vector<std::string>& steps) const {
+  std::vector<json::NodeId> now{from};
+  for (const std::string& step : steps) {
+    std::vector<json::NodeId> next;
+    for (const json::NodeId place : now) {
+      if (step == "*") {
+        for (const json::NodeId element : document_.elements(place)) next.push_back(element);
+      } else if (const json::NodeId member = document_.find(place, step); member != json::kNoNode) {
+        next.push_back(member);
+      }
+    }
+    now = std::move(next);
+  }
+  return now;
+}
+
+// Where several arrays are meant, an index has to fit the largest.
+std::uint64_t Targets::largest(json::NodeId from, const std::vector<std::string>& steps) const {
+  std::uint64_t size = 0;
+  for (const json::NodeId place : places(from, steps)) {
+    if (document_.is_array(place))
+      size = std::max<std::uint64_t>(size, document_.array_size(place));
+  }
+  return size;
+}
+
+Targets::Array* Targets::below(const Target& target, json::NodeId object, const Path& path) {
+  json::NodeId place = object;
+  for (const std::string& step : target.steps) place = document_.find(place, step);
+  if (place == json::kNoNode) return nullptr;
+  const auto [known, is_new] = local_at_.emplace(place, local_.size());
+  if (is_new) {
+    std::string pointer = path.pointer();
+    for (const std::string& step : target.steps) append_pointer_step(pointer, step);
+    local_.push_back({read(place), std::move(pointer)});
+  }
+  return &local_[known->second].array;
+}
+
+bool Targets::has_name(std::uint32_t target, std::string_view name) {
+  const auto [known, is_new] = names_.try_emplace(target);
+  if (is_new) {
+    for (const json::NodeId place :
+         places(document_.root(), tables_.targets[target].target->steps)) {
+      if (document_.is_string(place)) known->second.insert(document_.string(place));
+    }
+  }
+  return known->second.count(std::string(name)) != 0;
+}
+
+void Targets::move_to(CheckResult& result) {
+  for (std::size_t i = 0; i < from_root_.size(); ++i) {
+    Array& array = from_root_[i];
+    if (!array.is_array || tables_.targets[i].steps_over || array.node == json::kNoNode) continue;
+    result.targets.push_back({tables_.targets[i].pointer, array.node, std::move(array.used)});
+  }
+  for (Local& local : local_) {
+    if (!local.array.is_array) continue;
+    result.local_targets.push_back(
+        {std::move(local.pointer), local.array.node, std::move(local.array.used)});
+  }
+}
+
+}  // namespace gltfx::schema

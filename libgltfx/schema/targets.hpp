@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The arrays of one document that references point into, and which of their elements are used.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "base/json_pointer.hpp"
+#include "json/document.hpp"
+#include "schema/check.hpp"
+#include "schema/walk_tables.hpp"
+
+namespace gltfx::schema {
+
+class Targets {
+ public:
+  Targets(const json::Document& document, const Set& set);
+
+  /// One array; `size` is 0 when the document does not have it.
+  struct Array {
+    json::NodeId node = json::kNoNode;
+    std::uint64_t size = 0;
+    UsedElements used;
+    std::vector<bool> holes;  ///< elements that are no objects; empty when there are none
+    bool is_array = false;
+    bool is_hole(std::uint64_t index) const { return index < holes.size() && holes[index]; }
+  };
+
+  /// The array a target from the root names.
+  Array& from_root(std::uint32_t target) { return from_root_[target]; }
+  /// The array a target names below an object, found once per array; null when it is not there.
+  Array* below(const Target& target, json::NodeId object, const Path& path);
+  /// Whether some place a name target leads to holds that string.
+  bool has_name(std::uint32_t target, std::string_view name);
+
+  /// Hands over what was marked.
+  void move_to(CheckResult& result);
+
+ private:
+  Array read(json::NodeId array) const;
+  std::uint64_t largest(json::NodeId from, const std::vector<std::string>& steps) const;
+  std::vector<json::NodeId> places(json::NodeId from, const std::vector<std::string>& steps) const;
+
+  struct Local {
+    Array array;
+    std::string pointer;
+  };
+  const json::Document& document_;
+  const Set::WalkTables& tables_;
+  std::vector<Array> from_root_;  ///< by index of WalkTables::targets
+  std::vector<Local> local_;
+  std::unordered_map<json::NodeId, std::size_t> local_at_;
+  std::unordered_map<std::uint32_t, std::unordered_set<std::string>> names_;
+};
+
+}  // namespace gltfx::schema

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A value of a document as the checks see it: a node, or a number inside an array of numbers,
+/// which has no node of its own.
+#pragma once
+
+#include "json/document.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::schema {
+
+struct Value {
+  json::NodeId node = json::kNoNode;
+  const json::Number* element = nullptr;  ///< set: this number of the array `node`
+};
+
+/// `document` and values of it; short for what every check asks.
+class Values {
+ public:
+  explicit Values(const json::Document& read) : document(read) {}
+
+  json::Kind kind(Value v) const {
+    return v.element != nullptr ? json::Kind::number : document.kind(v.node);
+  }
+  Span span(Value v) const {
+    return v.element != nullptr ? v.element->span : document.span(v.node);
+  }
+  json::Number number(Value v) const {
+    return v.element != nullptr ? *v.element : document.number(v.node);
+  }
+  std::string_view raw(Value v) const { return span(v).in(document.text()); }
+
+  /// Whether the value's JSON type is among `types` (bits; 0 is any).
+  bool has_type(Value v, std::uint8_t types) const;
+  bool equals(Value v, const Literal& literal) const;
+
+  const json::Document& document;
+};
+
+}  // namespace gltfx::schema

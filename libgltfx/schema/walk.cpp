@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "schema/phrases.hpp"
+#include "schema/walker.hpp"
+
+namespace gltfx::schema {
+
+const TargetArray* CheckResult::target(std::string_view pointer) const {
+  const auto found =
+      std::find_if(targets.begin(), targets.end(),
+                   [pointer](const TargetArray& array) { return array.pointer == pointer; });
+  return found == targets.end() ? nullptr : &*found;
+}
+
+Walker::Walker(const json::Document& document, const Set& set, const CheckOptions& options,
+               Sink& schema_sink, Sink& reference_sink, const ObjectVisitor& visitor)
+    : document_(document),
+      set_(set),
+      tables_(set.walk_tables()),
+      options_(options),
+      schema_sink_(schema_sink),
+      reference_sink_(reference_sink),
+      visitor_(visitor),
+      values_(document),
+      names_(document, set),
+      targets_(document, set),
+      holds_(document, set),
+      seen_(document.key_count(), false) {}
+
+CheckResult Walker::run() {
+  const json::NodeId root = document_.root();
+  if (!document_.is_object(root)) {
+    report({}, "TYPE_MISMATCH", document_.span(root),
+           "The document is " + shown(values_, {root}) + "; it must be an object.",
+           "a glTF document begins with { and has at least \"asset\": { \"version\": \"2.0\" }");
+    return std::move(result_);
+  }
+  read_declarations();
+  if (tables_.root != kNone) push(set_.type(tables_.root).shape, root, {}, Mode::object, false);
+  while (top_ != nullptr) {
+    switch (top_->mode) {
+      case Mode::object:
+        object_step(*top_);
+        break;
+      case Mode::array:
+        array_step(*top_);
+        break;
+      case Mode::extensions:
+        extensions_step(*top_);
+        break;
+    }
+  }
+  targets_.move_to(result_);
+  return std::move(result_);
+}
+
+void Walker::push(ShapeId shape, json::NodeId node, const Path& path, Mode mode, bool further) {
+  Frame* frame = top_ == nullptr ? (frames_.empty() ? nullptr : &frames_.front()) : top_->child;
+  if (frame == nullptr) {
+    frame = &frames_.emplace_back();
+    if (top_ != nullptr) top_->child = frame;
+  }
+  frame->path = path;
+  frame->parent = top_;
+  frame->node = node;
+  frame->at = node + 1;
+  frame->extensions = frame->extras = json::kNoNode;
+  frame->shape = shape;
+  frame->type = shape == kNone ? kNone : tables_.shapes[shape].type;
+  frame->index = 0;
+  frame->scratch = static_cast<std::uint32_t>(members_.size());
+  frame->pending = static_cast<std::uint32_t>(pending_.size());
+  frame->mode = mode;
+  frame->stage = Stage::enter;
+  frame->further = further;
+  frame->constrained = false;
+  top_ = frame;
+}
+
+void Walker::pop() {
+  members_.resize(top_->scratch);
+  pending_.resize(top_->pending);
+  top_ = top_->parent;
+}
+
+Path Walker::path_of(json::NodeId node, Step step) const {
+  switch (step.kind) {
+    case Step::Kind::member:
+      return {top_->path, key_of(node)};
+    case Step::Kind::element:
+      return {top_->path, step.index};
+    case Step::Kind::same:
+      break;
+  }
+  return top_->path;
+}
+
+void Walker::report(const Path& path, std::string_view code, Span span, std::string message,
+                    std::string help) {
+  schema_sink_.report(path, {code, std::move(message), std::move(help), span, std::nullopt});
+}
+
+Span Walker::opening(json::NodeId object) const {
+  const Span span = document_.span(object);
+  return {span.begin, span.begin + 1};
+}
+
+CheckResult check(const json::Document& document, const Set& set, const CheckOptions& options,
+                  Sink& schema_sink, Sink& reference_sink, const ObjectVisitor& visitor) {
+  if (document.empty()) return {};
+  return Walker(document, set, options, schema_sink, reference_sink, visitor).run();
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arrays: as one node of numbers, or element by element.
+#include <cmath>
+#include <unordered_set>
+
+#include "base/text.hpp"
+#include "schema/phrases.hpp"
+#include "schema/walker.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+// Numbers seen in one array: compared one by one while they are few.
+class SeenNumbers {
+ public:
+  bool insert(double number) {
+    if (few_.size() < 16) {
+      for (const double seen : few_) {
+        if (seen == number) return false;
+      }
+      few_.push_back(number);
+      return true;
+    }
+    if (many_.empty()) many_.insert(few_.begin(), few_.end());
+    return many_.insert(number).second;
+  }
+
+ private:
+  std::vector<double> few_;
+  std::unordered_set<double> many_;
+};
+
+bool counts(const Shape& shape) { return shape.min_items != 0 || shape.max_items != UINT64_MAX; }
+
+}  // namespace
+
+bool Walker::array(ShapeId id, json::NodeId node, Step step) {
+  if (document_.kind(node) == json::Kind::number_array) {
+    number_array(id, node, step);
+    return false;
+  }
+  push(id, node, path_of(node, step), Mode::array, step.kind == Step::Kind::same);
+  return true;
+}
+
+void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
+  const Shape& shape = set_.shape(id);
+  if (counts(shape)) {
+    const std::uint64_t size = document_.array_size(node);
+    if (size < shape.min_items || size > shape.max_items)
+      count_items(shape, size, {node}, path_of(node, step));
+  }
+  if (shape.items != kNone) {
+    const ShapePlan& items = tables_.shapes[shape.items];
+    const bool nothing_to_see = items.every_value && !khronos() && !shape.unique_items;
+    const bool done = nothing_to_see || (items.plan == Plan::index &&
+                                         plain_indices(shape.items, node, shape.unique_items));
+    if (!done) numbers(shape.items, node, shape, step);
+  } else if (shape.unique_items) {
+    numbers(kNone, node, shape, step);
+  }
+  if (tables_.shapes[id].combined) combine(id, {node}, path_of(node, step), false);
+}
+
+// Indices that are all in order, without a look back: marks them as used.
+bool Walker::plain_indices(ShapeId items, json::NodeId node, bool unique) {
+  const ShapePlan& plan = tables_.shapes[items];
+  const TargetPlan& target = tables_.targets[plan.target];
+  if (target.pointer.empty() || target.steps_over) return false;
+  Targets::Array& array = targets_.from_root(plan.target);
+  if (!array.holes.empty()) return false;
+  constexpr std::size_t kMost = 32;
+  std::uint64_t found[kMost];
+  std::size_t count = 0;
+  std::uint64_t number = 0;
+  bool in_number = false;
+  const std::string_view raw = document_.raw(node);
+  for (std::size_t i = 1; i < raw.size(); ++i) {
+    const unsigned digit = static_cast<unsigned char>(raw[i]) - unsigned{'0'};
+    if (digit <= 9) {
+      number = number * 10 + digit;
+      in_number = true;
+      if (number >= array.size) return false;
+      continue;
+    }
+    const bool separates = raw[i] == ',' || raw[i] == ']' || raw[i] == ' ' || raw[i] == '\n' ||
+                           raw[i] == '\r' || raw[i] == '\t';
+    if (!separates) return false;
+    if (!in_number) continue;
+    if (count == kMost) return false;
+    for (std::size_t k = 0; unique && k < count; ++k) {
+      if (found[k] == number) return false;
+    }
+    found[count++] = number;
+    number = 0;
+    in_number = false;
+  }
+  for (std::size_t k = 0; k < count; ++k) array.used.mark(found[k]);
+  return true;
+}
+
+void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step step) {
+  const Path path = path_of(node, step);
+  const bool simple = items != kNone && tables_.shapes[items].plan == Plan::number;
+  SeenNumbers seen;
+  std::uint64_t index = 0;
+  bool told = false;
+  for (json::NumberCursor at(document_, node); at.valid(); at.advance(), ++index) {
+    const double number = at.number().value;
+    const Value value{node, &at.number()};
+    if (simple) {
+      const ShapePlan& plan = tables_.shapes[items];
+      if (!(number >= plan.low && number <= plan.high && std::isfinite(number)))
+        judge(items, value, {path, index});
+    } else if (items != kNone && !bad_element(items, value, path, index, told)) {
+      judge(items, value, {path, index});
+    }
+    if (shape.unique_items && !seen.insert(number)) {
+      report({path, index}, "DUPLICATE_ELEMENTS", at.number().span,
+             name_of(path) + " has " + shown(values_, value) + " more than once.");
+    }
+  }
+}
+
+void Walker::count_items(const Shape& shape, std::uint64_t size, Value value, const Path& path) {
+  if (size == 0) {
+    report(path, "EMPTY_ENTITY", values_.span(value),
+           name_of(path) + " is an empty array; it must have " +
+               count_phrase(shape.min_items, shape.max_items, "element", "elements") + ".",
+           path.parent() != nullptr && shape.min_items == 1
+               ? "leave the member out when there is nothing in it"
+               : "");
+    return;
+  }
+  report(path, "ARRAY_LENGTH_NOT_IN_LIST", values_.span(value),
+         name_of(path) + " has " + std::to_string(size) + (size == 1 ? " element" : " elements") +
+             "; it must have " +
+             count_phrase(shape.min_items, shape.max_items, "element", "elements") + ".");
+}
+
+void Walker::array_step(Frame& frame) {
+  const Shape& shape = set_.shape(frame.shape);
+  if (frame.stage == Stage::enter) {
+    frame.stage = Stage::properties;
+    if (counts(shape)) {
+      const std::uint64_t size = document_.array_size(frame.node);
+      if (size < shape.min_items || size > shape.max_items)
+        count_items(shape, size, {frame.node}, frame.path);
+    }
+    if (shape.unique_items) unique_items(frame);
+  }
+  const json::NodeId end = document_.next(frame.node);
+  bool told = false;
+  while (shape.items != kNone && frame.at < end) {
+    const json::NodeId element = frame.at;
+    const std::uint64_t index = frame.index++;
+    frame.at = document_.next(element);
+    if (bad_element(shape.items, {element}, frame.path, index, told)) continue;
+    if (value(shape.items, element, {Step::Kind::element, index})) return;
+  }
+  if (!frame.constrained) {
+    frame.constrained = true;
+    constraints(frame);
+  }
+  if (!pending_shapes(frame)) pop();
+}
+
+// Elements that are equal as text: strings with escapes are compared unescaped.
+void Walker::unique_items(const Frame& frame) {
+  std::unordered_set<std::string> seen;
+  std::uint64_t index = 0;
+  for (const json::NodeId element : document_.elements(frame.node)) {
+    std::string content(document_.raw(element));
+    if (document_.is_string(element))
+      content.replace(1, std::string::npos, document_.string(element));
+    if (!seen.insert(std::move(content)).second) {
+      report({frame.path, index}, "DUPLICATE_ELEMENTS", document_.span(element),
+             name_of(frame.path) + " has " + shown(values_, {element}) + " more than once.");
+    }
+    ++index;
+  }
+}
+
+// An element of the wrong type, told in the way of its kind of array: numbers, flags and objects at
+// the array, where one is enough; indices, strings and arrays at the element.
+bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index,
+                         bool& told) {
+  const Shape& shape = set_.shape(items);
+  if (shape.ref && shape.types == kInteger) {
+    if (values_.has_type(value, kInteger) && values_.number(value).value >= 0) return false;
+    report({array, index}, "INVALID_INDEX", values_.span(value),
+           name_of({array, index}) + " is " + shown(values_, value) +
+               "; it must be an index, counted from 0.");
+    return true;
+  }
+  if (values_.has_type(value, shape.types)) return false;
+  const bool is_root_array =
+      array.parent() != nullptr && array.parent()->parent() == nullptr && !array.is_index();
+  const bool at_element = (shape.types & (kString | kArray)) != 0;
+  const std::string message = name_of({array, index}) + " is " + shown(values_, value) +
+                              "; it must be " + type_phrase(shape.types) + ".";
+  const std::string help = type_help(set_, values_, shape, value);
+  if (shape.types == kObject && is_root_array) {
+    report({array, index}, "TYPE_MISMATCH", values_.span(value), message, help);
+  } else if (at_element) {
+    report({array, index}, "ARRAY_TYPE_MISMATCH", values_.span(value), message, help);
+  } else if (khronos() || !told) {
+    told = true;
+    report(array, "ARRAY_TYPE_MISMATCH", values_.span(value), message, help);
+  }
+  return true;
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// extensionsUsed and extensionsRequired.
+#include "base/text.hpp"
+#include "schema/form_check.hpp"
+#include "schema/walker.hpp"
+
+namespace gltfx::schema {
+
+void Walker::read_declarations() {
+  const auto read = [&](std::string_view member, std::unordered_set<std::string>& names,
+                        std::vector<std::string>& list) {
+    const json::NodeId node = document_.find(document_.root(), member);
+    if (node == json::kNoNode) return;
+    for (const json::NodeId element : document_.elements(node)) {
+      if (!document_.is_string(element)) continue;
+      std::string name = document_.string(element);
+      if (names.insert(name).second) list.push_back(std::move(name));
+    }
+  };
+  read("extensionsUsed", used_, result_.extensions_used);
+  read("extensionsRequired", required_, result_.extensions_required);
+}
+
+void Walker::declarations() {
+  const auto each = [&](std::string_view member, const auto& look_at) {
+    const json::NodeId node = document_.find(document_.root(), member);
+    if (node == json::kNoNode) return;
+    const Path root;
+    const Path list(root, member);
+    std::uint64_t index = 0;
+    for (const json::NodeId element : document_.elements(node)) {
+      const Path path(list, index++);
+      if (document_.is_string(element))
+        look_at(path, document_.string(element), document_.span(element));
+    }
+  };
+  each("extensionsUsed", [&](const Path& path, const std::string& name, Span span) {
+    if (!is_extension_name(name)) {
+      report(path, "INVALID_EXTENSION_NAME_FORMAT", span,
+             quoted(name) + " is no name of an extension; names look like VENDOR_what_it_does.");
+    }
+    const ExtensionId id = set_.find_extension(name);
+    if (!looks_into(id, name) || is_required(name)) return;
+    if (set_.extensions()[id].must_be_required != MustBeRequired::always) return;
+    report(path, "NON_REQUIRED_EXTENSION", span,
+           quoted(name) + " cannot be optional: readers without it read the asset wrongly.",
+           "add \"" + name + "\" to \"extensionsRequired\"");
+  });
+  each("extensionsRequired", [&](const Path& path, const std::string& name, Span span) {
+    if (is_declared(name)) return;
+    report(path, "UNUSED_EXTENSION_REQUIRED", span,
+           quoted(name) + " is required but not listed in 'extensionsUsed'.",
+           "add \"" + printable(name) + "\" to \"extensionsUsed\"");
+  });
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// The objects inside `extensions`: declared, at home, in good company.
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "schema/phrases.hpp"
+#include "schema/walker.hpp"
+
+namespace gltfx::schema {
+
+bool Walker::push_extensions(Frame& host) {
+  const json::NodeId node = host.extensions;
+  host.extensions = json::kNoNode;
+  if (node == json::kNoNode || host.further) return false;
+  const Path path(host.path, "extensions");
+  if (!document_.is_object(node)) {
+    report(path, "TYPE_MISMATCH", document_.span(node),
+           "'extensions' is " + shown(values_, {node}) + "; it must be an object.",
+           document_.is_array(node) ? "write { \"KHR_…\": { … } }" : "");
+    return false;
+  }
+  push(kNone, node, path, Mode::extensions, false);
+  top_->type = host.type;
+  return true;
+}
+
+void Walker::extensions_step(Frame& frame) {
+  const json::NodeId end = document_.next(frame.node);
+  if (frame.stage == Stage::enter) {
+    frame.stage = Stage::properties;
+    frame.siblings.clear();
+    for (json::NodeId at = frame.node + 1; at < end; at = document_.next(at + 1)) {
+      const ExtensionId id = names_.extension(document_.node(at).next);
+      const auto& known = frame.siblings;
+      if (id != kNone && std::find(known.begin(), known.end(), id) == known.end())
+        frame.siblings.push_back(id);
+    }
+  }
+  while (frame.at < end) {
+    const json::KeyId key = document_.node(frame.at).next;
+    const json::NodeId node = frame.at + 1;
+    frame.at = document_.next(node);
+    if (extension_member(frame, key, node)) return;
+  }
+  pop();
+}
+
+// Whether an extension's content is judged at all.
+bool Walker::looks_into(ExtensionId id, std::string_view name) const {
+  if (id == kNone) return false;
+  return !khronos() || (set_.extensions()[id].khronos_validator && is_declared(name));
+}
+
+bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) {
+  const std::string_view name = document_.key(key);
+  const Path path(frame.path, name);
+  if (!seen_[key]) {
+    seen_[key] = true;
+    result_.extensions_seen.emplace_back(name);
+  }
+  if (!document_.is_object(node)) {
+    report(path, "TYPE_MISMATCH", document_.span(node),
+           quoted(name) + " is " + shown(values_, {node}) + "; an extension must be an object.",
+           "write { }");
+    return false;
+  }
+  const ExtensionId id = names_.extension(key);
+  if (!is_declared(name)) {
+    report(path, "UNDECLARED_EXTENSION", document_.span(node - 1),
+           quoted(name) + " is used here but not declared.",
+           "add \"" + printable(name) + "\" to \"extensionsUsed\"");
+  }
+  if (!looks_into(id, name)) return false;
+  const ShapeId shape = home(frame, id, path, node);
+  if (shape == kNone) return false;
+  neighbours(frame, id, path, node);
+  if (!tables_.shapes[shape].members) return false;
+  push(shape, node, path, Mode::object, false);
+  return true;
+}
+
+// The shape of the extension's object on its host, or kNone with a finding.
+ShapeId Walker::home(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+  const TypeId host = set_.type(frame.type).origin;
+  for (const auto& [type, shape] : tables_.extensions[id].homes) {
+    if (type == host) return shape;
+  }
+  const Extension& extension = set_.extensions()[id];
+  std::vector<std::string> homes;
+  for (const auto& entry : extension.homes) homes.push_back(set_.type(entry.first).name);
+  report(path, "UNEXPECTED_EXTENSION_OBJECT", document_.span(node - 1),
+         quoted(extension.name) + " has no meaning on " + quoted(set_.type(frame.type).name) + ".",
+         homes.empty() ? "it has no object; name it in \"extensionsUsed\" only"
+                       : "it belongs on " + join_or(homes));
+  return kNone;
+}
+
+void Walker::neighbours(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+  if (!khronos()) {
+    exclusions(frame, id, path, node);
+    companions(frame, id, path, node);
+    fallback(frame, id, path, node);
+  }
+  if (set_.extensions()[id].standalone) standalone(frame, id, path, node);
+}
+
+bool Walker::is_present(const Frame& frame, const RelationPlan& relation) const {
+  if (relation.other == kNone)
+    return document_.find(frame.node, relation.relation->extension) != json::kNoNode;
+  return std::find(frame.siblings.begin(), frame.siblings.end(), relation.other) !=
+         frame.siblings.end();
+}
+
+bool Walker::excludes(ExtensionId one, ExtensionId other) const {
+  const auto& list = tables_.extensions[one].excludes;
+  return std::any_of(list.begin(), list.end(),
+                     [other](const RelationPlan& r) { return r.other == other; });
+}
+
+// A pair is told once: where the first of the two stands that says so.
+void Walker::exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+  const auto position = [&](ExtensionId sought) {
+    return std::find(frame.siblings.begin(), frame.siblings.end(), sought);
+  };
+  for (const RelationPlan& plan : tables_.extensions[id].excludes) {
+    if (!is_present(frame, plan)) continue;
+    if (plan.other != kNone && excludes(plan.other, id) && position(plan.other) < position(id))
+      continue;
+    const std::string& name = set_.extensions()[id].name;
+    report(path, "EXTENSION_EXCLUDED", document_.span(node - 1),
+           quoted(name) + " and " + quoted(plan.relation->extension) +
+               " exclude each other: " + plan.relation->because,
+           "remove one of the two");
+  }
+}
+
+void Walker::companions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+  const ExtensionPlan& plan = tables_.extensions[id];
+  const std::string name = quoted(set_.extensions()[id].name);
+  for (const RelationPlan& needed : plan.requires_) {
+    if (is_present(frame, needed)) continue;
+    const std::string& other = needed.relation->extension;
+    Finding finding{"EXTENSION_COMPANION_MISSING",
+                    name + " needs " + quoted(other) + " beside it: " + needed.relation->because,
+                    "add " + quoted(other) + " to the same object", document_.span(node - 1),
+                    std::nullopt};
+    finding.severity = needed.relation->error ? Severity::error : Severity::warning;
+    schema_sink_.report(path, std::move(finding));
+  }
+  for (const RelationPlan& stronger : plan.overridden_by) {
+    if (!is_present(frame, stronger) || !has_effect(frame, stronger)) continue;
+    report(path, "EXTENSION_OVERRIDDEN", document_.span(node - 1),
+           name + " is overridden by " + quoted(stronger.relation->extension) + ": " +
+               stronger.relation->because);
+  }
+}
+
+// Whether the other extension says anything but its defaults.
+bool Walker::has_effect(const Frame& frame, const RelationPlan& relation) const {
+  const json::NodeId object = document_.find(frame.node, relation.relation->extension);
+  if (object == json::kNoNode || relation.other == kNone) return object != json::kNoNode;
+  const TypeId host = set_.type(frame.type).origin;
+  TypeId type = kNone;
+  for (const auto& [home, shape] : tables_.extensions[relation.other].homes) {
+    if (home == host) type = set_.shape(shape).type;
+  }
+  for (const auto& member : document_.members(object)) {
+    const Property* property = set_.find_property(type, document_.key(member.key_id));
+    if (property == nullptr) continue;
+    const bool number = document_.is_number(member.value);
+    const bool is_default = number && !property->default_json.empty() &&
+                            document_.number(member.value).value ==
+                                std::strtod(property->default_json.c_str(), nullptr);
+    if (!is_default && document_.raw(member.value) != property->default_json) return true;
+  }
+  return false;
+}
+
+void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+  std::vector<std::string> others;
+  for (const auto& member : document_.members(frame.node)) {
+    const ExtensionId other = names_.extension(member.key_id);
+    const bool told = !khronos() && other != kNone && (excludes(id, other) || excludes(other, id));
+    if (other != id && !told) others.push_back(quoted(document_.key(member.key_id)));
+  }
+  if (others.empty()) return;
+  report(path, "MULTIPLE_EXTENSIONS", document_.span(node - 1),
+         quoted(set_.extensions()[id].name) + " is meant to stand alone; here it stands beside " +
+             join_or(others, 4) + ".");
+}
+
+// Readers without the extension need the host's own member, unless they are kept away.
+void Walker::fallback(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+  const Extension& extension = set_.extensions()[id];
+  if (extension.must_be_required != MustBeRequired::without_fallback || extension.fallback.empty())
+    return;
+  if (document_.find(frame.parent->node, extension.fallback) != json::kNoNode) return;
+  const auto guards = [&](ExtensionId sibling) {
+    const Extension& other = set_.extensions()[sibling];
+    return other.must_be_required == MustBeRequired::without_fallback && is_required(other.name);
+  };
+  if (std::any_of(frame.siblings.begin(), frame.siblings.end(), guards)) return;
+  report(path, "NON_REQUIRED_EXTENSION", document_.span(node - 1),
+         quoted(extension.name) + " stands here without " + quoted(extension.fallback) +
+             ", so that readers without the extension have nothing.",
+         "add \"" + extension.name + "\" to \"extensionsRequired\", or add " +
+             quoted(extension.fallback));
+}
+
+}  // namespace gltfx::schema

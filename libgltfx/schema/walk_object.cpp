@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects: their members in the order of the type's properties.
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "schema/phrases.hpp"
+#include "schema/walker.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+const TypePlan& no_type() {
+  static const TypePlan plan = [] {
+    TypePlan empty;
+    empty.entries.resize(1);
+    return empty;
+  }();
+  return plan;
+}
+
+}  // namespace
+
+void Walker::object_step(Frame& frame) {
+  switch (frame.stage) {
+    case Stage::enter:
+      enter_object(frame);
+      frame.stage = Stage::early_extensions;
+      [[fallthrough]];
+    case Stage::early_extensions:
+      frame.stage = Stage::properties;
+      if (frame.type != kNone && tables_.types[frame.type].extensions_first &&
+          push_extensions(frame))
+        return;
+      [[fallthrough]];
+    case Stage::properties:
+      if (properties(frame)) return;
+      frame.stage = Stage::others;
+      [[fallthrough]];
+    case Stage::others:
+      if (others(frame)) return;
+      frame.stage = Stage::extensions;
+      [[fallthrough]];
+    case Stage::extensions:
+      frame.stage = Stage::leave;
+      if (push_extensions(frame)) return;
+      [[fallthrough]];
+    case Stage::leave:
+      leave(frame);
+  }
+}
+
+void Walker::enter_object(Frame& frame) {
+  const Shape& shape = set_.shape(frame.shape);
+  if (shape.min_properties != 0 || shape.max_properties != UINT64_MAX) count_members(frame);
+  gather(frame);
+  if (shape.property_names != kNone) member_names(frame);
+  const bool has_others = shape.values != kNone || !shape.pattern_properties.empty();
+  if (!has_others) frame.at = document_.next(frame.node);  // nothing to do in that stage
+}
+
+// Lays the members out by property. Names that the type does not know are told at once.
+void Walker::gather(Frame& frame) {
+  const bool typed = frame.type != kNone;
+  const TypePlan& plan = typed ? tables_.types[frame.type] : no_type();
+  members_.resize(frame.scratch + plan.properties.size(), json::kNoNode);
+  if (!typed) return;
+  json::NodeId* const slots = members_.data() + frame.scratch;
+  const json::NodeId end = document_.next(frame.node);
+  for (json::NodeId at = frame.node + 1; at < end;) {
+    const json::KeyId key = document_.node(at).next;
+    const json::NodeId value = at + 1;
+    at = document_.next(value);
+    const Symbol symbol = names_.symbol(key);
+    const TypePlan::Entry* entry = symbol == kNone ? nullptr : plan.find(symbol);
+    if (symbol == Set::WalkTables::kExtensions) frame.extensions = value;
+    if (symbol == Set::WalkTables::kExtras) frame.extras = value;
+    if (entry == nullptr) {
+      if (symbol > Set::WalkTables::kExtras) other_name(frame, key, value);
+    } else if (!entry->alias) {
+      slots[entry->property] = value;
+    } else {
+      renamed(frame, set_.type(frame.type).properties[entry->property], value);
+      if (slots[entry->property] == json::kNoNode) slots[entry->property] = value;
+    }
+  }
+}
+
+void Walker::other_name(Frame& frame, json::KeyId key, json::NodeId value) {
+  const ObjectType& type = set_.type(frame.type);
+  if (type.open || other_shape(frame, document_.key(key)) != kNone) return;
+  if (!frame.further) return unexpected(frame, key, value);
+  if (!type.strict) return;
+  report({frame.path, document_.key(key)}, "CONDITION_MISMATCH", document_.span(value - 1),
+         quoted(document_.key(key)) + " must not be here beside the other members.");
+}
+
+void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
+  const ObjectType& type = set_.type(frame.type);
+  std::vector<std::string_view> known{"extensions", "extras"};
+  for (const Property& property : type.properties) known.push_back(property.name);
+  const std::string_view near = nearest(document_.key(key), known);
+  std::string help = near.empty() ? "" : "did you mean " + quoted(near) + "?";
+  if (near.empty() && set_.find_extension(document_.key(key)) != kNone) {
+    help = "put it inside \"extensions\": { … }";
+  }
+  report({frame.path, document_.key(key)}, "UNEXPECTED_PROPERTY", document_.span(value - 1),
+         quoted(document_.key(key)) + " is not a property of " + quoted(type.name) + ".",
+         std::move(help));
+}
+
+void Walker::renamed(const Frame& frame, const Property& property, json::NodeId value) {
+  const std::string_view name = key_of(value);
+  if (khronos()) {
+    report({frame.path, name}, "UNEXPECTED_PROPERTY", document_.span(value - 1),
+           quoted(name) + " is not a property of " + quoted(set_.type(frame.type).name) + ".");
+    return;
+  }
+  report({frame.path, name}, "PROPERTY_RENAMED", document_.span(value - 1),
+         quoted(name) + " was the name of " + quoted(property.name) + " in an earlier draft.",
+         "rename it to " + quoted(property.name));
+}
+
+bool Walker::properties(Frame& frame) {
+  const TypePlan& plan = frame.type == kNone ? no_type() : tables_.types[frame.type];
+  const auto count = static_cast<std::uint32_t>(plan.properties.size());
+  while (true) {
+    if (pending_shapes(frame)) return true;
+    if (frame.index == plan.constraints_at && !frame.constrained) {
+      frame.constrained = true;
+      constraints(frame);
+      continue;
+    }
+    if (plan.is_root && !frame.further) {
+      if (frame.index == plan.declarations_at) declarations();
+      if (frame.index == plan.asset_at + 1 && stops_at_asset(frame)) return true;
+    }
+    if (frame.index == count) return false;
+    const std::uint32_t index = frame.index++;
+    const json::NodeId node = members_[frame.scratch + index];
+    if (node == json::kNoNode) {
+      if (plan.properties[index].required) missing(frame, index);
+    } else if (property(frame, index, node)) {
+      return true;
+    }
+  }
+}
+
+// Shapes that conditions add to this object.
+bool Walker::pending_shapes(Frame& frame) {
+  while (pending_.size() > frame.pending) {
+    const ShapeId shape = pending_.back();
+    pending_.pop_back();
+    if (value(shape, frame.node, {Step::Kind::same})) return true;
+  }
+  return false;
+}
+
+bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
+  const PropertyPlan& plan = tables_.types[frame.type].properties[index];
+  if (plan.deprecated && !khronos()) {
+    const Property& property = set_.type(frame.type).properties[index];
+    report({frame.path, key_of(node)}, "PROPERTY_DEPRECATED", document_.span(node - 1),
+           quoted(property.name) + " is no longer to be used: " + property.deprecated + ".");
+  }
+  if (plan.shape == kNone) return false;
+  if (tables_.shapes[plan.shape].slot) record_slot(frame, index, node);
+  if (plan.required && khronos() && document_.kind(node) == json::Kind::null) missing(frame, index);
+  return value(plan.shape, node, {Step::Kind::member});
+}
+
+void Walker::missing(Frame& frame, std::uint32_t index) {
+  const ObjectType& type = set_.type(frame.type);
+  const Property& property = type.properties[index];
+  // Of a further shape the property may be described by the object's own type.
+  const Property* described = &property;
+  if (property.shape == kNone && frame.further && frame.parent != nullptr) {
+    const Property* own = set_.find_property(frame.parent->type, property.name);
+    if (own != nullptr) described = own;
+  }
+  report(frame.path, "UNDEFINED_PROPERTY", opening(frame.node),
+         quoted(property.name) + " is missing; it is required here.",
+         missing_help(set_, *described));
+}
+
+// Members that are described by pattern or by additionalProperties.
+bool Walker::others(Frame& frame) {
+  const json::NodeId end = document_.next(frame.node);
+  while (frame.at < end) {
+    const json::KeyId key = document_.node(frame.at).next;
+    const json::NodeId node = frame.at + 1;
+    frame.at = document_.next(node);
+    const Symbol symbol = names_.symbol(key);
+    if (frame.type != kNone) {
+      if (symbol <= Set::WalkTables::kExtras) continue;
+      if (symbol != kNone && tables_.types[frame.type].find(symbol) != nullptr) continue;
+    }
+    if (value(other_shape(frame, document_.key(key)), node, {Step::Kind::member})) return true;
+  }
+  return false;
+}
+
+ShapeId Walker::other_shape(const Frame& frame, std::string_view name) const {
+  const Shape& shape = set_.shape(frame.shape);
+  for (const auto& [pattern, inside] : shape.pattern_properties) {
+    if (set_.matches(pattern, name)) return inside;
+  }
+  return shape.values;
+}
+
+void Walker::count_members(const Frame& frame) {
+  const Shape& shape = set_.shape(frame.shape);
+  const std::size_t count = document_.object_size(frame.node);
+  if (count >= shape.min_properties && count <= shape.max_properties) return;
+  if (count == 0) {
+    report(frame.path, "EMPTY_ENTITY", document_.span(frame.node),
+           name_of(frame.path) + " is empty; it must have at least one member.");
+    return;
+  }
+  report(frame.path, "PROPERTY_COUNT_NOT_IN_RANGE", opening(frame.node),
+         name_of(frame.path) + " has " + std::to_string(count) + " members; it must have " +
+             count_phrase(shape.min_properties, shape.max_properties, "member", "members") + ".");
+}
+
+void Walker::member_names(const Frame& frame) {
+  const Shape& names = set_.shape(set_.shape(frame.shape).property_names);
+  for (const auto& member : document_.members(frame.node)) member_name(frame, names, member.value);
+}
+
+void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId value) {
+  const std::string_view name = key_of(value);
+  const Path path(frame.path, name);
+  const Span span = document_.span(value - 1);
+  const auto equal = [&](const Literal& l) {
+    return l.kind == Literal::Kind::string && l.string == name;
+  };
+  if (shape.pattern != kNone && !set_.matches(shape.pattern, name)) {
+    report(path, "PATTERN_MISMATCH", span,
+           "The name " + quoted(name) + " is not allowed here; names must match " +
+               std::string(set_.pattern_text(shape.pattern)) + ".");
+  } else if (!shape.literals.empty() &&
+             std::none_of(shape.literals.begin(), shape.literals.end(), equal)) {
+    report(path, "VALUE_NOT_IN_LIST", span,
+           "The name " + quoted(name) + " is not allowed here; it must be " + list_phrase(shape) +
+               ".");
+  }
+  const std::size_t length = count_code_points(name);
+  if (length >= shape.min_length && length <= shape.max_length) return;
+  report(path, "STRING_LENGTH_NOT_IN_RANGE", span,
+         "The name " + quoted(name) + " must have " +
+             count_phrase(shape.min_length, shape.max_length, "character", "characters") + ".");
+}
+
+void Walker::leave(Frame& frame) {
+  if (frame.extras != json::kNoNode && !frame.further && !document_.is_object(frame.extras)) {
+    report({frame.path, "extras"}, "NON_OBJECT_EXTRAS", document_.span(frame.extras),
+           "'extras' is " + shown(values_, {frame.extras}) + "; an object is easier to share.",
+           "put the value under a name of its own inside an object");
+  }
+  if (frame.type != kNone && !frame.further && visitor_) {
+    visitor_(set_.type(frame.type), frame.node, frame.path);
+  }
+  pop();
+}
+
+// A texture slot that is filled, with the channels that this generation of the extension reads.
+void Walker::record_slot(const Frame& frame, std::uint32_t index, json::NodeId node) {
+  if (!document_.is_object(node)) return;
+  const ObjectType& type = set_.type(frame.type);
+  const ShapeId shape = type.properties[index].shape;
+  SlotUse use{node, frame.node, shape, &*set_.shape(shape).slot,
+              Path(frame.path, key_of(node)).pointer()};
+  if (type.extension != kNone && !set_.extensions()[type.extension].generations.empty()) {
+    use.slot = slot_of_generation(set_, type, document_, frame.node, type.properties[index].name);
+  }
+  result_.slots.push_back(std::move(use));
+}
+
+// What comes behind an asset of another version is not judged by the rules of this one.
+bool Walker::stops_at_asset(const Frame& frame) {
+  if (!khronos()) return false;
+  const std::uint32_t asset = tables_.types[frame.type].asset_at;
+  const json::NodeId node = members_[frame.scratch + asset];
+  const json::NodeId version = document_.find(node, "version");
+  if (version != json::kNoNode && document_.is_string(version)) {
+    const std::string text = document_.string(version);
+    const std::size_t dot = text.find('.');
+    const bool digits = text.find_first_not_of("0123456789.") == text.npos;
+    if (digits && dot == 1 && text[0] == '2' && text.size() > 2 && text.find('.', 2) == text.npos)
+      return false;
+  }
+  result_.stopped_at_asset = true;
+  top_ = nullptr;
+  return true;
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Indices and names that refer to other objects.
+#include "base/text.hpp"
+#include "schema/phrases.hpp"
+#include "schema/walker.hpp"
+
+namespace gltfx::schema {
+
+// The array that is meant at this place of the walk; null when the document does not have it.
+Targets::Array* Walker::array_of(const TargetPlan& plan, std::uint32_t target) {
+  if (plan.target->base != Target::Base::enclosing) {
+    Targets::Array& array = targets_.from_root(target);
+    return array.is_array ? &array : nullptr;
+  }
+  for (const Frame* frame = top_; frame != nullptr; frame = frame->parent) {
+    if (frame->type == kNone || set_.type(frame->type).origin != plan.target->enclosing) continue;
+    Targets::Array* array = targets_.below(*plan.target, frame->node, frame->path);
+    return array != nullptr && array->is_array ? array : nullptr;
+  }
+  return nullptr;
+}
+
+void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& path) {
+  const std::uint32_t target = tables_.shapes[shape].target;
+  const TargetPlan& plan = tables_.targets[target];
+  Targets::Array* array = array_of(plan, target);
+  if (array != nullptr && index < array->size && !(khronos() && array->is_hole(index))) {
+    if (index < array->used.size()) array->used.mark(index);
+    return;
+  }
+  const std::string& name = plan.target->steps.back();
+  std::string message =
+      name_of(path) + " refers to " + printable(name) + "[" + std::to_string(index) + "], but ";
+  if (array == nullptr) {
+    message += "there are no " + name + ".";
+  } else if (index < array->size) {
+    message += "that is not an object.";
+  } else {
+    message +=
+        array->size == 1 ? "there is only 1." : "there are " + std::to_string(array->size) + ".";
+  }
+  reference_sink_.report(
+      path, {"UNRESOLVED_REFERENCE", std::move(message), {}, values_.span(value), std::nullopt});
+}
+
+void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const Path& path) {
+  const std::uint32_t target = tables_.name_target_of[shape];
+  if (targets_.has_name(target, name)) return;
+  reference_sink_.report(path,
+                         {"UNRESOLVED_NAME",
+                          name_of(path) + " is " + shown(values_, value) + ", but nothing at " +
+                              set_.shape(shape).ref_name->text + " has that name.",
+                          {},
+                          values_.span(value),
+                          std::nullopt});
+}
+
+}  // namespace gltfx::schema

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scalars: first by their plan, then in full.
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "schema/phrases.hpp"
+#include "schema/walker.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+// RFC 6901: empty, or steps that begin with '/', in which '~' is followed by 0 or 1.
+bool is_json_pointer(std::string_view text) { return split_pointer(text).has_value(); }
+
+}  // namespace
+
+// An unsigned integer written with up to 15 digits and nothing else: nearly every index.
+bool Walker::is_small_index(json::NodeId node, std::uint64_t& index) const {
+  const std::string_view raw = document_.raw(node);
+  if (raw.size() > 15) return false;
+  std::uint64_t number = 0;
+  for (const char c : raw) {
+    const unsigned digit = static_cast<unsigned char>(c) - unsigned{'0'};
+    if (digit > 9) return false;
+    number = number * 10 + digit;
+  }
+  index = number;
+  return true;
+}
+
+bool Walker::value(ShapeId id, json::NodeId node, Step step) {
+  if (id == kNone) return false;
+  const ShapePlan& plan = tables_.shapes[id];
+  const json::Kind kind = document_.kind(node);
+  std::uint64_t index = 0;
+  switch (plan.plan) {
+    case Plan::any:
+      return false;
+    case Plan::number: {
+      if (kind != json::Kind::number) break;
+      if (plan.every_value && !khronos()) return false;
+      const double number = document_.number(node).value;
+      if (number >= plan.low && number <= plan.high && std::isfinite(number)) return false;
+      break;
+    }
+    case Plan::integer:
+      if (kind != json::Kind::number || !is_small_index(node, index)) break;
+      if (static_cast<double>(index) >= plan.low && static_cast<double>(index) <= plan.high)
+        return false;
+      break;
+    case Plan::index: {
+      if (kind != json::Kind::number || !is_small_index(node, index)) break;
+      const TargetPlan& target = tables_.targets[plan.target];
+      if (target.pointer.empty() || target.steps_over) break;
+      Targets::Array& array = targets_.from_root(plan.target);
+      if (index >= array.size || !array.holes.empty()) break;
+      array.used.mark(index);
+      return false;
+    }
+    case Plan::boolean:
+      if (kind == json::Kind::true_value || kind == json::Kind::false_value) return false;
+      break;
+    case Plan::text:
+      if (kind == json::Kind::string) return false;
+      break;
+    case Plan::object:
+      if (kind != json::Kind::object) break;
+      if (!plan.members) return false;
+      push(id, node, path_of(node, step), Mode::object, step.kind == Step::Kind::same);
+      return true;
+    case Plan::array:
+      if (kind == json::Kind::array || kind == json::Kind::number_array)
+        return array(id, node, step);
+      break;
+    case Plan::choice:
+    case Plan::full:
+      break;
+  }
+  return in_full(id, node, step);
+}
+
+bool Walker::in_full(ShapeId id, json::NodeId node, Step step) {
+  const Shape& shape = set_.shape(id);
+  const Path path = path_of(node, step);
+  const json::Kind kind = document_.kind(node);
+  const bool is_container =
+      kind == json::Kind::object || kind == json::Kind::array || kind == json::Kind::number_array;
+  if (!is_container || shape.never) {
+    judge(id, {node}, path);
+    return false;
+  }
+  if (!judge_type(id, {node}, path)) return false;
+  if (kind != json::Kind::object) return array(id, node, step);
+  if (!tables_.shapes[id].members) return false;
+  push(id, node, path, Mode::object, step.kind == Step::Kind::same);
+  return true;
+}
+
+// Everything a shape says of a scalar.
+void Walker::judge(ShapeId id, Value value, const Path& path) {
+  const Shape& shape = set_.shape(id);
+  if (shape.never) {
+    report(path, "CONDITION_MISMATCH", values_.span(value), name_of(path) + " must not be here.");
+    return;
+  }
+  if (!judge_type(id, value, path)) return;
+  if (!shape.literals.empty()) judge_literals(id, value, path);
+  if (values_.kind(value) == json::Kind::number) judge_number(id, value, path);
+  if (values_.kind(value) == json::Kind::string) judge_text(id, value, path);
+  if (tables_.shapes[id].combined) combine(id, value, path, false);
+}
+
+bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
+  const Shape& shape = set_.shape(id);
+  if (values_.has_type(value, shape.types)) return true;
+  report(path, "TYPE_MISMATCH", values_.span(value),
+         name_of(path) + " is " + shown(values_, value) + "; it must be " +
+             type_phrase(shape.types) + ".",
+         type_help(set_, values_, shape, value));
+  return false;
+}
+
+void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
+  const Shape& shape = set_.shape(id);
+  const auto equal = [&](const Literal& literal) { return values_.equals(value, literal); };
+  if (std::any_of(shape.literals.begin(), shape.literals.end(), equal)) return;
+  std::string help;
+  if (values_.kind(value) == json::Kind::string) {
+    const std::string text = document_.string(value.node);
+    if (is_added(id, text)) return;
+    std::vector<std::string_view> known;
+    for (const Literal& literal : shape.literals) known.push_back(literal.string);
+    const std::string_view near = nearest(text, known);
+    if (!near.empty()) help = "did you mean " + quoted(near) + "?";
+  }
+  report(
+      path, "VALUE_NOT_IN_LIST", values_.span(value),
+      name_of(path) + " is " + shown(values_, value) + "; it must be " + list_phrase(shape) + ".",
+      std::move(help));
+}
+
+// Extensions that are in force may add values to a list of core.
+bool Walker::is_added(ShapeId shape, std::string_view text) const {
+  return std::any_of(tables_.additions.begin(), tables_.additions.end(), [&](const auto& addition) {
+    if (addition.shape != shape) return false;
+    if (std::find(addition.values.begin(), addition.values.end(), text) == addition.values.end())
+      return false;
+    const Extension& extension = set_.extensions()[addition.extension];
+    return khronos() ? looks_into(addition.extension, extension.name) : is_declared(extension.name);
+  });
+}
+
+void Walker::judge_number(ShapeId id, Value value, const Path& path) {
+  const Shape& shape = set_.shape(id);
+  const double number = values_.number(value).value;
+  const bool is_reference = shape.ref.has_value() && values_.has_type(value, kInteger);
+  if (is_reference && number < 0) {
+    report(path, "INVALID_INDEX", values_.span(value),
+           name_of(path) + " is " + shown(values_, value) + "; an index counts from 0.");
+    return;
+  }
+  const bool low = number < shape.minimum || (shape.exclusive_minimum && number == shape.minimum);
+  const bool high = number > shape.maximum || (shape.exclusive_maximum && number == shape.maximum);
+  if (low || high || !std::isfinite(number)) {
+    const std::string range = range_phrase(shape);
+    report(path, "VALUE_NOT_IN_RANGE", values_.span(value),
+           name_of(path) + " is " + shown(values_, value) + "; it must be " +
+               (range.empty() ? "a finite number" : range) + ".");
+    return;
+  }
+  if (shape.multiple_of != 0 && !is_multiple(number, shape.multiple_of)) {
+    report(path, "VALUE_MULTIPLE_OF", values_.span(value),
+           name_of(path) + " is " + shown(values_, value) + "; it must be a multiple of " +
+               number_text(shape.multiple_of) + ".");
+  }
+  if (is_reference) refer(id, static_cast<std::uint64_t>(number), value, path);
+}
+
+void Walker::judge_text(ShapeId id, Value value, const Path& path) {
+  const Shape& shape = set_.shape(id);
+  std::string buffer;
+  const std::string_view text = document_.string(value.node, buffer);
+  if (shape.min_length != 0 || shape.max_length != UINT64_MAX) {
+    const std::size_t length = count_code_points(text);
+    if (length < shape.min_length || length > shape.max_length) {
+      report(path, "STRING_LENGTH_NOT_IN_RANGE", values_.span(value),
+             name_of(path) + " has " + std::to_string(length) + " characters; it must have " +
+                 count_phrase(shape.min_length, shape.max_length, "character", "characters") + ".");
+    }
+  }
+  if (shape.pattern != kNone && !set_.matches(shape.pattern, text)) {
+    report(path, "PATTERN_MISMATCH", values_.span(value),
+           name_of(path) + " is " + shown(values_, value) + "; it must match " +
+               std::string(set_.pattern_text(shape.pattern)) + ".");
+  }
+  if (shape.format == "json-pointer" && !is_json_pointer(text)) {
+    report(path, "PATTERN_MISMATCH", values_.span(value),
+           name_of(path) + " is " + shown(values_, value) + "; it must be a JSON pointer.",
+           "a pointer begins with '/', and '~' in a name is written ~0");
+  }
+  if (shape.ref_name) refer_name(id, text, value, path);
+}
+
+}  // namespace gltfx::schema

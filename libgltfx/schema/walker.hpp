@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The walk behind check(): one pass over a document with a stack of frames of its own.
+///
+/// Most values are plain and right: they are judged by their ShapePlan with a comparison or two.
+/// Paths and messages are only made when there is something to say. Members of an object are first
+/// laid out in the order of its type's properties, so that findings come in that order.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "schema/check.hpp"
+#include "schema/document_names.hpp"
+#include "schema/holds.hpp"
+#include "schema/targets.hpp"
+#include "schema/value.hpp"
+
+namespace gltfx::schema {
+
+class Walker {
+ public:
+  Walker(const json::Document& document, const Set& set, const CheckOptions& options,
+         Sink& schema_sink, Sink& reference_sink, const ObjectVisitor& visitor);
+  CheckResult run();
+
+ private:
+  /// Where the walk of an object stands.
+  enum class Stage : std::uint8_t {
+    enter,
+    early_extensions,
+    properties,
+    others,
+    extensions,
+    leave
+  };
+  enum class Mode : std::uint8_t { object, array, extensions };
+
+  /// A container that is being walked. Frames are kept and used again.
+  struct Frame {
+    Path path;
+    Frame* parent = nullptr;
+    Frame* child = nullptr;
+    json::NodeId node = json::kNoNode;
+    json::NodeId at = json::kNoNode;  ///< next element or member to look at
+    json::NodeId extensions = json::kNoNode;
+    json::NodeId extras = json::kNoNode;
+    ShapeId shape = kNone;
+    TypeId type = kNone;
+    std::uint32_t index = 0;    ///< of the next property or element
+    std::uint32_t scratch = 0;  ///< where its members begin in members_
+    std::uint32_t pending = 0;  ///< size of pending_ when it was entered
+    Mode mode = Mode::object;
+    Stage stage = Stage::enter;
+    bool further = false;  ///< another shape for a value that has been walked already
+    bool constrained = false;
+    std::vector<ExtensionId>
+        siblings;  ///< Mode::extensions: those the Set knows, in document order
+  };
+
+  /// How a value hangs below the current frame.
+  struct Step {
+    enum class Kind : std::uint8_t { member, element, same } kind = Kind::member;
+    std::uint64_t index = 0;
+  };
+
+  // walk.cpp: frames
+  void push(ShapeId shape, json::NodeId node, const Path& path, Mode mode, bool further);
+  void pop();
+  Path path_of(json::NodeId node, Step step) const;
+  std::string_view key_of(json::NodeId value) const {
+    return document_.key(document_.node(value - 1).next);
+  }
+
+  // walk_object.cpp
+  void object_step(Frame& frame);
+  void enter_object(Frame& frame);
+  void gather(Frame& frame);
+  void other_name(Frame& frame, json::KeyId key, json::NodeId value);
+  void unexpected(Frame& frame, json::KeyId key, json::NodeId value);
+  bool properties(Frame& frame);
+  bool pending_shapes(Frame& frame);
+  bool property(Frame& frame, std::uint32_t index, json::NodeId value);
+  void missing(Frame& frame, std::uint32_t index);
+  void renamed(const Frame& frame, const Property& property, json::NodeId value);
+  bool others(Frame& frame);
+  ShapeId other_shape(const Frame& frame, std::string_view name) const;
+  void count_members(const Frame& frame);
+  void member_names(const Frame& frame);
+  void member_name(const Frame& frame, const Shape& shape, json::NodeId value);
+  void leave(Frame& frame);
+  void record_slot(const Frame& frame, std::uint32_t index, json::NodeId value);
+  bool stops_at_asset(const Frame& frame);
+
+  // walk_value.cpp: true when a frame was pushed
+  bool value(ShapeId shape, json::NodeId node, Step step);
+  bool in_full(ShapeId shape, json::NodeId node, Step step);
+  void judge(ShapeId shape, Value value, const Path& path);
+  bool judge_type(ShapeId id, Value value, const Path& path);
+  void judge_literals(ShapeId id, Value value, const Path& path);
+  void judge_number(ShapeId id, Value value, const Path& path);
+  void judge_text(ShapeId id, Value value, const Path& path);
+  bool is_added(ShapeId shape, std::string_view text) const;
+  bool is_small_index(json::NodeId node, std::uint64_t& index) const;
+
+  // walk_array.cpp
+  bool array(ShapeId shape, json::NodeId node, Step step);
+  void number_array(ShapeId shape, json::NodeId node, Step step);
+  void numbers(ShapeId items, json::NodeId node, const Shape& shape, Step step);
+  bool plain_indices(ShapeId items, json::NodeId node, bool unique);
+  void array_step(Frame& frame);
+  void count_items(const Shape& shape, std::uint64_t size, Value value, const Path& path);
+  void unique_items(const Frame& frame);
+  bool bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index, bool& told);
+
+  // walk_reference.cpp
+  void refer(ShapeId shape, std::uint64_t index, Value value, const Path& path);
+  void refer_name(ShapeId shape, std::string_view name, Value value, const Path& path);
+  Targets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
+
+  // walk_condition.cpp
+  void constraints(const Frame& frame);
+  void combine(ShapeId shape, Value value, const Path& path, bool walked);
+  void further(ShapeId shape, Value value, const Path& path, bool walked);
+  void alternatives(ShapeId shape, const std::vector<ShapeId>& branches, bool exactly_one,
+                    Value value, const Path& path, bool walked);
+  void no_alternative(const std::vector<ShapeId>& branches, bool exactly_one, Value value,
+                      const Path& path);
+  void forbidden(const Shape& shape, Value value, const Path& path);
+  void dependencies(const Shape& shape, json::NodeId object, const Path& path);
+  std::vector<std::string> required_only(ShapeId shape) const;
+
+  // walk_extension.cpp
+  bool push_extensions(Frame& host);
+  void extensions_step(Frame& frame);
+  bool extension_member(Frame& frame, json::KeyId key, json::NodeId value);
+  ShapeId home(const Frame& host, ExtensionId extension, const Path& path, json::NodeId value);
+  void neighbours(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
+  void exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
+  void companions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
+  void standalone(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
+  void fallback(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
+  bool is_present(const Frame& frame, const RelationPlan& relation) const;
+  bool excludes(ExtensionId one, ExtensionId other) const;
+  bool has_effect(const Frame& frame, const RelationPlan& relation) const;
+  bool looks_into(ExtensionId id, std::string_view name) const;
+
+  // walk_declaration.cpp
+  void read_declarations();
+  void declarations();
+  bool is_declared(std::string_view name) const { return used_.count(std::string(name)) != 0; }
+  bool is_required(std::string_view name) const { return required_.count(std::string(name)) != 0; }
+
+  bool khronos() const { return options_.scope == Scope::khronos; }
+  void report(const Path& path, std::string_view code, Span span, std::string message,
+              std::string help = {});
+  Span opening(json::NodeId object) const;
+
+  const json::Document& document_;
+  const Set& set_;
+  const Set::WalkTables& tables_;
+  CheckOptions options_;
+  Sink& schema_sink_;
+  Sink& reference_sink_;
+  const ObjectVisitor& visitor_;
+  Values values_;
+  DocumentNames names_;
+  Targets targets_;
+  Holds holds_;
+  CheckResult result_;
+  std::deque<Frame> frames_;
+  Frame* top_ = nullptr;
+  std::vector<json::NodeId> members_;  ///< of all open objects, by property; see Frame::scratch
+  std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
+  std::unordered_set<std::string> used_, required_;
+  std::vector<bool> seen_;  ///< by KeyId: an extension object of that name was met
+};
+
+}  // namespace gltfx::schema
