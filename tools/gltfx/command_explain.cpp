@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "container/base64.hpp"
+#include "terminal.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+constexpr std::string_view kBinary = "base64:";
+constexpr std::size_t kIndent = 2;
+
+// An example as bytes: JSON text, or a GLB given in base64.
+std::string example_bytes(std::string_view example) {
+  if (!example.starts_with(kBinary)) return std::string(example);
+  auto bytes = container::decode_base64(example.substr(kBinary.size()));
+  return bytes ? *std::move(bytes) : std::string();
+}
+
+std::string example_text(std::string_view example) {
+  if (!example.starts_with(kBinary)) return indented(example, kIndent + 2);
+  return fmt::format("    (a binary file of {} bytes)\n", example_bytes(example).size());
+}
+
+// What `gltfx validate` says about an example, as it would be printed.
+std::string verdict_on(std::string_view example, bool color) {
+  const char* name = example.starts_with(kBinary) ? "example.glb" : "example.gltf";
+  ValidateOptions options;
+  options.profile = Profile::strict;
+  FormatOptions format;
+  format.color = color;
+  format.quiet = true;
+  format.command = "gltfx";
+  const FileReport report = validate_bytes(example_bytes(example), name, options);
+  const auto writer = make_report_writer(ReportFormat::text, format);
+  std::string text;
+  writer->begin(text);
+  writer->file(report, text);
+  RunSummary summary;
+  summary.add(report);
+  writer->end(summary, text);
+  return text;
+}
+
+std::string_view fix_text(Fix fix) {
+  switch (fix) {
+    case Fix::none:
+      return "by hand";
+    case Fix::safe:
+      return "can be automatic, the picture stays the same";
+    case Fix::unsafe:
+      break;
+  }
+  return "can be automatic, but may change the picture";
+}
+
+std::string explanation(const RuleDescription& rule, bool color) {
+  const Style style(color);
+  std::string text;
+  const auto heading = [&](std::string_view title) {
+    text += '\n' + std::string(kIndent, ' ') + style.bold(title) + '\n';
+  };
+  text += fmt::format("{} ({}): {}.\n", style.bold(rule.code),
+                      style.severity(rule.severity, severity_name(rule.severity)), rule.summary);
+  heading("Why it matters");
+  text += wrapped(rule.why, kIndent + 2);
+  heading("What to do");
+  text += wrapped(rule.remedy, kIndent + 2);
+  if (!rule.bad.empty()) {
+    heading("An asset that raises it");
+    text += example_text(rule.bad);
+    heading("which is reported as");
+    text += indented(verdict_on(rule.bad, color), kIndent + 2);
+  }
+  if (!rule.good.empty()) {
+    heading("The same asset, mended");
+    text += example_text(rule.good);
+  }
+  heading("Also");
+  text += fmt::format("    mending: {}\n", fix_text(rule.fix));
+  text += rule.khronos ? "    the Khronos validator reports this code too\n"
+                       : "    a rule of gltfx; the Khronos validator does not have it\n";
+  return text;
+}
+
+}  // namespace
+
+ExitCode run(const ExplainRequest& request) {
+  const bool color = colors_on_stdout(request.common.color);
+  ExitCode code = ExitCode::ok;
+  std::string text;
+  for (const std::string& name : request.codes) {
+    const RuleDescription* rule = rule_from_user(name);
+    if (rule == nullptr) {
+      complain(fmt::format("explain: there is no rule {}.{} 'gltfx rules' lists them all.",
+                           quoted(name), suggest_code(name)));
+      code = ExitCode::usage;
+      continue;
+    }
+    if (!text.empty()) text += '\n';
+    text += explanation(*rule, color);
+  }
+  return worse(code, print(text));
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+#include <exception>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "help_text.hpp"
+#include "suggestion.hpp"
+#include "version.hpp"
+#include "words.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+// CLI11 would let such an option swallow every positional after its value, and read "[a]" as a
+// list, unless extra arguments are refused.
+void add_list(CLI::App& app, const char* name, std::vector<std::string>& words, const char* type,
+              const char* text) {
+  app.add_option(name, words, text)->type_name(type)->allow_extra_args(false);
+}
+
+void add_word(CLI::App& app, const char* name, std::string& word, const char* type,
+              const char* text) {
+  app.add_option(name, word, text)->type_name(type)->take_last();
+}
+
+void add_common(CLI::App& app, CommonWords& words) {
+  add_word(app, "-j,--jobs", words.jobs, "N", "Threads, at least 1 (default: one a core)");
+  add_word(app, "--color", words.color, "WHEN",
+           "auto, always or never (auto: on a terminal, unless NO_COLOR is set)");
+}
+
+void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
+                        std::vector<std::string>& folders) {
+  add_list(app, "--schema", files, "FILE", "Add or replace an extension's schema (repeatable)");
+  add_list(app, "--schema-dir", folders, "DIR", "Add every *.schema.json of a folder (repeatable)");
+}
+
+// Everything CLI11 is told; the words live as long as the parse.
+class Declaration {
+ public:
+  Declaration() {
+    app_.allow_extras();
+    // With one verb at most, a path that is called like a verb stays a path.
+    app_.require_subcommand(0, 1);
+    app_.get_formatter()->column_width(28);
+    app_.footer([] { return help_footer(""); });
+    app_.add_flag("--version", version_, "Versions of gltfx and of what it was built with");
+    declare_validate();
+    declare_explain();
+    declare_rules();
+    declare_schema();
+  }
+
+  CommandLine read(int argc, const char* const* argv);
+
+ private:
+  CLI::App& verb(const char* name, const char* text);
+  void declare_validate();
+  void declare_filters(CLI::App& app);
+  void declare_explain();
+  void declare_rules();
+  void declare_schema();
+  std::string unexpected() const;
+  std::string unknown_verb(const std::string& word) const;
+  Result<Request> request() const;
+
+  CLI::App app_{"Validates glTF 2.0 assets and says exactly what is wrong and where.", "gltfx"};
+  bool version_ = false;
+  ValidateWords validate_;
+  ExplainWords explain_;
+  RulesWords rules_;
+  SchemaWords schema_;
+};
+
+CLI::App& Declaration::verb(const char* name, const char* text) {
+  CLI::App& app = *app_.add_subcommand(name, text);
+  app.allow_extras();
+  app.footer([name] { return help_footer(name); });
+  return app;
+}
+
+void Declaration::declare_validate() {
+  CLI::App& app = verb("validate", "Check .gltf and .glb files");
+  add_list(app, "PATH", validate_.paths, "",
+           "Files, folders (searched through), globs, or - for standard input");
+  add_list(app, "-f,--format", validate_.formats, "NAME[=FILE]",
+           "text, json, khronos or github; repeatable, e.g. json=report.json (default: text)");
+  add_word(app, "--fail-on", validate_.fail_on, "LEVEL",
+           "Exit with 1 from this severity on: error, warning, info or never (default: error)");
+  declare_filters(app);
+  add_word(app, "--root", validate_.root, "DIR",
+           "Folder that buffers and images may come from (default: the asset's own)");
+  add_word(app, "--lfs", validate_.lfs, "POLICY",
+           "Git-LFS pointers instead of files: skip or error (default: skip)");
+  add_schema_sources(app, validate_.schema_files, validate_.schema_folders);
+  add_word(app, "--baseline", validate_.baseline, "FILE", "Leave out findings that FILE knows");
+  add_word(app, "--write-baseline", validate_.write_baseline, "FILE",
+           "Record all findings in FILE and exit with 0 for them");
+  app.add_flag("-q,--quiet", validate_.quiet, "Findings only: no summary, no notes");
+  add_common(app, validate_.common);
+}
+
+void Declaration::declare_filters(CLI::App& app) {
+  add_word(app, "--profile", validate_.profile, "NAME",
+           "default, khronos (what the Khronos validator reports) or strict (hints too)");
+  add_list(app, "--select", validate_.select, "CODES", "Only these codes (comma list, repeatable)");
+  add_list(app, "--ignore", validate_.ignore, "CODES", "Not these codes (comma list, repeatable)");
+  add_list(app, "--severity", validate_.severities, "CODE=LEVEL",
+           "Report a code as error, warning, info or hint (repeatable)");
+  add_word(app, "--max-issues", validate_.max_issues, "N",
+           "Findings listed for each file, 0 for no limit (default: 0)");
+}
+
+void Declaration::declare_explain() {
+  CLI::App& app = verb("explain", "Say why a rule exists, with a bad and a good example");
+  add_list(app, "CODE", explain_.codes, "", "Codes as reports print them, in any case");
+  add_common(app, explain_.common);
+}
+
+void Declaration::declare_rules() {
+  CLI::App& app = verb("rules", "List every rule");
+  add_word(app, "-f,--format", rules_.format, "NAME", "text or json (default: text)");
+  add_common(app, rules_.common);
+}
+
+void Declaration::declare_schema() {
+  CLI::App& app = verb("schema", "Show what is known of extensions and core types");
+  add_list(app, "NAME", schema_.names, "", "An extension or a core type (default: list them)");
+  add_word(app, "-f,--format", schema_.format, "NAME", "text or json (default: text)");
+  add_schema_sources(app, schema_.schema_files, schema_.schema_folders);
+  add_common(app, schema_.common);
+}
+
+std::string unknown_option(const CLI::App& app, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
+  }
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  return fmt::format("unknown option {}.{}", gltfx::quoted(name), suggestion(name, candidates));
+}
+
+std::string Declaration::unknown_verb(const std::string& word) const {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app_.get_subcommands(nullptr)) names.push_back(verb->get_name());
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  std::string hint = suggestion(word, candidates);
+  const bool path = word.ends_with(".gltf") || word.ends_with(".glb") || word.ends_with("/");
+  if (path) hint = fmt::format(" Did you mean 'gltfx validate {}'?", printable(word));
+  return fmt::format("unknown verb {}.{}", gltfx::quoted(word), hint);
+}
+
+bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
+
+// What CLI11 put aside because nothing declared takes it, or empty.
+std::string Declaration::unexpected() const {
+  if (const auto left = app_.remaining(); !left.empty()) {
+    return is_option(left.front()) ? unknown_option(app_, left.front())
+                                   : unknown_verb(left.front());
+  }
+  for (const CLI::App* verb : app_.get_subcommands()) {
+    const auto left = verb->remaining();
+    if (left.empty()) continue;
+    if (is_option(left.front())) return unknown_option(*verb, left.front());
+    return fmt::format("{}: unexpected argument {}.", verb->get_name(),
+                       gltfx::quoted(left.front()));
+  }
+  return {};
+}
+
+Result<Request> Declaration::request() const {
+  const std::string& verb = app_.get_subcommands().front()->get_name();
+  if (verb == "validate") return request_of(validate_);
+  if (verb == "explain") return request_of(explain_);
+  if (verb == "rules") return request_of(rules_);
+  return request_of(schema_);
+}
+
+Answer usage_error(std::string_view verb, std::string_view problem) {
+  const std::string command = verb.empty() ? "gltfx" : fmt::format("gltfx {}", verb);
+  return {{}, fmt::format("gltfx: {}\nSee '{} --help'.\n", problem, command), ExitCode::usage};
+}
+
+// "--name=" would take the next argument for its value.
+std::string empty_value(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--") break;
+    if (word.starts_with("--") && word.ends_with('=')) {
+      return fmt::format("option {} has no value after '='.", gltfx::quoted(word));
+    }
+  }
+  return {};
+}
+
+CommandLine Declaration::read(int argc, const char* const* argv) {
+  if (const std::string problem = empty_value(argc, argv); !problem.empty()) {
+    return usage_error({}, problem);
+  }
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return Answer{app_.help(), {}, ExitCode::ok};
+  } catch (const CLI::ParseError& error) {
+    const auto verbs = app_.get_subcommands();
+    return usage_error(verbs.empty() ? "" : verbs.front()->get_name(),
+                       printable(error.what()) + ".");
+  }
+  const auto verbs = app_.get_subcommands();
+  const std::string verb = verbs.empty() ? std::string() : verbs.front()->get_name();
+  if (const std::string problem = unexpected(); !problem.empty()) return usage_error(verb, problem);
+  if (version_) return Answer{version_text(), {}, ExitCode::ok};
+  if (verbs.empty()) return Answer{{}, app_.help(), ExitCode::usage};
+  auto wanted = request();
+  if (!wanted) return usage_error(verb, wanted.error().message);
+  return *std::move(wanted);
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+  try {
+    return Declaration().read(argc, argv);
+  } catch (const std::exception& error) {
+    return Answer{{}, fmt::format("gltfx: {}\n", printable(error.what())), ExitCode::internal};
+  }
+}
+
+}  // namespace gltfx::tool

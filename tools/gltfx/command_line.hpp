@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The words of the command line, taken apart. The only door to CLI11, which is slow to compile.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "exit_code.hpp"
+#include "options.hpp"
+
+namespace gltfx::tool {
+
+/// What is said instead of running a verb: help, versions, or what was wrong with the command.
+struct Answer {
+  std::string output;  ///< for standard output
+  std::string error;   ///< for standard error
+  ExitCode code = ExitCode::ok;
+};
+
+using CommandLine = std::variant<Request, Answer>;
+
+/// Reads the arguments of main(). Never throws.
+CommandLine read_command_line(int argc, const char* const* argv);
+
+}  // namespace gltfx::tool

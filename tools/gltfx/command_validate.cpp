@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "input_paths.hpp"
+#include "known_findings.hpp"
+#include "read_input.hpp"
+#include "report_targets.hpp"
+#include "schema_sources.hpp"
+#include "validate/validator.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+// A run of inputs through validation, baseline and formats.
+class Run {
+ public:
+  Run(const ValidateRequest& request, ValidateOptions options, KnownFindings known)
+      : request_(request),
+        options_(std::move(options)),
+        known_(std::move(known)),
+        targets_(request) {}
+
+  ExitCode execute();
+
+ private:
+  void check(const std::vector<std::string>& paths);
+  void take(FileReport report);
+  ExitCode verdict() const;
+
+  const ValidateRequest& request_;
+  ValidateOptions options_;
+  KnownFindings known_;
+  ReportTargets targets_;
+  RunSummary summary_;
+};
+
+void Run::take(FileReport report) {
+  known_.apply(report);
+  summary_.add(report);
+  targets_.file(report);
+}
+
+FileReport check_stdin(const ValidateOptions& options) {
+  auto bytes = read_stdin();
+  if (!bytes) return validate::unreadable("-", bytes.error().message, options);
+  return validate_bytes(*std::move(bytes), "-", options);
+}
+
+// Standard input is read where it stands among the paths; what lies between runs in parallel.
+void Run::check(const std::vector<std::string>& paths) {
+  std::vector<std::string> batch;
+  const auto run_batch = [&] {
+    validate_files(batch, options_, request_.common.jobs,
+                   [this](FileReport&& report) { take(std::move(report)); });
+    batch.clear();
+  };
+  for (const std::string& path : paths) {
+    if (path != "-") {
+      batch.push_back(path);
+      continue;
+    }
+    run_batch();
+    take(check_stdin(options_));
+  }
+  run_batch();
+}
+
+ExitCode Run::verdict() const {
+  ExitCode code = ExitCode::ok;
+  if (request_.fail_on && summary_.counts.at_least(*request_.fail_on) > 0 && !known_.recording()) {
+    code = ExitCode::findings;
+  }
+  return summary_.unreadable > 0 ? worse(code, ExitCode::unreadable) : code;
+}
+
+ExitCode Run::execute() {
+  if (const std::string problems = targets_.problems(); !problems.empty()) {
+    complain(problems);
+    return ExitCode::usage;
+  }
+  const Inputs inputs = expand_paths(request_.paths);
+  if (!request_.quiet) {
+    for (const std::string& note : inputs.notes) complain("note: " + note);
+  }
+  targets_.begin();
+  check(inputs.paths);
+  targets_.finish(summary_);
+  std::string problems = targets_.problems();
+  if (problems.empty()) problems = known_.write();
+  if (problems.empty()) return verdict();
+  complain(problems);
+  return ExitCode::internal;
+}
+
+Result<ValidateOptions> validation_of(const ValidateRequest& request) {
+  ValidateOptions options = request.validation;
+  std::error_code fault;
+  if (!options.root.empty() && !std::filesystem::is_directory(options.root, fault)) {
+    return Error{"--root: " + quoted(options.root, 200) + " is not a folder"};
+  }
+  auto schemas = load_schemas(request.schema_files, request.schema_folders);
+  if (!schemas) return schemas.error();
+  options.schemas = *std::move(schemas);
+  return options;
+}
+
+}  // namespace
+
+ExitCode run(const ValidateRequest& request) {
+  auto options = validation_of(request);
+  if (!options) {
+    complain(options.error().message);
+    return ExitCode::usage;
+  }
+  auto known = KnownFindings::load(request.baseline, request.write_baseline, options->max_issues);
+  if (!known) {
+    complain(known.error().message);
+    return ExitCode::usage;
+  }
+  if (known->active()) options->max_issues = 0;
+  return Run(request, *std::move(options), *std::move(known)).execute();
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+/// One function a verb: does what was asked, writes to standard output and the targets, complains
+/// on standard error, and says what to exit with.
+#pragma once
+
+#include <string_view>
+
+#include "exit_code.hpp"
+#include "options.hpp"
+
+namespace gltfx::tool {
+
+ExitCode run(const ValidateRequest& request);
+ExitCode run(const ExplainRequest& request);
+ExitCode run(const RulesRequest& request);
+ExitCode run(const SchemaRequest& request);
+
+/// Writes to standard output: ok, or internal when that fails.
+ExitCode print(std::string_view text);
+
+/// "gltfx: <message>" and a line break on standard error.
+void complain(std::string_view message);
+
+}  // namespace gltfx::tool

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the program ends with. One table for all verbs; `--help` prints it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace gltfx::tool {
+
+/// When several apply the one of higher rank() stands: a run that failed says nothing about
+/// findings.
+enum class ExitCode : std::uint8_t {
+  ok = 0,
+  findings = 1,
+  usage = 2,
+  unreadable = 3,
+  internal = 4
+};
+
+struct ExitCodeEntry {
+  ExitCode code;
+  std::string_view meaning;
+};
+
+inline constexpr std::array<ExitCodeEntry, 5> kExitCodes{{
+    {ExitCode::ok, "nothing found at or above --fail-on"},
+    {ExitCode::findings, "findings at or above --fail-on"},
+    {ExitCode::usage, "the command, a schema file or a baseline was not understood"},
+    {ExitCode::unreadable, "an input could not be opened or read"},
+    {ExitCode::internal, "gltfx failed, or could not write its output"},
+}};
+
+/// Position in the order 4 internal > 2 usage > 3 unreadable > 1 findings > 0.
+constexpr int rank(ExitCode code) {
+  switch (code) {
+    case ExitCode::ok:
+      return 0;
+    case ExitCode::findings:
+      return 1;
+    case ExitCode::unreadable:
+      return 2;
+    case ExitCode::usage:
+      return 3;
+    case ExitCode::internal:
+      break;
+  }
+  return 4;
+}
+
+/// The code that stands when both apply.
+constexpr ExitCode worse(ExitCode a, ExitCode b) { return rank(a) < rank(b) ? b : a; }
+
+}  // namespace gltfx::tool

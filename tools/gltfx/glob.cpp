@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "glob.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <fnmatch.h>
+
+namespace gltfx::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path or_here(const fs::path& folder) { return folder.empty() ? fs::path(".") : folder; }
+
+std::vector<fs::path> names_in(const fs::path& folder) {
+  std::vector<fs::path> names;
+  std::error_code fault;
+  fs::directory_iterator at(or_here(folder), fs::directory_options::skip_permission_denied, fault);
+  for (; !fault && at != fs::directory_iterator(); at.increment(fault)) {
+    names.push_back(at->path().filename());
+  }
+  return names;
+}
+
+bool is_real_folder(const fs::path& path) {
+  std::error_code fault;
+  return fs::symlink_status(path, fault).type() == fs::file_type::directory;
+}
+
+// `folder` and every folder below it.
+std::vector<fs::path> folders_below(const fs::path& folder) {
+  std::vector<fs::path> folders{folder};
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    for (const fs::path& name : names_in(folders[i])) {
+      const fs::path path = folders[i] / name;
+      if (name.native().front() != '.' && is_real_folder(path)) folders.push_back(path);
+    }
+  }
+  return folders;
+}
+
+// What one step of the pattern finds below one folder.
+std::vector<fs::path> step_into(const fs::path& folder, const std::string& step) {
+  if (step == "**") return folders_below(folder);
+  std::vector<fs::path> found;
+  if (!is_glob(step)) {
+    std::error_code fault;
+    if (fs::exists(or_here(folder / step), fault)) found.push_back(folder / step);
+    return found;
+  }
+  for (const fs::path& name : names_in(folder)) {
+    if (::fnmatch(step.c_str(), name.c_str(), FNM_PERIOD) == 0) found.push_back(folder / name);
+  }
+  return found;
+}
+
+}  // namespace
+
+bool is_glob(std::string_view path) { return path.find_first_of("*?[") != std::string_view::npos; }
+
+std::vector<std::string> expand_glob(const std::string& pattern) {
+  std::vector<fs::path> found{fs::path()};
+  for (const fs::path& step : fs::path(pattern)) {
+    std::vector<fs::path> next;
+    for (const fs::path& folder : found) {
+      const std::vector<fs::path> deeper = step_into(folder, step.native());
+      next.insert(next.end(), deeper.begin(), deeper.end());
+    }
+    found = std::move(next);
+  }
+  std::vector<std::string> paths;
+  for (const fs::path& path : found) {
+    if (!path.empty()) paths.push_back(path.native());
+  }
+  std::sort(paths.begin(), paths.end());
+  paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+  return paths;
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "help_text.hpp"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "exit_code.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+constexpr std::string_view kProgramExamples = R"(Examples:
+  gltfx validate model.glb             is this asset valid, and if not, where and why
+  gltfx validate assets/ --jobs 4      every .gltf and .glb below a folder
+  gltfx explain ACCESSOR_MIN_MISMATCH  why a rule exists and how to satisfy it
+  gltfx schema KHR_materials_volume    what is known of an extension
+  gltfx VERB --help                    all options of a verb
+)";
+
+constexpr std::string_view kValidateExamples = R"(Examples:
+  gltfx validate model.gltf
+  gltfx validate assets/ 'props/**/*.glb' --fail-on warning
+  gltfx validate assets/ --format text --format json=report.json
+  cat model.glb | gltfx validate - --format json
+  gltfx validate assets/ --write-baseline known.json   once, then:
+  gltfx validate assets/ --baseline known.json         fails on what is new
+  gltfx validate model.gltf --schema ACME_leaf.schema.json
+)";
+
+constexpr std::string_view kExplainExamples = R"(Examples:
+  gltfx explain UNDEFINED_PROPERTY
+  gltfx explain value_not_in_range
+)";
+
+constexpr std::string_view kRulesExamples = R"(Examples:
+  gltfx rules
+  gltfx rules --format json | jq -r '.rules[] | select(.severity == "error").code'
+)";
+
+constexpr std::string_view kSchemaExamples = R"(Examples:
+  gltfx schema                          every extension: status and where it may sit
+  gltfx schema KHR_materials_ior        properties, ranges, defaults, exclusions
+  gltfx schema material --format json   a core type, for programs
+)";
+
+std::string_view examples(std::string_view verb) {
+  if (verb == "validate") return kValidateExamples;
+  if (verb == "explain") return kExplainExamples;
+  if (verb == "rules") return kRulesExamples;
+  if (verb == "schema") return kSchemaExamples;
+  return kProgramExamples;
+}
+
+}  // namespace
+
+std::string help_footer(std::string_view verb) {
+  return fmt::format("{}\nExit codes (4 before 2 before 3 before 1):\n{}", examples(verb),
+                     exit_code_table());
+}
+
+std::string exit_code_table() {
+  std::string table;
+  for (const ExitCodeEntry& entry : kExitCodes) {
+    fmt::format_to(std::back_inserter(table), "  {}  {}\n", static_cast<int>(entry.code),
+                   entry.meaning);
+  }
+  return table;
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "suggestion.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+// A word of the command line and what it stands for.
+template <class T>
+struct Word {
+  std::string_view name;
+  T value;
+};
+
+template <class T>
+Result<T> parse_word(std::string_view option, std::string_view text,
+                     std::span<const Word<T>> words) {
+  std::vector<std::string_view> names;
+  for (const Word<T>& word : words) {
+    if (word.name == text) return word.value;
+    names.push_back(word.name);
+  }
+  return Error{fmt::format("{}: {} is none of {}.{}", option, quoted(text), fmt::join(names, ", "),
+                           suggestion(text, names))};
+}
+
+std::vector<std::string_view> split_commas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    if (comma > at) parts.push_back(text.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return parts;
+}
+
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return upper;
+}
+
+Error unknown_code(std::string_view option, std::string_view code) {
+  return Error{fmt::format("{}: there is no rule {}.{}", option, quoted(code), suggest_code(code))};
+}
+
+Result<FormatTarget> parse_target(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const std::string_view name = text.substr(0, equals);
+  FormatTarget target;
+  const auto format = report_format_from_name(name);
+  if (!format) {
+    const auto names = report_format_names();
+    return Error{fmt::format("--format: {} is none of {}.{}", quoted(name), fmt::join(names, ", "),
+                             suggestion(name, names))};
+  }
+  target.format = *format;
+  if (equals == std::string_view::npos) return target;
+  target.path = text.substr(equals + 1);
+  if (target.path.empty()) {
+    return Error{fmt::format("--format: {} names no file after '='.", quoted(text))};
+  }
+  if (target.path == "-") target.path.clear();
+  return target;
+}
+
+}  // namespace
+
+Result<std::uint64_t> parse_number(std::string_view option, std::string_view text,
+                                   std::uint64_t minimum) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, value);
+  if (fault != std::errc() || stop != end || value < minimum) {
+    return Error{
+        fmt::format("{}: {} is not a whole number of at least {}.", option, quoted(text), minimum)};
+  }
+  return value;
+}
+
+Result<unsigned> parse_jobs(std::string_view text) {
+  const auto number = parse_number("--jobs", text, 1);
+  if (!number) return number.error();
+  constexpr std::uint64_t kMost = std::numeric_limits<unsigned>::max();
+  return static_cast<unsigned>(std::min(*number, kMost));
+}
+
+Result<ColorMode> parse_color(std::string_view text) {
+  static constexpr std::array<Word<ColorMode>, 3> kWords{
+      {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
+  return parse_word<ColorMode>("--color", text, kWords);
+}
+
+Result<TableFormat> parse_table_format(std::string_view text) {
+  static constexpr std::array<Word<TableFormat>, 2> kWords{
+      {{"text", TableFormat::text}, {"json", TableFormat::json}}};
+  return parse_word<TableFormat>("--format", text, kWords);
+}
+
+Result<Profile> parse_profile(std::string_view text) {
+  static constexpr std::array<Word<Profile>, 3> kWords{
+      {{"default", Profile::standard}, {"khronos", Profile::khronos}, {"strict", Profile::strict}}};
+  return parse_word<Profile>("--profile", text, kWords);
+}
+
+Result<LfsPolicy> parse_lfs(std::string_view text) {
+  static constexpr std::array<Word<LfsPolicy>, 2> kWords{
+      {{"skip", LfsPolicy::skip}, {"error", LfsPolicy::error}}};
+  return parse_word<LfsPolicy>("--lfs", text, kWords);
+}
+
+Result<std::optional<Severity>> parse_fail_on(std::string_view text) {
+  using Loudness = std::optional<Severity>;
+  static constexpr std::array<Word<Loudness>, 4> kWords{{{"error", Severity::error},
+                                                         {"warning", Severity::warning},
+                                                         {"info", Severity::info},
+                                                         {"never", std::nullopt}}};
+  return parse_word<Loudness>("--fail-on", text, kWords);
+}
+
+Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& texts) {
+  if (texts.empty()) return std::vector<FormatTarget>{FormatTarget{}};
+  std::vector<FormatTarget> targets;
+  for (const std::string& text : texts) {
+    auto target = parse_target(text);
+    if (!target) return target.error();
+    for (const FormatTarget& other : targets) {
+      if (other.path != target->path) continue;
+      const std::string place =
+          other.path.empty() ? std::string("standard output") : quoted(other.path);
+      return Error{
+          fmt::format("--format: {} and {} both write to {}; give one a file of its own, "
+                      "as in --format json=report.json.",
+                      report_format_name(other.format), report_format_name(target->format), place)};
+    }
+    targets.push_back(*std::move(target));
+  }
+  return targets;
+}
+
+Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
+                                                       const std::vector<std::string>& texts) {
+  std::set<std::string, std::less<>> codes;
+  for (const std::string& text : texts) {
+    for (const std::string_view code : split_commas(text)) {
+      const RuleDescription* rule = rule_from_user(code);
+      if (rule == nullptr) return unknown_code(option, code);
+      codes.emplace(rule->code);
+    }
+  }
+  return codes;
+}
+
+Result<std::map<std::string, Severity, std::less<>>> parse_severities(
+    const std::vector<std::string>& texts) {
+  std::map<std::string, Severity, std::less<>> severities;
+  for (const std::string& text : texts) {
+    for (const std::string_view part : split_commas(text)) {
+      const std::size_t equals = std::min(part.find('='), part.size());
+      const RuleDescription* rule = rule_from_user(part.substr(0, equals));
+      if (rule == nullptr) return unknown_code("--severity", part.substr(0, equals));
+      const auto level = severity_from_name(part.substr(std::min(equals + 1, part.size())));
+      if (!level) {
+        return Error{fmt::format("--severity: {} should read {}=error, =warning, =info or =hint.",
+                                 quoted(part), rule->code)};
+      }
+      severities.insert_or_assign(std::string(rule->code), *level);
+    }
+  }
+  return severities;
+}
+
+const RuleDescription* rule_from_user(std::string_view code) { return find_rule(upper_case(code)); }
+
+std::string suggest_code(std::string_view code) {
+  std::vector<std::string_view> codes;
+  for (const RuleDescription& rule : rules()) codes.push_back(rule.code);
+  return suggestion(upper_case(code), codes);
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the user asked for, verb by verb, as plain data. `command_line.hpp` fills it.
+#pragma once
+
+#include <gltfx/report.hpp>
+#include <gltfx/validate.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace gltfx::tool {
+
+enum class ColorMode : std::uint8_t { automatic, always, never };
+
+/// Options of every verb.
+struct CommonOptions {
+  unsigned jobs = 1;
+  ColorMode color = ColorMode::automatic;
+};
+
+/// One `--format NAME[=FILE]`. An empty path, like "-", is standard output.
+struct FormatTarget {
+  ReportFormat format = ReportFormat::text;
+  std::string path;
+};
+
+struct ValidateRequest {
+  CommonOptions common;
+  std::vector<std::string> paths;
+  std::vector<FormatTarget> targets;  ///< at least one, at most one of them to standard output
+  std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
+  /// All but `schemas`, which comes from the files below.
+  ValidateOptions validation;
+  bool quiet = false;
+  std::vector<std::string> schema_files;
+  std::vector<std::string> schema_folders;
+  std::string baseline;        ///< file to read, may be empty
+  std::string write_baseline;  ///< file to write, may be empty
+};
+
+struct ExplainRequest {
+  CommonOptions common;
+  std::vector<std::string> codes;
+};
+
+/// How the verbs that print tables do it.
+enum class TableFormat : std::uint8_t { text, json };
+
+struct RulesRequest {
+  CommonOptions common;
+  TableFormat format = TableFormat::text;
+};
+
+struct SchemaRequest {
+  CommonOptions common;
+  TableFormat format = TableFormat::text;
+  std::string name;  ///< empty: the list
+  std::vector<std::string> schema_files;
+  std::vector<std::string> schema_folders;
+};
+
+using Request = std::variant<ValidateRequest, ExplainRequest, RulesRequest, SchemaRequest>;
+
+// Words of the command line into values. Each Error is a sentence that names the option, what was
+// given and what would do.
+
+/// A whole number of at least `minimum`.
+Result<std::uint64_t> parse_number(std::string_view option, std::string_view text,
+                                   std::uint64_t minimum);
+Result<unsigned> parse_jobs(std::string_view text);
+Result<ColorMode> parse_color(std::string_view text);
+Result<TableFormat> parse_table_format(std::string_view text);
+Result<Profile> parse_profile(std::string_view text);
+Result<LfsPolicy> parse_lfs(std::string_view text);
+/// error, warning, info, or nothing for "never".
+Result<std::optional<Severity>> parse_fail_on(std::string_view text);
+/// Checks that no two targets share a place; no texts at all mean text to standard output.
+Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& texts);
+/// Comma lists of rule codes, in any case; an unknown code is an Error with the nearest one.
+Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
+                                                       const std::vector<std::string>& texts);
+/// CODE=level, comma lists allowed.
+Result<std::map<std::string, Severity, std::less<>>> parse_severities(
+    const std::vector<std::string>& texts);
+
+/// The rule with that code in any case, or null.
+const RuleDescription* rule_from_user(std::string_view code);
+/// " Did you mean 'X'?" for the code nearest to `code`, or empty.
+std::string suggest_code(std::string_view code);
+
+}  // namespace gltfx::tool

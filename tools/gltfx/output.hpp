@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where text goes: standard output, or a file that appears only when it is complete.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gltfx::tool {
+
+/// One place to write to. Not thread-safe. Failures are kept and told by problem().
+class Output {
+ public:
+  /// An empty path is standard output. Anything but a regular file (a pipe, /dev/stderr) is
+  /// written as it comes; a file is written beside its place and moved there by finish().
+  explicit Output(std::string path);
+  ~Output();
+  Output(Output&& other) noexcept;
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  Output& operator=(Output&&) = delete;
+
+  /// A reader that went away (`| head -1`) is no failure: the rest is dropped.
+  void write(std::string_view text);
+  /// Makes the file complete and durable. Without it, a file at the path stays as it was.
+  void finish();
+
+  bool to_stdout() const { return path_.empty(); }
+  /// A sentence about what went wrong first, or empty.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  void open();
+  void open_beside();
+  void fail(std::string_view action, int error);
+
+  std::string path_;
+  std::string target_;     ///< path_ with links resolved
+  std::string temporary_;  ///< empty unless a file beside target_ is being written
+  std::string problem_;
+  int fd_ = -1;
+  bool reader_gone_ = false;
+};
+
+/// Writes all of `text` to a descriptor. False with errno when it cannot be done.
+bool write_all(int fd, std::string_view text);
+
+}  // namespace gltfx::tool

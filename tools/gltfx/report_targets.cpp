@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report_targets.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include <unistd.h>
+
+#include "terminal.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+constexpr std::size_t kBuffer = std::size_t{1} << 16U;
+
+std::string_view profile_name(Profile profile) {
+  switch (profile) {
+    case Profile::standard:
+      return "default";
+    case Profile::khronos:
+      return "khronos";
+    case Profile::strict:
+      break;
+  }
+  return "strict";
+}
+
+FormatOptions format_options(const ValidateRequest& request, const FormatTarget& target) {
+  FormatOptions options;
+  options.color = target.path.empty() ? colors_on_stdout(request.common.color)
+                                      : request.common.color == ColorMode::always;
+  options.quiet = request.quiet;
+  options.command = "gltfx";
+  options.profile = profile_name(request.validation.profile);
+  options.pixel_level = "none";
+  return options;
+}
+
+}  // namespace
+
+ReportTargets::ReportTargets(const ValidateRequest& request) {
+  for (const FormatTarget& target : request.targets) {
+    targets_.push_back({Output(target.path),
+                        make_report_writer(target.format, format_options(request, target)),
+                        {},
+                        target.path.empty() && ::isatty(STDOUT_FILENO) == 1});
+  }
+}
+
+void ReportTargets::flush(Target& target, std::size_t above) {
+  if (target.pending.size() <= above) return;
+  target.output.write(target.pending);
+  target.pending.clear();
+}
+
+void ReportTargets::begin() {
+  for (Target& target : targets_) target.writer->begin(target.pending);
+}
+
+void ReportTargets::file(const FileReport& report) {
+  for (Target& target : targets_) {
+    target.writer->file(report, target.pending);
+    flush(target, target.immediate ? 0 : kBuffer);
+  }
+}
+
+void ReportTargets::finish(const RunSummary& summary) {
+  for (Target& target : targets_) {
+    target.writer->end(summary, target.pending);
+    flush(target, 0);
+    target.output.finish();
+  }
+}
+
+std::string ReportTargets::problems() const {
+  std::string lines;
+  for (const Target& target : targets_) {
+    if (target.output.problem().empty()) continue;
+    lines += (lines.empty() ? "" : "\n") + target.output.problem();
+  }
+  return lines;
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `gltfx schema`, as text and as JSON.
+#pragma once
+
+#include <string>
+
+#include "schema/set.hpp"
+#include "terminal.hpp"
+
+namespace gltfx::tool {
+
+// The list of extensions and core types.
+std::string schema_list_text(const schema::Set& set, const Style& style);
+std::string schema_list_json(const schema::Set& set);
+
+// Everything about one extension.
+std::string extension_text(const schema::Set& set, schema::ExtensionId id, const Style& style);
+std::string extension_json(const schema::Set& set, schema::ExtensionId id);
+
+// One object type with its properties.
+std::string type_text(const schema::Set& set, schema::TypeId id, const Style& style);
+std::string type_json(const schema::Set& set, schema::TypeId id);
+
+}  // namespace gltfx::tool

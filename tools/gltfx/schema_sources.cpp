@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema_sources.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "read_input.hpp"
+#include "schema/compile.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+namespace fs = std::filesystem;
+using SetPointer = std::shared_ptr<const schema::Set>;
+
+constexpr std::string_view kEnding = ".schema.json";
+
+Result<std::vector<std::string>> schema_files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code fault;
+  fs::directory_iterator at(folder, fault);
+  for (; !fault && at != fs::directory_iterator(); at.increment(fault)) {
+    if (at->path().native().ends_with(kEnding)) files.push_back(at->path().native());
+  }
+  if (fault) {
+    return Error{"--schema-dir: cannot list " + quoted(folder, 200) + ": " + fault.message()};
+  }
+  if (files.empty()) {
+    return Error{"--schema-dir: " + quoted(folder, 200) + " holds no file named *.schema.json"};
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string fault_lines(const std::vector<schema::SchemaFault>& faults) {
+  std::string lines;
+  for (const schema::SchemaFault& fault : faults) {
+    if (!lines.empty()) lines += '\n';
+    lines += printable(fault.text());
+  }
+  return lines;
+}
+
+}  // namespace
+
+Result<SetPointer> load_schemas(const std::vector<std::string>& files,
+                                const std::vector<std::string>& folders) {
+  std::vector<std::string> names;
+  for (const std::string& folder : folders) {
+    const auto found = schema_files_in(folder);
+    if (!found) return found.error();
+    names.insert(names.end(), found->begin(), found->end());
+  }
+  names.insert(names.end(), files.begin(), files.end());
+  if (names.empty()) return SetPointer();
+  std::vector<schema::SourceFile> sources;
+  for (const std::string& name : names) {
+    auto text = read_text_file(name);
+    if (!text) return text.error();
+    sources.push_back({name, *std::move(text), true});
+  }
+  schema::Compiled compiled = schema::compile_with(sources);
+  if (!compiled.faults.empty()) return Error{fault_lines(compiled.faults)};
+  return std::move(compiled.set);
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Versions of the program and of what it was built with.
+#pragma once
+
+#include <string>
+
+namespace gltfx::tool {
+
+/// "gltfx 0.1.0" and one line for each library and the compiler.
+std::string version_text();
+
+}  // namespace gltfx::tool

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "words.hpp"
+
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+// Collects values and keeps the first thing that was wrong.
+class Reading {
+ public:
+  template <class T>
+  void set(T& value, Result<T> read) {
+    if (!problem_.empty()) return;
+    if (read) {
+      value = *std::move(read);
+    } else {
+      problem_ = read.error().message;
+    }
+  }
+  void require(bool holds, std::string problem) {
+    if (!holds && problem_.empty()) problem_ = std::move(problem);
+  }
+  template <class Wanted>
+  Result<Request> finish(Wanted request) {
+    if (!problem_.empty()) return Error{problem_};
+    return Request(std::move(request));
+  }
+
+ private:
+  std::string problem_;
+};
+
+void read_common(Reading& reading, const CommonWords& words, CommonOptions& options) {
+  if (words.jobs.empty()) {
+    options.jobs = default_jobs();
+  } else {
+    reading.set(options.jobs, parse_jobs(words.jobs));
+  }
+  reading.set(options.color, parse_color(words.color));
+}
+
+}  // namespace
+
+Result<Request> request_of(const ValidateWords& words) {
+  Reading reading;
+  ValidateRequest request;
+  read_common(reading, words.common, request.common);
+  reading.require(!words.paths.empty(),
+                  "validate: name at least one file, folder or glob; '-' is standard input.");
+  request.paths = words.paths;
+  reading.set(request.targets, parse_targets(words.formats));
+  reading.set(request.fail_on, parse_fail_on(words.fail_on));
+  reading.set(request.validation.profile, parse_profile(words.profile));
+  reading.set(request.validation.lfs, parse_lfs(words.lfs));
+  reading.set(request.validation.max_issues, parse_number("--max-issues", words.max_issues, 0));
+  reading.set(request.validation.select, parse_codes("--select", words.select));
+  reading.set(request.validation.ignore, parse_codes("--ignore", words.ignore));
+  reading.set(request.validation.severity, parse_severities(words.severities));
+  request.validation.root = words.root;
+  request.quiet = words.quiet;
+  request.schema_files = words.schema_files;
+  request.schema_folders = words.schema_folders;
+  request.baseline = words.baseline;
+  request.write_baseline = words.write_baseline;
+  return reading.finish(std::move(request));
+}
+
+Result<Request> request_of(const ExplainWords& words) {
+  Reading reading;
+  ExplainRequest request;
+  read_common(reading, words.common, request.common);
+  reading.require(!words.codes.empty(), "explain: name a code; 'gltfx rules' lists them all.");
+  request.codes = words.codes;
+  return reading.finish(std::move(request));
+}
+
+Result<Request> request_of(const RulesWords& words) {
+  Reading reading;
+  RulesRequest request;
+  read_common(reading, words.common, request.common);
+  reading.set(request.format, parse_table_format(words.format));
+  return reading.finish(std::move(request));
+}
+
+Result<Request> request_of(const SchemaWords& words) {
+  Reading reading;
+  SchemaRequest request;
+  read_common(reading, words.common, request.common);
+  reading.set(request.format, parse_table_format(words.format));
+  reading.require(words.names.size() <= 1, "schema: name one extension or core type at a time.");
+  if (!words.names.empty()) request.name = words.names.front();
+  request.schema_files = words.schema_files;
+  request.schema_folders = words.schema_folders;
+  return reading.finish(std::move(request));
+}
+
+}  // namespace gltfx::tool

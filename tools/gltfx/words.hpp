@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The command line as CLI11 leaves it: words, not yet values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+
+namespace gltfx::tool {
+
+struct CommonWords {
+  std::string jobs;
+  std::string color = "auto";
+};
+
+struct ValidateWords {
+  CommonWords common;
+  std::vector<std::string> paths, formats, select, ignore, severities, schema_files, schema_folders;
+  std::string fail_on = "error", profile = "default", lfs = "skip", max_issues = "0";
+  std::string root, baseline, write_baseline;
+  bool quiet = false;
+};
+
+struct ExplainWords {
+  CommonWords common;
+  std::vector<std::string> codes;
+};
+
+struct RulesWords {
+  CommonWords common;
+  std::string format = "text";
+};
+
+struct SchemaWords {
+  CommonWords common;
+  std::vector<std::string> names, schema_files, schema_folders;
+  std::string format = "text";
+};
+
+// Words into a request; the Error says which word is wrong.
+Result<Request> request_of(const ValidateWords& words);
+Result<Request> request_of(const ExplainWords& words);
+Result<Request> request_of(const RulesWords& words);
+Result<Request> request_of(const SchemaWords& words);
+
+}  // namespace gltfx::tool
