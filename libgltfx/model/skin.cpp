@@ -21,6 +21,31 @@ std::size_t continuous_sets(const std::vector<Attribute>& attributes, SemanticKi
   return count != 0 && greatest == count - 1 ? count : 0;
 }
 
+bool names_joints(const Asset& asset, json::NodeId primitive) {
+  const json::NodeId attributes = object_member(asset.document(), primitive, "attributes");
+  if (attributes == json::kNoNode) return false;
+  for (const auto member : asset.document().members(attributes)) {
+    if (asset.document().key(member.key_id).starts_with("JOINTS")) return true;
+  }
+  return false;
+}
+
+Deformation read_deformation(const Asset& asset, json::NodeId mesh) {
+  Deformation deformation;
+  const auto all = primitives(asset.document(), mesh);
+  if (all.empty() || std::find(all.begin(), all.end(), json::kNoNode) != all.end()) {
+    return deformation;
+  }
+  deformation.known = true;
+  deformation.morph_targets = morph_targets(asset.document(), all.front()).size();
+  for (const json::NodeId primitive : all) {
+    if (!names_joints(asset, primitive)) continue;
+    deformation.names_joints = true;
+    deformation.has_joints = deformation.has_joints || joint_sets(asset, primitive) != 0;
+  }
+  return deformation;
+}
+
 }  // namespace
 
 Skin read_skin(const Asset& asset, json::NodeId object) {
@@ -47,6 +72,15 @@ std::size_t joint_sets(const Asset& asset, json::NodeId primitive) {
       read_attributes(asset, object_member(asset.document(), primitive, "attributes"));
   const std::size_t joints = continuous_sets(attributes, SemanticKind::joints);
   return joints == continuous_sets(attributes, SemanticKind::weights) ? joints : 0;
+}
+
+std::vector<Deformation> read_deformations(const Asset& asset) {
+  std::vector<Deformation> all;
+  all.reserve(asset.count(RootArray::meshes));
+  for (const json::NodeId mesh : asset.elements(RootArray::meshes)) {
+    all.push_back(read_deformation(asset, mesh));
+  }
+  return all;
 }
 
 }  // namespace gltfx::model

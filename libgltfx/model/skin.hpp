@@ -28,4 +28,15 @@ Skin read_skin(const Asset& asset, json::NodeId object);
 /// the sets have gaps or do not pair with WEIGHTS_n: that is reported where it stands.
 std::size_t joint_sets(const Asset& asset, json::NodeId primitive);
 
+/// What may deform a mesh.
+struct Deformation {
+  bool known = false;               ///< the mesh has a list of primitives, all of them objects
+  bool has_joints = false;          ///< a primitive binds vertices to joints
+  bool names_joints = false;        ///< a primitive has JOINTS_n, be it in gaps or without weights
+  std::uint64_t morph_targets = 0;  ///< of the first primitive, which stands for all
+};
+
+/// By index of the mesh. Linear in the meshes.
+std::vector<Deformation> read_deformations(const Asset& asset);
+
 }  // namespace gltfx::model

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The local transform of a node: one form of it, and one that can be taken apart (specification
+// section 3.5.3).
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/node.hpp"
+#include "validate/rules/decompose.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kGood =
+    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "translation": [0, 1, 5], "rotation": [0, 1, 0, 0]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
+
+constexpr RuleDescription kRules[] = {
+    {"NODE_MATRIX_DEFAULT", Severity::info, "A matrix moves nothing",
+     "It is what a node without a matrix does; it only costs bytes and time.", "Remove the matrix.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::safe, true},
+    {"NODE_MATRIX_NON_TRS", Severity::error,
+     "A matrix is no combination of translation, rotation and scale",
+     "Engines keep transforms as these three; a matrix that shears, projects or flattens comes "
+     "out bent or not at all.",
+     "Apply the shear to the vertices, or split the transform over two nodes.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "matrix": [1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::none, true},
+    {"NODE_MATRIX_TRS", Severity::error,
+     "A node has a matrix beside translation, rotation or scale",
+     "Two transforms are given and none has precedence: viewers choose differently.",
+     "Keep the matrix or the other three, not both.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "translation": [0, 1, 5], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 5, 1]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::none, true},
+    {"ROTATION_NON_UNIT", Severity::error, "A rotation is no unit quaternion",
+     "Only quaternions of length 1 are rotations; others also scale, and viewers normalise them "
+     "or do not.",
+     "Divide the four numbers by the length.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "rotation": [0, 1, 0, 1]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::safe, true},
+};
+
+// What quantisation to 8 bits does to a unit quaternion, and a little more.
+constexpr double kUnitTolerance = 0.00769;
+
+void check_unit(const Context& context, json::NodeId rotation, const Path& path) {
+  const auto value = model::float_array<4>(context.document, rotation, -1, 1);
+  if (!value) return;
+  double square = 0;
+  for (const float part : *value) square += double{part} * part;
+  const double length = std::sqrt(square);
+  if (std::abs(length - 1) <= kUnitTolerance) return;
+  std::string help;
+  if (length > 0) {
+    std::array<double, 4> unit{};
+    for (std::size_t i = 0; i < 4; ++i) unit[i] = double{(*value)[i]} / length;
+    help =
+        fmt::format("write [{:.6g}, {:.6g}, {:.6g}, {:.6g}]", unit[0], unit[1], unit[2], unit[3]);
+  }
+  context.schema_sink.report(
+      Path(path, "rotation"),
+      finding_on(context, rotation, "ROTATION_NON_UNIT",
+                 fmt::format("The quaternion has length {:.4g} instead of 1.", length), help));
+}
+
+void check_matrix(const Context& context, const model::Node& node, const Path& path) {
+  const model::Transform transform = model::read_transform(context.document, node);
+  if (!transform.matrix) return;
+  const Path at(path, "matrix");
+  if (transform.translation || transform.rotation || transform.scale) {
+    context.schema_sink.report(at, finding_on(context, node.matrix, "NODE_MATRIX_TRS",
+                                              fmt::format("The node has a matrix and {}.",
+                                                          transform.translation ? "a translation"
+                                                          : transform.rotation  ? "a rotation"
+                                                                                : "a scale")));
+  }
+  model::Transform alone;
+  alone.matrix = transform.matrix;
+  if (alone.is_identity()) {
+    context.schema_sink.report(
+        at, finding_on(context, node.matrix, "NODE_MATRIX_DEFAULT", "The matrix is the identity."));
+    return;
+  }
+  const auto reason = why_not_decomposable(*transform.matrix, !context.khronos());
+  if (reason.empty()) return;
+  context.schema_sink.report(at, finding_on(context, node.matrix, "NODE_MATRIX_NON_TRS",
+                                            fmt::format("The matrix {}.", reason)));
+}
+
+void check_node(const Context& context, json::NodeId object, const Path& path) {
+  const json::NodeId rotation = context.document.find(object, "rotation");
+  if (rotation != json::kNoNode) check_unit(context, rotation, path);
+  if (context.document.find(object, "matrix") == json::kNoNode) return;
+  check_matrix(context, model::read_node(context.asset, object), path);
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_node}};
+
+}  // namespace
+
+const Family& node_transform_family() {
+  static const Family family{"node_transform", kRules, kObjectRules, {}};
+  return family;
+}
+
+}  // namespace gltfx::validate

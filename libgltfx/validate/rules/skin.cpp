@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skins: their joints and the matrices that bind them (specification section 3.7.3).
+#include "model/skin.hpp"
+
+#include <fmt/format.h>
+
+#include "model/accessor.hpp"
+#include "model/scene_graph.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/skin_table.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr model::Format kInverseBindMatrix{model::ElementType::mat4, model::ComponentType::float32,
+                                           false};
+
+class SkinCheck {
+ public:
+  explicit SkinCheck(const Context& context) : context_(context), ancestry_(context.graph) {}
+
+  void run() {
+    const Path root;
+    const Path list(root, "skins");
+    const auto& objects = context_.asset.elements(model::RootArray::skins);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] != json::kNoNode)
+        check(model::read_skin(context_.asset, objects[i]), {list, i});
+    }
+  }
+
+ private:
+  void check(const model::Skin& skin, const Path& path) {
+    const bool common = have_common_root(skin.joint_nodes);
+    if (!common && may_judge_joints(skin)) {
+      report(path, "joints", skin.joints, "SKIN_NO_COMMON_ROOT", joints_apart(skin));
+    }
+    check_matrices(skin, path);
+    if (skin.skeleton && (common || context_.khronos())) check_skeleton(skin, path);
+  }
+
+  bool may_judge_joints(const model::Skin& skin) const {
+    if (skin.joint_count == 0) return false;
+    return context_.khronos() || skin.joint_nodes.size() == skin.joint_count;
+  }
+
+  bool have_common_root(const std::vector<model::NodeIndex>& joints) const {
+    for (const model::NodeIndex joint : joints) {
+      if (context_.graph.component(joint) != context_.graph.component(joints.front())) return false;
+    }
+    return !joints.empty();
+  }
+
+  std::string joints_apart(const model::Skin& skin) const {
+    const auto& graph = context_.graph;
+    for (const model::NodeIndex joint : skin.joint_nodes) {
+      const model::NodeIndex first = skin.joint_nodes.front();
+      if (graph.component(joint) == graph.component(first)) continue;
+      return fmt::format("Joints {} and {} have no common root: they are below nodes {} and {}.",
+                         first, joint, graph.component(first), graph.component(joint));
+    }
+    return "The joints have no common root: none of them is a node.";
+  }
+
+  void check_matrices(const model::Skin& skin, const Path& path) {
+    if (!skin.inverse_bind_matrices) return;
+    constexpr std::string_view kMember = "inverseBindMatrices";
+    const json::NodeId place = skin.inverse_bind_matrices_value;
+    const model::Accessor& accessor = context_.views.accessors[*skin.inverse_bind_matrices];
+    const model::BufferView* view = context_.views.view_of(accessor);
+    if (view != nullptr && view->byte_stride) {
+      report(path, kMember, place, "SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE",
+             fmt::format("Buffer view {} of the inverse bind matrices has a byteStride.",
+                         *accessor.buffer_view));
+    }
+    if (accessor.format.known() && accessor.format != kInverseBindMatrix) {
+      report(path, kMember, place, "SKIN_IBM_INVALID_FORMAT",
+             fmt::format("Accessor {} is {} instead of {}.", *skin.inverse_bind_matrices,
+                         format_text(accessor.format), format_text(kInverseBindMatrix)));
+    }
+    if (accessor.count && *accessor.count < skin.joint_count) {
+      report(path, kMember, place, "INVALID_IBM_ACCESSOR_COUNT",
+             fmt::format("There are {} inverse bind matrices for {} joints.", *accessor.count,
+                         skin.joint_count));
+    }
+  }
+
+  void check_skeleton(const model::Skin& skin, const Path& path) {
+    const model::NodeIndex root = *skin.skeleton;
+    for (const model::NodeIndex joint : skin.joint_nodes) {
+      // Above and below mean nothing on a loop, which is reported as one.
+      if (context_.graph.root(joint) == model::kNoNodeIndex) return;
+      if (ancestry_.is_ancestor_or_self(root, joint)) continue;
+      report(path, "skeleton", skin.skeleton_value, "SKIN_SKELETON_INVALID",
+             fmt::format("Node {} is not above joint {}.", root, joint));
+      return;
+    }
+  }
+
+  void report(const Path& skin, std::string_view member, json::NodeId place, std::string_view code,
+              std::string message) {
+    context_.link_sink.report(Path(skin, member),
+                              finding_on(context_, place, code, std::move(message)));
+  }
+
+  const Context& context_;
+  model::Ancestry ancestry_;
+};
+
+void check_skins(const Context& context) {
+  if (context.asset.count(model::RootArray::skins) != 0) SkinCheck(context).run();
+}
+
+constexpr LinkRule kLinkRules[] = {check_skins};
+
+}  // namespace
+
+const Family& skin_family() {
+  static const Family family{"skin", skin_rules(), {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
