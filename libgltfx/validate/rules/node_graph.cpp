@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene graph as a whole: loops, nodes for nothing, skinned meshes in the wrong place.
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include "model/node.hpp"
+#include "model/scene_graph.hpp"
+#include "model/skin.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/node_graph_table.hpp"
+#include "validate/rules/skin_scenes.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::kNoNodeIndex;
+using model::NodeIndex;
+
+class GraphCheck {
+ public:
+  explicit GraphCheck(const Context& context)
+      : context_(context),
+        graph_(context.graph),
+        objects_(context.asset.elements(model::RootArray::nodes)) {
+    if (context.khronos()) {
+      declared_.insert(context.checked.extensions_used.begin(),
+                       context.checked.extensions_used.end());
+    }
+    read_skins();
+  }
+
+  void run() {
+    const Path root;
+    const Path list(root, "nodes");
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      if (objects_[i] == json::kNoNode) continue;
+      const auto index = static_cast<NodeIndex>(i);
+      const model::Node node = model::read_node(context_.asset, objects_[i]);
+      const Path path(list, i);
+      check_empty(node, index, path);
+      check_loop(index, path);
+      if (node.skin && node.mesh) check_skinned(node, index, path);
+    }
+  }
+
+ private:
+  void report(const Path& path, json::NodeId place, std::string_view code, std::string message) {
+    context_.link_sink.report(path, finding_on(context_, place, code, std::move(message)));
+  }
+
+  void read_skins() {
+    is_joint_.assign(objects_.size(), 0);
+    for (const json::NodeId object : context_.asset.elements(model::RootArray::skins)) {
+      skins_.push_back(kNoNodeIndex);
+      if (object == json::kNoNode) continue;
+      const model::Skin skin = model::read_skin(context_.asset, object);
+      for (const NodeIndex joint : skin.joint_nodes) is_joint_[joint] = 1;
+      skins_.back() = top_root(skin.joint_nodes);
+    }
+    if (!skins_.empty()) {
+      scenes_.emplace(context_.asset, graph_);
+      find_transforms();
+    }
+  }
+
+  // The root above all joints, when there is one.
+  NodeIndex top_root(const std::vector<NodeIndex>& joints) const {
+    if (joints.empty()) return kNoNodeIndex;
+    const NodeIndex root = graph_.root(joints.front());
+    for (const NodeIndex joint : joints) {
+      if (graph_.root(joint) != root) return kNoNodeIndex;
+    }
+    return root;
+  }
+
+  bool has_extension(const model::Node& node) const {
+    const json::Document& document = context_.document;
+    if (node.extensions == json::kNoNode || !document.is_object(node.extensions)) return false;
+    for (const auto member : document.members(node.extensions)) {
+      // An extension that is not declared does not exist.
+      if (!context_.khronos() || declared_.find(document.key(member.key_id)) != declared_.end()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool has_children(const model::Node& node) const {
+    const json::Document& document = context_.document;
+    if (node.children == json::kNoNode || !document.is_array(node.children)) return false;
+    return document.kind(node.children) == json::Kind::number_array ||
+           document.next(node.children) != node.children + 1;
+  }
+
+  void check_empty(const model::Node& node, NodeIndex index, const Path& path) {
+    if (is_joint_[index] != 0 || node.mesh || node.camera || node.extras != json::kNoNode ||
+        has_children(node) || has_extension(node)) {
+      return;
+    }
+    // What hangs on it is there, but leads nowhere: reported as such.
+    const bool broken = node.mesh_value != json::kNoNode || node.camera_value != json::kNoNode;
+    if (broken && !context_.khronos()) return;
+    report(path, node.object, "NODE_EMPTY",
+           "The node has neither children nor mesh, camera, extension or extras, and is no joint.");
+  }
+
+  void check_loop(NodeIndex index, const Path& path) {
+    if (!graph_.on_loop(index)) return;
+    const NodeIndex parent = graph_.parent(index);
+    report(path, objects_[index], "NODE_LOOP",
+           parent == index ? std::string("The node is its own child.")
+                           : fmt::format("The node is above its own parent, node {}.", parent));
+  }
+
+  // Whether a node or one above it moves: from the top down, each node once.
+  void find_transforms() {
+    enum State : std::uint8_t { kUnseen, kOnTheWay, kStill, kMoved };
+    moved_.assign(objects_.size(), kUnseen);
+    std::vector<NodeIndex> way;
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+      auto at = static_cast<NodeIndex>(i);
+      for (; at != kNoNodeIndex && moved_[at] == kUnseen; at = graph_.parent(at)) {
+        moved_[at] = kOnTheWay;
+        way.push_back(at);
+      }
+      bool moved = at != kNoNodeIndex && moved_[at] == kMoved;
+      for (; !way.empty(); way.pop_back()) {
+        moved = moved || moves(way.back());
+        moved_[way.back()] = moved ? kMoved : kStill;
+      }
+    }
+    for (std::uint8_t& state : moved_) state = state == kMoved ? 1 : 0;
+  }
+
+  bool moves(NodeIndex index) const {
+    if (objects_[index] == json::kNoNode) return false;
+    const model::Node node = model::read_node(context_.asset, objects_[index]);
+    return !model::read_transform(context_.document, node).is_identity();
+  }
+
+  void check_skinned(const model::Node& node, NodeIndex index, const Path& path) {
+    if (!model::read_transform(context_.document, node).is_identity()) {
+      report(path, node.object, "NODE_SKINNED_MESH_LOCAL_TRANSFORMS",
+             "The transform of this node has no effect: its mesh follows the joints.");
+    }
+    const NodeIndex parent = graph_.parent(index);
+    if (parent != kNoNodeIndex) {
+      const bool moved = moved_[parent] != 0;
+      if (moved) {
+        report(path, node.object, "NODE_SKINNED_MESH_PARENT_TRANSFORMS",
+               "Transforms of the nodes above have no effect: the mesh follows the joints.");
+      }
+      // One cause, one finding: a transform above says that there is an above.
+      if (!moved || context_.khronos()) {
+        report(
+            path, node.object, "NODE_SKINNED_MESH_NON_ROOT",
+            fmt::format("The node is a child of node {}, which does not move its mesh.", parent));
+      }
+    }
+    check_scenes(*node.skin, index, path, node.skin_value);
+  }
+
+  void check_scenes(std::uint32_t skin, NodeIndex index, const Path& path, json::NodeId place) {
+    const NodeIndex top = skins_[skin];
+    const NodeIndex own = graph_.root(index);
+    if (top == kNoNodeIndex || own == kNoNodeIndex) return;
+    const auto scene = scenes_->scene_without(own, top);
+    if (!scene) return;
+    report(path, place, "NODE_SKIN_NO_SCENE",
+           fmt::format("Scene {} has this node, but not node {} with the joints of skin {}.",
+                       *scene, top, skin));
+  }
+
+  const Context& context_;
+  const model::SceneGraph& graph_;
+  const std::vector<json::NodeId>& objects_;
+  std::unordered_set<std::string_view> declared_;
+  std::vector<NodeIndex> skins_;  ///< root above all joints, by skin
+  std::vector<std::uint8_t> is_joint_;
+  std::vector<std::uint8_t> moved_;  ///< the node or one above it has a transform
+  std::optional<SkinScenes> scenes_;
+};
+
+void check_graph(const Context& context) { GraphCheck(context).run(); }
+
+constexpr LinkRule kLinkRules[] = {check_graph};
+
+}  // namespace
+
+const Family& node_graph_family() {
+  static const Family family{"node_graph", node_graph_rules(), {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
