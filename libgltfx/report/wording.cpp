@@ -30,7 +30,9 @@ std::string document_place(const Diagnostic& diagnostic) {
 
 std::string repeat_note(const Diagnostic& diagnostic) {
   if (diagnostic.count < 2) return {};
-  const std::string last = safe_cut(diagnostic.last_pointer, kPointerLimit);
+  const bool elsewhere = diagnostic.last_pointer != diagnostic.pointer;
+  const std::string last =
+      elsewhere ? safe_cut(diagnostic.last_pointer, kPointerLimit) : std::string();
   if (diagnostic.count == 2) {
     return fmt::format("repeated once more{}{}", last.empty() ? "" : " at ", last);
   }

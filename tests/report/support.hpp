@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the tests of the report room share: reports made by hand.
+#pragma once
+
+#include <gltfx/report.hpp>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "json/lines.hpp"
+
+namespace gltfx::report::testing {
+
+inline Diagnostic finding(std::string_view code, Severity severity, std::string message,
+                          std::string pointer = {}) {
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.severity = severity;
+  diagnostic.message = std::move(message);
+  diagnostic.pointer = std::move(pointer);
+  return diagnostic;
+}
+
+/// Gives the finding the place of the first `marked` in `text`.
+inline Diagnostic on(Diagnostic diagnostic, std::string_view text, std::string_view marked,
+                     std::uint64_t base = 0) {
+  const std::size_t at = text.find(marked);
+  EXPECT_NE(at, std::string_view::npos) << marked;
+  const Span span{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + marked.size())};
+  const json::LineIndex lines(text);
+  diagnostic.location = lines.locate(span, base);
+  diagnostic.excerpt = lines.excerpt(span);
+  return diagnostic;
+}
+
+/// Folds `count` findings into one.
+inline Diagnostic times(Diagnostic diagnostic, std::uint64_t count, std::string last) {
+  diagnostic.count = count;
+  diagnostic.last_pointer = std::move(last);
+  return diagnostic;
+}
+
+inline FileReport file(std::string path, std::vector<Diagnostic> diagnostics = {},
+                       std::string mime_type = "model/gltf+json") {
+  FileReport report;
+  report.path = std::move(path);
+  report.mime_type = std::move(mime_type);
+  report.diagnostics = std::move(diagnostics);
+  for (const Diagnostic& d : report.diagnostics) report.counts.add(d.severity, d.count);
+  return report;
+}
+
+/// A whole run in one format.
+inline std::string run(ReportFormat format, const std::vector<FileReport>& reports,
+                       const FormatOptions& options = {}) {
+  const auto writer = make_report_writer(format, options);
+  RunSummary summary;
+  std::string out;
+  writer->begin(out);
+  for (const FileReport& report : reports) {
+    writer->file(report, out);
+    summary.add(report);
+  }
+  writer->end(summary, out);
+  return out;
+}
+
+/// A material with a mistake, as it stands in a file.
+inline constexpr std::string_view kLeaf = R"({
+  "asset": { "version": "2.0" },
+  "materials": [
+    {
+      "name": "Leaf",
+      "pbrMetallicRoughness": {
+        "metallicFactor": "0.5",
+        "roughnessFactor": 2
+      }
+    }
+  ]
+}
+)";
+
+inline constexpr std::string_view kMetallic = "/materials/0/pbrMetallicRoughness/metallicFactor";
+inline constexpr std::string_view kRoughness = "/materials/0/pbrMetallicRoughness/roughnessFactor";
+
+/// An error with everything a finding can have.
+inline Diagnostic wrong_type() {
+  Diagnostic d =
+      on(finding("TYPE_MISMATCH", Severity::error,
+                 "'metallicFactor' is a string; a number is expected.", std::string(kMetallic)),
+         kLeaf, "\"0.5\"");
+  d.help = "write the number without quotes: 0.5";
+  d.object_name = "Leaf";
+  return times(d, 42, "/materials/44/pbrMetallicRoughness/metallicFactor");
+}
+
+inline Diagnostic out_of_range() {
+  return on(finding("VALUE_NOT_IN_RANGE", Severity::warning,
+                    "'roughnessFactor' is 2; 0 to 1 is allowed.", std::string(kRoughness)),
+            kLeaf, "2\n");
+}
+
+inline Diagnostic bad_chunk() {
+  Diagnostic d = finding("GLB_CHUNK_TOO_BIG", Severity::error, "The chunk ends behind the file.");
+  d.offset = 12;
+  return d;
+}
+
+/// Every kind of finding, over several files.
+inline std::vector<FileReport> sample_run() {
+  std::vector<FileReport> reports;
+  reports.push_back(file("models/leaf.gltf", {wrong_type(), out_of_range()}));
+  reports.push_back(file("clean.gltf"));
+  reports.push_back(file("tree.glb", {bad_chunk()}, "model/gltf-binary"));
+  reports.push_back(file("gone.gltf", {finding("IO_ERROR", Severity::error, "No such file.")}, ""));
+  reports.back().readable = false;
+  reports.push_back(file(
+      "big.gltf", {finding("UNUSED_OBJECT", Severity::info, "Nothing uses this.", "/nodes/1")}));
+  reports.back().truncated = true;
+  reports.back().counts.infos = 4;
+  reports.back().suppressed = 5;
+  reports.back().unverified = 1;
+  return reports;
+}
+
+}  // namespace gltfx::report::testing
