@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Animations: keyframes, targets, and that the one fits the other (specification section 3.11).
+#include "model/animation.hpp"
+
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "model/skin.hpp"
+#include "validate/rules/animation_output.hpp"
+#include "validate/rules/animation_table.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::AnimationChannel;
+using model::AnimationPath;
+using model::AnimationSampler;
+
+constexpr model::Format kTimes{model::ElementType::scalar, model::ComponentType::float32, false};
+
+class AnimationCheck {
+ public:
+  explicit AnimationCheck(const Context& context)
+      : context_(context), deformations_(model::read_deformations(context.asset)) {}
+
+  void run() {
+    const Path root;
+    const Path list(root, "animations");
+    const auto& objects = context_.asset.elements(model::RootArray::animations);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] == json::kNoNode) continue;
+      check(model::read_animation(context_.asset, objects[i]), Path(list, i));
+    }
+  }
+
+ private:
+  void check(const model::Animation& animation, const Path& path) {
+    const Path samplers(path, "samplers");
+    for (std::size_t i = 0; i < animation.samplers.size(); ++i) {
+      check_sampler(animation.samplers[i], Path(samplers, i));
+    }
+    const Path channels(path, "channels");
+    const auto later = later_channels(animation);
+    std::vector<std::uint8_t> used(animation.samplers.size(), 0);
+    for (std::size_t i = 0; i < animation.channels.size(); ++i) {
+      const AnimationChannel& channel = animation.channels[i];
+      const Path at(channels, i);
+      check_target(channel, at);
+      if (channel.sampler) {
+        used[*channel.sampler] = 1;
+        check_output(channel, animation.samplers[*channel.sampler], at);
+      }
+      if (later[i] != 0) report_duplicate(channel, later[i], at);
+    }
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      if (used[i] != 0) continue;
+      report(Path(samplers, i), animation.samplers[i].object, "UNUSED_OBJECT",
+             "No channel uses this sampler.");
+    }
+  }
+
+  void report(const Path& path, json::NodeId place, std::string_view code, std::string message,
+              std::string help = {}) {
+    context_.link_sink.report(
+        path, finding_on(context_, place, code, std::move(message), std::move(help)));
+  }
+  void report_at(const Path& path, const AnimationSampler& sampler, std::string_view member,
+                 std::string_view code, std::string message) {
+    report_member(context_.link_sink, context_, path, sampler.object, member, code,
+                  std::move(message));
+  }
+
+  void check_sampler(const AnimationSampler& sampler, const Path& path) {
+    if (sampler.input) {
+      check_times(sampler, context_.views.accessors[*sampler.input], path);
+      check_stride(sampler, *sampler.input, "input", path);
+    }
+    if (sampler.output) check_stride(sampler, *sampler.output, "output", path);
+  }
+
+  void check_times(const AnimationSampler& sampler, const model::Accessor& times,
+                   const Path& path) {
+    if (times.format.known() && times.format != kTimes) {
+      report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT",
+                fmt::format("Accessor {} with the times is {} instead of {}.", *sampler.input,
+                            format_text(times.format), format_text(kTimes)));
+    }
+    if (times.min == json::kNoNode || times.max == json::kNoNode) {
+      report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS",
+                fmt::format("Accessor {} with the times has no {}.", *sampler.input,
+                            times.min == json::kNoNode ? "min" : "max"));
+    }
+    if (sampler.interpolation == model::Interpolation::cubic_spline && times.count == 1U) {
+      report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_TOO_FEW_ELEMENTS",
+                "A CUBICSPLINE has one keyframe; a curve needs two.");
+    }
+  }
+
+  void check_stride(const AnimationSampler& sampler, std::uint32_t index, std::string_view member,
+                    const Path& path) {
+    const model::Accessor& accessor = context_.views.accessors[index];
+    const model::BufferView* view = context_.views.view_of(accessor);
+    if (view == nullptr || !view->byte_stride) return;
+    report_at(path, sampler, member, "ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE",
+              fmt::format("Accessor {} lies in buffer view {}, which has a byteStride.", index,
+                          *accessor.buffer_view));
+  }
+
+  // For each channel the next one with the same target; 0: none.
+  static std::vector<std::size_t> later_channels(const model::Animation& animation) {
+    std::vector<std::size_t> later(animation.channels.size(), 0);
+    std::unordered_map<std::uint64_t, std::size_t> known;
+    for (std::size_t i = animation.channels.size(); i-- > 0;) {
+      const AnimationChannel& channel = animation.channels[i];
+      if (!channel.node || model::animation_path_name(channel.path).empty()) continue;
+      const std::uint64_t target =
+          std::uint64_t{*channel.node} << 8 | static_cast<std::uint64_t>(channel.path);
+      std::size_t& last = known[target];
+      later[i] = last;
+      last = i;
+    }
+    return later;
+  }
+
+  void report_duplicate(const AnimationChannel& channel, std::size_t later, const Path& path) {
+    report(Path(path, "target"), channel.target, "ANIMATION_DUPLICATE_TARGETS",
+           fmt::format("Channel {} moves the {} of node {}, too.", later,
+                       model::animation_path_name(channel.path), *channel.node));
+  }
+
+  void check_target(const AnimationChannel& channel, const Path& path) {
+    if (!channel.node) return;
+    const Path at(path, "target");
+    const json::NodeId object = context_.asset.elements(model::RootArray::nodes)[*channel.node];
+    const model::Node node = model::read_node(context_.asset, object);
+    if (channel.path == AnimationPath::weights) {
+      check_weights(channel, node, at);
+    } else if (!model::animation_path_name(channel.path).empty()) {
+      check_transform(channel, node, at);
+    }
+  }
+
+  void check_transform(const AnimationChannel& channel, const model::Node& node, const Path& at) {
+    if (model::float_array<16>(context_.document, node.matrix)) {
+      report(at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_MATRIX",
+             fmt::format("The channel moves the {} of node {}, which has a matrix.",
+                         model::animation_path_name(channel.path), *channel.node));
+    }
+    if (node.skin) {
+      report_member(context_.link_sink, context_, at, channel.target, "path",
+                    "ANIMATION_CHANNEL_TARGET_NODE_SKIN",
+                    fmt::format("Node {} has a skinned mesh, which follows its joints alone.",
+                                *channel.node));
+    }
+  }
+
+  void check_weights(const AnimationChannel& channel, const model::Node& node, const Path& at) {
+    const bool unresolved = node.mesh_value != json::kNoNode && !node.mesh;
+    const bool known = node.mesh && deformations_[*node.mesh].known;
+    if (morph_targets(node) != 0) return;
+    if (!context_.khronos() && (unresolved || (node.mesh && !known))) return;
+    report(at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS",
+           fmt::format("Node {} has no mesh with morph targets, so there are no weights to move.",
+                       *channel.node));
+  }
+
+  std::uint64_t morph_targets(const model::Node& node) const {
+    return node.mesh ? deformations_[*node.mesh].morph_targets : 0;
+  }
+
+  void check_output(const AnimationChannel& channel, const AnimationSampler& sampler,
+                    const Path& path) {
+    if (!sampler.output || model::animation_path_name(channel.path).empty()) return;
+    if (!fits_path(channel.path, context_.views.accessors[*sampler.output].format)) {
+      report_output_format(context_, sampler, model::animation_path_name(channel.path),
+                           path_formats_text(channel.path), channel.object, path);
+    }
+    std::uint64_t values = 1;
+    if (channel.path == AnimationPath::weights) {
+      if (!channel.node) return;
+      values = morph_targets(model::read_node(
+          context_.asset, context_.asset.elements(model::RootArray::nodes)[*channel.node]));
+    }
+    check_output_count(context_, sampler, values, channel.object, path);
+  }
+
+  const Context& context_;
+  std::vector<model::Deformation> deformations_;
+};
+
+void check_animations(const Context& context) {
+  if (context.asset.count(model::RootArray::animations) != 0) AnimationCheck(context).run();
+}
+
+constexpr LinkRule kLinkRules[] = {check_animations};
+
+}  // namespace
+
+const Family& animation_family() {
+  static const Family family{"animation", animation_rules(), {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
