@@ -26,16 +26,20 @@ Targets::Array Targets::read(json::NodeId node) const {
   array.node = node;
   array.is_array = document_.is_array(node);
   if (!array.is_array) return array;
-  array.size = document_.array_size(node);
-  array.used.resize(array.size);
-  std::size_t index = 0;
-  for (const json::NodeId element : document_.elements(node)) {
-    if (!document_.is_object(element)) {
-      array.holes.resize(index + 1);
-      array.holes[index] = true;
+  if (document_.kind(node) == json::Kind::number_array) {
+    array.size = document_.array_size(node);
+    array.holes.assign(array.size, true);
+  } else {
+    const json::NodeId end = document_.next(node);
+    for (json::NodeId element = node + 1; element < end; element = document_.next(element)) {
+      if (!document_.is_object(element)) {
+        array.holes.resize(array.size + 1);
+        array.holes[array.size] = true;
+      }
+      ++array.size;
     }
-    ++index;
   }
+  array.used.resize(array.size);
   return array;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arrays: as one node of numbers, or element by element.
+#include <algorithm>
 #include <cmath>
 #include <unordered_set>
 
@@ -30,6 +31,28 @@ class SeenNumbers {
   std::unordered_set<double> many_;
 };
 
+// Whether all numbers of an array's text are 0, 1 or between, going by their first digit;
+// `negative` lets them be below 0 as well. False when in doubt.
+bool are_fractions(std::string_view raw, bool negative) {
+  for (std::size_t at = 1; at + 1 < raw.size(); ++at) {
+    const char c = raw[at];
+    if (c == ',' || c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
+    if (c == '-') {
+      if (!negative) return false;
+      ++at;
+    }
+    const bool one = raw[at] == '1';
+    if (!one && raw[at] != '0') return false;
+    if (raw[at + 1] != '.') continue;
+    at += 2;
+    while (one ? raw[at] == '0' : raw[at] >= '0' && raw[at] <= '9') ++at;
+    --at;
+    const char next = raw[at + 1];
+    if ((next >= '0' && next <= '9') || next == 'e' || next == 'E') return false;
+  }
+  return true;
+}
+
 bool counts(const Shape& shape) { return shape.min_items != 0 || shape.max_items != UINT64_MAX; }
 
 }  // namespace
@@ -46,13 +69,17 @@ bool Walker::array(ShapeId id, json::NodeId node, Step step) {
 void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
   const Shape& shape = set_.shape(id);
   if (counts(shape)) {
-    const std::uint64_t size = document_.array_size(node);
-    if (size < shape.min_items || size > shape.max_items)
+    const std::uint64_t size = count_numbers(shape, node);
+    if (size < shape.min_items || size > shape.max_items) {
       count_items(shape, size, {node}, path_of(node, step));
+    }
   }
   if (shape.items != kNone) {
     const ShapePlan& items = tables_.shapes[shape.items];
-    const bool nothing_to_see = items.every_value && !khronos() && !shape.unique_items;
+    const bool in_range =
+        items.every_value ||
+        (items.every_fraction && are_fractions(document_.raw(node), items.every_negative_fraction));
+    const bool nothing_to_see = in_range && !khronos() && !shape.unique_items;
     const bool done = nothing_to_see || (items.plan == Plan::index &&
                                          plain_indices(shape.items, node, shape.unique_items));
     if (!done) numbers(shape.items, node, shape, step);
@@ -60,6 +87,15 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
     numbers(kNone, node, shape, step);
   }
   if (tables_.shapes[id].combined) combine(id, {node}, path_of(node, step), false);
+}
+
+// The number of elements. Commas are counted first, which is fast; they mislead only where some are
+// missing, and then the count does not fit.
+std::uint64_t Walker::count_numbers(const Shape& shape, json::NodeId node) const {
+  const std::string_view raw = document_.raw(node);
+  const auto commas = static_cast<std::uint64_t>(std::count(raw.begin(), raw.end(), ','));
+  const bool fits = commas + 1 >= shape.min_items && commas + 1 <= shape.max_items;
+  return fits ? commas + 1 : document_.array_size(node);
 }
 
 // Indices that are all in order, without a look back: marks them as used.
@@ -143,9 +179,10 @@ void Walker::array_step(Frame& frame) {
   if (frame.stage == Stage::enter) {
     frame.stage = Stage::properties;
     if (counts(shape)) {
-      const std::uint64_t size = document_.array_size(frame.node);
-      if (size < shape.min_items || size > shape.max_items)
-        count_items(shape, size, {frame.node}, frame.path);
+      const std::uint64_t size = count_elements(shape, frame.node);
+      if (size < shape.min_items || size > shape.max_items) {
+        count_items(shape, document_.array_size(frame.node), {frame.node}, frame.path);
+      }
     }
     if (shape.unique_items) unique_items(frame);
   }
@@ -155,7 +192,9 @@ void Walker::array_step(Frame& frame) {
     const json::NodeId element = frame.at;
     const std::uint64_t index = frame.index++;
     frame.at = document_.next(element);
-    if (bad_element(shape.items, {element}, frame.path, index, told)) continue;
+    const bool plain =
+        tables_.shapes[shape.items].plan == Plan::object && document_.is_object(element);
+    if (!plain && bad_element(shape.items, {element}, frame.path, index, told)) continue;
     if (value(shape.items, element, {Step::Kind::element, index})) return;
   }
   if (!frame.constrained) {
@@ -163,6 +202,16 @@ void Walker::array_step(Frame& frame) {
     constraints(frame);
   }
   if (!pending_shapes(frame)) pop();
+}
+
+// Elements, as far as they have to be counted to know whether there are too few or too many.
+std::uint64_t Walker::count_elements(const Shape& shape, json::NodeId node) const {
+  const std::uint64_t enough =
+      shape.max_items == UINT64_MAX ? shape.min_items : shape.max_items + 1;
+  const json::NodeId end = document_.next(node);
+  std::uint64_t count = 0;
+  for (json::NodeId at = node + 1; at < end && count < enough; at = document_.next(at)) ++count;
+  return count;
 }
 
 // Elements that are equal as text: strings with escapes are compared unescaped.

@@ -9,9 +9,9 @@
 namespace gltfx::schema {
 
 void Walker::constraints(const Frame& frame) {
+  if (frame.mode == Mode::object && frame.type != kNone) dependencies(frame);
   if (!tables_.shapes[frame.shape].combined) return;
   const std::size_t before = pending_.size();
-  if (frame.mode == Mode::object) dependencies(set_.shape(frame.shape), frame.node, frame.path);
   combine(frame.shape, {frame.node}, frame.path, true);
   std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(before), pending_.end());
 }
@@ -119,16 +119,15 @@ void Walker::forbidden(const Shape& shape, Value value, const Path& path) {
   }
 }
 
-void Walker::dependencies(const Shape& shape, json::NodeId object, const Path& path) {
-  for (const auto& [name, needed] : shape.dependent_required) {
-    const json::NodeId member = document_.find(object, name);
-    if (member == json::kNoNode) continue;
-    for (const std::string& other : needed) {
-      if (document_.find(object, other) != json::kNoNode) continue;
-      report({path, key_of(member)}, "UNSATISFIED_DEPENDENCY", document_.span(member - 1),
-             quoted(name) + " needs " + quoted(other) + " beside it.",
-             "add " + quoted(other) + ", or remove " + quoted(name));
-    }
+void Walker::dependencies(const Frame& frame) {
+  const std::vector<Property>& properties = set_.type(frame.type).properties;
+  for (const DependencyPlan& plan : tables_.types[frame.type].dependencies) {
+    const json::NodeId member = members_[frame.scratch + plan.property];
+    if (member == json::kNoNode || members_[frame.scratch + plan.needed] != json::kNoNode) continue;
+    const std::string name = quoted(properties[plan.property].name);
+    const std::string other = quoted(properties[plan.needed].name);
+    report({frame.path, key_of(member)}, "UNSATISFIED_DEPENDENCY", document_.span(member - 1),
+           name + " needs " + other + " beside it.", "add " + other + ", or remove " + name);
   }
 }
 

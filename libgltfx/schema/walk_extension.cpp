@@ -136,21 +136,21 @@ void Walker::exclusions(const Frame& frame, ExtensionId id, const Path& path, js
 
 void Walker::companions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
   const ExtensionPlan& plan = tables_.extensions[id];
-  const std::string name = quoted(set_.extensions()[id].name);
+  const std::string& name = set_.extensions()[id].name;
   for (const RelationPlan& needed : plan.requires_) {
     if (is_present(frame, needed)) continue;
     const std::string& other = needed.relation->extension;
-    Finding finding{"EXTENSION_COMPANION_MISSING",
-                    name + " needs " + quoted(other) + " beside it: " + needed.relation->because,
-                    "add " + quoted(other) + " to the same object", document_.span(node - 1),
-                    std::nullopt};
+    Finding finding{
+        "EXTENSION_COMPANION_MISSING",
+        quoted(name) + " needs " + quoted(other) + " beside it: " + needed.relation->because,
+        "add " + quoted(other) + " to the same object", document_.span(node - 1), std::nullopt};
     finding.severity = needed.relation->error ? Severity::error : Severity::warning;
     schema_sink_.report(path, std::move(finding));
   }
   for (const RelationPlan& stronger : plan.overridden_by) {
     if (!is_present(frame, stronger) || !has_effect(frame, stronger)) continue;
     report(path, "EXTENSION_OVERRIDDEN", document_.span(node - 1),
-           name + " is overridden by " + quoted(stronger.relation->extension) + ": " +
+           quoted(name) + " is overridden by " + quoted(stronger.relation->extension) + ": " +
                stronger.relation->because);
   }
 }

@@ -123,26 +123,31 @@ void Walker::renamed(const Frame& frame, const Property& property, json::NodeId 
 bool Walker::properties(Frame& frame) {
   const TypePlan& plan = frame.type == kNone ? no_type() : tables_.types[frame.type];
   const auto count = static_cast<std::uint32_t>(plan.properties.size());
+  if (frame.constrained && pending_shapes(frame)) return true;
   while (true) {
+    const std::uint32_t stop = frame.constrained ? count : plan.constraints_at;
+    while (frame.index < stop) {
+      if (plan.is_root && !frame.further && root_property(frame)) return true;
+      const std::uint32_t index = frame.index++;
+      const json::NodeId node = members_[frame.scratch + index];
+      if (node != json::kNoNode) {
+        if (property(frame, index, node)) return true;
+      } else if (plan.properties[index].required) {
+        missing(frame, index);
+      }
+    }
+    if (frame.constrained) return false;
+    frame.constrained = true;
+    constraints(frame);
     if (pending_shapes(frame)) return true;
-    if (frame.index == plan.constraints_at && !frame.constrained) {
-      frame.constrained = true;
-      constraints(frame);
-      continue;
-    }
-    if (plan.is_root && !frame.further) {
-      if (frame.index == plan.declarations_at) declarations();
-      if (frame.index == plan.asset_at + 1 && stops_at_asset(frame)) return true;
-    }
-    if (frame.index == count) return false;
-    const std::uint32_t index = frame.index++;
-    const json::NodeId node = members_[frame.scratch + index];
-    if (node == json::kNoNode) {
-      if (plan.properties[index].required) missing(frame, index);
-    } else if (property(frame, index, node)) {
-      return true;
-    }
   }
+}
+
+// What the root does before a property; true when the walk ends.
+bool Walker::root_property(Frame& frame) {
+  const TypePlan& plan = tables_.types[frame.type];
+  if (frame.index == plan.declarations_at) declarations();
+  return frame.index == plan.asset_at + 1 && stops_at_asset(frame);
 }
 
 // Shapes that conditions add to this object.
@@ -163,7 +168,7 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
            quoted(property.name) + " is no longer to be used: " + property.deprecated + ".");
   }
   if (plan.shape == kNone) return false;
-  if (tables_.shapes[plan.shape].slot) record_slot(frame, index, node);
+  if (plan.slot) record_slot(frame, index, node);
   if (plan.required && khronos() && document_.kind(node) == json::Kind::null) missing(frame, index);
   return value(plan.shape, node, {Step::Kind::member});
 }

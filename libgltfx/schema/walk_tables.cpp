@@ -13,7 +13,7 @@ bool ends_with(std::string_view text, std::string_view end) {
 
 bool is_combined(const Shape& shape) {
   return !shape.all_of.empty() || !shape.any_of.empty() || !shape.one_of.empty() ||
-         shape.not_shape != kNone || !shape.conditions.empty() || !shape.dependent_required.empty();
+         shape.not_shape != kNone || !shape.conditions.empty();
 }
 
 class Maker {
@@ -57,7 +57,11 @@ class Maker {
     if (shape.ref_name) tables_->name_target_of[id] = target(*shape.ref_name);
     bounds(shape, plan);
     plan.plan = choose(shape, plan);
-    plan.every_value = plan.plan == Plan::number && std::isinf(plan.low) && std::isinf(plan.high);
+    if (plan.plan == Plan::number) {
+      plan.every_value = std::isinf(plan.low) && std::isinf(plan.high);
+      plan.every_fraction = plan.low <= 0 && plan.high >= 1;
+      plan.every_negative_fraction = plan.low <= -1 && plan.high >= 0;
+    }
     return plan;
   }
 
@@ -113,12 +117,15 @@ class Maker {
     plan.extensions_first = ends_with(type.name, "extureInfo");
     std::size_t names = 0;
     for (const Property& property : type.properties) {
-      plan.properties.push_back({property.shape, property.required, !property.deprecated.empty()});
+      const bool slot = property.shape != kNone && set_.shape(property.shape).slot;
+      plan.properties.push_back(
+          {property.shape, property.required, !property.deprecated.empty(), slot});
       names += 1 + property.aliases.size();
     }
     plan.constraints_at = static_cast<std::uint32_t>(type.properties.size());
     if (!type.properties.empty() && type.properties.back().name == "name") --plan.constraints_at;
     if (plan.is_root) root_places(type, plan);
+    dependencies(type, plan);
     std::size_t capacity = 4;
     while (capacity < 2 * names + 2) capacity *= 2;
     plan.entries.resize(capacity);
@@ -130,6 +137,18 @@ class Maker {
         insert(plan, symbol(alias), i, true);
     }
     return plan;
+  }
+
+  void dependencies(const ObjectType& type, TypePlan& plan) const {
+    const auto place = [&](const std::string& name) {
+      const auto is_it = [&](const Property& property) { return property.name == name; };
+      const auto found = std::find_if(type.properties.begin(), type.properties.end(), is_it);
+      return static_cast<std::uint32_t>(found - type.properties.begin());
+    };
+    for (const auto& [name, needed] : set_.shape(type.shape).dependent_required) {
+      for (const std::string& other : needed)
+        plan.dependencies.push_back({place(name), place(other)});
+    }
   }
 
   // The root is judged in an order of its own: what it declares comes before what it holds.

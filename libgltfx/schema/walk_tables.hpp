@@ -33,10 +33,12 @@ enum class Plan : std::uint8_t {
 
 struct ShapePlan {
   Plan plan = Plan::any;
-  bool combined = false;     ///< has combinators, conditions or dependencies
-  bool members = false;      ///< objects of it have to be entered
-  bool slot = false;         ///< a texture slot
-  bool every_value = false;  ///< items: numbers without limits, nothing to look at
+  bool combined = false;                 ///< has combinators or conditions
+  bool members = false;                  ///< objects of it have to be entered
+  bool slot = false;                     ///< a texture slot
+  bool every_value = false;              ///< a number without limits: nothing to look at
+  bool every_fraction = false;           ///< a number, and all of [0, 1] is allowed
+  bool every_negative_fraction = false;  ///< all of [-1, 0] is
   std::uint32_t target = kNone;
   TypeId type = kNone;
   ShapeId items = kNone;
@@ -48,6 +50,14 @@ struct PropertyPlan {
   ShapeId shape = kNone;
   bool required = false;
   bool deprecated = false;
+  bool slot = false;
+};
+
+/// `dependentRequired` of an object whose members are laid out: when `property` is there, `needed`
+/// must be.
+struct DependencyPlan {
+  std::uint32_t property = 0;
+  std::uint32_t needed = 0;
 };
 
 /// Symbol to property of one type: open addressing in a power of two of entries.
@@ -59,6 +69,7 @@ struct TypePlan {
   };
   std::vector<Entry> entries;
   std::vector<PropertyPlan> properties;
+  std::vector<DependencyPlan> dependencies;
   std::uint32_t constraints_at =
       0;                          ///< what concerns several members is judged before this property
   bool extensions_first = false;  ///< texture slots

@@ -80,6 +80,7 @@ class Walker {
   void other_name(Frame& frame, json::KeyId key, json::NodeId value);
   void unexpected(Frame& frame, json::KeyId key, json::NodeId value);
   bool properties(Frame& frame);
+  bool root_property(Frame& frame);
   bool pending_shapes(Frame& frame);
   bool property(Frame& frame, std::uint32_t index, json::NodeId value);
   void missing(Frame& frame, std::uint32_t index);
@@ -103,11 +104,14 @@ class Walker {
   void judge_text(ShapeId id, Value value, const Path& path);
   bool is_added(ShapeId shape, std::string_view text) const;
   bool is_small_index(json::NodeId node, std::uint64_t& index) const;
+  bool is_choice(const Shape& shape, json::NodeId node, json::Kind kind) const;
 
   // walk_array.cpp
   bool array(ShapeId shape, json::NodeId node, Step step);
   void number_array(ShapeId shape, json::NodeId node, Step step);
   void numbers(ShapeId items, json::NodeId node, const Shape& shape, Step step);
+  std::uint64_t count_numbers(const Shape& shape, json::NodeId node) const;
+  std::uint64_t count_elements(const Shape& shape, json::NodeId node) const;
   bool plain_indices(ShapeId items, json::NodeId node, bool unique);
   void array_step(Frame& frame);
   void count_items(const Shape& shape, std::uint64_t size, Value value, const Path& path);
@@ -128,7 +132,7 @@ class Walker {
   void no_alternative(const std::vector<ShapeId>& branches, bool exactly_one, Value value,
                       const Path& path);
   void forbidden(const Shape& shape, Value value, const Path& path);
-  void dependencies(const Shape& shape, json::NodeId object, const Path& path);
+  void dependencies(const Frame& frame);
   std::vector<std::string> required_only(ShapeId shape) const;
 
   // walk_extension.cpp
