@@ -3,6 +3,7 @@
 /// decided by the rule registry and the user's options behind this interface.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ struct Finding {
   std::string help;       ///< what to do in this very case; empty: the rule's remedy is used
   Span span;              ///< bytes of the JSON text to mark; empty: no place in the text
   std::optional<Severity> severity;  ///< instead of the rule's default
+  std::uint64_t count = 1;           ///< faults of this kind that one finding stands for
 };
 
 /// Not thread-safe: each thread of a phase fills its own.

@@ -73,20 +73,20 @@ bool Collector::accepts(std::string_view code, Severity severity) const {
          options_.select.find(code) != options_.select.end();
 }
 
-bool Collector::fold(Phase phase, const Path& path, std::string_view code) {
+bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
   if (options_.profile == Profile::khronos) return false;
   const auto at = static_cast<std::size_t>(phase);
-  const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, code), entries_[at].size());
+  const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, finding.code), entries_[at].size());
   if (fresh) return false;
   Diagnostic& first = entries_[at][entry->second].diagnostic;
-  ++first.count;
+  first.count += finding.count;
   first.last_pointer = path.pointer();
   return true;
 }
 
 void Collector::add(Phase phase, const Path& path, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (!accepts(finding.code, severity) || fold(phase, path, finding.code)) return;
+  if (!accepts(finding.code, severity) || fold(phase, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
 
@@ -108,8 +108,10 @@ void Collector::store(Phase phase, Severity severity, Finding finding, std::stri
   entry.diagnostic.severity = severity;
   entry.diagnostic.message = std::move(finding.message);
   entry.diagnostic.help = std::move(finding.help);
+  if (finding.count > 1) entry.diagnostic.last_pointer = pointer;
   entry.diagnostic.pointer = std::move(pointer);
   entry.diagnostic.offset = offset;
+  entry.diagnostic.count = finding.count;
   entries_[static_cast<std::size_t>(phase)].push_back(std::move(entry));
 }
 

@@ -63,7 +63,7 @@ class Collector {
   };
 
   void add(Phase phase, const Path& path, Finding finding);
-  bool fold(Phase phase, const Path& path, std::string_view code);
+  bool fold(Phase phase, const Path& path, const Finding& finding);
   bool accepts(std::string_view code, Severity severity) const;
   Severity severity_of(const Finding& finding) const;
   void store(Phase phase, Severity severity, Finding finding, std::string pointer,
