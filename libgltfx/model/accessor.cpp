@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -160,6 +162,42 @@ std::uint64_t element_size(const Format& format) {
   const std::uint64_t last =
       std::uint64_t{row(format.type).rows} * component_size(format.component);
   return packed_stride(format) - column_stride(format) + last;
+}
+
+ValueRange value_range(ComponentType type) {
+  switch (type) {
+    case ComponentType::int8:
+      return {-128, 127};
+    case ComponentType::uint8:
+      return {0, 255};
+    case ComponentType::int16:
+      return {-32768, 32767};
+    case ComponentType::uint16:
+      return {0, 65535};
+    case ComponentType::int32:
+      return {-2147483648.0, 2147483647.0};
+    case ComponentType::uint32:
+      return {0, 4294967295.0};
+    default:
+      return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+}
+
+bool is_integer(ComponentType type) {
+  return component_size(type) > 0 && std::isfinite(value_range(type).most);
+}
+
+bool is_sound_bound(const json::Document& document, const Format& format, json::NodeId array) {
+  if (array == json::kNoNode || document.kind(array) != json::Kind::number_array) return false;
+  const ValueRange range = value_range(format.component);
+  unsigned size = 0;
+  for (json::NumberCursor at(document, array); at.valid(); at.advance()) {
+    if (++size > component_count(format.type)) return false;
+    const json::Number& number = at.number();
+    if (is_integer(format.component) && !number.is_integer()) return false;
+    if (!std::isfinite(number.value) || !range.contains(number.value)) return false;
+  }
+  return size == component_count(format.type);
 }
 
 std::optional<std::uint64_t> Accessor::span_size(std::uint64_t stride) const {

@@ -60,6 +60,18 @@ std::uint64_t element_size(const Format& format);
 /// Bytes from one element to the next where no stride is given; 0 when the format is not known.
 std::uint64_t packed_stride(const Format& format);
 
+/// Smallest and largest value an integer component can hold; infinities for floating point.
+struct ValueRange {
+  double least, most;
+  bool contains(double value) const { return value >= least && value <= most; }
+};
+ValueRange value_range(ComponentType type);
+bool is_integer(ComponentType type);
+
+/// Whether `array` holds what `min` and `max` of an accessor must: one number for each component
+/// that a component can hold.
+bool is_sound_bound(const json::Document& document, const Format& format, json::NodeId array);
+
 /// One accessor. A member that is absent or malformed is an empty optional.
 struct Accessor {
   json::NodeId node = json::kNoNode;  ///< kNoNode: the element of the array is no object

@@ -60,8 +60,11 @@ Primitive read_primitive(const Asset& asset, json::NodeId object) {
   primitive.indices = asset.index(object, "indices", RootArray::accessors);
   primitive.material_node = document.find(object, "material");
   primitive.material = asset.index(object, "material", RootArray::materials);
-  const auto mode = unsigned_member(document, object, "mode");
-  if (mode && *mode < kModes.size()) primitive.mode = static_cast<Mode>(*mode);
+  if (document.find(object, "mode") != json::kNoNode) {
+    const auto mode = unsigned_member(document, object, "mode");
+    const bool valid = mode && *mode < kModes.size();
+    primitive.mode = valid ? std::optional(static_cast<Mode>(*mode)) : std::nullopt;
+  }
   return primitive;
 }
 
@@ -71,8 +74,10 @@ std::vector<json::NodeId> primitives(const json::Document& document, json::NodeI
 
 std::vector<json::NodeId> morph_targets(const json::Document& document, json::NodeId primitive) {
   std::vector<json::NodeId> targets = objects(document, document.find(primitive, "targets"));
-  const bool hole = std::find(targets.begin(), targets.end(), json::kNoNode) != targets.end();
-  return hole ? std::vector<json::NodeId>() : targets;
+  const bool broken = std::any_of(targets.begin(), targets.end(), [&](json::NodeId target) {
+    return target == json::kNoNode || document.node(target).next == target + 1;
+  });
+  return broken ? std::vector<json::NodeId>() : targets;
 }
 
 }  // namespace gltfx::model

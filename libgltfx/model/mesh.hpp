@@ -42,8 +42,8 @@ struct Primitive {
   json::NodeId indices_node = json::kNoNode;
   std::optional<std::uint32_t> indices;  ///< leads to an object
   json::NodeId material_node = json::kNoNode;
-  std::optional<std::uint32_t> material;  ///< leads to an object
-  Mode mode = Mode::triangles;
+  std::optional<std::uint32_t> material;       ///< leads to an object
+  std::optional<Mode> mode = Mode::triangles;  ///< nothing: not one of the seven
 
   /// The attribute with that meaning, or null.
   const Attribute* find(SemanticKind kind, std::uint64_t set = 0) const;
@@ -54,7 +54,7 @@ Primitive read_primitive(const Asset& asset, json::NodeId object);
 /// The objects of a mesh's `primitives`; an element that is no object is kNoNode.
 std::vector<json::NodeId> primitives(const json::Document& document, json::NodeId mesh);
 
-/// The objects of a primitive's `targets`; empty when there are none or one is no object.
+/// The objects of a primitive's `targets`; empty when there are none, or one is empty or no object.
 std::vector<json::NodeId> morph_targets(const json::Document& document, json::NodeId primitive);
 
 }  // namespace gltfx::model

@@ -56,4 +56,10 @@ std::string_view semantic_extension(std::string_view name) {
   return underscore + 1 < prefix.size() ? prefix : std::string_view();
 }
 
+bool matches_semantic(std::string_view pattern, std::string_view name) {
+  if (!pattern.ends_with("_n")) return pattern == name;
+  const std::string_view stem = pattern.substr(0, pattern.size() - 1);
+  return name.starts_with(stem) && parse_set(name.substr(stem.size())).has_value();
+}
+
 }  // namespace gltfx::model

@@ -38,4 +38,7 @@ bool is_indexed(SemanticKind kind);
 /// The extension an attribute name belongs to: "KHR_x" of "KHR_x:NAME", or empty.
 std::string_view semantic_extension(std::string_view name);
 
+/// Whether `name` is what a table calls `pattern`: equal, or with a set number for a final "_n".
+bool matches_semantic(std::string_view pattern, std::string_view name);
+
 }  // namespace gltfx::model

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What an accessor says of its elements: bounds of the right number and kind, normalization,
 // columns of matrices.
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -64,41 +62,16 @@ constexpr RuleDescription kRules[] = {
      Fix::none, true},
 };
 
-struct Range {
-  double least, most;
-};
-
-// Values of an integer type; everything for the others.
-Range range_of(model::ComponentType type) {
-  using model::ComponentType;
-  switch (type) {
-    case ComponentType::int8:
-      return {-128, 127};
-    case ComponentType::uint8:
-      return {0, 255};
-    case ComponentType::int16:
-      return {-32768, 32767};
-    case ComponentType::uint16:
-      return {0, 65535};
-    case ComponentType::uint32:
-      return {0, 4294967295.0};
-    default:
-      return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  }
-}
-
-bool is_integer_type(model::ComponentType type) { return std::isfinite(range_of(type).most); }
-
 void check_bound_values(const Context& context, const model::Accessor& accessor, json::NodeId array,
                         const Path& path) {
-  if (!is_integer_type(accessor.format.component)) return;
+  if (!model::is_integer(accessor.format.component)) return;
   if (context.document.kind(array) != json::Kind::number_array) return;
-  const Range range = range_of(accessor.format.component);
+  const model::ValueRange range = model::value_range(accessor.format.component);
   const std::string_view type = model::component_type_name(accessor.format.component);
   for (json::NumberCursor at(context.document, array); at.valid(); at.advance()) {
     const double value = at.number().value;
     const bool whole = at.number().is_integer();
-    if (whole && value >= range.least && value <= range.most) continue;
+    if (whole && range.contains(value)) continue;
     if (!std::isfinite(value)) continue;
     Finding finding = finding_on(
         context, array, whole ? "INVALID_GL_VALUE" : "ARRAY_TYPE_MISMATCH",

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The version of glTF an asset is written in, and the least one a reader must know.
-#include <algorithm>
 #include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
@@ -20,8 +18,7 @@ constexpr RuleDescription kRules[] = {
     {"ASSET_MIN_VERSION_GREATER_THAN_VERSION", Severity::error,
      "The asset asks for a newer glTF than the one it is written in",
      "A reader that looks at minVersion refuses an asset that it could read.",
-     "Lower minVersion, or leave it out.",
-     R"({"asset": {"version": "2.0", "minVersion": "2.5"}})",
+     "Lower minVersion, or leave it out.", R"({"asset": {"version": "2.0", "minVersion": "2.5"}})",
      R"({"asset": {"version": "2.0", "minVersion": "2.0"}})", Fix::none, true},
     {"UNKNOWN_ASSET_MAJOR_VERSION", Severity::error,
      "The asset is written in another glTF than version 2",
@@ -62,13 +59,12 @@ std::optional<Version> parse_version(std::string_view text) {
 
 void check_min_version(const Context& context, json::NodeId asset, const Path& path,
                        const Version& version) {
-  const std::string text = model::string_member(context.document, asset, "minVersion");
-  const auto least = parse_version(text);
+  const auto least = parse_version(model::string_member(context.document, asset, "minVersion"));
   if (!least || !(version < *least)) return;
   report_member(context.schema_sink, context, path, asset, "minVersion",
                 "ASSET_MIN_VERSION_GREATER_THAN_VERSION",
-                fmt::format("minVersion {} is above version {}.", quoted(text),
-                            fmt::format("'{}.{}'", version.major, version.minor)));
+                fmt::format("minVersion {}.{} is above version {}.{}.", least->major, least->minor,
+                            version.major, version.minor));
 }
 
 // glTF 1.0 and the draft of 2.1 are named by the identity phase, but not in the khronos profile.
@@ -80,16 +76,14 @@ void check_known(const Context& context, json::NodeId asset, const Path& path,
                   fmt::format("The asset is glTF {}.{}; only version 2 is known.", version.major,
                               version.minor));
   } else if (version.minor > (context.khronos() ? 0U : 1U)) {
-    report_member(context.schema_sink, context, path, asset, "version",
-                  "UNKNOWN_ASSET_MINOR_VERSION",
-                  fmt::format("There is no glTF 2.{}; the asset is checked as 2.0.",
-                              version.minor));
+    report_member(
+        context.schema_sink, context, path, asset, "version", "UNKNOWN_ASSET_MINOR_VERSION",
+        fmt::format("There is no glTF 2.{}; the asset is checked as 2.0.", version.minor));
   }
 }
 
 void check_asset(const Context& context, json::NodeId asset, const Path& path) {
-  const auto version =
-      parse_version(model::string_member(context.document, asset, "version"));
+  const auto version = parse_version(model::string_member(context.document, asset, "version"));
   if (!version) return;
   check_min_version(context, asset, path, *version);
   check_known(context, asset, path, *version);

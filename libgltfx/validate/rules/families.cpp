@@ -7,10 +7,34 @@ namespace gltfx::validate {
 
 std::span<const Family> families() {
   // The order is that in which link rules run: the specification's, bottom up.
+  // clang-format off
   static const std::array all{
-      glb_family(),           json_family(),     schema_family(),   extension_family(),
-      extension_use_family(), fallback_family(), identity_family(), resource_family(),
+      glb_family(),
+      json_family(),
+      schema_family(),
+      extension_family(),
+      extension_use_family(),
+      fallback_family(),
+      identity_family(),
+      resource_family(),
+      asset_root_family(),
+      buffer_view_family(),
+      accessor_values_family(),
+      accessor_layout_family(),
+      image_source_family(),
+      material_family(),
+      material_extensions_family(),
+      lights_punctual_family(),
+      variants_family(),
+      attribute_names_family(),
+      attribute_formats_family(),
+      mesh_family(),
+      mesh_primitive_family(),
+      primitive_material_family(),
+      use_family(),
+      unused_objects_family(),  // behind all that find references
   };
+  // clang-format on
   return all;
 }
 

@@ -16,4 +16,22 @@ const Family& fallback_family();
 const Family& identity_family();
 const Family& resource_family();
 
+// Objects and how they refer to each other.
+const Family& asset_root_family();
+const Family& buffer_view_family();
+const Family& accessor_values_family();
+const Family& accessor_layout_family();
+const Family& image_source_family();
+const Family& material_family();
+const Family& material_extensions_family();
+const Family& lights_punctual_family();
+const Family& variants_family();
+const Family& attribute_names_family();
+const Family& attribute_formats_family();
+const Family& mesh_family();
+const Family& mesh_primitive_family();
+const Family& primitive_material_family();
+const Family& use_family();
+const Family& unused_objects_family();
+
 }  // namespace gltfx::validate

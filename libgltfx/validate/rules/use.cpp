@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "model/fields.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -120,6 +119,9 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
   }
   const bool wants_target = kind == model::ViewUse::vertices || kind == model::ViewUse::indices;
   if (!wants_target || first.place != place) return;
+  // Indices in a view with a stride have another fault, which a target would not mend.
+  const bool strided = context.views.buffer_views[view].byte_stride.has_value();
+  if (strided && kind == model::ViewUse::indices && !context.khronos()) return;
   context.link_sink.report(
       path, finding_on(context, place, "BUFFER_VIEW_TARGET_MISSING",
                        fmt::format("View {} holds {}, but has no target.", view,

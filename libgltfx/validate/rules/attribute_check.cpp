@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// One vertex attribute: its use, bounds, format and alignment.
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/mesh_state.hpp"
+#include "validate/rules/use.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kGood =
+    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 0, "byteOffset": 12, "componentType": 5121, "normalized": true, "type": "VEC4", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 16, "byteStride": 16, "target": 34962}],
+ "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}]})";
+
+constexpr RuleDescription kRules[] = {
+    {"MESH_PRIMITIVE_ACCESSOR_UNALIGNED", Severity::error,
+     "A vertex attribute does not lie on four-byte boundaries",
+     "Many GPUs read attributes only from multiples of four bytes; readers copy the data first, or "
+     "refuse it.",
+     "Pad each element, and make byteOffset and byteStride multiples of 4.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 0, "byteOffset": 13, "componentType": 5121, "normalized": true, "type": "VEC3", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 16, "byteStride": 16, "target": 34962}],
+ "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}]})",
+     kGood, Fix::none, true},
+    {"MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE", Severity::error,
+     "Several attributes share a buffer view that has no stride",
+     "Without byteStride it is not said whether the attributes are interleaved; readers disagree.",
+     "Add byteStride to the view, or give each attribute a view of its own.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 0, "byteOffset": 12, "componentType": 5121, "normalized": true, "type": "VEC4", "count": 1}],
+ "bufferViews": [{"buffer": 0, "byteLength": 16, "target": 34962}],
+ "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}]})",
+     kGood, Fix::none, true},
+    {"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT", Severity::error,
+     "A vertex attribute has a format that it cannot have",
+     "Readers bind attributes by the formats of the specification; others are dropped or read as "
+     "something else.",
+     "Convert the data to one of the formats that the message names.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5121, "type": "VEC4", "count": 1}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5121, "normalized": true, "type": "VEC4", "count": 1}]})",
+     Fix::none, true},
+    {"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT", Severity::error,
+     "A vertex attribute consists of 32-bit integers",
+     "Not every graphics API has them for attributes; they are for indices only.",
+     "Use 16-bit integers or floats.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_ID": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5125, "type": "SCALAR", "count": 1}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_ID": 1}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5123, "type": "SCALAR", "count": 1}]})",
+     Fix::none, true},
+    {"MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS", Severity::error,
+     "Positions have no minimum and maximum",
+     "Readers take the bounding box of a model from min and max, to frame and to cull it, before "
+     "they have seen a vertex.",
+     "Write the smallest and largest position into min and max.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
+     Fix::safe, true},
+};
+
+void report(const MeshState& state, const AttributeUse& use, const Path& path,
+            std::string_view code, std::string message, std::string help = {}) {
+  state.context.link_sink.report(path, finding_on(state.context, use.attribute.value, code,
+                                                  std::move(message), std::move(help)));
+}
+
+// The Khronos validator forgets bounds that have a fault; a fault of theirs is reported already.
+bool has_bounds(const Context& context, const model::Accessor& accessor) {
+  const json::Document& document = context.document;
+  if (context.khronos()) {
+    return model::is_sound_bound(document, accessor.format, accessor.min) &&
+           model::is_sound_bound(document, accessor.format, accessor.max);
+  }
+  return document.find(accessor.node, "min") != json::kNoNode &&
+         document.find(accessor.node, "max") != json::kNoNode;
+}
+
+void check_bounds(const MeshState& state, const AttributeUse& use, const Path& path) {
+  if (use.attribute.semantic.kind != model::SemanticKind::position) return;
+  if (has_bounds(state.context, use.accessor)) return;
+  report(
+      state, use, path, "MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS",
+      fmt::format("Accessor {} holds positions, but has no min and max.", *use.attribute.accessor));
+}
+
+std::string format_help(const MeshState& state, const AttributeUse& use) {
+  if (state.context.khronos()) return {};
+  const std::string_view extension =
+      extension_that_allows(state.context.schemas, use.attribute, use.target, use.accessor.format);
+  if (extension.empty()) return {};
+  return fmt::format("{} allows this format; declare it in extensionsUsed and extensionsRequired",
+                     extension);
+}
+
+// True when the format is one the attribute may have, or nothing is known of it.
+bool check_format(const MeshState& state, const AttributeUse& use, const Path& path) {
+  const model::Format& format = use.accessor.format;
+  if (!format.known()) return true;
+  const FormatList* allowed = state.formats.find(use.attribute, use.target);
+  if (allowed == nullptr) {
+    if (format.component != model::ComponentType::uint32) return true;
+    report(state, use, path, "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT",
+           fmt::format("{} is {}, but attributes cannot have 32-bit integers.",
+                       quoted(use.attribute.name), model::format_text(format)));
+    return false;
+  }
+  if (allows(*allowed, format)) return true;
+  // A component type that no version of glTF has is a fault of the accessor.
+  if (!model::is_core_component(format.component)) return true;
+  report(state, use, path, "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT",
+         fmt::format("{} is {}; it may be {}.", quoted(use.attribute.name),
+                     model::format_text(format), formats_text(*allowed)),
+         format_help(state, use));
+  return false;
+}
+
+// Whether another rule has already said that the offset is no good.
+bool offset_is_reported(const model::Accessor& accessor) {
+  const unsigned component = model::component_size(accessor.format.component);
+  if (component != 0 && *accessor.byte_offset % component != 0) return true;
+  return model::is_matrix(accessor.format.type);
+}
+
+bool is_misaligned(const MeshState& state, const model::Accessor& accessor, bool good_format) {
+  const bool khronos = state.context.khronos();
+  const bool by_offset = accessor.byte_offset && *accessor.byte_offset % 4 != 0;
+  if (by_offset && (khronos || !offset_is_reported(accessor))) return true;
+  const model::BufferView* view = state.context.views.view_of(accessor);
+  if (view == nullptr || view->byte_stride || !accessor.format.known()) return false;
+  return model::element_size(accessor.format) % 4 != 0 && (khronos || good_format);
+}
+
+std::string alignment_text(const model::Accessor& accessor) {
+  if (accessor.byte_offset && *accessor.byte_offset % 4 != 0) {
+    return fmt::format("The attribute begins at byte {} of its view, no multiple of 4.",
+                       *accessor.byte_offset);
+  }
+  return fmt::format(
+      "Elements of {} bytes lie side by side; without a byteStride they are not "
+      "aligned to 4 bytes.",
+      model::element_size(accessor.format));
+}
+
+}  // namespace
+
+void check_attribute(MeshState& state, const AttributeUse& use, const Path& path) {
+  check_bounds(state, use, path);
+  const bool good_format = check_format(state, use, path);
+  if (!is_misaligned(state, use.accessor, good_format)) return;
+  report(state, use, path, "MESH_PRIMITIVE_ACCESSOR_UNALIGNED", alignment_text(use.accessor));
+}
+
+void check_shared_view(MeshState& state, const AttributeUse& use, const Path& path) {
+  const std::uint32_t index = *use.attribute.accessor;
+  const model::BufferView* view = state.context.views.view_of(use.accessor);
+  if (view == nullptr || view->byte_stride || state.seen_accessors[index]) return;
+  state.seen_accessors[index] = true;
+  const std::uint32_t view_index = *use.accessor.buffer_view;
+  const bool shared = state.views_in_use[view_index];
+  state.views_in_use[view_index] = true;
+  if (!shared) return;
+  report(state, use, path, "MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE",
+         fmt::format("View {} holds several attributes, but has no byteStride.", view_index),
+         fmt::format("add byteStride to buffer view {}", view_index));
+}
+
+const Family& attribute_formats_family() {
+  static const Family family{"attribute_formats", kRules, {}, {}};
+  return family;
+}
+
+}  // namespace gltfx::validate

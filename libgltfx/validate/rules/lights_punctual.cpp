@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// KHR_lights_punctual: which members go with which kind of light. About one extension, so it names
+// it.
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/fields.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr RuleDescription kRules[] = {
+    {"EXTRA_PROPERTY", Severity::info, "A property stands where nothing reads it",
+     "It is dead weight, and suggests that the object is of another kind than it says.",
+     "Remove the property, or correct the type of the object.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
+ "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "range": 10}]}},
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
+ "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "range": 10}]}},
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
+     Fix::safe, true},
+    {"KHR_LIGHTS_PUNCTUAL_LIGHT_SPOT_ANGLES", Severity::error,
+     "The inner cone of a spot light is not inside the outer one",
+     "Light fades between the two angles; renderers divide by their difference.",
+     "Make outerConeAngle larger than innerConeAngle. It is 0.785 (45 degrees) when absent.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
+ "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {"innerConeAngle": 0.9}}]}},
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
+ "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {"innerConeAngle": 0.9, "outerConeAngle": 1}}]}},
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
+     Fix::none, true},
+};
+
+// An angle of a cone, `otherwise` when it is absent, nothing when it is wrong (and reported).
+std::optional<double> angle(const json::Document& document, json::NodeId spot,
+                            std::string_view member, double otherwise) {
+  if (document.find(spot, member) == json::kNoNode) return otherwise;
+  constexpr double kHalfPi = 1.5707963267948966;
+  const auto value = model::number_member(document, spot, member);
+  return value && *value >= 0 && *value <= kHalfPi ? value : std::nullopt;
+}
+
+void check_cone(const Context& context, json::NodeId spot, const Path& path) {
+  constexpr double kQuarterPi = 0.7853981633974483;
+  const auto inner = angle(context.document, spot, "innerConeAngle", 0);
+  const auto outer = angle(context.document, spot, "outerConeAngle", kQuarterPi);
+  if (!inner || !outer || *outer > *inner) return;
+  const bool given = context.document.find(spot, "outerConeAngle") != json::kNoNode;
+  report_member(context.schema_sink, context, path, spot, "outerConeAngle",
+                "KHR_LIGHTS_PUNCTUAL_LIGHT_SPOT_ANGLES",
+                fmt::format("The outer cone angle, {}{}, is not above the inner one, {}.",
+                            number_text(*outer), given ? "" : " by default", number_text(*inner)));
+}
+
+void report_extra(const Context& context, json::NodeId light, const Path& path,
+                  std::string_view member, const std::string& type) {
+  if (context.document.find(light, member) == json::kNoNode) return;
+  report_member(context.schema_sink, context, path, light, member, "EXTRA_PROPERTY",
+                fmt::format("A light of type {} has no {}.", gltfx::quoted(type), member));
+}
+
+void check_light(const Context& context, json::NodeId light, const Path& path) {
+  const std::string type = model::string_member(context.document, light, "type");
+  if (type == "spot") {
+    const json::NodeId spot = model::object_member(context.document, light, "spot");
+    if (spot != json::kNoNode) check_cone(context, spot, Path(path, "spot"));
+  } else if (type == "point" || type == "directional" || context.khronos()) {
+    report_extra(context, light, path, "spot", type);
+  }
+  if (type == "directional") report_extra(context, light, path, "range", type);
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {{"KHR_lights_punctual.light", check_light}};
+
+}  // namespace
+
+const Family& lights_punctual_family() {
+  static const Family family{"lights_punctual", kRules, kObjectRules, {}};
+  return family;
+}
+
+}  // namespace gltfx::validate

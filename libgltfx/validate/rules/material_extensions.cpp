@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Material extensions that need something beside them to be seen. They are named here because their
+// texts state these conditions in prose: no schema word says "only with an emissive factor".
+#include "validate/rules/material_extensions.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/fields.hpp"
+#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::number_member;
+using model::object_member;
+
+// One extension object on one material.
+struct Subject {
+  const Context& context;
+  json::NodeId material;
+  json::NodeId object;
+  const Path& path;  // of the extension object
+
+  void report(std::string_view code, std::string message) const {
+    context.link_sink.report(path, finding_on(context, object, code, std::move(message)));
+  }
+};
+
+// --- Textures that share a tangent space with the normal texture ---
+
+std::uint64_t texcoord(const json::Document& document, json::NodeId texture) {
+  return model::unsigned_member(document, texture, "texCoord").value_or(0);
+}
+
+void check_shared_texcoord(const Subject& subject, std::string_view member, std::string_view code) {
+  const json::Document& document = subject.context.document;
+  const json::NodeId normal = object_member(document, subject.material, "normalTexture");
+  const json::NodeId texture = object_member(document, subject.object, member);
+  if (normal == json::kNoNode || texture == json::kNoNode) return;
+  if (texcoord(document, normal) == texcoord(document, texture)) return;
+  report_member(subject.context.link_sink, subject.context, subject.path, subject.object, member,
+                code,
+                fmt::format("{} reads TEXCOORD_{}, but normalTexture reads TEXCOORD_{}.", member,
+                            texcoord(document, texture), texcoord(document, normal)));
+}
+
+void check_anisotropy(const Subject& subject) {
+  check_shared_texcoord(subject, "anisotropyTexture",
+                        "KHR_MATERIALS_ANISOTROPY_ANISOTROPY_TEXTURE_TEXCOORD");
+}
+
+void check_clearcoat(const Subject& subject) {
+  check_shared_texcoord(subject, "clearcoatNormalTexture",
+                        "KHR_MATERIALS_CLEARCOAT_CLEARCOAT_NORMAL_TEXTURE_TEXCOORD");
+}
+
+// --- Extensions without effect on their own ---
+
+bool has_extension(const Subject& subject, std::string_view name) {
+  return model::extension_object(subject.context.document, subject.material, name) != json::kNoNode;
+}
+
+void check_dispersion(const Subject& subject) {
+  if (has_extension(subject, "KHR_materials_volume")) return;
+  subject.report("KHR_MATERIALS_DISPERSION_NO_VOLUME",
+                 "The dispersion has no effect: the material has no KHR_materials_volume.");
+}
+
+bool is_black(const json::Document& document, json::NodeId factor) {
+  if (factor == json::kNoNode) return true;
+  if (document.kind(factor) != json::Kind::number_array) return false;
+  std::size_t zeros = 0;
+  for (json::NumberCursor at(document, factor); at.valid(); at.advance()) {
+    if (at.number().value != 0) return false;
+    ++zeros;
+  }
+  return zeros == 3;
+}
+
+void check_emissive_strength(const Subject& subject) {
+  const json::Document& document = subject.context.document;
+  const auto strength = number_member(document, subject.object, "emissiveStrength");
+  if (!strength || *strength < 0 || *strength == 1) return;
+  const json::NodeId factor = document.find(subject.material, "emissiveFactor");
+  if (!is_black(document, factor)) return;
+  subject.report("KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR",
+                 fmt::format("emissiveStrength {} multiplies an emissiveFactor that is {}.",
+                             number_text(*strength),
+                             factor == json::kNoNode ? "not given, so black" : "black"));
+}
+
+// --- Volume ---
+
+// Light passes through a surface when an extension says how much of it does. Of extensions that
+// nobody described the best is assumed.
+bool lets_light_through(const Subject& subject, std::string_view name) {
+  const schema::Set& schemas = subject.context.schemas;
+  const schema::ExtensionId id = schemas.find_extension(name);
+  if (id == schema::kNone) return true;
+  const schema::Extension& extension = schemas.extensions()[id];
+  if (subject.context.khronos() && !extension.khronos_validator) return true;
+  const schema::ShapeId home = extension.home(schemas.find_type("material"));
+  if (home == schema::kNone) return false;
+  const schema::TypeId type = schemas.shape(home).type;
+  if (type == schema::kNone) return false;
+  const auto& properties = schemas.type(type).properties;
+  return std::any_of(properties.begin(), properties.end(), [](const schema::Property& property) {
+    return property.name.find("ransmission") != std::string::npos ||
+           property.name.find("ransluc") != std::string::npos;
+  });
+}
+
+bool is_transmissive(const Subject& subject) {
+  const json::Document& document = subject.context.document;
+  const json::NodeId extensions = object_member(document, subject.material, "extensions");
+  for (const auto member : document.members(extensions)) {
+    if (lets_light_through(subject, document.key(member.key_id))) return true;
+  }
+  return false;
+}
+
+void check_volume(const Subject& subject) {
+  const json::Document& document = subject.context.document;
+  if (!is_transmissive(subject)) {
+    subject.report("KHR_MATERIALS_VOLUME_NO_TRANSMISSION",
+                   "No extension of the material lets light through its surface into the volume.");
+  }
+  const auto thickness = number_member(document, subject.object, "thicknessFactor");
+  if (!thickness || !(*thickness > 0)) return;
+  if (!model::true_member(document, subject.material, "doubleSided")) return;
+  subject.report("KHR_MATERIALS_VOLUME_DOUBLE_SIDED",
+                 fmt::format("The material is double-sided, but its volume is {} thick.",
+                             number_text(*thickness)));
+}
+
+// --- Iridescence ---
+
+void check_iridescence(const Context& context, json::NodeId object, const Path& path) {
+  const json::Document& document = context.document;
+  const auto thickness = [&](std::string_view member, double otherwise) {
+    if (document.find(object, member) == json::kNoNode) return std::optional(otherwise);
+    const auto value = number_member(document, object, member);
+    return value && *value >= 0 ? value : std::nullopt;
+  };
+  const auto least = thickness("iridescenceThicknessMinimum", 100);
+  const auto most = thickness("iridescenceThicknessMaximum", 400);
+  if (!least) return;
+  const std::string_view texture = "iridescenceThicknessTexture";
+  const std::string_view minimum = "iridescenceThicknessMinimum";
+  if (object_member(document, object, texture) == json::kNoNode) {
+    if (document.find(object, minimum) == json::kNoNode) return;
+    report_member(context.schema_sink, context, path, object, minimum,
+                  "KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE",
+                  "The minimum thickness has no effect without a thickness texture.");
+  } else if (least == most) {
+    report_member(context.schema_sink, context, path, object, texture,
+                  "KHR_MATERIALS_IRIDESCENCE_THICKNESS_TEXTURE_UNUSED",
+                  fmt::format("The texture has no effect: minimum and maximum are both {}.",
+                              number_text(*least)));
+  }
+}
+
+// --- All extensions of all materials, in the order of the text ---
+
+struct Check {
+  std::string_view extension;
+  void (*run)(const Subject& subject);
+};
+constexpr std::array kChecks{
+    Check{"KHR_materials_anisotropy", check_anisotropy},
+    Check{"KHR_materials_clearcoat", check_clearcoat},
+    Check{"KHR_materials_dispersion", check_dispersion},
+    Check{"KHR_materials_emissive_strength", check_emissive_strength},
+    Check{"KHR_materials_volume", check_volume},
+};
+
+void check_material(const Context& context, const ActiveExtensions& active, json::NodeId material,
+                    const Path& path) {
+  const json::Document& document = context.document;
+  const json::NodeId extensions = object_member(document, material, "extensions");
+  if (extensions == json::kNoNode) return;
+  const Path at(path, "extensions");
+  for (const auto member : document.members(extensions)) {
+    const std::string_view name = document.key(member.key_id);
+    const auto check = std::find_if(kChecks.begin(), kChecks.end(),
+                                    [&](const Check& each) { return each.extension == name; });
+    if (check == kChecks.end() || !document.is_object(member.value)) continue;
+    if (active.contains(name)) {
+      check->run({context, material, member.value, Path(at, name)});
+    }
+  }
+}
+
+void check_materials(const Context& context) {
+  const ActiveExtensions active(context);
+  const Path root;
+  const Path array(root, "materials");
+  const auto& materials = context.asset.elements(model::RootArray::materials);
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (materials[i] == json::kNoNode) continue;
+    check_material(context, active, materials[i], Path(array, static_cast<std::uint64_t>(i)));
+  }
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {
+    {"material.KHR_materials_iridescence", check_iridescence}};
+constexpr LinkRule kLinkRules[] = {check_materials};
+
+}  // namespace
+
+const Family& material_extensions_family() {
+  static const Family family{"material_extensions", material_extension_rules(), kObjectRules,
+                             kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

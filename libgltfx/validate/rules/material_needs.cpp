@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/rules/material_needs.hpp"
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "model/fields.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// The 12 of "/materials/12/normalTexture".
+std::optional<std::uint64_t> material_of(std::string_view pointer) {
+  constexpr std::string_view kArray = "/materials/";
+  if (!pointer.starts_with(kArray)) return std::nullopt;
+  pointer.remove_prefix(kArray.size());
+  std::uint64_t index = 0;
+  const auto end = std::from_chars(pointer.data(), pointer.data() + pointer.size(), index);
+  return end.ec == std::errc() ? std::optional(index) : std::nullopt;
+}
+
+// Normal maps, and directions of anisotropy, are vectors in tangent space. Schema files do not say
+// so; the names of the properties do.
+bool in_tangent_space(std::string_view property) {
+  return property == "normalTexture" || property.ends_with("NormalTexture") ||
+         property == "anisotropyTexture";
+}
+
+}  // namespace
+
+MaterialNeeds::MaterialNeeds(const Context& context, const ActiveExtensions& active)
+    : needs_(context.asset.count(model::RootArray::materials)) {
+  for (const schema::SlotUse& use : context.checked.slots) add(context, active, use);
+}
+
+void MaterialNeeds::add(const Context& context, const ActiveExtensions& active,
+                        const schema::SlotUse& use) {
+  const auto index = material_of(use.pointer);
+  if (!index || *index >= needs_.size()) return;
+  MaterialNeed& need = needs_[*index];
+  const std::string_view pointer = use.pointer;
+  const std::string_view property = pointer.substr(pointer.rfind('/') + 1);
+  if (in_tangent_space(property)) need.tangent_space = true;
+  const bool core = pointer.find("/extensions/") == std::string_view::npos;
+  if (core && property == "normalTexture") need.normal_texture = true;
+
+  const json::Document& document = context.document;
+  const auto set = model::unsigned_member(document, use.texture_info, "texCoord");
+  const bool sound = set || document.find(use.texture_info, "texCoord") == json::kNoNode;
+  if (sound) need.texcoords.push_back({use.pointer, set.value_or(0)});
+  const json::NodeId extensions = model::object_member(document, use.texture_info, "extensions");
+  if (extensions == json::kNoNode) return;
+  for (const auto member : document.members(extensions)) {
+    const std::string_view name = document.key(member.key_id);
+    if (!document.is_object(member.value) || !active.contains(name)) continue;
+    const auto other = model::unsigned_member(document, member.value, "texCoord");
+    if (other) need.texcoords.push_back({use.pointer + "/extensions/" + std::string(name), *other});
+  }
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What materials ask of the meshes they are on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "validate/context.hpp"
+#include "validate/rules/active_extensions.hpp"
+
+namespace gltfx::validate {
+
+/// A texture that reads a set of texture coordinates.
+struct TexCoordNeed {
+  std::string pointer;  ///< of the texture info, or of the extension on it that names the set
+  std::uint64_t set = 0;
+};
+
+struct MaterialNeed {
+  std::vector<TexCoordNeed> texcoords;
+  bool tangent_space = false;   ///< some texture is read in tangent space
+  bool normal_texture = false;  ///< the core one, from which tangents are made up
+};
+
+/// Needs of all materials, from the texture slots the walk has met.
+class MaterialNeeds {
+ public:
+  MaterialNeeds(const Context& context, const ActiveExtensions& active);
+  const MaterialNeed& of(std::uint32_t material) const { return needs_[material]; }
+
+ private:
+  void add(const Context& context, const ActiveExtensions& active, const schema::SlotUse& use);
+  std::vector<MaterialNeed> needs_;
+};
+
+}  // namespace gltfx::validate

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// Primitives: attributes, indices and morph targets held against each other.
+#include "validate/rules/mesh_primitive.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/mesh_state.hpp"
+#include "validate/rules/use.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::Attribute;
+using model::Mode;
+using model::Primitive;
+using model::SemanticKind;
+
+const model::Accessor& accessor_of(const Context& context, const Attribute& attribute) {
+  return context.views.accessors[*attribute.accessor];
+}
+
+// Attributes with a wrong name are reported; what they refer to means nothing.
+bool is_usable(const Context& context, const Attribute& attribute) {
+  const SemanticKind kind = attribute.semantic.kind;
+  const bool named =
+      kind != SemanticKind::invalid && !(kind == SemanticKind::extension && context.khronos());
+  return named && attribute.accessor.has_value();
+}
+
+// --- Attributes ---
+
+void check_attributes(MeshState& state, const Primitive& primitive, const Path& path) {
+  const Context& context = state.context;
+  std::optional<std::uint64_t> count;
+  for (const Attribute& attribute : primitive.attributes) {
+    if (!is_usable(context, attribute)) continue;
+    const Path at(path, attribute.name);
+    const AttributeUse use{attribute, accessor_of(context, attribute), false};
+    report_use(context, *attribute.accessor, model::AccessorUse::vertex_attribute, attribute.value,
+               at);
+    check_attribute(state, use, at);
+    if (!count) count = use.accessor.count;
+    if (count && use.accessor.count && *count != *use.accessor.count) {
+      context.link_sink.report(
+          at, finding_on(context, attribute.value, "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT",
+                         fmt::format("{} has {} elements, but the first attribute has {}.",
+                                     quoted(attribute.name), *use.accessor.count, *count)));
+    }
+    check_shared_view(state, use, at);
+  }
+}
+
+std::optional<std::uint64_t> vertex_count(const Context& context, const Primitive& primitive) {
+  for (const Attribute& attribute : primitive.attributes) {
+    if (!is_usable(context, attribute)) continue;
+    const auto count = accessor_of(context, attribute).count;
+    if (count) return count;
+  }
+  return std::nullopt;
+}
+
+// --- Indices ---
+
+bool is_index_format(const model::Format& format) {
+  using model::ComponentType;
+  return format.type == model::ElementType::scalar && !format.normalized &&
+         (format.component == ComponentType::uint8 || format.component == ComponentType::uint16 ||
+          format.component == ComponentType::uint32);
+}
+
+void check_indices(const Context& context, const Primitive& primitive, const Path& path) {
+  if (!primitive.indices) return;
+  const Path at(path, "indices");
+  const json::NodeId place = primitive.indices_node;
+  report_use(context, *primitive.indices, model::AccessorUse::indices, place, at);
+  const model::Accessor& accessor = context.views.accessors[*primitive.indices];
+  const model::BufferView* view = context.views.view_of(accessor);
+  // A view with the target of indices is at fault itself, and reported.
+  const bool at_fault = view != nullptr && view->byte_stride &&
+                        (context.khronos() || view->target != model::ViewTarget::indices);
+  if (at_fault) {
+    context.link_sink.report(
+        at, finding_on(context, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE",
+                       fmt::format("View {} holds indices, but has a byteStride.",
+                                   *accessor.buffer_view)));
+  }
+  if (!accessor.format.known() || is_index_format(accessor.format)) return;
+  context.link_sink.report(
+      at, finding_on(context, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT",
+                     fmt::format("Indices are {}; they may be SCALAR of UNSIGNED_BYTE, "
+                                 "UNSIGNED_SHORT or UNSIGNED_INT.",
+                                 model::format_text(accessor.format))));
+}
+
+// --- Mode ---
+
+bool goes_with(std::uint64_t count, Mode mode) {
+  switch (mode) {
+    case Mode::lines:
+      return count % 2 == 0;
+    case Mode::line_loop:
+    case Mode::line_strip:
+      return count >= 2;
+    case Mode::triangles:
+      return count % 3 == 0;
+    case Mode::triangle_strip:
+    case Mode::triangle_fan:
+      return count >= 3;
+    default:
+      return true;
+  }
+}
+
+std::string_view mode_demand(Mode mode) {
+  switch (mode) {
+    case Mode::lines:
+      return "a multiple of 2";
+    case Mode::line_loop:
+    case Mode::line_strip:
+      return "at least 2";
+    case Mode::triangles:
+      return "a multiple of 3";
+    default:
+      return "at least 3";
+  }
+}
+
+void check_mode(const Context& context, const Primitive& primitive, const Path& path) {
+  const bool indexed = primitive.indices.has_value();
+  const bool broken = primitive.indices_node != json::kNoNode && !indexed;
+  if (!primitive.mode || (broken && !context.khronos())) return;
+  const auto count = indexed ? context.views.accessors[*primitive.indices].count
+                             : vertex_count(context, primitive);
+  if (!count || goes_with(*count, *primitive.mode)) return;
+  context.link_sink.report(
+      path, finding_on(context, primitive.node, "MESH_PRIMITIVE_INCOMPATIBLE_MODE",
+                       fmt::format("{} are drawn from {}; here are {}.",
+                                   model::mode_name(*primitive.mode), mode_demand(*primitive.mode),
+                                   *count == 1 ? (indexed ? "1 index" : "1 vertex")
+                                               : fmt::format("{} {}", *count,
+                                                             indexed ? "indices" : "vertices"))));
+}
+
+// --- Morph targets ---
+
+// Attributes by name, so that many of them in many targets stay linear.
+class BaseAttributes {
+ public:
+  explicit BaseAttributes(const std::vector<Attribute>& attributes) {
+    for (const Attribute& attribute : attributes) sorted_.push_back(&attribute);
+    std::stable_sort(sorted_.begin(), sorted_.end(),
+                     [](const Attribute* a, const Attribute* b) { return a->name < b->name; });
+  }
+  const Attribute* find(std::string_view name) const {
+    const auto at = std::lower_bound(
+        sorted_.begin(), sorted_.end(), name,
+        [](const Attribute* each, std::string_view wanted) { return each->name < wanted; });
+    return at != sorted_.end() && (*at)->name == name ? *at : nullptr;
+  }
+
+ private:
+  std::vector<const Attribute*> sorted_;
+};
+
+void check_base(const Context& context, const Attribute& attribute, const Attribute* base,
+                const Path& path) {
+  if (base == nullptr || (context.khronos() && !base->accessor)) {
+    context.link_sink.report(
+        path, finding_on(context, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR",
+                         fmt::format("{} is morphed, but the primitive has none.",
+                                     quoted(attribute.name))));
+    return;
+  }
+  if (!base->accessor) return;
+  const auto count = accessor_of(context, attribute).count;
+  const auto expected = accessor_of(context, *base).count;
+  if (!count || !expected || *count == *expected) return;
+  context.link_sink.report(
+      path,
+      finding_on(context, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT",
+                 fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name), *count,
+                             *expected)));
+}
+
+bool can_be_morphed(const Attribute& attribute) {
+  return attribute.semantic.kind != SemanticKind::joints &&
+         attribute.semantic.kind != SemanticKind::weights;
+}
+
+void check_targets(MeshState& state, const Primitive& primitive, const Path& path) {
+  if (primitive.targets.empty()) return;
+  const Context& context = state.context;
+  const BaseAttributes bases(primitive.attributes);
+  const Path array(path, "targets");
+  for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
+    const Path target(array, static_cast<std::uint64_t>(i));
+    for (const Attribute& attribute : model::read_attributes(context.asset, primitive.targets[i])) {
+      if (!is_usable(context, attribute) || !can_be_morphed(attribute)) continue;
+      const Path at(target, attribute.name);
+      report_use(context, *attribute.accessor, model::AccessorUse::vertex_attribute,
+                 attribute.value, at);
+      check_base(context, attribute, bases.find(attribute.name), at);
+      const AttributeUse use{attribute, accessor_of(context, attribute), true};
+      check_attribute(state, use, at);
+      check_shared_view(state, use, at);
+    }
+  }
+}
+
+// --- All primitives ---
+
+void check_primitive(MeshState& state, const Primitive& primitive, const Path& path) {
+  check_attributes(state, primitive, Path(path, "attributes"));
+  check_indices(state.context, primitive, path);
+  check_mode(state.context, primitive, path);
+  check_material(state, primitive, path);
+  check_targets(state, primitive, path);
+}
+
+void check_meshes(const Context& context) {
+  MeshState state(context);
+  const Path root;
+  const Path array(root, "meshes");
+  const auto& meshes = context.asset.elements(model::RootArray::meshes);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const Path mesh(array, static_cast<std::uint64_t>(i));
+    const Path list(mesh, "primitives");
+    std::uint64_t index = 0;
+    for (const json::NodeId object : model::primitives(context.document, meshes[i])) {
+      const Path path(list, index++);
+      if (object == json::kNoNode) continue;
+      check_primitive(state, model::read_primitive(context.asset, object), path);
+    }
+  }
+}
+
+constexpr LinkRule kLinkRules[] = {check_meshes};
+
+}  // namespace
+
+const Family& mesh_primitive_family() {
+  static const Family family{"mesh_primitive", mesh_primitive_rules(), {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

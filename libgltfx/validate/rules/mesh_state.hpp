@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the rules on primitives carry from one to the next.
+#pragma once
+
+#include <vector>
+
+#include "model/mesh.hpp"
+#include "validate/context.hpp"
+#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/attribute_formats.hpp"
+#include "validate/rules/material_needs.hpp"
+
+namespace gltfx::validate {
+
+struct MeshState {
+  explicit MeshState(const Context& checked)
+      : context(checked),
+        active(checked),
+        formats(checked),
+        materials(checked, active),
+        seen_accessors(checked.views.accessors.size()),
+        views_in_use(checked.views.buffer_views.size()) {}
+
+  const Context& context;
+  ActiveExtensions active;
+  AttributeFormats formats;
+  MaterialNeeds materials;
+  std::vector<bool> seen_accessors;  ///< those that some attribute has used
+  std::vector<bool> views_in_use;    ///< those without a stride that some attribute has used
+};
+
+/// An attribute whose index leads to an accessor.
+struct AttributeUse {
+  const model::Attribute& attribute;
+  const model::Accessor& accessor;
+  bool target;  ///< of a morph target
+};
+
+/// Reports uses, bounds and format of an attribute at `path`, in this order; then its alignment.
+void check_attribute(MeshState& state, const AttributeUse& use, const Path& path);
+
+/// Reports an attribute that shares a view without byteStride with another one.
+void check_shared_view(MeshState& state, const AttributeUse& use, const Path& path);
+
+/// Reports what the material of a primitive asks of its attributes.
+void check_material(const MeshState& state, const model::Primitive& primitive, const Path& path);
+
+}  // namespace gltfx::validate

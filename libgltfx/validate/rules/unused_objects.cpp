@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects that nothing refers to, and weights that are always overridden.
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/fields.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::RootArray;
+
+constexpr RuleDescription kRules[] = {
+    {"UNUSED_MESH_WEIGHTS", Severity::info, "The weights of a mesh are always overridden",
+     "Every node that shows the mesh brings weights of its own, so these never count.",
+     "Remove the weights of the mesh.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "weights": [1]}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}], "weights": [0]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "weights": [1]}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
+     Fix::safe, true},
+    {"UNUSED_OBJECT", Severity::info, "Nothing refers to an object",
+     "It makes the file larger, and may show that a reference was forgotten.",
+     "Remove the object, or refer to it.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"doubleSided": true}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"doubleSided": true}]})",
+     Fix::none, true},
+};
+
+// --- Objects ---
+
+// Root arrays whose objects only serve others, in the order of the report. Scenes and animations
+// are chosen at run time.
+constexpr std::array kArrays{RootArray::accessors, RootArray::buffers, RootArray::buffer_views,
+                             RootArray::cameras,   RootArray::images,  RootArray::materials,
+                             RootArray::meshes,    RootArray::nodes,   RootArray::samplers,
+                             RootArray::skins,     RootArray::textures};
+
+// Indices of `array` (of the member of an object) that lead to nodes.
+void mark_nodes(const Context& context, json::NodeId object, std::string_view member,
+                std::vector<bool>& used) {
+  const json::NodeId array = context.document.find(object, member);
+  if (array == json::kNoNode || context.document.kind(array) != json::Kind::number_array) return;
+  for (json::NumberCursor at(context.document, array); at.valid(); at.advance()) {
+    const auto index = context.asset.index(at.number().value, RootArray::nodes);
+    if (index) used[*index] = true;
+  }
+}
+
+void mark_animated(const Context& context, json::NodeId animation, std::vector<bool>& used) {
+  const json::NodeId channels = context.document.find(animation, "channels");
+  if (channels == json::kNoNode || context.document.kind(channels) != json::Kind::array) return;
+  for (const json::NodeId channel : context.document.elements(channels)) {
+    const json::NodeId target = model::object_member(context.document, channel, "target");
+    const auto node = context.asset.index(target, "node", RootArray::nodes);
+    if (node) used[*node] = true;
+  }
+}
+
+// For the Khronos validator the root of a skeleton is no use of a node.
+std::vector<bool> nodes_khronos_counts_as_used(const Context& context) {
+  std::vector<bool> used(context.asset.count(RootArray::nodes));
+  for (const json::NodeId scene : context.asset.elements(RootArray::scenes)) {
+    mark_nodes(context, scene, "nodes", used);
+  }
+  for (const json::NodeId node : context.asset.elements(RootArray::nodes)) {
+    mark_nodes(context, node, "children", used);
+  }
+  for (const json::NodeId skin : context.asset.elements(RootArray::skins)) {
+    mark_nodes(context, skin, "joints", used);
+  }
+  for (const json::NodeId animation : context.asset.elements(RootArray::animations)) {
+    mark_animated(context, animation, used);
+  }
+  return used;
+}
+
+void report_unused(const Context& context, const Path& path, json::NodeId object) {
+  const std::string name = context.asset.name(object);
+  context.link_sink.report(
+      path, finding_on(context, object, "UNUSED_OBJECT",
+                       name.empty() ? std::string("Nothing refers to this object.")
+                                    : fmt::format("Nothing refers to {}.", gltfx::quoted(name))));
+}
+
+void check_array(const Context& context, RootArray array) {
+  const std::string_view name = model::root_array_name(array);
+  const schema::TargetArray* target = context.checked.target(fmt::format("/{}", name));
+  const bool own_count = context.khronos() && array == RootArray::nodes;
+  const std::vector<bool> used =
+      own_count ? nodes_khronos_counts_as_used(context) : std::vector<bool>();
+  const Path root;
+  const Path path(root, name);
+  const auto& objects = context.asset.elements(array);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i] == json::kNoNode) continue;
+    if (own_count ? used[i] : target == nullptr || target->used.contains(i)) continue;
+    report_unused(context, Path(path, static_cast<std::uint64_t>(i)), objects[i]);
+  }
+}
+
+// An array of an extension at the root, such as lights.
+void check_extension_array(const Context& context, const schema::TargetArray& target) {
+  const auto steps = split_pointer(target.pointer);
+  if (!steps || steps->size() != 3 || steps->front() != "extensions") return;
+  if (context.document.kind(target.node) != json::Kind::array) return;
+  const Path root;
+  const Path extensions(root, (*steps)[0]);
+  const Path extension(extensions, (*steps)[1]);
+  const Path array(extension, (*steps)[2]);
+  std::uint64_t index = 0;
+  for (const json::NodeId object : context.document.elements(target.node)) {
+    const std::uint64_t at = index++;
+    if (!context.document.is_object(object) || target.used.contains(at)) continue;
+    report_unused(context, Path(array, at), object);
+  }
+}
+
+void check_objects(const Context& context) {
+  for (const RootArray array : kArrays) check_array(context, array);
+  for (const schema::TargetArray& target : context.checked.targets) {
+    if (target.node != json::kNoNode) check_extension_array(context, target);
+  }
+}
+
+// --- Weights of meshes ---
+
+void check_mesh_weights(const Context& context) {
+  struct Uses {
+    bool any = false, with_own_weights = true;
+  };
+  std::vector<Uses> uses(context.asset.count(RootArray::meshes));
+  for (const json::NodeId node : context.asset.elements(RootArray::nodes)) {
+    const auto mesh = context.asset.index(node, "mesh", RootArray::meshes);
+    if (!mesh) continue;
+    uses[*mesh].any = true;
+    if (context.document.find(node, "weights") == json::kNoNode)
+      uses[*mesh].with_own_weights = false;
+  }
+  const Path root;
+  const Path array(root, "meshes");
+  const auto& meshes = context.asset.elements(RootArray::meshes);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (!uses[i].any || !uses[i].with_own_weights) continue;
+    if (context.document.find(meshes[i], "weights") == json::kNoNode) continue;
+    report_member(context.link_sink, context, Path(array, static_cast<std::uint64_t>(i)), meshes[i],
+                  "weights", "UNUSED_MESH_WEIGHTS",
+                  "Every node with this mesh has weights of its own.");
+  }
+}
+
+constexpr LinkRule kLinkRules[] = {check_objects, check_mesh_weights};
+
+}  // namespace
+
+const Family& unused_objects_family() {
+  static const Family family{"unused_objects", kRules, {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// KHR_materials_variants: one material a variant. About one extension, so it names it.
+#include "validate/rules/variants.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "model/fields.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr RuleDescription kRules[] = {
+    {"KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT", Severity::error,
+     "A primitive has two materials in one variant",
+     "Which of them is shown depends on the reader.", "Keep the variant in one of the mappings.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_variants"],
+ "extensions": {"KHR_materials_variants": {"variants": [{"name": "summer"}]}},
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "extensions": {"KHR_materials_variants": {
+  "mappings": [{"material": 0, "variants": [0]}, {"material": 1, "variants": [0]}]}}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"name": "green"}, {"name": "brown"}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_variants"],
+ "extensions": {"KHR_materials_variants": {"variants": [{"name": "summer"}, {"name": "autumn"}]}},
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "extensions": {"KHR_materials_variants": {
+  "mappings": [{"material": 0, "variants": [0]}, {"material": 1, "variants": [1]}]}}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"name": "green"}, {"name": "brown"}]})",
+     Fix::none, true},
+};
+
+}  // namespace
+
+json::NodeId variant_mappings(const Context& context, const ActiveExtensions& active,
+                              json::NodeId primitive) {
+  const json::NodeId object =
+      model::extension_object(context.document, primitive, kVariantsExtension);
+  if (object == json::kNoNode || !active.contains(kVariantsExtension)) return json::kNoNode;
+  const json::NodeId mappings = context.document.find(object, "mappings");
+  const bool usable =
+      mappings != json::kNoNode && context.document.kind(mappings) == json::Kind::array;
+  return usable ? mappings : json::kNoNode;
+}
+
+// A repeat inside one mapping is one in an array of unique elements, which the schema reports.
+void check_unique_variants(const Context& context, json::NodeId mapping, std::uint64_t index,
+                           const Path& path, SeenVariants& seen) {
+  const json::Document& document = context.document;
+  const json::NodeId variants = document.find(mapping, "variants");
+  if (variants == json::kNoNode || document.kind(variants) != json::Kind::number_array) return;
+  const Path array(path, "variants");
+  std::uint64_t element = 0;
+  for (json::NumberCursor at(document, variants); at.valid(); at.advance(), ++element) {
+    if (!at.number().is_integer() || at.number().value < 0) continue;
+    const auto variant = static_cast<std::uint64_t>(at.number().value);
+    const auto [first, is_new] = seen.emplace(variant, index);
+    if (is_new || (first->second == index && !context.khronos())) continue;
+    Finding finding = finding_on(
+        context, variants, "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT",
+        fmt::format("Variant {} already has the material of mapping {}.", variant, first->second));
+    finding.span = at.number().span;
+    context.link_sink.report(Path(array, element), std::move(finding));
+  }
+}
+
+const Family& variants_family() {
+  static const Family family{"variants", kRules, {}, {}};
+  return family;
+}
+
+}  // namespace gltfx::validate
