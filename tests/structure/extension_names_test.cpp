@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is known of an extension stands in schema/, not in C++.
+#include <cctype>
+#include <map>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "source.hpp"
+
+namespace gltfx::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Files that may name extensions, and why a schema cannot do it.
+const std::map<std::string, std::string, std::less<>> kAllowed{
+    {"libgltfx/validate/rules/lights_punctual.cpp",
+     "compares the two angles of a spot light: a relation between values"},
+    {"libgltfx/validate/rules/material_extensions.cpp",
+     "rules that compare properties of one extension, or ask for tangents beside a texture"},
+    {"libgltfx/validate/rules/material_extensions_table.cpp",
+     "the texts of those rules tell which extension to add or to leave out"},
+    {"libgltfx/validate/rules/variants.hpp",
+     "variants are indices into an array elsewhere that must not repeat over all mappings"},
+};
+
+// "KHR", "EXT", ...: what stands before the first '_' of the extensions we have schemas of.
+std::set<std::string, std::less<>> prefixes() {
+  std::set<std::string, std::less<>> found;
+  for (const Source& source : files_below({"schema/extensions"})) {
+    const std::string name = source.path.substr(source.path.rfind('/') + 1);
+    found.insert(name.substr(0, name.find('_')));
+  }
+  return found;
+}
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+// An extension's name in a text: a known prefix, '_', a lower-case letter. Codes of rules are all
+// capitals; KHR_x is the name that messages use for any extension.
+std::string extension_in(std::string_view text,
+                         const std::set<std::string, std::less<>>& prefixes) {
+  for (std::size_t at = 0; at < text.size();) {
+    if (!is_word(text[at])) {
+      ++at;
+      continue;
+    }
+    std::size_t end = at;
+    while (end < text.size() && is_word(text[end])) ++end;
+    const std::string_view word = text.substr(at, end - at);
+    at = end;
+    const std::size_t bar = word.find('_');
+    if (bar == std::string_view::npos || bar + 1 >= word.size() || word == "KHR_x") continue;
+    const bool lower = std::islower(static_cast<unsigned char>(word[bar + 1])) != 0;
+    if (lower && prefixes.count(word.substr(0, bar)) > 0) return std::string(word);
+  }
+  return {};
+}
+
+// Raw literals hold example assets and help texts, which show extensions without acting on them.
+Problems check_names(const Source& source, const std::set<std::string, std::less<>>& known) {
+  Problems problems;
+  if (kAllowed.count(source.path) > 0) return problems;
+  for (const Literal& literal : lex(source.text).literals) {
+    if (literal.raw) continue;
+    const std::string name = extension_in(literal.text, known);
+    if (!name.empty()) problems.push_back(problem(source, literal.line, "names " + name));
+  }
+  return problems;
+}
+
+TEST(ExtensionNames, CppNamesNoExtensionOutsideTheList) {
+  Problems problems;
+  const auto known = prefixes();
+  ASSERT_GE(known.size(), 5U);
+  for (const Source& source : cpp_below({"libgltfx", "tools"})) {
+    const Problems found = check_names(source, known);
+    problems.insert(problems.end(), found.begin(), found.end());
+  }
+  EXPECT_THAT(problems, IsEmpty());
+}
+
+TEST(ExtensionNames, TheListHasNoEntryThatIsNotNeeded) {
+  const auto known = prefixes();
+  for (const auto& [path, reason] : kAllowed) {
+    EXPECT_GT(reason.size(), 20U) << path;
+    bool needed = false;
+    for (const Source& source : files_below({path})) {
+      needed = !check_names({"elsewhere.cpp", source.text}, known).empty();
+    }
+    EXPECT_TRUE(needed) << path << " names no extension: take it off the list";
+  }
+}
+
+TEST(ExtensionNames, ANameIsFound) {
+  EXPECT_THAT(check_names({"a.cpp", "\nif (name == \"KHR_materials_ior\") return;\n"}, {"KHR"}),
+              ElementsAre("a.cpp:2: names KHR_materials_ior"));
+  EXPECT_THAT(check_names({"a.cpp", "f(\"/extensions/EXT_texture_webp/source\");"}, {"EXT"}),
+              ElementsAre(HasSubstr("names EXT_texture_webp")));
+}
+
+TEST(ExtensionNames, CodesCommentsAndExamplesAreNoNames) {
+  EXPECT_THAT(check_names({"a.cpp",
+                           "// KHR_materials_ior\nf(\"KHR_LIGHTS_SPOT\", \"KHR_x\", "
+                           "R\"({\"KHR_materials_ior\": {}})\");"},
+                          {"KHR"}),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace gltfx::structure

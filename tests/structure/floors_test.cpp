@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Who may include whom: rooms on floors, and third-party headers in their rooms.
+#include <map>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "source.hpp"
+
+namespace gltfx::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// A file includes its own room and lower floors. Rooms on one floor do not know each other.
+const std::map<std::string, int, std::less<>> kFloors{
+    {"base", 0},   {"json", 1},     {"codec", 1},   {"image", 2},    {"container", 2},
+    {"schema", 2}, {"report", 2},   {"model", 3},   {"validate", 4}, {"upgrade", 4},
+    {"bake", 4},   {"pipeline", 5}, {"interop", 5}, {"tools", 6},
+};
+
+// The room a public header belongs to.
+const std::map<std::string, std::string, std::less<>> kPublicHeaders{
+    {"gltfx/diagnostic.hpp", "base"},   {"gltfx/version.hpp", "base"},
+    {"gltfx/report.hpp", "report"},     {"gltfx/validate.hpp", "validate"},
+    {"gltfx/pipeline.hpp", "pipeline"},
+};
+
+// Lower floors that a room must not reach for all the same.
+const std::vector<std::pair<std::string, std::string>> kNever{{"bake", "json"}, {"bake", "schema"}};
+
+// Where a library's headers may be included: a start of the path.
+const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdParty{
+    {"simdjson.h", {"libgltfx/json/"}},
+    {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/"}},
+    {"tbb/", {"libgltfx/base/parallel.cpp"}},
+    {"CLI/", {"tools/gltfx/command_line.cpp"}},
+    {"fmt/", {"libgltfx/", "tools/gltfx/"}},
+};
+
+const std::vector<std::string_view> kSystemHeaders{"fcntl.h",       "unistd.h",       "poll.h",
+                                                   "fnmatch.h",     "sys/stat.h",     "sys/mman.h",
+                                                   "sys/syscall.h", "linux/openat2.h"};
+
+bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
+
+std::string room_of(std::string_view path) {
+  if (path.starts_with("tools/")) return "tools";
+  constexpr std::string_view kLibrary = "libgltfx/";
+  if (is_public(path)) {
+    const auto header = kPublicHeaders.find(path.substr(kLibrary.size() + 8));
+    return header == kPublicHeaders.end() ? std::string() : header->second;
+  }
+  if (!path.starts_with(kLibrary)) return {};
+  path.remove_prefix(kLibrary.size());
+  return std::string(path.substr(0, path.find('/')));
+}
+
+// The room an include leads into; nothing for the standard library and other libraries.
+std::optional<std::string> room_of(const Include& include) {
+  if (include.name.starts_with("gltfx/")) {
+    const auto header = kPublicHeaders.find(include.name);
+    return header == kPublicHeaders.end() ? "an unknown public header" : header->second;
+  }
+  if (include.angled) return std::nullopt;
+  const std::size_t slash = include.name.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  return include.name.substr(0, slash);
+}
+
+bool allowed(const std::string& from, const std::string& to) {
+  if (from == to) return true;
+  for (const auto& [room, other] : kNever) {
+    if (room == from && other == to) return false;
+  }
+  const auto own = kFloors.find(from);
+  const auto floor = kFloors.find(to);
+  return own != kFloors.end() && floor != kFloors.end() && floor->second < own->second;
+}
+
+Problems check_floors(const Source& source) {
+  Problems problems;
+  const std::string own = room_of(source.path);
+  if (kFloors.find(own) == kFloors.end()) {
+    return {problem(source, 1, "belongs to no room: add it to the table of floors")};
+  }
+  for (const Include& include : includes_of(source.text)) {
+    const auto room = room_of(include);
+    if (!room || allowed(own, *room)) continue;
+    problems.push_back(problem(source, include.line,
+                               own + " must not include " + *room + " (" + include.name + ")"));
+  }
+  return problems;
+}
+
+bool is_standard(const Include& include) {
+  return include.name.find_first_of("./") == std::string::npos;
+}
+
+Problems check_third_party(const Source& source) {
+  Problems problems;
+  const auto complain = [&](const Include& include, std::string_view why) {
+    problems.push_back(problem(source, include.line, include.name + " " + std::string(why)));
+  };
+  for (const Include& include : includes_of(source.text)) {
+    if (!include.angled || include.name.starts_with("gltfx/") || is_standard(include)) continue;
+    if (is_public(source.path)) {
+      complain(include, "must not be in a public header");
+      continue;
+    }
+    if (starts_with_any(include.name, kSystemHeaders)) continue;
+    const auto library =
+        std::find_if(kThirdParty.begin(), kThirdParty.end(),
+                     [&](const auto& entry) { return include.name.starts_with(entry.first); });
+    if (library == kThirdParty.end()) {
+      complain(include, "is in no table of allowed headers");
+    } else if (!starts_with_any(source.path, library->second)) {
+      complain(include, "must not be included here");
+    } else if (source.path.ends_with(".hpp")) {
+      complain(include, "must only be included in .cpp files");
+    }
+  }
+  return problems;
+}
+
+template <class Check>
+Problems over_all(const Check& check) {
+  Problems problems;
+  for (const Source& source : cpp_below({"libgltfx", "tools"})) {
+    const Problems found = check(source);
+    problems.insert(problems.end(), found.begin(), found.end());
+  }
+  return problems;
+}
+
+TEST(Floors, FilesIncludeTheirOwnRoomAndLowerFloorsOnly) {
+  EXPECT_THAT(over_all(check_floors), IsEmpty());
+}
+
+TEST(Floors, AnUpwardIncludeIsFound) {
+  EXPECT_THAT(check_floors({"libgltfx/json/a.cpp", "\n#include \"model/mesh.hpp\"\n"}),
+              ElementsAre("libgltfx/json/a.cpp:2: json must not include model (model/mesh.hpp)"));
+  EXPECT_THAT(check_floors({"libgltfx/report/a.cpp", "#include <gltfx/validate.hpp>\n"}),
+              ElementsAre(HasSubstr("report must not include validate")));
+}
+
+TEST(Floors, ARoomOnTheSameFloorIsFound) {
+  EXPECT_THAT(check_floors({"libgltfx/schema/a.hpp", "#include \"container/uri.hpp\"\n"}),
+              ElementsAre(HasSubstr("schema must not include container")));
+}
+
+TEST(Floors, BakingDoesNotReachForJson) {
+  EXPECT_THAT(check_floors({"libgltfx/bake/a.cpp", "#include \"json/parse.hpp\"\n"}),
+              ElementsAre(HasSubstr("bake must not include json")));
+}
+
+TEST(Floors, AFileOrHeaderWithoutRoomIsFound) {
+  EXPECT_THAT(check_floors({"libgltfx/cellar/a.cpp", ""}), ElementsAre(HasSubstr("no room")));
+  EXPECT_THAT(check_floors({"libgltfx/include/gltfx/attic.hpp", ""}),
+              ElementsAre(HasSubstr("no room")));
+  EXPECT_THAT(check_floors({"libgltfx/base/a.cpp", "#include <gltfx/attic.hpp>\n"}),
+              ElementsAre(HasSubstr("unknown public header")));
+}
+
+TEST(Floors, WhatIsBelowMayBeIncluded) {
+  EXPECT_THAT(check_floors({"libgltfx/validate/a.cpp",
+                            "#include <gltfx/report.hpp>\n#include \"json/parse.hpp\"\n"
+                            "#include \"validate/b.hpp\"\n#include <vector>\n"}),
+              IsEmpty());
+}
+
+TEST(ThirdParty, HeadersStayInTheirRooms) { EXPECT_THAT(over_all(check_third_party), IsEmpty()); }
+
+TEST(ThirdParty, AHeaderOutsideItsRoomIsFound) {
+  EXPECT_THAT(check_third_party({"libgltfx/model/a.cpp", "#include <simdjson.h>\n"}),
+              ElementsAre(HasSubstr("must not be included here")));
+  EXPECT_THAT(check_third_party({"libgltfx/base/a.cpp", "#include <tbb/info.h>\n"}),
+              ElementsAre(HasSubstr("must not be included here")));
+  EXPECT_THAT(check_third_party({"libgltfx/pipeline/a.cpp", "#include <CLI/CLI.hpp>\n"}),
+              ElementsAre(HasSubstr("must not be included here")));
+}
+
+TEST(ThirdParty, AnUnknownLibraryIsFound) {
+  EXPECT_THAT(check_third_party({"libgltfx/base/a.cpp", "#include <boost/any.hpp>\n"}),
+              ElementsAre(HasSubstr("no table")));
+}
+
+TEST(ThirdParty, FmtInAHeaderIsFound) {
+  EXPECT_THAT(check_third_party({"libgltfx/json/a.hpp", "#include <fmt/format.h>\n"}),
+              ElementsAre(HasSubstr("only be included in .cpp")));
+}
+
+TEST(ThirdParty, AnyLibraryInAPublicHeaderIsFound) {
+  EXPECT_THAT(
+      check_third_party({"libgltfx/include/gltfx/report.hpp", "#include <nlohmann/json.hpp>\n"}),
+      ElementsAre(HasSubstr("public header")));
+}
+
+}  // namespace
+}  // namespace gltfx::structure
