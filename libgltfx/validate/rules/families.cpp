@@ -31,7 +31,15 @@ std::span<const Family> families() {
       mesh_family(),
       mesh_primitive_family(),
       primitive_material_family(),
+      camera_family(),
+      node_transform_family(),
+      node_mesh_family(),
+      skin_family(),
+      animation_family(),
+      animation_pointer_family(),
+      scene_family(),
       use_family(),
+      node_graph_family(),
       unused_objects_family(),  // behind all that find references
   };
   // clang-format on

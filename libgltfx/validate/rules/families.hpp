@@ -34,4 +34,14 @@ const Family& primitive_material_family();
 const Family& use_family();
 const Family& unused_objects_family();
 
+// Cameras, the scene graph, skins, animations.
+const Family& camera_family();
+const Family& node_transform_family();
+const Family& node_mesh_family();
+const Family& skin_family();
+const Family& animation_family();
+const Family& animation_pointer_family();
+const Family& scene_family();
+const Family& node_graph_family();
+
 }  // namespace gltfx::validate

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// KHR_animation_pointer: channels that name what they move by a JSON pointer. Only the object model
+// says which properties those may be, so the rules go beyond what a schema file can state; this
+// file is about that one extension and names it.
+#include <algorithm>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/animation.hpp"
+#include "model/fields.hpp"
+#include "model/object_model.hpp"
+#include "validate/rules/animation_output.hpp"
+#include "validate/rules/animation_pointer_table.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::AnimationChannel;
+using model::PropertyTarget;
+using model::PropertyType;
+
+constexpr std::string_view kExtension = "KHR_animation_pointer";
+constexpr std::string_view kPath = "pointer";
+
+// Who moves a property, as a whole or element by element: channel numbers of one animation.
+struct Claims {
+  std::optional<std::size_t> whole;
+  std::optional<std::size_t> any_element;
+  std::unordered_map<std::uint64_t, std::size_t> elements;
+
+  // The channel that is in the way of this one, which is entered when there is none.
+  std::optional<std::size_t> claim(std::size_t channel, std::optional<std::uint64_t> element) {
+    if (whole) return whole;
+    if (!element) {
+      whole = channel;
+      return any_element;
+    }
+    any_element = any_element.value_or(channel);
+    const auto [known, fresh] = elements.try_emplace(*element, channel);
+    return fresh ? std::nullopt : std::optional(known->second);
+  }
+};
+using ClaimsByProperty = std::unordered_map<std::string, Claims>;
+
+// The element type an output accessor has for a data type (the extension's table).
+model::ElementType element_type(PropertyType type) {
+  switch (type) {
+    case PropertyType::float2:
+      return model::ElementType::vec2;
+    case PropertyType::float3:
+      return model::ElementType::vec3;
+    case PropertyType::float4:
+      return model::ElementType::vec4;
+    case PropertyType::float2x2:
+      return model::ElementType::mat2;
+    case PropertyType::float3x3:
+      return model::ElementType::mat3;
+    case PropertyType::float4x4:
+      return model::ElementType::mat4;
+    default:
+      return model::ElementType::scalar;
+  }
+}
+
+bool is_discrete(PropertyType type) {
+  return type == PropertyType::boolean || type == PropertyType::integer;
+}
+
+bool fits(PropertyType type, const model::Format& format) {
+  if (!format.known()) return true;
+  if (format.type != element_type(type)) return false;
+  if (type == PropertyType::boolean) return format.component == model::ComponentType::uint8;
+  if (type == PropertyType::integer)
+    return model::is_integer(format.component) && !format.normalized;
+  return true;
+}
+
+std::string wanted_format(PropertyType type) {
+  const std::string_view element = model::element_type_name(element_type(type));
+  if (type == PropertyType::boolean) return fmt::format("{} of UNSIGNED_BYTE", element);
+  if (type == PropertyType::integer) {
+    return fmt::format("{} of integers that are not normalized", element);
+  }
+  return std::string(element);
+}
+
+class PointerCheck {
+ public:
+  explicit PointerCheck(const Context& context)
+      : context_(context), model_(context.asset, context.schemas) {}
+
+  void run() {
+    const Path root;
+    const Path list(root, "animations");
+    const auto& objects = context_.asset.elements(model::RootArray::animations);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] == json::kNoNode) continue;
+      check(model::read_animation(context_.asset, objects[i]), Path(list, i));
+    }
+  }
+
+ private:
+  void check(const model::Animation& animation, const Path& path) {
+    ClaimsByProperty claims;
+    if (!context_.khronos()) enter_plain_targets(animation, claims);
+    const Path channels(path, "channels");
+    for (std::size_t i = 0; i < animation.channels.size(); ++i) {
+      const AnimationChannel& channel = animation.channels[i];
+      const Path at(channels, i);
+      const json::NodeId extension =
+          model::extension_object(context_.document, channel.target, kExtension);
+      if (extension == json::kNoNode) {
+        check_plain(channel, at);
+        continue;
+      }
+      const Path target(at, "target");
+      const Path extensions(target, "extensions");
+      const Path place(extensions, kExtension);
+      check_target(channel, extension, place);
+      if (!context_.khronos()) check_pointer(animation, i, extension, place, at, claims);
+    }
+  }
+
+  void report(const Path& path, json::NodeId place, std::string_view code, std::string message,
+              std::string help = {}) {
+    context_.link_sink.report(
+        path, finding_on(context_, place, code, std::move(message), std::move(help)));
+  }
+
+  static void enter_plain_targets(const model::Animation& animation, ClaimsByProperty& claims) {
+    for (std::size_t i = 0; i < animation.channels.size(); ++i) {
+      const AnimationChannel& channel = animation.channels[i];
+      const std::string_view path = model::animation_path_name(channel.path);
+      // Two plain targets that are the same are reported by the rules on animations.
+      if (channel.node && !path.empty()) {
+        claims[fmt::format("/nodes/{}/{}", *channel.node, path)].claim(i, std::nullopt);
+      }
+    }
+  }
+
+  void check_plain(const AnimationChannel& channel, const Path& path) {
+    if (model::string_member(context_.document, channel.target, "path") != kPath) return;
+    report(Path(path, "target"), channel.target, "ANIMATION_POINTER_MISSING",
+           fmt::format("The path is 'pointer', but there is no {} with the pointer.", kExtension));
+  }
+
+  void check_target(const AnimationChannel& channel, json::NodeId extension, const Path& place) {
+    if (context_.khronos()) {
+      report(place, extension, "INCOMPLETE_EXTENSION_SUPPORT",
+             "In this profile the pointer is not resolved: what it names may be wrong.");
+    }
+    const json::NodeId node = context_.document.find(channel.target, "node");
+    if (node != json::kNoNode && context_.document.unsigned_integer(node)) {
+      report(place, node, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE",
+             "The target has a node beside the pointer.");
+    }
+    const json::NodeId path = context_.document.find(channel.target, "path");
+    if (path == json::kNoNode || !context_.document.is_string(path)) return;
+    const std::string name = context_.document.string(path);
+    if (name == kPath) return;
+    report(place, path, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH",
+           fmt::format("The path is {} instead of 'pointer'.", gltfx::quoted(name)));
+  }
+
+  void check_pointer(const model::Animation& animation, std::size_t index, json::NodeId extension,
+                     const Path& place, const Path& channel_path, ClaimsByProperty& claims) {
+    const json::NodeId value = context_.document.find(extension, "pointer");
+    if (value == json::kNoNode || !context_.document.is_string(value)) return;
+    const std::string text = context_.document.string(value);
+    const PropertyTarget target = model_.resolve(text);
+    const Path at(place, "pointer");
+    const std::string help =
+        target.nearest.empty() ? std::string() : fmt::format("did you mean {}?", target.nearest);
+    switch (target.status) {
+      case PropertyTarget::Status::malformed:
+        return;  // told by the schema walk
+      case PropertyTarget::Status::unresolved:
+        report(at, value, "ANIMATION_POINTER_UNRESOLVED",
+               fmt::format("The pointer leads nowhere: {}.", target.reason), help);
+        return;
+      case PropertyTarget::Status::immutable:
+        report(at, value, "ANIMATION_POINTER_NOT_MUTABLE",
+               fmt::format("The pointer names nothing that can be animated: {}.", target.reason));
+        return;
+      default:
+        break;
+    }
+    const auto other = claims[target.property].claim(index, target.element);
+    if (other) report_duplicate(at, value, *other);
+    if (target.status == PropertyTarget::Status::mutable_property) {
+      check_sampler(animation, animation.channels[index], target, channel_path);
+    }
+  }
+
+  void report_duplicate(const Path& at, json::NodeId value, std::size_t other) {
+    report(at, value, "ANIMATION_POINTER_DUPLICATE",
+           fmt::format("Channel {} of this animation moves the same property.", other));
+  }
+
+  void check_sampler(const model::Animation& animation, const AnimationChannel& channel,
+                     const PropertyTarget& target, const Path& path) {
+    if (!channel.sampler) return;
+    const model::AnimationSampler& sampler = animation.samplers[*channel.sampler];
+    const bool interpolates = sampler.interpolation == model::Interpolation::linear ||
+                              sampler.interpolation == model::Interpolation::cubic_spline;
+    if (is_discrete(target.type) && interpolates) {
+      report_member(context_.link_sink, context_, path, channel.object, "sampler",
+                    "ANIMATION_POINTER_INTERPOLATION",
+                    fmt::format("{} is of type {}, which has nothing between two keyframes; "
+                                "sampler {} is {}.",
+                                printable(target.property), property_type_name(target.type),
+                                *channel.sampler, interpolation_name(sampler.interpolation)));
+      return;
+    }
+    if (!sampler.output) return;
+    if (!fits(target.type, context_.views.accessors[*sampler.output].format)) {
+      report_output_format(
+          context_, sampler,
+          fmt::format("{} ({})", printable(target.property), property_type_name(target.type)),
+          wanted_format(target.type), channel.object, path);
+    }
+    const bool list = target.type == PropertyType::number_array;
+    check_output_count(context_, sampler, list ? target.length : 1, channel.object, path);
+  }
+
+  const Context& context_;
+  model::ObjectModel model_;
+};
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_pointers(const Context& context) {
+  // Undeclared means ignored, in that profile.
+  if (context.khronos() && !contains(context.checked.extensions_used, kExtension)) return;
+  if (context.asset.count(model::RootArray::animations) != 0) PointerCheck(context).run();
+}
+
+constexpr LinkRule kLinkRules[] = {check_pointers};
+
+}  // namespace
+
+const Family& animation_pointer_family() {
+  static const Family family{"animation_pointer", animation_pointer_rules(), {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
