@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schema/compile.hpp"
 #include "schema/embedded.hpp"
+#include "schema/image.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -33,7 +34,10 @@ const std::vector<SourceFile>& builtin_files() {
 }
 
 const std::shared_ptr<const Set>& builtin_set() {
-  static const std::shared_ptr<const Set> set = compile(described_files()).set;
+  static const std::shared_ptr<const Set> set = [] {
+    auto ready = read_image(embedded_image());
+    return ready ? ready : compile(described_files()).set;
+  }();
   return set;
 }
 

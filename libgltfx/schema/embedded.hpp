@@ -13,5 +13,7 @@ struct EmbeddedFile {
 };
 
 std::span<const EmbeddedFile> embedded_files();
+/// The Set they make, as `schema/image.hpp` reads it.
+std::string_view embedded_image();
 
 }  // namespace gltfx::schema

@@ -75,4 +75,9 @@ std::shared_ptr<const Set> SetWriter::close(SetParts parts) {
   return set;
 }
 
+SetParts SetWriter::open(const Set& set) {
+  return {set.shapes_,   set.types_,         set.extensions_,
+          set.type_ids_, set.extension_ids_, *set.patterns_};
+}
+
 }  // namespace gltfx::schema

@@ -26,11 +26,13 @@ struct SetParts {
   const Property* find_property(TypeId type, std::string_view name) const;
 };
 
-/// The one way into a Set.
+/// The one way into a Set, and out of it.
 class SetWriter {
  public:
   /// Makes the walk's tables and closes the Set.
   static std::shared_ptr<const Set> close(SetParts parts);
+  /// A copy of what a Set consists of.
+  static SetParts open(const Set& set);
 };
 
 }  // namespace gltfx::schema

@@ -46,9 +46,18 @@ std::string literal(const std::string& text) {
   return out + "\"";
 }
 
+std::string byte_list(const std::string& bytes) {
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    out += std::to_string(static_cast<unsigned char>(bytes[i]));
+    out += i % 24 == 23 ? ",\n" : ",";
+  }
+  return out;
+}
+
 }  // namespace
 
-std::string embed(const std::vector<SourceFile>& files) {
+std::string embed(const std::vector<SourceFile>& files, const std::string& image) {
   constexpr std::size_t kPiece = 16000;
   std::string out =
       "// Written by gltfx_schema_compiler from schema/.\n#include \"schema/embedded.hpp\"\n\n"
@@ -64,10 +73,14 @@ std::string embed(const std::vector<SourceFile>& files) {
     out += "};\n";
     table += "    {" + literal(files[i].name) + ", " + name + "},\n";
   }
-  out += "constexpr EmbeddedFile kFiles[]{\n" + table + "};\n}  // namespace\n\n";
-  return out +
-         "std::span<const EmbeddedFile> embedded_files() { return kFiles; }\n\n}  // namespace "
-         "gltfx::schema\n";
+  out += "constexpr EmbeddedFile kFiles[]{\n" + table + "};\n\n";
+  out +=
+      "alignas(8) constexpr unsigned char kImage[]{" + byte_list(image) + "};\n}  // namespace\n\n";
+  out += "std::span<const EmbeddedFile> embedded_files() { return kFiles; }\n\n";
+  out +=
+      "std::string_view embedded_image() {\n"
+      "  return {reinterpret_cast<const char*>(kImage), sizeof kImage};\n}\n\n";
+  return out + "}  // namespace gltfx::schema\n";
 }
 
 }  // namespace gltfx::schema

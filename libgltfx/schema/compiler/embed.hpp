@@ -9,8 +9,9 @@
 
 namespace gltfx::schema {
 
-/// A C++ file that defines `embedded_files()` (schema/embedded.hpp) with these files, whitespace
-/// between tokens taken out. Literals are split below what compilers take (64 KiB).
-std::string embed(const std::vector<SourceFile>& files);
+/// A C++ file that defines what schema/embedded.hpp declares: these files, whitespace between
+/// tokens taken out, and the image of their Set. Literals are split below what compilers take (64
+/// KiB).
+std::string embed(const std::vector<SourceFile>& files, const std::string& image);
 
 }  // namespace gltfx::schema

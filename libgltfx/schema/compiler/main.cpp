@@ -11,6 +11,7 @@
 
 #include "schema/compile.hpp"
 #include "schema/compiler/embed.hpp"
+#include "schema/image.hpp"
 
 namespace {
 
@@ -57,6 +58,6 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", fault.text().c_str());
   if (!compiled.set)
     return fail("the schema files have " + std::to_string(compiled.faults.size()) + " faults");
-  const std::string out = embed(files);
+  const std::string out = embed(files, write_image(*compiled.set));
   return write_file(argv[1], out) ? 0 : fail(std::string(argv[1]) + ": cannot be written");
 }

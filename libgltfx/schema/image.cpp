@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/image.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include "schema/image_fields.hpp"
+#include "schema/set_parts.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+constexpr std::uint64_t kMagic =
+    0x6778'5363'6865'0001;  // its last digits count the format's versions
+
+class Writer {
+ public:
+  template <class... T>
+  void operator()(T&... values) {
+    (put(values), ...);
+  }
+  std::string bytes;
+
+ private:
+  // Small numbers take one byte; all ones, which stand for "none", too.
+  void put_number(std::uint64_t value) {
+    ++value;
+    while (value >= 0x80) {
+      bytes += static_cast<char>((value & 0x7F) | 0x80);
+      value >>= 7;
+    }
+    bytes += static_cast<char>(value);
+  }
+  template <class T>
+  void put(T& value) {
+    if constexpr (std::is_same_v<T, double>) {
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool> || sizeof(T) == 1) {
+      bytes += static_cast<char>(value);
+    } else if constexpr (std::is_integral_v<T>) {
+      put_number(value == std::numeric_limits<T>::max() ? UINT64_MAX : value);
+    } else {
+      exchange(*this, value);
+    }
+  }
+  void put(std::string& text) {
+    put_number(text.size());
+    bytes += text;
+  }
+  template <class T>
+  void put(std::vector<T>& list) {
+    put_number(list.size());
+    for (T& item : list) put(item);
+  }
+  template <class A, class B>
+  void put(std::pair<A, B>& pair) {
+    put(pair.first);
+    put(pair.second);
+  }
+  template <class T>
+  void put(std::optional<T>& maybe) {
+    bytes += maybe ? '\1' : '\0';
+    if (maybe) put(*maybe);
+  }
+};
+
+// Trusts that the bytes were written by Writer, but never reads beyond their end.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : at_(bytes.data()), end_(at_ + bytes.size()) {}
+  template <class... T>
+  void operator()(T&... values) {
+    (get(values), ...);
+  }
+  bool is_done() const { return at_ == end_; }
+
+ private:
+  std::uint64_t get_number() {
+    std::uint64_t value = 0;
+    for (int shift = 0; at_ < end_ && shift < 64; shift += 7) {
+      const auto byte = static_cast<unsigned char>(*at_++);
+      value |= std::uint64_t{byte & 0x7Fu} << shift;
+      if (byte < 0x80) break;
+    }
+    return value - 1;
+  }
+  std::size_t get_count() {
+    return static_cast<std::size_t>(
+        std::min<std::uint64_t>(get_number(), static_cast<std::uint64_t>(end_ - at_)));
+  }
+  template <class T>
+  void get(T& value) {
+    if constexpr (std::is_same_v<T, double>) {
+      if (end_ - at_ < static_cast<std::ptrdiff_t>(sizeof value)) return;
+      std::memcpy(&value, at_, sizeof value);
+      at_ += sizeof value;
+    } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool> || sizeof(T) == 1) {
+      if (at_ < end_) value = static_cast<T>(*at_++);
+    } else if constexpr (std::is_integral_v<T>) {
+      value = static_cast<T>(get_number());
+    } else {
+      exchange(*this, value);
+    }
+  }
+  void get(std::string& text) {
+    const std::size_t size = get_count();
+    text.assign(at_, size);
+    at_ += size;
+  }
+  template <class T>
+  void get(std::vector<T>& list) {
+    list.resize(get_count());
+    for (T& item : list) get(item);
+  }
+  template <class A, class B>
+  void get(std::pair<A, B>& pair) {
+    get(pair.first);
+    get(pair.second);
+  }
+  template <class T>
+  void get(std::optional<T>& maybe) {
+    if (at_ < end_ && *at_++ != 0) get(maybe.emplace());
+  }
+
+  const char* at_;
+  const char* end_;
+};
+
+// Names of types that are not the types' own: those of definitions that stand at several homes.
+using Names = std::vector<std::pair<std::string, std::uint32_t>>;
+
+template <class Map>
+Names sorted(const Map& map) {
+  Names names(map.begin(), map.end());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+std::string write_image(const Set& set) {
+  SetParts parts = SetWriter::open(set);
+  Names types = sorted(parts.type_ids);
+  Names extensions = sorted(parts.extension_ids);
+  std::vector<std::string> patterns;
+  for (const Pattern& pattern : parts.patterns) patterns.push_back(pattern.text());
+  Writer writer;
+  std::uint64_t magic = kMagic;
+  writer(magic, parts.shapes, parts.types, parts.extensions, types, extensions, patterns);
+  return std::move(writer.bytes);
+}
+
+std::shared_ptr<const Set> read_image(std::string_view bytes) {
+  SetParts parts;
+  Names types;
+  Names extensions;
+  std::vector<std::string> patterns;
+  std::uint64_t magic = 0;
+  Reader reader(bytes);
+  reader(magic);
+  if (magic != kMagic) return nullptr;
+  reader(parts.shapes, parts.types, parts.extensions, types, extensions, patterns);
+  if (!reader.is_done()) return nullptr;
+  for (const std::string& expression : patterns) {
+    auto pattern = Pattern::compile(expression);
+    if (!pattern) return nullptr;
+    parts.patterns.push_back(*std::move(pattern));
+  }
+  parts.type_ids.reserve(types.size());
+  for (auto& [name, id] : types) parts.type_ids.emplace(std::move(name), id);
+  for (auto& [name, id] : extensions) parts.extension_ids.emplace(std::move(name), id);
+  return SetWriter::close(std::move(parts));
+}
+
+}  // namespace gltfx::schema
