@@ -129,7 +129,7 @@ constexpr RuleDescription kRules[] = {
     {"KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH", Severity::error,
      "A target with a pointer has another path",
      "The path says how to read the target; only with `pointer` is the pointer heeded.",
-     "Set the path to " pointer ".",
+     "Set the path to `pointer`.",
      R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_animation_pointer"],
  "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}],
  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
