@@ -33,7 +33,7 @@ Sniffed sniff(std::span<const std::byte> bytes) {
   if (at.at("\xabKTX 20\xbb\r\n\x1a\n"sv)) return {true, Format::ktx2};
   if (at.at("RIFF"sv)) {
     at.skip(8);
-    if (at.at("WEBP"sv)) return {true, Format::webp};
+    if (at.at("WEBPVP"sv)) return {true, Format::webp};
   }
   return {};
 }

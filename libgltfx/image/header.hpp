@@ -45,6 +45,8 @@ struct Header {
   bool animated = false;
   bool interlaced = false;  ///< or progressive
   bool palette = false;
+  /// What the format forbids in a header that could be read all the same, one sentence; else empty.
+  std::string doubt;
 };
 
 /// Why there is no header.

@@ -6,14 +6,15 @@
 namespace gltfx::image {
 namespace {
 
-// SOF0 to SOF15 without DHT (C4), JPG (C8) and DAC (CC), table B.1.
+// SOF0 to SOF15 without DHT (C4), JPG (C8) and DAC (CC), and DHP, table B.1.
 bool is_frame_header(std::uint8_t marker) {
+  if (marker == 0xDE) return true;
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-// Markers without a segment: TEM and RST0 to RST7.
+// Markers without a segment: TEM, RST0 to RST7, SOI and EOI. Fill bytes count with them.
 bool stands_alone(std::uint8_t marker) {
-  return marker == 0x01 || (marker >= 0xD0 && marker <= 0xD7);
+  return marker == 0x01 || (marker >= 0xD0 && marker <= 0xD9) || marker == 0xFF;
 }
 
 bool is_progressive(std::uint8_t marker) {
@@ -28,10 +29,10 @@ HeaderResult read_frame_header(Cursor at, std::uint8_t marker) {
   header.width = at.be16();
   const std::uint8_t components = at.u8();
   if (!at.ok()) return unexpected_end();
-  if (header.width == 0 || header.height == 0) return invalid("The JPEG has no pixels.");
   if (components != 1 && components != 3) {
     return invalid("The JPEG has neither one nor three channels.");
   }
+  if (header.width == 0 || header.height == 0) header.doubt = "The JPEG has no pixels.";
   header.channels = components == 1 ? Channels::luminance : Channels::rgb;
   header.interlaced = is_progressive(marker);
   return header;
@@ -39,23 +40,22 @@ HeaderResult read_frame_header(Cursor at, std::uint8_t marker) {
 
 }  // namespace
 
+// As decoders do it, bytes between segments are not held against a file.
 HeaderResult read_jpeg(std::span<const std::byte> bytes) {
   Cursor at(bytes);
   at.skip(2);  // SOI
   while (at.ok()) {
-    if (at.u8() != 0xFF) {
-      return at.ok() ? HeaderResult(invalid("The JPEG has something else where a marker must be."))
-                     : HeaderResult(unexpected_end());
-    }
-    std::uint8_t marker = at.u8();
-    while (at.ok() && marker == 0xFF) marker = at.u8();  // fill bytes
-    if (!at.ok()) break;
+    const std::uint8_t marker = at.u8();
     if (stands_alone(marker)) continue;
     const std::uint16_t length = at.be16();  // counts itself
     if (!at.ok()) break;
     if (length < 2) return invalid("A segment of the JPEG is shorter than its length field.");
-    if (is_frame_header(marker)) return read_frame_header(at, marker);
+    Cursor content = at;
     at.skip(length - 2U);
+    if (at.ok() && is_frame_header(marker)) {
+      if (length < 8) return invalid("The frame header of the JPEG is too short.");
+      return read_frame_header(content, marker);
+    }
   }
   return unexpected_end();
 }

@@ -2,7 +2,6 @@
 // PNG (W3C Portable Network Graphics, third edition), from the signature to the first IDAT.
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "image/cursor.hpp"
 #include "image/formats.hpp"
@@ -18,51 +17,56 @@ constexpr std::uint32_t tag(const char (&name)[5]) {
 // What the chunks before the image data have said so far.
 struct Chunks {
   Header header;
-  bool srgb_chunk = false;
   bool transparency = false;
 };
 
 // Colour type (section 11.2.1): bit 0 palette, bit 1 colour, bit 2 alpha.
 bool set_channels(Header& header, std::uint8_t color_type) {
+  constexpr std::uint8_t kPalette = 3;
   switch (color_type) {
     case 0:
       header.channels = Channels::luminance;
-      return true;
-    case 2:
-      header.channels = Channels::rgb;
-      return true;
-    case 3:
-      header.channels = Channels::rgb;
-      header.palette = true;
-      return true;
+      break;
     case 4:
       header.channels = Channels::luminance_alpha;
-      return true;
+      break;
     case 6:
       header.channels = Channels::rgba;
-      return true;
+      break;
     default:
-      return false;
+      header.channels = Channels::rgb;
+      header.palette = color_type == kPalette;
+      return color_type == 2 || color_type == kPalette;
   }
+  return true;
 }
 
 bool is_bit_depth(std::uint32_t bits) {
   return bits == 1 || bits == 2 || bits == 4 || bits == 8 || bits == 16;
 }
 
-// IHDR; the problem, or empty.
-std::string read_ihdr(Cursor& at, Header& header) {
+void read_ihdr(Cursor at, Header& header) {
   header.width = at.be32();
   header.height = at.be32();
   header.bits = at.u8();
   const std::uint8_t color_type = at.u8();
   at.skip(2);  // compression and filter method: there is one of each
   header.interlaced = at.u8() != 0;
-  if (!at.ok()) return {};
-  if (header.width == 0 || header.height == 0) return "The PNG has no pixels.";
-  if (!is_bit_depth(header.bits)) return "The bit depth of the PNG is none of 1, 2, 4, 8, 16.";
-  if (!set_channels(header, color_type)) return "The colour type of the PNG does not exist.";
-  return {};
+  if (!set_channels(header, color_type))
+    header.doubt = "The colour type of the PNG does not exist.";
+  if (!is_bit_depth(header.bits)) {
+    header.doubt = "The bit depth of the PNG is none of 1, 2, 4, 8, 16.";
+  }
+  if (header.width == 0 || header.height == 0) header.doubt = "The PNG has no pixels.";
+}
+
+// Bytes of the chunks that have one length only; 0 for the others.
+std::uint32_t fixed_length(std::uint32_t type) {
+  if (type == tag("IHDR")) return 13;
+  if (type == tag("cHRM")) return 32;
+  if (type == tag("gAMA")) return 4;
+  if (type == tag("pHYs")) return 9;
+  return type == tag("sRGB") ? 1 : 0;
 }
 
 // Section 11.3.2.2; the values of sRGB with their usual rounding.
@@ -78,32 +82,36 @@ Tag transfer_of_gamma(std::uint32_t gamma) {
   return gamma == 100000 ? Tag::linear : Tag::custom;
 }
 
-void read_colour_chunk(Cursor at, std::uint32_t type, Chunks& chunks) {
+// sRGB and iCCP override gAMA and cHRM (section 4.3).
+void read_chunk(Cursor at, std::uint32_t type, Chunks& chunks) {
   Header& header = chunks.header;
-  if (type == tag("sRGB")) {
-    chunks.srgb_chunk = true;
+  if (type == tag("IHDR")) {
+    read_ihdr(at, header);
+  } else if (type == tag("sRGB")) {
     header.primaries = header.transfer = Tag::srgb;
+  } else if (type == tag("iCCP")) {
+    header.primaries = header.transfer = Tag::custom;
+  } else if (type == tag("gAMA") && header.transfer == Tag::none) {
+    header.transfer = transfer_of_gamma(at.be32());
+  } else if (type == tag("cHRM") && header.primaries == Tag::none) {
+    header.primaries = is_srgb_chromaticity(at) ? Tag::srgb : Tag::custom;
   } else if (type == tag("tRNS")) {
     chunks.transparency = true;
   } else if (type == tag("pHYs")) {
-    header.square_pixels = at.be32() == at.be32();
+    const std::uint32_t across = at.be32();
+    header.square_pixels = across == at.be32();
   } else if (type == tag("acTL")) {
     header.animated = true;
-  } else if (chunks.srgb_chunk) {
-    return;  // sRGB overrides gAMA, cHRM and iCCP (section 4.3)
-  } else if (type == tag("iCCP")) {
-    header.primaries = header.transfer = Tag::custom;
-  } else if (type == tag("gAMA")) {
-    header.transfer = transfer_of_gamma(at.be32());
-  } else if (type == tag("cHRM") && !is_srgb_chromaticity(at)) {
-    header.primaries = Tag::custom;
   }
 }
 
-// A colour that counts as transparent makes an alpha channel of it. Palettes keep their name.
-void apply_transparency(Chunks& chunks) {
-  if (!chunks.transparency) return;
+// A colour that counts as transparent makes an alpha channel of it. What says nothing about colour
+// is sRGB.
+void finish(Chunks& chunks) {
   Header& header = chunks.header;
+  if (header.primaries == Tag::none) header.primaries = Tag::srgb;
+  if (header.transfer == Tag::none) header.transfer = Tag::srgb;
+  if (!chunks.transparency) return;
   if (header.channels == Channels::rgb) header.channels = Channels::rgba;
   if (header.channels == Channels::luminance) header.channels = Channels::luminance_alpha;
 }
@@ -113,27 +121,22 @@ void apply_transparency(Chunks& chunks) {
 HeaderResult read_png(std::span<const std::byte> bytes) {
   Chunks chunks;
   chunks.header.format = Format::png;
-  chunks.header.primaries = chunks.header.transfer = Tag::srgb;
   Cursor at(bytes);
   at.skip(8);
   for (bool first = true; at.ok(); first = false) {
     const std::uint32_t length = at.be32();
     const std::uint32_t type = at.be32();
     if (!at.ok()) break;
-    if (first != (type == tag("IHDR"))) return invalid("The PNG does not begin with one IHDR.");
+    if (first && type != tag("IHDR")) return invalid("The PNG does not begin with IHDR.");
     if (type == tag("IDAT")) {
-      apply_transparency(chunks);
+      finish(chunks);
       return chunks.header;
     }
+    const std::uint32_t fixed = fixed_length(type);
+    if (fixed != 0 && length != fixed) return invalid("A chunk of the PNG has a wrong length.");
     Cursor content = at;
     at.skip(std::uint64_t{length} + 4);  // the checksum follows the content
-    if (!first) {
-      read_colour_chunk(content, type, chunks);
-      continue;
-    }
-    if (length != 13) return invalid("The IHDR of the PNG is not 13 bytes long.");
-    const std::string problem = read_ihdr(content, chunks.header);
-    if (!problem.empty()) return invalid(problem);
+    if (at.ok()) read_chunk(content, type, chunks);
   }
   return unexpected_end();
 }

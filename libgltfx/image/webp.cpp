@@ -7,12 +7,13 @@ namespace gltfx::image {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 30;
+constexpr std::size_t kLosslessBytes = 25;
 
 // Section 2.7.1.1 with the frame header of RFC 6386 section 9.1.
 HeaderResult read_lossy(Cursor at, Header header) {
   at.skip(4);  // chunk size
   at.skip(3);  // frame tag
-  if (!at.at("\x9d\x01\x2a")) return invalid("The WebP has no key frame where one must be.");
+  if (!at.at("\x9d\x01\x2a")) header.doubt = "The WebP has no key frame where one must be.";
   at.skip(3);
   header.width = at.le16() & 0x3FFFU;  // the upper bits are a scale for display
   header.height = at.le16() & 0x3FFFU;
@@ -23,7 +24,7 @@ HeaderResult read_lossy(Cursor at, Header header) {
 // Section 3.4: one signature byte, then 14 bits each of width - 1 and height - 1, one bit of alpha.
 HeaderResult read_lossless(Cursor at, Header header) {
   at.skip(4);
-  if (at.u8() != 0x2F) return invalid("The lossless WebP does not begin with its signature.");
+  if (at.u8() != 0x2F) header.doubt = "The lossless WebP does not begin with its signature.";
   const std::uint32_t fields = at.le32();
   header.width = (fields & 0x3FFFU) + 1;
   header.height = (fields >> 14 & 0x3FFFU) + 1;
@@ -47,7 +48,6 @@ HeaderResult read_extended(Cursor at, Header header) {
 }  // namespace
 
 HeaderResult read_webp(std::span<const std::byte> bytes) {
-  if (bytes.size() < kHeaderBytes) return unexpected_end();
   Header header;
   header.format = Format::webp;
   header.primaries = header.transfer = Tag::srgb;
@@ -55,8 +55,10 @@ HeaderResult read_webp(std::span<const std::byte> bytes) {
   at.skip(12);
   Cursor content = at;
   content.skip(4);
+  const bool lossless = at.at("VP8L");
+  if (bytes.size() < (lossless ? kLosslessBytes : kHeaderBytes)) return unexpected_end();
+  if (lossless) return read_lossless(content, header);
   if (at.at("VP8 ")) return read_lossy(content, header);
-  if (at.at("VP8L")) return read_lossless(content, header);
   if (at.at("VP8X")) return read_extended(content, header);
   return invalid("The WebP does not begin with a chunk that holds an image.");
 }

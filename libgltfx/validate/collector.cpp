@@ -76,7 +76,8 @@ bool Collector::accepts(std::string_view code, Severity severity) const {
 bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
   if (options_.profile == Profile::khronos) return false;
   const auto at = static_cast<std::size_t>(phase);
-  const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, finding.code), entries_[at].size());
+  const auto [entry, fresh] =
+      folded_[at].try_emplace(fold_key(path, finding.code), entries_[at].size());
   if (fresh) return false;
   Diagnostic& first = entries_[at][entry->second].diagnostic;
   first.count += finding.count;

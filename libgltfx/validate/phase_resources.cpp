@@ -1,165 +1,106 @@
 // SPDX-License-Identifier: Apache-2.0
-// What buffers and images refer to. Files are opened only inside the root and only mapped; their
-// content is the business of later phases.
+// Buffers: where their bytes come from, and whether there are enough of them.
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
-#include "container/resolve_fault.hpp"
-#include "container/uri.hpp"
+#include "base/checked.hpp"
+#include "model/fields.hpp"
+#include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
+#include "validate/resource_fetch.hpp"
 
 namespace gltfx::validate {
 namespace {
 
-using container::ResolveFault;
+using container::Bytes;
 
-struct Resource {
-  const Context& context;
-  Sink& sink;
-  FileReport& report;
-  const Path& path;  // of the buffer or image
-  json::NodeId object;
+// Whether an extension of the buffer says that its bytes are only needed where the extension is not
+// known, and need not be there.
+bool is_fallback(const Context& context, json::NodeId buffer) {
+  const json::Document& document = context.document;
+  const json::NodeId extensions = model::object_member(document, buffer, "extensions");
+  if (extensions == json::kNoNode || context.khronos()) return false;
+  for (const auto extension : document.members(extensions)) {
+    if (!document.is_object(extension.value)) continue;
+    if (model::true_member(document, extension.value, "fallback")) return true;
+  }
+  return false;
+}
 
-  void find(std::string_view code, std::string_view member, std::string message,
-            std::string help = {}) const {
-    Finding finding;
-    finding.code = code;
-    finding.message = std::move(message);
-    finding.help = std::move(help);
-    finding.span = member_span(context.document, object, member);
-    if (member.empty()) {
-      sink.report(path, std::move(finding));
-    } else {
-      sink.report(Path(path, member), std::move(finding));
+std::uint64_t padded(std::uint64_t length) { return length + (4 - length % 4) % 4; }
+
+// Buffer 0 of a GLB without a uri is the BIN chunk.
+std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared) {
+  const container::Container& glb = resource.context.container;
+  resource.info.storage = "glb";
+  if (!glb.bin) {
+    if (!glb.cut_short) {
+      resource.find("BUFFER_MISSING_GLB_DATA", "",
+                    "The buffer has no uri, so it is the BIN chunk, but the file has none.");
     }
-  }
-};
-
-std::string_view code_of(ResolveFault fault) {
-  switch (fault) {
-    case ResolveFault::outside_root:
-      return "URI_OUTSIDE_ROOT";
-    case ResolveFault::not_regular:
-      return "RESOURCE_NOT_A_FILE";
-    case ResolveFault::no_root:
-      return "RESOURCE_NOT_CHECKED";
-    default:
-      return "IO_ERROR";
-  }
-}
-
-void report_fault(const Resource& resource, const container::Resolved& resolved,
-                  const container::Uri& uri) {
-  resource.find(code_of(resolved.fault), "uri",
-                container::describe(resolved.fault, uri.normalized, resolved.problem),
-                std::string(container::remedy(resolved.fault)));
-}
-
-void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
-  ++resource.report.unverified;
-  resource.find("GIT_LFS_POINTER", "uri",
-                fmt::format("{} is a Git-LFS pointer; its content is not here.",
-                            gltfx::quoted(uri.normalized)),
-                "fetch it with 'git lfs pull'");
-}
-
-// The bytes behind a URI member; an empty `size` when there is nothing to measure.
-std::optional<std::uint64_t> resource_size(const Resource& resource, const std::string& text) {
-  const container::Uri uri = container::classify_uri(text);
-  if (uri.kind == container::UriKind::data) {
-    const auto split = container::split_data_uri(text);
-    if (!split) return std::nullopt;
-    const auto bytes = container::decode_payload(*split);
-    return bytes ? std::optional<std::uint64_t>(bytes->size()) : std::nullopt;
-  }
-  if (uri.kind != container::UriKind::relative_path) return std::nullopt;
-  const container::Resolved resolved = resource.context.resolver.open(uri.path);
-  if (resolved.fault != ResolveFault::none) {
-    report_fault(resource, resolved, uri);
     return std::nullopt;
   }
-  if (resolved.git_lfs_pointer) {
-    report_lfs_pointer(resource, uri);
-    return std::nullopt;
+  if (glb.bin->length > padded(declared)) {
+    resource.find("BUFFER_GLB_CHUNK_TOO_BIG", "",
+                  fmt::format("The BIN chunk has {} bytes more than the buffer and its padding.",
+                              glb.bin->length - padded(declared)));
   }
-  return resolved.bytes.size();
+  return glb.bytes.part(static_cast<std::size_t>(glb.bin->offset),
+                        static_cast<std::size_t>(glb.bin->length));
 }
 
-void check_length(const Resource& resource, std::uint64_t size) {
-  const json::Document& document = resource.context.document;
-  const json::NodeId member = document.find(resource.object, "byteLength");
-  if (member == json::kNoNode) return;
-  const auto declared = document.unsigned_integer(member);
-  if (!declared || size >= *declared) return;
+std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uint64_t declared,
+                                 bool cut_short) {
+  resource.info.byte_length = bytes.size();
+  if (bytes.size() >= declared) return bytes;
+  if (cut_short) return std::nullopt;  // said of the container
+  const json::NodeId member = resource.context.document.find(resource.object, "byteLength");
   Finding finding;
   finding.code = "BUFFER_BYTE_LENGTH_MISMATCH";
   finding.message =
-      fmt::format("The buffer declares {} bytes, but only {} are there.", *declared, size);
-  finding.span = document.span(member);
+      fmt::format("The buffer declares {} bytes, but only {} are there.", declared, bytes.size());
+  finding.span = resource.context.document.span(member);
   resource.sink.report(resource.path, std::move(finding));
+  return std::nullopt;
 }
 
-// Buffer 0 of a GLB without a uri is the BIN chunk.
-void check_glb_buffer(const Resource& resource) {
-  const auto& bin = resource.context.container.bin;
-  if (!bin) {
-    resource.find("BUFFER_MISSING_GLB_DATA", "",
-                  "The buffer has no uri, so it is the BIN chunk, but the file has none.");
-    return;
-  }
-  check_length(resource, bin->length);
+std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index) {
   const json::Document& document = resource.context.document;
-  const json::NodeId member = document.find(resource.object, "byteLength");
-  const auto declared = member == json::kNoNode ? std::nullopt : document.unsigned_integer(member);
-  if (!declared || *declared == 0 || bin->length <= *declared) return;
-  const std::uint64_t padding = bin->length - *declared;
-  if (padding <= (4 - *declared % 4) % 4) return;
-  resource.find("BUFFER_GLB_CHUNK_TOO_BIG", "",
-                fmt::format("The BIN chunk has {} bytes more than the buffer and its padding.",
-                            padding - (4 - *declared % 4) % 4));
+  resource.info.mime_type = "application/gltf-buffer";
+  const auto declared = model::unsigned_member(document, resource.object, "byteLength");
+  if (!declared || *declared == 0) return std::nullopt;
+  const bool has_uri = document.find(resource.object, "uri") != json::kNoNode;
+  const container::Container& container = resource.context.container;
+  const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;
+  if (glb && !container.bin && is_fallback(resource.context, resource.object)) return std::nullopt;
+  auto bytes = glb ? glb_bytes(resource, *declared) : fetch_uri(resource);
+  if (!bytes) return std::nullopt;
+  return long_enough(resource, *std::move(bytes), *declared, glb && container.cut_short);
 }
 
-void check_buffer(const Resource& resource, std::size_t index) {
-  const json::Document& document = resource.context.document;
-  const json::NodeId uri = document.find(resource.object, "uri");
-  if (uri == json::kNoNode) {
-    const bool glb = resource.context.container.format == container::Format::glb;
-    if (glb && index == 0) check_glb_buffer(resource);
-    return;
-  }
-  if (!document.is_string(uri)) return;
-  const auto size = resource_size(resource, document.string(uri));
-  if (size) check_length(resource, *size);
-}
-
-void check_image(const Resource& resource) {
-  const json::Document& document = resource.context.document;
-  const json::NodeId uri = document.find(resource.object, "uri");
-  if (uri != json::kNoNode && document.is_string(uri)) {
-    resource_size(resource, document.string(uri));
+void load_buffers(const Context& context, Sink& sink, FileReport& report, Resources& resources) {
+  const Path root;
+  const Path array(root, "buffers");
+  const auto& objects = context.asset.elements(model::RootArray::buffers);
+  resources.data.buffers.resize(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i] == json::kNoNode) continue;
+    const Path path(array, static_cast<std::uint64_t>(i));
+    ResourceInfo info;
+    info.pointer = path.pointer();
+    resources.data.buffers[i] = load_buffer({context, sink, report, path, objects[i], info}, i);
+    resources.listed.push_back(std::move(info));
   }
 }
 
 }  // namespace
 
-void check_resources(const Context& context, Sink& sink, FileReport& report) {
-  const Path root;
-  const Path buffers(root, "buffers");
-  const auto& buffer_objects = context.asset.elements(model::RootArray::buffers);
-  for (std::size_t i = 0; i < buffer_objects.size(); ++i) {
-    if (buffer_objects[i] == json::kNoNode) continue;
-    const Path path(buffers, i);
-    check_buffer({context, sink, report, path, buffer_objects[i]}, i);
-  }
-  const Path images(root, "images");
-  const auto& image_objects = context.asset.elements(model::RootArray::images);
-  for (std::size_t i = 0; i < image_objects.size(); ++i) {
-    if (image_objects[i] == json::kNoNode) continue;
-    const Path path(images, i);
-    check_image({context, sink, report, path, image_objects[i]});
-  }
+Resources load_resources(const Context& context, Sink& sink, FileReport& report) {
+  Resources resources;
+  load_buffers(context, sink, report, resources);
+  load_images(context, sink, report, resources);
+  return resources;
 }
 
 }  // namespace gltfx::validate

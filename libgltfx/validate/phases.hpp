@@ -5,9 +5,11 @@
 #include <gltfx/report.hpp>
 
 #include <string>
+#include <vector>
 
 #include "container/container.hpp"
 #include "json/document.hpp"
+#include "model/resource_data.hpp"
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
 
@@ -26,8 +28,18 @@ bool parse_document(const container::Container& container, const ValidateOptions
 /// only produce noise.
 bool check_identity(const Context& context, Collector& collector);
 
-/// What buffers and images refer to: there, inside the root, long enough, no Git-LFS pointer.
-void check_resources(const Context& context, Sink& sink, FileReport& report);
+/// What buffers and images hold, and how the report lists them.
+struct Resources {
+  model::ResourceData data;
+  std::vector<ResourceInfo> listed;
+};
+
+/// Phase 5: opens what buffers and images refer to, once. Reports what is not there, outside the
+/// root, too short, a Git-LFS pointer, and images whose header is at fault.
+Resources load_resources(const Context& context, Sink& sink, FileReport& report);
+
+/// Phases 5 to 7 over `resources`: sparse indices, elements of accessors, skinning, textures.
+void check_data(const Context& context, const model::ResourceData& resources, Sink& sink);
 
 /// The media type of the report; empty when the JSON text gives no root object.
 std::string mime_type(const container::Container& container, const json::Document& document);

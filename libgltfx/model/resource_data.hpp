@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The bytes behind buffers and images, opened once and kept for everything that reads data.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "container/bytes.hpp"
+#include "image/header.hpp"
+#include "model/buffer_view.hpp"
+
+namespace gltfx::model {
+
+/// What is known of one image.
+struct ImageData {
+  std::optional<container::Bytes> bytes;  ///< the encoded image
+  std::optional<image::Format> format;    ///< by its first bytes
+  std::optional<image::Header> header;    ///< where it could be read
+};
+
+/// Owns or maps the bytes. Read-only once filled; any number of threads may read it.
+struct ResourceData {
+  /// By index, at least as many bytes as declared. Nothing: not there, too short, or not to be
+  /// looked at; whoever filled this has said why.
+  std::vector<std::optional<container::Bytes>> buffers;
+  std::vector<ImageData> images;  ///< by index
+
+  /// The bytes [offset, offset + length) of a buffer view with their owner, or nothing when they do
+  /// not lie inside the view and inside what is there of its buffer. Takes any numbers.
+  std::optional<container::Bytes> part(const json::Document& document, const BufferView& view,
+                                       std::uint64_t offset, std::uint64_t length) const;
+};
+
+/// The member `byteOffset` of `object`, which was read as `byte_offset`: 0 when it is absent,
+/// nothing when it is malformed.
+std::optional<std::uint64_t> start_of(const json::Document& document, json::NodeId object,
+                                      const std::optional<std::uint64_t>& byte_offset);
+
+}  // namespace gltfx::model

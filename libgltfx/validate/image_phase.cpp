@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/image_phase.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/fields.hpp"
+#include "validate/resource_fetch.hpp"
+#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using image::Header;
+using image::HeaderFault;
+using MediaTypes = std::vector<std::string_view>;
+
+// What images may be: the formats of the specification and those that declared extensions bring.
+MediaTypes enabled_media_types(const Context& context) {
+  MediaTypes types{"image/jpeg", "image/png"};
+  for (const schema::Extension* extension : declared_extensions(context)) {
+    for (const std::string& type : extension->image_mime_types) types.push_back(type);
+  }
+  return types;
+}
+
+bool contains(const MediaTypes& types, std::string_view type) {
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+// Images that extensions have a say in are left to them.
+bool is_extended(const Context& context, json::NodeId image) {
+  const json::NodeId extensions = model::object_member(context.document, image, "extensions");
+  return context.khronos() && extensions != json::kNoNode &&
+         context.document.object_size(extensions) != 0;
+}
+
+std::optional<container::Bytes> image_bytes(const Resource& resource,
+                                            const model::ResourceData& data) {
+  const Context& context = resource.context;
+  auto bytes = fetch_uri(resource);
+  if (bytes || !resource.info.storage.empty()) return bytes;
+  const auto view =
+      context.asset.index(resource.object, "bufferView", model::RootArray::buffer_views);
+  if (!view) return std::nullopt;
+  resource.info.storage = "buffer-view";
+  const model::BufferView& source = context.views.buffer_views[*view];
+  return data.part(context.document, source, 0, source.byte_length.value_or(0));
+}
+
+class ImageCheck {
+ public:
+  ImageCheck(const Resource& resource, const MediaTypes& enabled)
+      : resource_(resource),
+        enabled_(enabled),
+        declared_(model::string_member(resource.context.document, resource.object, "mimeType")) {}
+
+  void check(model::ImageData& data) const {
+    const auto result = image::read_header(data.bytes->view());
+    if (const auto* fault = std::get_if<HeaderFault>(&result)) {
+      check_unread(data, *fault);
+      return;
+    }
+    data.header = std::get<Header>(result);
+    data.format = data.header->format;
+    check_format(*data.format);
+    describe(*data.header);
+    check_header(*data.header);
+  }
+
+ private:
+  bool khronos() const { return resource_.context.khronos(); }
+
+  void check_unread(model::ImageData& data, const HeaderFault& fault) const {
+    const image::Sniffed sniffed = image::sniff(data.bytes->view());
+    if (sniffed.known && fault.kind == HeaderFault::Kind::unrecognized && !khronos()) {
+      // A format that is known by its first bytes only.
+      data.format = sniffed.format;
+      resource_.info.mime_type = image::media_type(sniffed.format);
+      check_format(sniffed.format);
+      return;
+    }
+    switch (fault.kind) {
+      case HeaderFault::Kind::unrecognized:
+        report_unrecognized();
+        break;
+      case HeaderFault::Kind::unexpected_end:
+        resource_.find("IMAGE_UNEXPECTED_EOS", "",
+                       fmt::format("The image ends after {} bytes, before its header does.",
+                                   data.bytes->size()));
+        break;
+      case HeaderFault::Kind::invalid:
+        resource_.find("IMAGE_DATA_INVALID", "", fault.problem);
+        break;
+    }
+  }
+
+  void report_unrecognized() const {
+    const bool foreign = contains(enabled_, declared_) && !declared_.ends_with("/jpeg") &&
+                         !declared_.ends_with("/png") && !declared_.ends_with("/webp");
+    if (foreign && !khronos()) return;  // an extension's own format
+    resource_.find("IMAGE_UNRECOGNIZED_FORMAT", "",
+                   "The first bytes are those of no image format known here.");
+  }
+
+  void check_format(image::Format format) const {
+    const std::string_view type = image::media_type(format);
+    if (!contains(enabled_, type)) {
+      resource_.find("IMAGE_NON_ENABLED_MIME_TYPE", "",
+                     fmt::format("The image is {}; that format needs an extension.", type));
+    }
+    if (declared_.empty() || declared_ == type) return;
+    resource_.find("IMAGE_MIME_TYPE_INVALID",
+                   resource_.info.storage == "buffer-view" ? "bufferView" : "uri",
+                   fmt::format("The image says it is {}, but its bytes are those of {}.",
+                               gltfx::quoted(declared_), type));
+  }
+
+  void describe(const Header& header) const {
+    resource_.info.mime_type = image::media_type(header.format);
+    ResourceInfo::Image shown;
+    shown.width = header.width;
+    shown.height = header.height;
+    shown.bits = header.bits;
+    shown.format = image::channels_name(header.channels);
+    shown.primaries = image::tag_name(header.primaries);
+    shown.transfer = image::tag_name(header.transfer);
+    resource_.info.image = std::move(shown);
+  }
+
+  void check_header(const Header& header) const {
+    if (!header.doubt.empty() && !khronos()) {
+      resource_.find("IMAGE_DATA_INVALID", "", header.doubt);
+      return;
+    }
+    const auto power_of_two = [](std::uint32_t size) {
+      return size != 0 && (size & (size - 1)) == 0;
+    };
+    if (!power_of_two(header.width) || !power_of_two(header.height)) {
+      resource_.find("IMAGE_NPOT_DIMENSIONS", "",
+                     fmt::format("The image has {} by {} pixels.", header.width, header.height), {},
+                     khronos() ? std::optional<Severity>() : Severity::hint);
+    }
+    check_features(header);
+  }
+
+  // What is ignored when the image is shown is only worth an info; an animation is not shown.
+  void check_features(const Header& header) const {
+    const bool webp = header.format == image::Format::webp;
+    std::string features;
+    const auto add = [&](bool there, std::string_view text) {
+      if (there) features.append(features.empty() ? "" : ", ").append(text);
+    };
+    const bool animated = header.animated && (webp || !khronos());
+    add(header.primaries == image::Tag::custom || header.transfer == image::Tag::custom,
+        "a colour space of its own");
+    add(!header.square_pixels, "pixels that are not square");
+    add(animated, "an animation");
+    if (features.empty()) return;
+    const bool quiet = !khronos() && !animated;
+    resource_.find("IMAGE_FEATURES_UNSUPPORTED", "",
+                   fmt::format("The image has {}; glTF ignores it.", features), {},
+                   quiet ? std::optional(Severity::info) : std::nullopt);
+  }
+
+  const Resource& resource_;
+  const MediaTypes& enabled_;
+  std::string declared_;
+};
+
+// The type an image says it has, else the one it has.
+std::string image_type(const Context& context, const model::ResourceData& data,
+                       std::uint32_t index) {
+  const json::NodeId image = context.asset.elements(model::RootArray::images)[index];
+  std::string declared = model::string_member(context.document, image, "mimeType");
+  if (declared.empty() && data.images[index].format) {
+    declared = image::media_type(*data.images[index].format);
+  }
+  return declared;
+}
+
+struct TextureCheck {
+  const Context& context;
+  const model::ResourceData& data;
+  Sink& sink;
+
+  // `object` is the texture or an extension of it.
+  void check(json::NodeId object, const Path& path, const std::vector<std::string>& allowed) const {
+    const auto source = context.asset.index(object, "source", model::RootArray::images);
+    if (!source) return;
+    const std::string type = image_type(context, data, *source);
+    if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
+    report_member(sink, context, path, object, "source", "TEXTURE_INVALID_IMAGE_MIME_TYPE",
+                  fmt::format("Image {} is {}; it must be {} here.", *source, gltfx::quoted(type),
+                              join_or(allowed)));
+  }
+};
+
+}  // namespace
+
+void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources) {
+  const Path root;
+  const Path array(root, "images");
+  const auto& objects = context.asset.elements(model::RootArray::images);
+  const MediaTypes enabled = enabled_media_types(context);
+  resources.data.images.resize(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i] == json::kNoNode) continue;
+    const Path path(array, static_cast<std::uint64_t>(i));
+    ResourceInfo info;
+    info.pointer = path.pointer();
+    const Resource resource{context, sink, report, path, objects[i], info};
+    model::ImageData& data = resources.data.images[i];
+    if (!is_extended(context, objects[i])) data.bytes = image_bytes(resource, resources.data);
+    if (data.bytes) ImageCheck(resource, enabled).check(data);
+    resources.listed.push_back(std::move(info));
+  }
+}
+
+void check_textures(const Context& context, const model::ResourceData& data, Sink& sink) {
+  const Path root;
+  const Path array(root, "textures");
+  const auto& textures = context.asset.elements(model::RootArray::textures);
+  const TextureCheck check{context, data, sink};
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    check.check(textures[i], Path(array, static_cast<std::uint64_t>(i)),
+                {"image/jpeg", "image/png"});
+  }
+  std::vector<const schema::Extension*> extensions = declared_extensions(context);
+  std::erase_if(extensions, [](const auto* each) { return each->image_mime_types.empty(); });
+  for (std::size_t i = 0; i < textures.size() && !extensions.empty(); ++i) {
+    const Path texture(array, static_cast<std::uint64_t>(i));
+    const Path member(texture, "extensions");
+    for (const schema::Extension* extension : extensions) {
+      check.check(model::extension_object(context.document, textures[i], extension->name),
+                  Path(member, extension->name), extension->image_mime_types);
+    }
+  }
+}
+
+}  // namespace gltfx::validate

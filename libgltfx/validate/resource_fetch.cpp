@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files are opened only inside the root and only mapped.
+#include "validate/resource_fetch.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "container/resolve_fault.hpp"
+#include "container/uri.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using container::ResolveFault;
+
+std::string_view code_of(ResolveFault fault) {
+  switch (fault) {
+    case ResolveFault::outside_root:
+      return "URI_OUTSIDE_ROOT";
+    case ResolveFault::not_regular:
+      return "RESOURCE_NOT_A_FILE";
+    case ResolveFault::no_root:
+      return "RESOURCE_NOT_CHECKED";
+    default:
+      return "IO_ERROR";
+  }
+}
+
+void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
+  ++resource.report.unverified;
+  resource.find("GIT_LFS_POINTER", "uri",
+                fmt::format("{} is a Git-LFS pointer; its content is not here.",
+                            gltfx::quoted(uri.normalized)),
+                "fetch it with 'git lfs pull'");
+}
+
+// The Khronos validator knows no codes for what may not be opened, and no Git-LFS pointers.
+std::optional<container::Bytes> open_file(const Resource& resource, const container::Uri& uri) {
+  resource.info.storage = "external";
+  resource.info.uri = uri.normalized;
+  container::Resolved resolved = resource.context.resolver.open(uri.path);
+  if (resolved.fault != ResolveFault::none) {
+    resource.find(resource.context.khronos() ? "IO_ERROR" : code_of(resolved.fault), "uri",
+                  container::describe(resolved.fault, uri.normalized, resolved.problem),
+                  std::string(container::remedy(resolved.fault)));
+    return std::nullopt;
+  }
+  if (resolved.git_lfs_pointer && !resource.context.khronos()) {
+    report_lfs_pointer(resource, uri);
+    return std::nullopt;
+  }
+  return std::move(resolved.bytes);
+}
+
+std::optional<container::Bytes> decode(const Resource& resource, std::string_view text) {
+  const auto split = container::split_data_uri(text);
+  if (!split) return std::nullopt;
+  auto bytes = container::decode_payload(*split);
+  if (!bytes) return std::nullopt;
+  resource.info.storage = "data-uri";
+  return container::Bytes::from_string(*std::move(bytes));
+}
+
+}  // namespace
+
+void Resource::find(std::string_view code, std::string_view member, std::string message,
+                    std::string help, std::optional<Severity> severity) const {
+  Finding finding;
+  finding.code = code;
+  finding.message = std::move(message);
+  finding.help = std::move(help);
+  finding.severity = severity;
+  finding.span = member_span(context.document, object, member);
+  if (member.empty()) {
+    sink.report(path, std::move(finding));
+  } else {
+    sink.report(Path(path, member), std::move(finding));
+  }
+}
+
+std::optional<container::Bytes> fetch_uri(const Resource& resource) {
+  const json::Document& document = resource.context.document;
+  const json::NodeId member = document.find(resource.object, "uri");
+  if (member == json::kNoNode || !document.is_string(member)) return std::nullopt;
+  std::string buffer;
+  const std::string_view text = document.string(member, buffer);
+  const container::Uri uri = container::classify_uri(text);
+  if (uri.kind == container::UriKind::data) return decode(resource, text);
+  if (uri.kind != container::UriKind::relative_path) return std::nullopt;
+  return open_file(resource, uri);
+}
+
+}  // namespace gltfx::validate
