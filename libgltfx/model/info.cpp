@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/info.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <unordered_set>
+
+#include "model/accessor.hpp"
+#include "model/fields.hpp"
+#include "model/mesh.hpp"
+
+namespace gltfx::model {
+namespace {
+
+// The strings of a root array, once each, in its order.
+std::vector<std::string> string_list(const json::Document& document, std::string_view member) {
+  std::vector<std::string> list;
+  const json::NodeId array = document.find(document.root(), member);
+  if (array == json::kNoNode || document.kind(array) != json::Kind::array) return list;
+  std::unordered_set<std::string> seen;
+  for (const json::NodeId element : document.elements(array)) {
+    if (!document.is_string(element)) continue;
+    std::string text = document.string(element);
+    if (seen.insert(text).second) list.push_back(std::move(text));
+  }
+  return list;
+}
+
+// Sets of an indexed semantic; a gap makes them count as none.
+std::uint64_t set_count(const Primitive& primitive, SemanticKind kind) {
+  std::uint64_t count = 0, highest = 0;
+  for (const Attribute& attribute : primitive.attributes) {
+    if (attribute.semantic.kind != kind) continue;
+    ++count;
+    highest = std::max(highest, attribute.semantic.set);
+  }
+  return count > 0 && highest == count - 1 ? count : 0;
+}
+
+std::optional<std::uint64_t> element_count(const Asset& asset, std::uint32_t accessor) {
+  const json::NodeId object = asset.elements(RootArray::accessors)[accessor];
+  const auto count = unsigned_member(asset.document(), object, "count");
+  return count && *count >= 1 ? count : std::nullopt;
+}
+
+std::uint64_t triangles(std::uint64_t count, Mode mode) {
+  if (mode == Mode::triangles) return count / 3;
+  const bool chained = mode == Mode::triangle_strip || mode == Mode::triangle_fan;
+  return chained && count > 2 ? count - 2 : 0;
+}
+
+bool is_counted(const Attribute& attribute) {
+  return attribute.accessor && attribute.semantic.kind != SemanticKind::invalid &&
+         attribute.semantic.kind != SemanticKind::extension;
+}
+
+bool has_resolved_target(const Asset& asset, const Primitive& primitive) {
+  return std::any_of(primitive.targets.begin(), primitive.targets.end(), [&](json::NodeId target) {
+    const auto attributes = read_attributes(asset, target);
+    return std::any_of(attributes.begin(), attributes.end(), is_counted);
+  });
+}
+
+// A sum of numbers from a file saturates.
+void add(std::uint64_t& sum, std::uint64_t value) { sum += std::min(value, UINT64_MAX - sum); }
+
+void add_primitive(const Asset& asset, const Primitive& primitive, AssetInfo& info) {
+  ++info.draw_call_count;
+  std::optional<std::uint64_t> vertices;
+  std::uint64_t attributes = 0;
+  for (const Attribute& attribute : primitive.attributes) {
+    if (!is_counted(attribute)) continue;
+    ++attributes;
+    if (!vertices) vertices = element_count(asset, *attribute.accessor);
+  }
+  const auto drawn = primitive.indices ? element_count(asset, *primitive.indices) : vertices;
+  add(info.total_vertex_count, vertices.value_or(0));
+  if (drawn && primitive.mode) add(info.total_triangle_count, triangles(*drawn, *primitive.mode));
+  const std::uint64_t joints = set_count(primitive, SemanticKind::joints);
+  const bool skinned = joints == set_count(primitive, SemanticKind::weights);
+  info.max_influences = std::max(info.max_influences, skinned ? joints * 4 : 0);
+  info.max_uvs = std::max(info.max_uvs, set_count(primitive, SemanticKind::texcoord));
+  info.max_attributes = std::max(info.max_attributes, attributes);
+  info.has_morph_targets = info.has_morph_targets || has_resolved_target(asset, primitive);
+}
+
+}  // namespace
+
+AssetInfo asset_info(const Asset& asset) {
+  AssetInfo info;
+  const json::Document& document = asset.document();
+  if (document.empty() || !document.is_object(document.root())) return info;
+  const json::NodeId header = object_member(document, document.root(), "asset");
+  info.version = string_member(document, header, "version");
+  info.min_version = string_member(document, header, "minVersion");
+  info.generator = string_member(document, header, "generator");
+  info.extensions_used = string_list(document, "extensionsUsed");
+  info.extensions_required = string_list(document, "extensionsRequired");
+  info.animation_count = asset.count(RootArray::animations);
+  info.material_count = asset.count(RootArray::materials);
+  info.has_skins = asset.count(RootArray::skins) > 0;
+  info.has_textures = asset.count(RootArray::textures) > 0;
+  info.has_default_scene = asset.index(document.root(), "scene", RootArray::scenes).has_value();
+  for (const json::NodeId mesh : asset.elements(RootArray::meshes)) {
+    for (const json::NodeId primitive : primitives(document, mesh)) {
+      if (primitive != json::kNoNode) {
+        add_primitive(asset, read_primitive(asset, primitive), info);
+      }
+    }
+  }
+  return info;
+}
+
+}  // namespace gltfx::model
