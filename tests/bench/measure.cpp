@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs whole programs by turns and prints, one line a program:
-//   median seconds, shortest seconds, peak resident KiB, exit code
+//   median seconds, median seconds of processor time, peak resident KiB, exit code
 //
 //   measure REPEATS -- PROGRAM ARG... -- PROGRAM ARG...
 //
@@ -24,6 +24,7 @@ namespace {
 struct Program {
   std::vector<char*> words;  ///< with the closing null
   std::vector<double> seconds;
+  std::vector<double> processor_seconds;
   long peak_kib = 0;
   int exit_code = 0;
 };
@@ -41,6 +42,15 @@ std::vector<Program> read_programs(int argc, char** argv) {
   return programs;
 }
 
+double seconds_of(const struct timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
+double median(std::vector<double>& values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
 bool run(Program& program) {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
@@ -56,6 +66,7 @@ bool run(Program& program) {
   if (wait4(child, &status, 0, &usage) != child) return false;
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   program.seconds.push_back(spent.count());
+  program.processor_seconds.push_back(seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime));
   program.peak_kib = std::max(program.peak_kib, usage.ru_maxrss);
   program.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return true;
@@ -73,9 +84,11 @@ int main(int argc, char** argv) {
     }
   }
   for (Program& program : programs) {
-    std::sort(program.seconds.begin(), program.seconds.end());
-    std::printf("%.6f %.6f %ld %d\n", program.seconds[program.seconds.size() / 2],
-                program.seconds.front(), program.peak_kib, program.exit_code);
+    std::printf(
+        "%.6f %.6f %ld %d
+        ", median(program.seconds), median(program.processor_seconds),
+        program.peak_kib,
+        program.exit_code);
   }
   return 0;
 }
