@@ -84,11 +84,8 @@ int main(int argc, char** argv) {
     }
   }
   for (Program& program : programs) {
-    std::printf(
-        "%.6f %.6f %ld %d
-        ", median(program.seconds), median(program.processor_seconds),
-        program.peak_kib,
-        program.exit_code);
+    std::printf("%.6f %.6f %ld %d\n", median(program.seconds), median(program.processor_seconds),
+                program.peak_kib, program.exit_code);
   }
   return 0;
 }
