@@ -94,8 +94,31 @@ TEST(Baseline, KeepsTheNewPartOfAFoldedFinding) {
   EXPECT_EQ(left.diagnostics[0].count, 2u);
   EXPECT_EQ(left.diagnostics[0].help,
             "the baseline knows 3 of the 5 like this, from /nodes/1 to /nodes/9");
+  EXPECT_EQ(left.diagnostics[0].last_pointer, "/nodes/9");
   EXPECT_EQ(left.counts.infos, 2u);
   EXPECT_EQ(left.suppressed, 3u);
+}
+
+TEST(Baseline, NamesNoLastRepeatWhenOnlyOneIsNew) {
+  Diagnostic now = times(unused("/nodes/1"), 4, "/nodes/7");
+  now.help = "remove it";
+  const FileReport left =
+      after({file("a.gltf", {times(unused("/nodes/1"), 3, "/nodes/5")})}, file("a.gltf", {now}));
+  ASSERT_EQ(left.diagnostics.size(), 1u);
+  EXPECT_EQ(left.diagnostics[0].count, 1u);
+  EXPECT_EQ(left.diagnostics[0].last_pointer, "");
+  EXPECT_EQ(left.diagnostics[0].help,
+            "remove it; the baseline knows 3 of the 4 like this, from /nodes/1 to /nodes/7");
+}
+
+TEST(Baseline, LeavesNewFindingsAsTheyAre) {
+  const FileReport left = after({file("a.gltf", {unused("/nodes/1")})},
+                                file("a.gltf", {times(unused("/meshes/1"), 2, "/meshes/3")}));
+  ASSERT_EQ(left.diagnostics.size(), 1u);
+  EXPECT_EQ(left.diagnostics[0].help, "");
+  EXPECT_EQ(left.diagnostics[0].count, 2u);
+  EXPECT_EQ(left.diagnostics[0].last_pointer, "/meshes/3");
+  EXPECT_EQ(left.suppressed, 0u);
 }
 
 TEST(Baseline, TakesFromTheCountOfTheRightSeverity) {

@@ -186,6 +186,17 @@ TEST(Khronos, WritesResourcesWithWhatIsKnownOfThem) {
   EXPECT_EQ(resources[2].dump(), R"({"pointer":"/buffers/1"})");
 }
 
+TEST(Khronos, LeavesOutWhatIsNotKnownOfAnImage) {
+  FileReport report = file("a.glb");
+  report.info.emplace();
+  ResourceInfo image{"/images/0", "", "", "", {}, ResourceInfo::Image{1, 2, 1, "", "", ""}};
+  report.info->resources = {image, image};
+  report.info->resources[1].image->bits = 0;
+  const auto resources = khronos(report)["info"]["resources"];
+  EXPECT_EQ(resources[0]["image"].dump(), R"({"width":1,"height":2,"bits":1})");
+  EXPECT_EQ(resources[1]["image"].dump(), R"({"width":1,"height":2})");
+}
+
 TEST(Khronos, LeavesEmptyInfoMembersOut) {
   FileReport report = file("a");
   report.info.emplace();

@@ -77,7 +77,7 @@ inline constexpr std::string_view kLeaf = R"({
       "name": "Leaf",
       "pbrMetallicRoughness": {
         "metallicFactor": "0.5",
-        "roughnessFactor": 2
+        "roughnessFactor": 1.75
       }
     }
   ]
@@ -100,8 +100,8 @@ inline Diagnostic wrong_type() {
 
 inline Diagnostic out_of_range() {
   return on(finding("VALUE_NOT_IN_RANGE", Severity::warning,
-                    "'roughnessFactor' is 2; 0 to 1 is allowed.", std::string(kRoughness)),
-            kLeaf, "2\n");
+                    "'roughnessFactor' is 1.75; 0 to 1 is allowed.", std::string(kRoughness)),
+            kLeaf, "1.75");
 }
 
 inline Diagnostic bad_chunk() {

@@ -31,11 +31,11 @@ TEST(Text, AlignsTheGutterWithLongLineNumbers) {
   d.location.line = 12345;
   d.help = "write 1";
   EXPECT_EQ(text({file("a.gltf", {d})}),
-            R"(warning[VALUE_NOT_IN_RANGE]: 'roughnessFactor' is 2; 0 to 1 is allowed.
+            R"(warning[VALUE_NOT_IN_RANGE]: 'roughnessFactor' is 1.75; 0 to 1 is allowed.
      --> a.gltf:12345:28 at /materials/0/pbrMetallicRoughness/roughnessFactor
       |
-12345 |         "roughnessFactor": 2
-      |                            ^
+12345 |         "roughnessFactor": 1.75
+      |                            ^^^^
       = help: write 1
 
 )");
