@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "container/uri.hpp"
 #include "model/fields.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/active_extensions.hpp"
@@ -33,11 +34,15 @@ bool contains(const MediaTypes& types, std::string_view type) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-// Images that extensions have a say in are left to them.
+// The Khronos validator leaves images alone that an extension it does not know has a say in.
 bool is_extended(const Context& context, json::NodeId image) {
   const json::NodeId extensions = model::object_member(context.document, image, "extensions");
-  return context.khronos() && extensions != json::kNoNode &&
-         context.document.object_size(extensions) != 0;
+  if (extensions == json::kNoNode || !context.khronos()) return false;
+  const ActiveExtensions active(context);
+  for (const auto extension : context.document.members(extensions)) {
+    if (!active.contains(context.document.key(extension.key_id))) return true;
+  }
+  return false;
 }
 
 std::optional<container::Bytes> image_bytes(const Resource& resource,
@@ -114,11 +119,21 @@ class ImageCheck {
       resource_.find("IMAGE_NON_ENABLED_MIME_TYPE", "",
                      fmt::format("The image is {}; that format needs an extension.", type));
     }
-    if (declared_.empty() || declared_ == type) return;
+    const std::string said = declared_.empty() || declared_ == type ? uri_type() : declared_;
+    if (said.empty() || said == type) return;
     resource_.find("IMAGE_MIME_TYPE_INVALID",
                    resource_.info.storage == "buffer-view" ? "bufferView" : "uri",
                    fmt::format("The image says it is {}, but its bytes are those of {}.",
-                               gltfx::quoted(declared_), type));
+                               gltfx::quoted(said), type));
+  }
+
+  // The media type of a data URI, or empty.
+  std::string uri_type() const {
+    if (resource_.info.storage != "data-uri") return {};
+    const std::string uri =
+        model::string_member(resource_.context.document, resource_.object, "uri");
+    const auto split = container::split_data_uri(uri);
+    return split ? split->media_type : std::string();
   }
 
   void describe(const Header& header) const {
@@ -187,6 +202,7 @@ std::string image_type(const Context& context, const model::ResourceData& data,
 struct TextureCheck {
   const Context& context;
   const model::ResourceData& data;
+  const MediaTypes& enabled;
   Sink& sink;
 
   // `object` is the texture or an extension of it.
@@ -195,6 +211,8 @@ struct TextureCheck {
     if (!source) return;
     const std::string type = image_type(context, data, *source);
     if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
+    // A format that no extension brings is a fault of the image, and has been reported there.
+    if (!contains(enabled, type) && !context.khronos()) return;
     report_member(sink, context, path, object, "source", "TEXTURE_INVALID_IMAGE_MIME_TYPE",
                   fmt::format("Image {} is {}; it must be {} here.", *source, gltfx::quoted(type),
                               join_or(allowed)));
@@ -226,7 +244,8 @@ void check_textures(const Context& context, const model::ResourceData& data, Sin
   const Path root;
   const Path array(root, "textures");
   const auto& textures = context.asset.elements(model::RootArray::textures);
-  const TextureCheck check{context, data, sink};
+  const MediaTypes enabled = enabled_media_types(context);
+  const TextureCheck check{context, data, enabled, sink};
   for (std::size_t i = 0; i < textures.size(); ++i) {
     check.check(textures[i], Path(array, static_cast<std::uint64_t>(i)),
                 {"image/jpeg", "image/png"});

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "container/resolve_fault.hpp"
 #include "container/uri.hpp"
+#include "image/header.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -54,13 +55,27 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
   return std::move(resolved.bytes);
 }
 
+// Whether the Khronos validator keeps the data of a URI: a wrong media type has been reported.
+bool acceptable(const Resource& resource, const container::DataUri& uri,
+                const container::Bytes& bytes) {
+  if (!resource.context.khronos()) return true;
+  if (resource.info.mime_type == "application/gltf-buffer") {
+    return uri.media_type == "application/octet-stream" ||
+           uri.media_type == "application/gltf-buffer";
+  }
+  const image::Sniffed sniffed = image::sniff(bytes.view());
+  return sniffed.known && uri.media_type == image::media_type(sniffed.format);
+}
+
 std::optional<container::Bytes> decode(const Resource& resource, std::string_view text) {
   const auto split = container::split_data_uri(text);
   if (!split) return std::nullopt;
-  auto bytes = container::decode_payload(*split);
-  if (!bytes) return std::nullopt;
+  auto decoded = container::decode_payload(*split);
+  if (!decoded) return std::nullopt;
+  container::Bytes bytes = container::Bytes::from_string(*std::move(decoded));
+  if (!acceptable(resource, *split, bytes)) return std::nullopt;
   resource.info.storage = "data-uri";
-  return container::Bytes::from_string(*std::move(bytes));
+  return bytes;
 }
 
 }  // namespace
@@ -88,6 +103,10 @@ std::optional<container::Bytes> fetch_uri(const Resource& resource) {
   const std::string_view text = document.string(member, buffer);
   const container::Uri uri = container::classify_uri(text);
   if (uri.kind == container::UriKind::data) return decode(resource, text);
+  if (uri.kind == container::UriKind::non_relative) {
+    resource.info.storage = "external";
+    resource.info.uri = uri.normalized;
+  }
   if (uri.kind != container::UriKind::relative_path) return std::nullopt;
   return open_file(resource, uri);
 }

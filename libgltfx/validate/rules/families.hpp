@@ -15,6 +15,7 @@ const Family& extension_use_family();
 const Family& fallback_family();
 const Family& identity_family();
 const Family& resource_family();
+const Family& image_data_family();
 
 // Objects and how they refer to each other.
 const Family& asset_root_family();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where buffers and images come from: the form of a URI, and what phase 5 finds behind it.
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
 #include "container/uri.hpp"
+#include "image/header.hpp"
 #include "validate/rules/families.hpp"
 
 namespace gltfx::validate {
@@ -169,6 +171,22 @@ void report(const Context& context, const Path& path, json::NodeId value, std::s
   context.schema_sink.report(path, std::move(finding));
 }
 
+struct ImageUri {
+  std::string_view media_type;
+  std::string_view data;
+};
+
+// The Khronos validator takes an image whose type is not that of its data URI for a fault of the
+// URI; otherwise it is one of the image, and found when that is read.
+void check_image_type(const Context& context, json::NodeId value, const Path& path,
+                      const ImageUri& uri) {
+  const image::Sniffed sniffed = image::sniff(std::as_bytes(std::span(uri.data)));
+  if (sniffed.known && image::media_type(sniffed.format) == uri.media_type) return;
+  report(context, path, value, "INVALID_URI",
+         fmt::format("The data URI says {}, but its bytes are not of that type.",
+                     gltfx::quoted(uri.media_type)));
+}
+
 void check_data_uri(const Context& context, json::NodeId value, const Path& path,
                     std::string_view text, bool buffer) {
   const auto uri = container::split_data_uri(text);
@@ -184,7 +202,11 @@ void check_data_uri(const Context& context, json::NodeId value, const Path& path
                        gltfx::quoted(uri->media_type)));
   }
   const auto payload = container::decode_payload(*uri);
-  if (!payload) report(context, path, value, "INVALID_URI", payload.error().message);
+  if (!payload) {
+    report(context, path, value, "INVALID_URI", payload.error().message);
+  } else if (!buffer && context.khronos()) {
+    check_image_type(context, value, path, {uri->media_type, *payload});
+  }
 }
 
 void check_uri(const Context& context, json::NodeId object, const Path& path, bool buffer) {
