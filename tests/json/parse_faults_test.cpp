@@ -94,6 +94,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"[\"\xC3\"]", "invalid_utf8 1:3-1:4", "found '\\xc3'"},
         Case{"[1]\n\xE2\x82", "invalid_utf8 2:1-2:2", "this is not UTF-8"},
         Case{"[\"\xED\xA0\x80\"]", "invalid_utf8 1:3-1:4", "found '\\xed\\xa0\\x80'"},
+        Case{"[\"\xE2\x82\"]", "invalid_utf8 1:3-1:4", "found '\\xe2\\x82'"},
+        Case{"[\"\xF0\x9F\x98\"]", "invalid_utf8 1:3-1:4", "found '\\xf0\\x9f\\x98'"},
+        Case{"[\"\xC2\xC2\x80\"]", "invalid_utf8 1:3-1:4", "found '\\xc2'"},
         Case{"[\"\xC0\x80\"]", "invalid_utf8 1:3-1:4", "found '\\xc0\\x80'"},
         Case{"[\"\xF5\x80\x80\x80\"]", "invalid_utf8 1:3-1:4", "this is not UTF-8"},
         Case{std::string_view("\xFF\xFE{\0}\0", 6), "invalid_utf8 1:1-1:2", "looks like UTF-16"}));
