@@ -41,6 +41,15 @@ std::span<const Family> families() {
       scene_family(),
       use_family(),
       node_graph_family(),
+      packed_geometry_family(),
+      mesh_groups_family(),
+      splats_family(),
+      instancing_family(),
+      lod_family(),
+      single_root_family(),
+      interactivity_family(),
+      name_registries_family(),
+      extension_accessors_family(),
       unused_objects_family(),  // behind all that find references
   };
   // clang-format on

@@ -45,4 +45,15 @@ const Family& animation_pointer_family();
 const Family& scene_family();
 const Family& node_graph_family();
 
+// What one extension or another asks of the whole graph.
+const Family& packed_geometry_family();
+const Family& mesh_groups_family();
+const Family& splats_family();
+const Family& instancing_family();
+const Family& lod_family();
+const Family& single_root_family();
+const Family& interactivity_family();
+const Family& name_registries_family();
+const Family& extension_accessors_family();
+
 }  // namespace gltfx::validate

@@ -87,6 +87,10 @@ class GraphCheck {
     return false;
   }
 
+  bool has_extras(const model::Node& node) const {
+    return node.extras != json::kNoNode && context_.document.kind(node.extras) != json::Kind::null;
+  }
+
   bool has_children(const model::Node& node) const {
     const json::Document& document = context_.document;
     if (node.children == json::kNoNode || !document.is_array(node.children)) return false;
@@ -95,7 +99,7 @@ class GraphCheck {
   }
 
   void check_empty(const model::Node& node, NodeIndex index, const Path& path) {
-    if (is_joint_[index] != 0 || node.mesh || node.camera || node.extras != json::kNoNode ||
+    if (is_joint_[index] != 0 || node.mesh || node.camera || has_extras(node) ||
         has_children(node) || has_extension(node)) {
       return;
     }

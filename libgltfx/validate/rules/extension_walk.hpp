@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Visits the objects of one extension.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "model/fields.hpp"
+#include "model/mesh.hpp"
+#include "validate/context.hpp"
+
+namespace gltfx::validate {
+
+/// Whether rules of our own about an extension have anything to look at: the walk met its objects,
+/// and the profile is not that of the Khronos validator, which knows no such rules.
+inline bool has_objects_of(const Context& context, std::string_view extension) {
+  const auto& seen = context.checked.extensions_seen;
+  return !context.khronos() && std::find(seen.begin(), seen.end(), extension) != seen.end();
+}
+
+/// An object of an extension and the object it sits on.
+struct ExtensionPlace {
+  json::NodeId host;
+  json::NodeId object;
+  std::size_t index;  ///< of the host in its array
+};
+
+/// Calls `use(place, path)` for the extension's object on each element of a root array; `path` is
+/// that of the extension's object.
+template <typename Use>
+void for_each_extension(const Context& context, model::RootArray array, std::string_view extension,
+                        Use use) {
+  if (!has_objects_of(context, extension)) return;
+  const Path root;
+  const Path list(root, model::root_array_name(array));
+  const auto& hosts = context.asset.elements(array);
+  for (std::size_t i = 0; i < hosts.size(); ++i) {
+    const json::NodeId object = model::extension_object(context.document, hosts[i], extension);
+    if (object == json::kNoNode) continue;
+    const Path host(list, i);
+    const Path extensions(host, "extensions");
+    use(ExtensionPlace{hosts[i], object, i}, Path(extensions, extension));
+  }
+}
+
+/// The same for each primitive of each mesh.
+template <typename Use>
+void for_each_primitive_extension(const Context& context, std::string_view extension, Use use) {
+  if (!has_objects_of(context, extension)) return;
+  const Path root;
+  const Path list(root, "meshes");
+  const auto& meshes = context.asset.elements(model::RootArray::meshes);
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const Path mesh(list, m);
+    const Path primitives(mesh, "primitives");
+    std::size_t index = 0;
+    for (const json::NodeId primitive : model::primitives(context.document, meshes[m])) {
+      const Path host(primitives, index);
+      const json::NodeId object = model::extension_object(context.document, primitive, extension);
+      const Path extensions(host, "extensions");
+      if (object != json::kNoNode) {
+        use(ExtensionPlace{primitive, object, index}, Path(extensions, extension));
+      }
+      ++index;
+    }
+  }
+}
+
+/// The extension's object on the root object, or json::kNoNode.
+inline json::NodeId root_extension(const Context& context, std::string_view extension) {
+  if (!has_objects_of(context, extension)) return json::kNoNode;
+  return model::extension_object(context.document, context.document.root(), extension);
+}
+
+/// The objects of an array member; elements that are no objects are json::kNoNode.
+inline std::vector<json::NodeId> object_list(const json::Document& document, json::NodeId object,
+                                             std::string_view member) {
+  std::vector<json::NodeId> found;
+  const json::NodeId array = document.find(object, member);
+  if (array == json::kNoNode || document.kind(array) != json::Kind::array) return found;
+  for (const json::NodeId element : document.elements(array)) {
+    found.push_back(document.is_object(element) ? element : json::kNoNode);
+  }
+  return found;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// MSFT_lod: levels of detail are other nodes or materials, and nothing is a level of itself. Only
+// the whole graph shows a cycle; this file is about that one extension and names it.
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include "model/node.hpp"
+#include "validate/rules/extension_walk.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kExtension = "MSFT_lod";
+
+constexpr std::string_view kGood =
+    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1, 2]}}}, {"camera": 0}, {"camera": 0}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
+
+constexpr RuleDescription kRules[] = {
+    {"LOD_CYCLE", Severity::error, "A level of detail leads back to where it came from",
+     "A viewer that looks for a coarser version goes round for ever.",
+     "Let only the finest version list the others, and none of them list it.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1]}}}, {"camera": 0, "extensions": {"MSFT_lod": {"ids": [0]}}}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::none, false},
+    {"LOD_REPEATED", Severity::warning, "A level of detail is listed twice",
+     "Levels go from finer to coarser; the second time nothing changes.", "List each level once.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1, 1]}}}, {"camera": 0}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::safe, false},
+};
+
+class LodCheck {
+ public:
+  LodCheck(const Context& context, model::RootArray array)
+      : context_(context), array_(array), levels_(context.asset.count(array)) {}
+
+  void run() {
+    for_each_extension(context_, array_, kExtension,
+                       [&](const ExtensionPlace& place, const Path& path) { read(place, path); });
+    find_cycles();
+    for_each_extension(
+        context_, array_, kExtension, [&](const ExtensionPlace& place, const Path& path) {
+          if (!on_cycle_[place.index]) return;
+          report_member(
+              context_.link_sink, context_, path, place.object, "ids", "LOD_CYCLE",
+              fmt::format("The levels of {} {} lead round in a circle.",
+                          array_ == model::RootArray::nodes ? "node" : "material", place.index));
+        });
+  }
+
+ private:
+  void read(const ExtensionPlace& place, const Path& path) {
+    const Path ids(path, "ids");
+    std::unordered_set<std::uint32_t> known;
+    model::for_each_index(
+        context_.asset, context_.document.find(place.object, "ids"), array_,
+        [&](std::uint64_t position, std::optional<std::uint32_t> level, Span span) {
+          if (!level) return;
+          levels_[place.index].push_back(*level);
+          if (known.insert(*level).second) return;
+          Finding finding =
+              finding_on(context_, json::kNoNode, "LOD_REPEATED",
+                         fmt::format("Level {} is listed before in this list.", *level));
+          finding.span = span;
+          context_.link_sink.report(Path(ids, position), std::move(finding));
+        });
+  }
+
+  // Takes away, again and again, what nothing that is left refers to; then the same against the
+  // direction of the references. What remains lies on cycles or between them.
+  void find_cycles() {
+    on_cycle_.assign(levels_.size(), true);
+    std::vector<std::vector<std::uint32_t>> hosts(levels_.size());
+    for (std::uint32_t i = 0; i < levels_.size(); ++i) {
+      for (const std::uint32_t level : levels_[i]) hosts[level].push_back(i);
+    }
+    peel(levels_, hosts);
+    peel(hosts, levels_);
+  }
+
+  void peel(const std::vector<std::vector<std::uint32_t>>& forward,
+            const std::vector<std::vector<std::uint32_t>>& backward) {
+    std::vector<std::size_t> left(forward.size(), 0);
+    std::vector<std::uint32_t> free;
+    for (std::uint32_t i = 0; i < forward.size(); ++i) {
+      for (const std::uint32_t from : backward[i]) left[i] += on_cycle_[from] ? 1 : 0;
+      if (left[i] == 0 && on_cycle_[i]) free.push_back(i);
+    }
+    while (!free.empty()) {
+      const std::uint32_t at = free.back();
+      free.pop_back();
+      on_cycle_[at] = false;
+      for (const std::uint32_t to : forward[at]) {
+        if (on_cycle_[to] && --left[to] == 0) free.push_back(to);
+      }
+    }
+  }
+
+  const Context& context_;
+  model::RootArray array_;
+  std::vector<std::vector<std::uint32_t>> levels_;
+  std::vector<bool> on_cycle_;
+};
+
+void check_levels(const Context& context) {
+  if (!has_objects_of(context, kExtension)) return;
+  LodCheck(context, model::RootArray::materials).run();
+  LodCheck(context, model::RootArray::nodes).run();
+}
+
+constexpr LinkRule kLinkRules[] = {check_levels};
+
+}  // namespace
+
+const Family& lod_family() {
+  static const Family family{"lod", kRules, {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Extensions of a mesh that speak of several of its primitives at once (EXT_mesh_primitive_restart,
+// EXT_mesh_manifold): how primitives compare with each other is beyond a schema file, so this file
+// names the two.
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "model/accessor.hpp"
+#include "model/mesh.hpp"
+#include "validate/rules/extension_walk.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/mesh_groups_table.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+void report(const Context& context, const Path& path, json::NodeId place, std::string_view code,
+            std::string message) {
+  context.link_sink.report(path, finding_on(context, place, code, std::move(message)));
+}
+
+bool is_strip(model::Mode mode) {
+  return mode == model::Mode::line_loop || mode == model::Mode::line_strip ||
+         mode == model::Mode::triangle_strip || mode == model::Mode::triangle_fan;
+}
+
+bool same_attributes(const model::Primitive& a, const model::Primitive& b) {
+  if (a.attributes.size() != b.attributes.size()) return false;
+  std::unordered_map<std::string_view, std::optional<std::uint32_t>> all;
+  for (const model::Attribute& each : a.attributes) all.emplace(each.name, each.accessor);
+  return std::all_of(b.attributes.begin(), b.attributes.end(), [&](const model::Attribute& each) {
+    const auto found = all.find(each.name);
+    return found != all.end() && found->second == each.accessor;
+  });
+}
+
+// Why a primitive cannot be in a group; empty: it can.
+std::string why_not_grouped(const json::Document& document, const model::Primitive& primitive) {
+  if (primitive.mode && !is_strip(*primitive.mode)) {
+    return fmt::format("it is {}, which needs no restart", model::mode_name(*primitive.mode));
+  }
+  if (primitive.indices_node == json::kNoNode) return "it has no indices";
+  if (document.find(primitive.node, "targets") != json::kNoNode) return "it has morph targets";
+  return {};
+}
+
+class RestartCheck {
+ public:
+  RestartCheck(const Context& context, const ExtensionPlace& place, const Path& path)
+      : context_(context),
+        groups_(object_list(context.document, place.object, "primitiveGroups")),
+        primitives_(model::primitives(context.document, place.host)),
+        owner_(primitives_.size(), SIZE_MAX),
+        list_(path, "primitiveGroups") {}
+
+  void run() {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const Path group(list_, g);
+      const Path members(group, "primitives");
+      const json::NodeId array = context_.document.find(groups_[g], "primitives");
+      if (array == json::kNoNode || context_.document.kind(array) != json::Kind::number_array) {
+        continue;
+      }
+      std::optional<model::Primitive> first;
+      std::uint64_t position = 0;
+      for (json::NumberCursor at(context_.document, array); at.valid(); at.advance(), ++position) {
+        const double value = at.number().value;
+        if (!at.number().is_integer() || value < 0 ||
+            value >= static_cast<double>(primitives_.size())) {
+          continue;
+        }
+        check(static_cast<std::size_t>(value), g, first, at.number().span, Path(members, position));
+      }
+    }
+  }
+
+ private:
+  void check(std::size_t index, std::size_t group, std::optional<model::Primitive>& first,
+             Span span, const Path& path) {
+    if (primitives_[index] == json::kNoNode) return;
+    if (owner_[index] != SIZE_MAX && owner_[index] != group) {
+      add(path, span, "RESTART_PRIMITIVE_REPEATED",
+          fmt::format("Primitive {} is in group {} already.", index, owner_[index]));
+    }
+    owner_[index] = group;
+    const model::Primitive primitive = model::read_primitive(context_.asset, primitives_[index]);
+    const std::string why = why_not_grouped(context_.document, primitive);
+    if (!why.empty()) {
+      add(path, span, "RESTART_PRIMITIVE_UNFIT",
+          fmt::format("Primitive {} cannot be in a group: {}.", index, why));
+    } else if (!first) {
+      first = primitive;
+    } else if (primitive.mode != first->mode || primitive.material != first->material ||
+               !same_attributes(primitive, *first)) {
+      add(path, span, "RESTART_PRIMITIVES_DIFFER",
+          fmt::format("Primitive {} differs from the first of its group in more than its indices.",
+                      index));
+    }
+  }
+
+  void add(const Path& path, Span span, std::string_view code, std::string message) {
+    Finding finding = finding_on(context_, json::kNoNode, code, std::move(message));
+    finding.span = span;
+    context_.link_sink.report(path, std::move(finding));
+  }
+
+  const Context& context_;
+  std::vector<json::NodeId> groups_, primitives_;
+  std::vector<std::size_t> owner_;  ///< group a primitive is in
+  Path list_;
+};
+
+void check_restart(const Context& context) {
+  for_each_extension(context, model::RootArray::meshes, "EXT_mesh_primitive_restart",
+                     [&](const ExtensionPlace& place, const Path& path) {
+                       RestartCheck(context, place, path).run();
+                     });
+}
+
+// What all primitives of a manifold have in common.
+struct Shared {
+  std::unordered_map<std::string_view, std::uint32_t> accessors;  ///< by attribute name
+  std::optional<std::uint32_t> index_view;
+};
+
+// Why a primitive cannot be part of the manifold; empty: it can.
+std::string why_no_part(const Context& context, const model::Primitive& primitive, Shared& shared) {
+  if (primitive.mode && *primitive.mode != model::Mode::triangles) {
+    return fmt::format("it is {} instead of TRIANGLES", model::mode_name(*primitive.mode));
+  }
+  if (primitive.indices_node == json::kNoNode) return "it has no indices";
+  for (const model::Attribute& each : primitive.attributes) {
+    if (!each.accessor) continue;
+    const auto [known, fresh] = shared.accessors.try_emplace(each.name, *each.accessor);
+    if (!fresh && known->second != *each.accessor) {
+      return fmt::format("its {} is accessor {}, while another primitive has {}", each.name,
+                         *each.accessor, known->second);
+    }
+  }
+  if (!primitive.indices) return {};
+  const auto view = context.views.accessors[*primitive.indices].buffer_view;
+  if (!view) return {};
+  if (shared.index_view && *shared.index_view != *view) {
+    return fmt::format("its indices lie in buffer view {}, those of another in {}", *view,
+                       *shared.index_view);
+  }
+  shared.index_view = view;
+  return {};
+}
+
+void check_manifold(const Context& context, const ExtensionPlace& place, const Path& path) {
+  Shared shared;
+  std::size_t index = 0;
+  for (const json::NodeId object : model::primitives(context.document, place.host)) {
+    const std::size_t own = index++;
+    if (object == json::kNoNode) continue;
+    const std::string why =
+        why_no_part(context, model::read_primitive(context.asset, object), shared);
+    if (why.empty()) continue;
+    report(context, path, place.object, "MANIFOLD_PRIMITIVE_UNFIT",
+           fmt::format("Primitive {} cannot be part of the manifold: {}.", own, why));
+  }
+  const json::NodeId whole =
+      model::object_member(context.document, place.object, "manifoldPrimitive");
+  if (whole == json::kNoNode) return;
+  const std::string why = why_no_part(context, model::read_primitive(context.asset, whole), shared);
+  // Its own mode and indices are in the schema file.
+  if (why.empty() || !why.starts_with("its ")) return;
+  report_member(context.link_sink, context, path, place.object, "manifoldPrimitive",
+                "MANIFOLD_PRIMITIVE_UNFIT",
+                fmt::format("The manifold primitive does not go with the others: {}.", why));
+}
+
+void check_manifolds(const Context& context) {
+  for_each_extension(
+      context, model::RootArray::meshes, "EXT_mesh_manifold",
+      [&](const ExtensionPlace& place, const Path& path) { check_manifold(context, place, path); });
+}
+
+constexpr LinkRule kLinkRules[] = {check_restart, check_manifolds};
+
+}  // namespace
+
+const Family& mesh_groups_family() {
+  static const Family family{"mesh_groups", mesh_groups_rules(), {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

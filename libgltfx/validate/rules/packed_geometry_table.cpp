@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Examples of an extension name it, as those of any extension do.
+#include "validate/rules/packed_geometry_table.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kGood =
+    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_draco_mesh_compression"], "extensionsRequired": ["KHR_draco_mesh_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1,
+  "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5123, "type": "SCALAR", "count": 3}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})";
+
+constexpr std::string_view kGoodMeshopt =
+    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_meshopt_compression"], "extensionsRequired": ["EXT_meshopt_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "bufferViews": [{"buffer": 1, "byteLength": 12, "target": 34962,
+  "extensions": {"EXT_meshopt_compression": {"buffer": 0, "byteLength": 12, "byteStride": 12, "count": 1, "mode": "ATTRIBUTES"}}}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"},
+  {"byteLength": 24, "extensions": {"EXT_meshopt_compression": {"fallback": true}}}]})";
+
+constexpr RuleDescription kRules[] = {
+    {"DRACO_ATTRIBUTE_UNKNOWN", Severity::error,
+     "Compressed data has an attribute that the primitive lacks",
+     "The decoder has nowhere to put it: without an accessor it has no type and no count.",
+     "Add the attribute to the primitive, or remove it from the extension.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_draco_mesh_compression"], "extensionsRequired": ["KHR_draco_mesh_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1,
+  "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0, "NORMAL": 1}}}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5123, "type": "SCALAR", "count": 3}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
+     kGood, Fix::none, false},
+    {"DRACO_INVALID_MODE", Severity::error,
+     "Compressed data is neither triangles nor a strip of them",
+     "The format holds triangle meshes only.",
+     "Use TRIANGLES (4) or TRIANGLE_STRIP (5), or do not compress the primitive.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_draco_mesh_compression"], "extensionsRequired": ["KHR_draco_mesh_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}, "indices": 1,
+  "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5123, "type": "SCALAR", "count": 3}],
+ "bufferViews": [{"buffer": 0, "byteLength": 12}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
+     kGood, Fix::none, false},
+    {"MESHOPT_FALLBACK_USED", Severity::error,
+     "A buffer view reads from a buffer that has no bytes",
+     "The buffer only says how large the decoded data is.",
+     "Compress the view as well, or put its bytes into another buffer.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_meshopt_compression"], "extensionsRequired": ["EXT_meshopt_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0, "_PLACE": 1}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"bufferView": 1, "componentType": 5126, "type": "VEC3", "count": 1}],
+ "bufferViews": [{"buffer": 1, "byteLength": 12, "target": 34962,
+  "extensions": {"EXT_meshopt_compression": {"buffer": 0, "byteLength": 12, "byteStride": 12, "count": 1, "mode": "ATTRIBUTES"}}},
+  {"buffer": 1, "byteOffset": 12, "byteLength": 12, "target": 34962}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"},
+  {"byteLength": 24, "extensions": {"EXT_meshopt_compression": {"fallback": true}}}]})",
+     kGoodMeshopt, Fix::none, false},
+    {"MESHOPT_LENGTH_MISMATCH", Severity::error, "Decoded data is not as long as its buffer view",
+     "The decoder writes count times byteStride bytes: past the end of the view, or too few.",
+     "Make byteLength of the view the product of byteStride and count.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_meshopt_compression"], "extensionsRequired": ["EXT_meshopt_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "bufferViews": [{"buffer": 1, "byteLength": 24, "target": 34962,
+  "extensions": {"EXT_meshopt_compression": {"buffer": 0, "byteLength": 12, "byteStride": 12, "count": 1, "mode": "ATTRIBUTES"}}}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"},
+  {"byteLength": 24, "extensions": {"EXT_meshopt_compression": {"fallback": true}}}]})",
+     kGoodMeshopt, Fix::none, false},
+    {"MESHOPT_STRIDE_MISMATCH", Severity::error,
+     "Decoded data has another stride than its buffer view",
+     "Readers step through the view by its own stride and meet the wrong bytes.",
+     "Use the same byteStride in both.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_meshopt_compression"], "extensionsRequired": ["EXT_meshopt_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "bufferViews": [{"buffer": 1, "byteLength": 24, "byteStride": 24, "target": 34962,
+  "extensions": {"EXT_meshopt_compression": {"buffer": 0, "byteLength": 12, "byteStride": 12, "count": 2, "mode": "ATTRIBUTES"}}}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"},
+  {"byteLength": 24, "extensions": {"EXT_meshopt_compression": {"fallback": true}}}]})",
+     kGoodMeshopt, Fix::none, false},
+    {"MESHOPT_TOO_LONG", Severity::error, "Compressed data lies beyond the end of its buffer",
+     "The decoder would read bytes that are not there.",
+     "Correct byteOffset and byteLength of the extension.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_meshopt_compression"], "extensionsRequired": ["EXT_meshopt_compression"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "bufferViews": [{"buffer": 1, "byteLength": 12, "target": 34962,
+  "extensions": {"EXT_meshopt_compression": {"buffer": 0, "byteOffset": 8, "byteLength": 12, "byteStride": 12, "count": 1, "mode": "ATTRIBUTES"}}}],
+ "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"},
+  {"byteLength": 24, "extensions": {"EXT_meshopt_compression": {"fallback": true}}}]})",
+     kGoodMeshopt, Fix::none, false},
+};
+
+}  // namespace
+
+std::span<const RuleDescription> packed_geometry_rules() { return kRules; }
+
+}  // namespace gltfx::validate

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// GODOT_single_root: an extension without objects whose name alone promises what the scene looks
+// like. This file is about that one extension and names it.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "model/fields.hpp"
+#include "model/node.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kExtension = "GODOT_single_root";
+
+constexpr std::string_view kGood =
+    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["GODOT_single_root"], "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"children": [1]}, {"camera": 0, "translation": [0, 1, 5]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
+
+constexpr RuleDescription kRules[] = {
+    {"SINGLE_ROOT_MISSING", Severity::error,
+     "The asset promises a single root and does not have it",
+     "Importers take node 0 for the whole asset and lose what is beside it.",
+     "Have one scene with node 0 as its only root, name it as the default scene, or remove the "
+     "extension.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["GODOT_single_root"], "scene": 0, "scenes": [{"nodes": [0, 1]}],
+ "nodes": [{"camera": 0}, {"camera": 0}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::none, false},
+    {"SINGLE_ROOT_TRANSFORM", Severity::error, "The single root has a transform",
+     "The root stands for the asset as a whole; importers drop its transform.",
+     "Move the transform to the nodes below the root.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["GODOT_single_root"], "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"children": [1], "translation": [0, 1, 5]}, {"camera": 0}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::none, false},
+};
+
+void report_missing(const Context& context, const Path& path, json::NodeId place,
+                    std::string message) {
+  context.link_sink.report(path,
+                           finding_on(context, place, "SINGLE_ROOT_MISSING", std::move(message)));
+}
+
+// What is wrong with the only scene's list of nodes; empty: nothing.
+std::string roots_fault(const Context& context, json::NodeId list) {
+  std::uint64_t count = 0;
+  bool first = false;
+  model::for_each_index(context.asset, list, model::RootArray::nodes,
+                        [&](std::uint64_t, std::optional<std::uint32_t> node, Span) {
+                          first = first || node == 0U;
+                          ++count;
+                        });
+  if (count != 1) return fmt::format("The scene has {} roots instead of node 0 alone.", count);
+  return first ? std::string() : "The root of the scene is not node 0.";
+}
+
+void check_single_root(const Context& context) {
+  const auto& used = context.checked.extensions_used;
+  if (context.khronos() || std::find(used.begin(), used.end(), kExtension) == used.end()) return;
+  const json::Document& document = context.document;
+  const Path root;
+  const Path scenes(root, "scenes");
+  const auto& objects = context.asset.elements(model::RootArray::scenes);
+  const json::NodeId scene = document.find(document.root(), "scene");
+  if (objects.size() != 1 || objects.front() == json::kNoNode) {
+    report_missing(context, scenes, document.find(document.root(), "scenes"),
+                   fmt::format("There are {} scenes instead of one.", objects.size()));
+    return;
+  }
+  if (scene == json::kNoNode) {
+    report_missing(context, Path(root, "scene"), document.root(),
+                   "The only scene is not named as the default one.");
+  }
+  const Path only(scenes, 0);
+  const json::NodeId list = document.find(objects.front(), "nodes");
+  const std::string fault = roots_fault(context, list);
+  if (!fault.empty()) {
+    report_missing(context, Path(only, "nodes"), list != json::kNoNode ? list : objects.front(),
+                   fault);
+    return;
+  }
+  const json::NodeId node = context.asset.elements(model::RootArray::nodes).front();
+  if (model::read_transform(document, model::read_node(context.asset, node)).is_identity()) return;
+  const Path nodes(root, "nodes");
+  context.link_sink.report(Path(nodes, 0), finding_on(context, node, "SINGLE_ROOT_TRANSFORM",
+                                                      "Node 0, the single root, has a transform."));
+}
+
+constexpr LinkRule kLinkRules[] = {check_single_root};
+
+}  // namespace
+
+const Family& single_root_family() {
+  static const Family family{"single_root", kRules, {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
