@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <string_view>
 #include <utility>
@@ -18,8 +19,14 @@
 namespace gltfx::tool {
 namespace {
 
-// CLI11 would let such an option swallow every positional after its value, and read "[a]" as a
-// list, unless extra arguments are refused.
+// For the help only. CLI11 reads a positional "[a].gltf" as a list of its own, so that positionals
+// are declared to take nothing and are picked from what is left over.
+void describe_positional(CLI::App& app, const char* name, const char* text) {
+  app.add_option(name)->description(text)->type_name("...")->expected(0);
+}
+
+// CLI11 would let such an option swallow every positional after its value unless extra arguments
+// are refused.
 void add_list(CLI::App& app, const char* name, std::vector<std::string>& words, const char* type,
               const char* text) {
   app.add_option(name, words, text)->type_name(type)->allow_extra_args(false);
@@ -62,16 +69,19 @@ class Declaration {
 
  private:
   CLI::App& verb(const char* name, const char* text);
+  std::string help() const;
   void declare_validate();
   void declare_filters(CLI::App& app);
   void declare_explain();
   void declare_rules();
   void declare_schema();
-  std::string unexpected() const;
+  std::string take_positionals();
+  std::vector<std::string>* positionals(std::string_view verb);
   std::string unknown_verb(const std::string& word) const;
   Result<Request> request() const;
 
   CLI::App app_{"Validates glTF 2.0 assets and says exactly what is wrong and where.", "gltfx"};
+  std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
   ValidateWords validate_;
   ExplainWords explain_;
@@ -88,12 +98,12 @@ CLI::App& Declaration::verb(const char* name, const char* text) {
 
 void Declaration::declare_validate() {
   CLI::App& app = verb("validate", "Check .gltf and .glb files");
-  add_list(app, "PATH", validate_.paths, "",
-           "Files, folders (searched through), globs, or - for standard input");
+  describe_positional(app, "PATH",
+                      "Files, folders (searched through), globs, or - for standard input");
   add_list(app, "-f,--format", validate_.formats, "NAME[=FILE]",
-           "text, json, khronos or github; repeatable, e.g. json=report.json (default: text)");
+           "text, json, khronos or github (default: text); repeatable, json=report.json");
   add_word(app, "--fail-on", validate_.fail_on, "LEVEL",
-           "Exit with 1 from this severity on: error, warning, info or never (default: error)");
+           "Exit with 1 from here on: error, warning, info or never (default: error)");
   declare_filters(app);
   add_word(app, "--root", validate_.root, "DIR",
            "Folder that buffers and images may come from (default: the asset's own)");
@@ -120,7 +130,7 @@ void Declaration::declare_filters(CLI::App& app) {
 
 void Declaration::declare_explain() {
   CLI::App& app = verb("explain", "Say why a rule exists, with a bad and a good example");
-  add_list(app, "CODE", explain_.codes, "", "Codes as reports print them, in any case");
+  describe_positional(app, "CODE", "Codes as reports print them, in any case");
   add_common(app, explain_.common);
 }
 
@@ -132,7 +142,7 @@ void Declaration::declare_rules() {
 
 void Declaration::declare_schema() {
   CLI::App& app = verb("schema", "Show what is known of extensions and core types");
-  add_list(app, "NAME", schema_.names, "", "An extension or a core type (default: list them)");
+  describe_positional(app, "NAME", "An extension or a core type (default: list them)");
   add_word(app, "-f,--format", schema_.format, "NAME", "text or json (default: text)");
   add_schema_sources(app, schema_.schema_files, schema_.schema_folders);
   add_common(app, schema_.common);
@@ -158,22 +168,41 @@ std::string Declaration::unknown_verb(const std::string& word) const {
   return fmt::format("unknown verb {}.{}", gltfx::quoted(word), hint);
 }
 
+// The help of the verb if there is one, ending in one line break.
+std::string Declaration::help() const {
+  std::string text = app_.help();
+  while (text.ends_with("\n\n")) text.pop_back();
+  return text;
+}
+
 bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
 
-// What CLI11 put aside because nothing declared takes it, or empty.
-std::string Declaration::unexpected() const {
+// Distributes what CLI11 put aside: positionals to their verb, the rest to a complaint (or empty).
+std::string Declaration::take_positionals() {
   if (const auto left = app_.remaining(); !left.empty()) {
     return is_option(left.front()) ? unknown_option(app_, left.front())
                                    : unknown_verb(left.front());
   }
-  for (const CLI::App* verb : app_.get_subcommands()) {
-    const auto left = verb->remaining();
-    if (left.empty()) continue;
-    if (is_option(left.front())) return unknown_option(*verb, left.front());
-    return fmt::format("{}: unexpected argument {}.", verb->get_name(),
-                       gltfx::quoted(left.front()));
+  if (app_.get_subcommands().empty()) return {};
+  const CLI::App& verb = *app_.get_subcommands().front();
+  std::vector<std::string>* words = positionals(verb.get_name());
+  std::vector<std::string> taken = verb.remaining();
+  for (const std::string& word : taken) {
+    if (is_option(word)) return unknown_option(verb, word);
   }
+  taken.insert(taken.end(), after_mark_.begin(), after_mark_.end());
+  if (words == nullptr && !taken.empty()) {
+    return fmt::format("{}: unexpected argument {}.", verb.get_name(),
+                       gltfx::quoted(taken.front()));
+  }
+  if (words != nullptr) *words = std::move(taken);
   return {};
+}
+
+std::vector<std::string>* Declaration::positionals(std::string_view verb) {
+  if (verb == "validate") return &validate_.paths;
+  if (verb == "explain") return &explain_.codes;
+  return verb == "schema" ? &schema_.names : nullptr;
 }
 
 Result<Request> Declaration::request() const {
@@ -193,7 +222,6 @@ Answer usage_error(std::string_view verb, std::string_view problem) {
 std::string empty_value(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
-    if (word == "--") break;
     if (word.starts_with("--") && word.ends_with('=')) {
       return fmt::format("option {} has no value after '='.", gltfx::quoted(word));
     }
@@ -202,13 +230,17 @@ std::string empty_value(int argc, const char* const* argv) {
 }
 
 CommandLine Declaration::read(int argc, const char* const* argv) {
+  const char* const* mark =
+      std::find(argv + std::min(argc, 1), argv + argc, std::string_view("--"));
+  if (mark != argv + argc) after_mark_.assign(mark + 1, argv + argc);
+  argc = static_cast<int>(mark - argv);
   if (const std::string problem = empty_value(argc, argv); !problem.empty()) {
     return usage_error({}, problem);
   }
   try {
     app_.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return Answer{app_.help(), {}, ExitCode::ok};
+    return Answer{help(), {}, ExitCode::ok};
   } catch (const CLI::ParseError& error) {
     const auto verbs = app_.get_subcommands();
     return usage_error(verbs.empty() ? "" : verbs.front()->get_name(),
@@ -216,9 +248,11 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   }
   const auto verbs = app_.get_subcommands();
   const std::string verb = verbs.empty() ? std::string() : verbs.front()->get_name();
-  if (const std::string problem = unexpected(); !problem.empty()) return usage_error(verb, problem);
+  if (const std::string problem = take_positionals(); !problem.empty()) {
+    return usage_error(verb, problem);
+  }
   if (version_) return Answer{version_text(), {}, ExitCode::ok};
-  if (verbs.empty()) return Answer{{}, app_.help(), ExitCode::usage};
+  if (verbs.empty()) return Answer{{}, help(), ExitCode::usage};
   auto wanted = request();
   if (!wanted) return usage_error(verb, wanted.error().message);
   return *std::move(wanted);

@@ -11,11 +11,11 @@ namespace gltfx::tool {
 namespace {
 
 constexpr std::string_view kProgramExamples = R"(Examples:
-  gltfx validate model.glb             is this asset valid, and if not, where and why
-  gltfx validate assets/ --jobs 4      every .gltf and .glb below a folder
-  gltfx explain ACCESSOR_MIN_MISMATCH  why a rule exists and how to satisfy it
-  gltfx schema KHR_materials_volume    what is known of an extension
-  gltfx VERB --help                    all options of a verb
+  gltfx validate model.glb           is this asset valid, and if not, where and why
+  gltfx validate assets/ --jobs 4    every .gltf and .glb below a folder
+  gltfx explain VALUE_NOT_IN_RANGE   why a rule exists and how to satisfy it
+  gltfx schema KHR_materials_volume  what is known of an extension
+  gltfx VERB --help                  all options of a verb
 )";
 
 constexpr std::string_view kValidateExamples = R"(Examples:
@@ -55,8 +55,10 @@ std::string_view examples(std::string_view verb) {
 }  // namespace
 
 std::string help_footer(std::string_view verb) {
-  return fmt::format("{}\nExit codes (4 before 2 before 3 before 1):\n{}", examples(verb),
-                     exit_code_table());
+  std::string footer = fmt::format("{}\nExit codes (4 before 2 before 3 before 1):\n{}",
+                                   examples(verb), exit_code_table());
+  footer.pop_back();  // CLI11 ends the help with a line break of its own
+  return footer;
 }
 
 std::string exit_code_table() {

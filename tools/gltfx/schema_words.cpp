@@ -56,15 +56,19 @@ std::string object_name(const Set& set, const Shape& shape) {
 }
 
 std::string array_words(const Set& set, const Shape& shape) {
-  std::string item = "value";
-  if (shape.items != schema::kNone) {
-    const Shape& of = set.shape(shape.items);
-    item = object_name(set, of);
-    if (item.empty()) item = plain_type(of.types);
-  }
   const std::string count = count_words(shape.min_items, shape.max_items, UINT64_MAX);
-  return count.empty() ? fmt::format("array of {}", plural(item))
-                       : fmt::format("array of {} {}", count, plural(item));
+  if (shape.items == schema::kNone) {
+    return count.empty() ? std::string("array") : fmt::format("array of {} values", count);
+  }
+  const Shape& item = set.shape(shape.items);
+  if (const std::string name = object_name(set, item); !name.empty()) {
+    return count.empty() ? fmt::format("array of {}", name)
+                         : fmt::format("array of {} ({})", name, count);
+  }
+  if (item.ref) return fmt::format("array of indices into {}", printable(item.ref->text));
+  const std::string items = plural(plain_type(item.types));
+  return count.empty() ? fmt::format("array of {}", items)
+                       : fmt::format("array of {} {}", count, items);
 }
 
 std::string range_words(const Shape& shape) {
@@ -187,10 +191,16 @@ std::vector<schema::TypeId> types_of(const Set& set, schema::ExtensionId extensi
   std::vector<schema::TypeId> ids;
   for (schema::TypeId id = 0; id < set.types().size(); ++id) {
     const schema::ObjectType& type = set.type(id);
-    if (type.extension == extension && (type.origin == id || type.origin == schema::kNone)) {
-      ids.push_back(id);
-    }
+    const bool original = type.origin == id || type.origin == schema::kNone;
+    // What stands behind an `if` or `then` shares the name of the type it is about.
+    const bool named = set.find_type(type.name) == id;
+    if (type.extension == extension && original && named) ids.push_back(id);
   }
+  // Objects that sit on core types come before the parts they are made of.
+  std::stable_partition(ids.begin(), ids.end(), [&](schema::TypeId id) {
+    return extension != schema::kNone &&
+           set.type(id).name.ends_with("." + set.extensions()[extension].name);
+  });
   return ids;
 }
 
