@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the scripts of tools/ share; source it. Package names are those of Debian 12.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+build_packages=(cmake ninja-build g++ ccache libfmt-dev libsimdjson-dev nlohmann-json3-dev libtbb-dev
+  libcli11-dev)
+test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
+  pre-commit)
+
+say() { printf '\n== %s\n' "$*"; }
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+is_installed() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# install_packages NAME...: asks the package archive only for what is missing.
+install_packages() {
+  local missing=() package
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  say "Installing ${missing[*]}"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
+    install "${missing[@]}"
+}
+
+# build PRESET [TARGET...]: configures and builds below build/.
+build() {
+  local preset=$1
+  shift
+  (cd "$root" && cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"})
+}
+
+# The C++ files of the project.
+cpp_files() {
+  find "$root/libgltfx" "$root/tools" "$root/tests" -name '*.[ch]pp' | sort
+}
