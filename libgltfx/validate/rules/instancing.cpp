@@ -17,7 +17,7 @@ namespace {
 std::string schema_name(const model::Format& format) {
   std::string name(model::component_type_name(format.component));
   constexpr std::string_view kUnsigned = "UNSIGNED_";
-  if (name.starts_with(kUnsigned)) name = "U" + name.substr(kUnsigned.size());
+  if (name.starts_with(kUnsigned)) name.erase(1, kUnsigned.size() - 1);
   return format.normalized ? name + "_NORM" : name;
 }
 
