@@ -191,7 +191,10 @@ class PointerCheck {
     }
     const auto other = claims[target.property].claim(index, target.element);
     if (other) report_duplicate(at, value, *other);
-    if (target.status == PropertyTarget::Status::mutable_property) {
+    // With another path, which is reported, that one says what the output is for.
+    const bool heeded =
+        model::string_member(context_.document, animation.channels[index].target, "path") == kPath;
+    if (heeded && target.status == PropertyTarget::Status::mutable_property) {
       check_sampler(animation, animation.channels[index], target, channel_path);
     }
   }
