@@ -41,6 +41,7 @@ class UsedElements {
  public:
   void resize(std::size_t count) { used_.resize(count, 0); }
   void mark(std::uint64_t index) { used_[index] = 1; }
+  void mark_all() { used_.assign(used_.size(), 1); }
   bool contains(std::uint64_t index) const { return index < used_.size() && used_[index] != 0; }
   std::size_t size() const { return used_.size(); }
 

@@ -41,6 +41,15 @@ std::string unquoted_help(const std::string& text, std::uint8_t types) {
   return fits ? "write " + text + " without quotes" : std::string();
 }
 
+// One value where so many of them should stand.
+std::string array_help(const Shape& shape, const std::string& value) {
+  constexpr std::uint64_t kMost = 4;
+  if (shape.min_items > kMost) return {};
+  std::string text = "write [" + value;
+  for (std::uint64_t i = 1; i < shape.min_items; ++i) text += ", " + value;
+  return text + "]";
+}
+
 }  // namespace
 
 std::string name_of(const Path& path) {
@@ -146,13 +155,14 @@ std::string type_help(const Set& set, const Values& values, const Shape& shape, 
       set.find_property(shape.type, "index") != nullptr) {
     return "write { \"index\": " + raw + " }";
   }
+  if (kind == json::Kind::number && shape.types == kString) return "write \"" + raw + "\"";
   if (kind == json::Kind::null) return "leave the member out to get its default";
   if (shape.types == kArray && shape.items != kNone) {
     const std::uint8_t items = set.shape(shape.items).types;
     if (kind == json::Kind::object && (items & kObject) != 0)
       return "put the object into an array: [ { … } ]";
     if (items != 0 && kind != json::Kind::object && values.has_type(value, items))
-      return "write [" + raw + "]";
+      return array_help(shape, raw);
   }
   return shape.hint;
 }

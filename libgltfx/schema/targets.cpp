@@ -51,6 +51,7 @@ std::vector<json::NodeId> Targets::places(json::NodeId from,
     std::vector<json::NodeId> next;
     for (const json::NodeId place : now) {
       if (step == "*") {
+        if (document_.kind(place) != json::Kind::array) continue;
         for (const json::NodeId element : document_.elements(place)) next.push_back(element);
       } else if (const json::NodeId member = document_.find(place, step); member != json::kNoNode) {
         next.push_back(member);

@@ -237,6 +237,7 @@ bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uin
   const Shape& shape = set_.shape(items);
   if (shape.ref && shape.types == kInteger) {
     if (values_.has_type(value, kInteger) && values_.number(value).value >= 0) return false;
+    lose_reference(items);
     report({array, index}, "INVALID_INDEX", values_.span(value),
            name_of({array, index}) + " is " + shown(values_, value) +
                "; it must be an index, counted from 0.");

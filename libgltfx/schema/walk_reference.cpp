@@ -13,11 +13,34 @@ Targets::Array* Walker::array_of(const TargetPlan& plan, std::uint32_t target) {
     return array.is_array ? &array : nullptr;
   }
   for (const Frame* frame = top_; frame != nullptr; frame = frame->parent) {
-    if (frame->type == kNone || set_.type(frame->type).origin != plan.target->enclosing) continue;
+    if (frame->mode != Mode::object || frame->type == kNone ||
+        set_.type(frame->type).origin != plan.target->enclosing)
+      continue;
     Targets::Array* array = targets_.below(*plan.target, frame->node, frame->path);
     return array != nullptr && array->is_array ? array : nullptr;
   }
   return nullptr;
+}
+
+// The Khronos validator then misses the extension's object at the root rather than the element.
+bool Walker::lacks_root_extension(const Target& target) const {
+  if (target.base != Target::Base::root_path || target.steps.front() != "extensions") return false;
+  const json::NodeId extensions = document_.find(document_.root(), "extensions");
+  return document_.find(extensions, target.steps[1]) == json::kNoNode;
+}
+
+// Nobody knows which element a broken reference means: then none is called unused. Returns whether
+// what it points into is something else than an array, of which enough has been said.
+bool Walker::lose_reference(ShapeId shape) {
+  if (khronos() || tables_.shapes[shape].target == kNone) return false;
+  const std::uint32_t target = tables_.shapes[shape].target;
+  const TargetPlan& plan = tables_.targets[target];
+  if (Targets::Array* array = array_of(plan, target); array != nullptr) {
+    array->used.mark_all();
+    return false;
+  }
+  return plan.target->base != Target::Base::enclosing &&
+         targets_.from_root(target).node != json::kNoNode;
 }
 
 void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& path) {
@@ -28,6 +51,8 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
     if (index < array->used.size()) array->used.mark(index);
     return;
   }
+  if (array == nullptr && khronos() && lacks_root_extension(*plan.target)) return;
+  if (lose_reference(shape)) return;
   const std::string& name = plan.target->steps.back();
   std::string message =
       name_of(path) + " refers to " + printable(name) + "[" + std::to_string(index) + "], but ";

@@ -13,6 +13,16 @@ namespace {
 // RFC 6901: empty, or steps that begin with '/', in which '~' is followed by 0 or 1.
 bool is_json_pointer(std::string_view text) { return split_pointer(text).has_value(); }
 
+// A colour from a program that counts from 0 to 255.
+std::string range_help(const Shape& shape, double number, const Path& path) {
+  const bool byte = shape.minimum == 0 && shape.maximum == 1 && number > 1 && number <= 255 &&
+                    number == std::floor(number);
+  if (!byte || !path.is_index() || path.parent()->parent() == nullptr) return {};
+  const Path& array = *path.parent();
+  if (array.is_index() || array.key().find("olor") == std::string_view::npos) return {};
+  return "colours are linear and go from 0 to 1, not from 0 to 255";
+}
+
 }  // namespace
 
 // An unsigned integer written with up to 15 digits and nothing else: nearly every index.
@@ -133,6 +143,7 @@ void Walker::judge(ShapeId id, Value value, const Path& path) {
 bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (values_.has_type(value, shape.types)) return true;
+  if (shape.ref) lose_reference(id);
   report(path, "TYPE_MISMATCH", values_.span(value),
          name_of(path) + " is " + shown(values_, value) + "; it must be " +
              type_phrase(shape.types) + ".",
@@ -175,6 +186,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   const double number = values_.number(value).value;
   const bool is_reference = shape.ref.has_value() && values_.has_type(value, kInteger);
   if (is_reference && number < 0) {
+    lose_reference(id);
     report(path, "INVALID_INDEX", values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; an index counts from 0.");
     return;
@@ -185,7 +197,8 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
     const std::string range = range_phrase(shape);
     report(path, "VALUE_NOT_IN_RANGE", values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be " +
-               (range.empty() ? "a finite number" : range) + ".");
+               (range.empty() ? "a finite number" : range) + ".",
+           range_help(shape, number, path));
     return;
   }
   if (shape.multiple_of != 0 && !is_multiple(number, shape.multiple_of)) {

@@ -119,9 +119,11 @@ class Walker {
   bool bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index, bool& told);
 
   // walk_reference.cpp
+  bool lose_reference(ShapeId shape);
   void refer(ShapeId shape, std::uint64_t index, Value value, const Path& path);
   void refer_name(ShapeId shape, std::string_view name, Value value, const Path& path);
   Targets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
+  bool lacks_root_extension(const Target& target) const;
 
   // walk_condition.cpp
   void constraints(const Frame& frame);

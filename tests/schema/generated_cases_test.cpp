@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cases made from the built-in schema files: what they describe is accepted, and every fault is
+// told.
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "schema/case_generator.hpp"
+#include "schema/findings.hpp"
+
+namespace gltfx::test {
+namespace {
+
+using schema::builtin_set;
+
+// Findings that are no more than information.
+bool is_quiet(const Found& found) {
+  static const std::set<std::string> quiet{"NON_OBJECT_EXTRAS", "PROPERTY_RENAMED",
+                                           "PROPERTY_DEPRECATED"};
+  return quiet.count(found.code) != 0;
+}
+
+std::string lines(const std::vector<Found>& findings) {
+  std::string all;
+  for (const Found& found : findings)
+    all += "  " + found.code + " " + found.pointer + ": " + found.message + "\n";
+  return all;
+}
+
+// At the member, inside it, or at its object.
+bool is_near(const std::string& pointer, const FaultCase& fault) {
+  return pointer == fault.object || pointer == fault.member ||
+         pointer.rfind(fault.member + "/", 0) == 0;
+}
+
+bool is_told(const FaultCase& fault, const std::vector<Found>& findings) {
+  return std::any_of(findings.begin(), findings.end(), [&](const Found& found) {
+    const bool says_all = std::all_of(
+        fault.says.begin(), fault.says.end(),
+        [&](const std::string& word) { return found.message.find(word) != std::string::npos; });
+    return !is_quiet(found) && is_near(found.pointer, fault) && says_all;
+  });
+}
+
+std::vector<Subject> all_subjects() {
+  CaseGenerator generator(*builtin_set());
+  std::vector<Subject> subjects = generator.extension_subjects();
+  const std::vector<Subject> core = generator.core_subjects();
+  subjects.insert(subjects.end(), core.begin(), core.end());
+  return subjects;
+}
+
+class GeneratedCases : public testing::TestWithParam<Subject> {
+ protected:
+  // The object itself and those inside it.
+  std::vector<Subject> subjects() {
+    std::vector<Subject> all{GetParam()};
+    for (Subject& inner : generator_.inner_subjects(GetParam())) all.push_back(std::move(inner));
+    return all;
+  }
+  CaseGenerator generator_{*builtin_set()};
+};
+
+TEST_P(GeneratedCases, SmallestValidObjectRaisesNothing) {
+  for (const Subject& subject : subjects()) {
+    EXPECT_EQ(lines(find(subject.document.dump())), "") << subject.name << "\n"
+                                                        << subject.document.dump(1);
+  }
+}
+
+TEST_P(GeneratedCases, EveryFaultIsToldAtTheMemberOrItsObject) {
+  Gaps gaps;
+  std::size_t count = 0;
+  for (const Subject& subject : subjects()) {
+    for (const FaultCase& fault : generator_.faults(subject, gaps)) {
+      ++count;
+      const std::vector<Found> findings = find(fault.document.dump());
+      EXPECT_TRUE(is_told(fault, findings)) << fault.name << " at " << fault.member << "\n"
+                                            << lines(findings);
+    }
+  }
+  EXPECT_TRUE(gaps.empty()) << testing::PrintToString(gaps);
+  RecordProperty("cases", static_cast<int>(count));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Schema, GeneratedCases, testing::ValuesIn(all_subjects()), [](const auto& subject) {
+      std::string name = subject.param.name;
+      std::replace_if(
+          name.begin(), name.end(),
+          [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+      return name;
+    });
+
+TEST(GeneratedCaseCount, CoversEveryExtensionWithAnObjectAndMoreThanAThousandFaults) {
+  CaseGenerator generator(*builtin_set());
+  std::set<schema::ExtensionId> extensions;
+  std::size_t faults = 0;
+  Gaps gaps;
+  for (const Subject& subject : generator.extension_subjects()) {
+    extensions.insert(subject.extension);
+    faults += generator.faults(subject, gaps).size();
+  }
+  for (schema::ExtensionId id = 0; id < builtin_set()->extensions().size(); ++id) {
+    const schema::Extension& extension = builtin_set()->extensions()[id];
+    EXPECT_EQ(extensions.count(id) != 0, !extension.homes.empty()) << extension.name;
+  }
+  EXPECT_GT(faults, 1170U);
+}
+
+}  // namespace
+}  // namespace gltfx::test
