@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Which findings are reported, how loudly and how many: options between rules and report.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "container/temp_folder.hpp"
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+using container::test::TempFolder;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+// One error, one warning and one info.
+const std::string kMixed = R"({"asset": {"version": "2.0"},
+ "materials": [{"name": "spare", "alphaCutoff": -1, "shiny": true}]})";
+
+class Filter : public testing::Test {
+ protected:
+  // Findings as "severity CODE".
+  std::vector<std::string> findings(const std::vector<std::string>& options,
+                                    const std::string& asset = kMixed) {
+    folder_.write("a.gltf", asset);
+    std::vector<std::string> arguments{"validate", "a.gltf", "--format", "json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    outcome_ = gltfx(arguments, {folder_.path().native(), {}, {}});
+    std::vector<std::string> lines;
+    const auto report = nlohmann::json::parse(outcome_.out, nullptr, false);
+    if (report.is_discarded()) return {"no JSON: " + outcome_.out + outcome_.err};
+    for (const auto& finding : report["files"][0]["findings"]) {
+      lines.push_back(finding["severity"].get<std::string>() + " " +
+                      finding["code"].get<std::string>());
+    }
+    return lines;
+  }
+
+  TempFolder folder_;
+  Outcome outcome_;
+};
+
+TEST_F(Filter, EverythingByDefault) {
+  EXPECT_THAT(findings({}),
+              testing::UnorderedElementsAre("error VALUE_NOT_IN_RANGE",
+                                            "warning UNEXPECTED_PROPERTY", "info UNUSED_OBJECT"));
+}
+
+TEST_F(Filter, SelectKeepsTheNamedCodesOnly) {
+  EXPECT_THAT(findings({"--select", "UNUSED_OBJECT"}), ElementsAre("info UNUSED_OBJECT"));
+  EXPECT_EQ(outcome_.code, 0);
+  EXPECT_EQ(findings({"--select", "unused_object,VALUE_NOT_IN_RANGE"}).size(), 2U);
+  EXPECT_EQ(findings({"--select", "UNUSED_OBJECT", "--select", "VALUE_NOT_IN_RANGE"}).size(), 2U);
+}
+
+TEST_F(Filter, IgnoreDropsTheNamedCodes) {
+  EXPECT_THAT(findings({"--ignore", "VALUE_NOT_IN_RANGE,UNUSED_OBJECT"}),
+              ElementsAre("warning UNEXPECTED_PROPERTY"));
+  EXPECT_EQ(outcome_.code, 0);
+}
+
+TEST_F(Filter, SeverityChangesWhatACodeCountsAs) {
+  EXPECT_THAT(findings({"--severity", "VALUE_NOT_IN_RANGE=info,UNUSED_OBJECT=error"}),
+              testing::IsSupersetOf({"info VALUE_NOT_IN_RANGE", "error UNUSED_OBJECT"}));
+  EXPECT_EQ(outcome_.code, 1);
+  findings({"--severity", "VALUE_NOT_IN_RANGE=warning"});
+  EXPECT_EQ(outcome_.code, 0);
+}
+
+TEST_F(Filter, MaxIssuesCutsTheListNotTheVerdict) {
+  EXPECT_EQ(findings({"--max-issues", "1"}).size(), 1U);
+  EXPECT_THAT(outcome_.out, HasSubstr("\"truncated\":true"));
+  EXPECT_THAT(outcome_.out, HasSubstr("\"errors\":1,\"warnings\":1,\"infos\":1"));
+  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_EQ(findings({"--max-issues", "0"}).size(), 3U);
+}
+
+TEST_F(Filter, ProfilesReportMoreOrLess) {
+  const std::string hinted = R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4,
+   "uri": "data:application/octet-stream;base64,AAAAAA=="}], "bufferViews": [{"buffer": 0,
+   "byteLength": 4}], "extensionsUsed": ["KHR_materials_translucency"]})";
+  const auto standard = findings({}, hinted);
+  const auto strict = findings({"--profile", "strict"}, hinted);
+  const auto khronos = findings({"--profile", "khronos"}, hinted);
+  EXPECT_THAT(standard, Contains("info EXTENSION_LEGACY"));
+  EXPECT_THAT(khronos, Not(Contains("info EXTENSION_LEGACY")));
+  EXPECT_THAT(outcome_.out, HasSubstr("\"profile\":\"khronos\""));
+  for (const std::string& line : standard) EXPECT_THAT(strict, Contains(line));
+}
+
+TEST_F(Filter, LfsPointersAreErrorsOnRequest) {
+  folder_.write("big.bin",
+                "version https://git-lfs.github.com/spec/v1\n"
+                "oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\n"
+                "size 12345\n");
+  const std::string asset = R"({"asset": {"version": "2.0"},
+   "buffers": [{"uri": "big.bin", "byteLength": 12345}]})";
+  EXPECT_THAT(findings({}, asset), Contains("info GIT_LFS_POINTER"));
+  EXPECT_EQ(outcome_.code, 0);
+  EXPECT_THAT(findings({"--lfs", "error"}, asset), Contains("error GIT_LFS_POINTER"));
+  EXPECT_EQ(outcome_.code, 1);
+}
+
+}  // namespace
+}  // namespace gltfx::program

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+/// --help, --version, explain and rules: what the program says about itself.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+struct Verb {
+  std::string name;
+  std::vector<std::string> options;
+};
+
+const std::vector<Verb>& verbs() {
+  static const std::vector<Verb> kVerbs{
+      {"validate",
+       {"PATH", "--format", "--fail-on", "--profile", "--select", "--ignore", "--severity",
+        "--max-issues", "--quiet", "--root", "--schema", "--schema-dir", "--lfs", "--baseline",
+        "--write-baseline", "--jobs", "--color"}},
+      {"explain", {"CODE", "--jobs", "--color"}},
+      {"rules", {"--format", "--jobs", "--color"}},
+      {"schema", {"NAME", "--format", "--schema", "--schema-dir", "--jobs", "--color"}},
+  };
+  return kVerbs;
+}
+
+TEST(Help, OfTheProgramListsEveryVerbExamplesAndExitCodes) {
+  const Outcome outcome = gltfx({"--help"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  for (const Verb& verb : verbs()) EXPECT_THAT(outcome.out, HasSubstr("\n  " + verb.name));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("Examples:"), HasSubstr("Exit codes"),
+                                 HasSubstr("  3  an input could not be opened or read\n")));
+}
+
+TEST(Help, OfEachVerbListsEveryOptionExamplesAndExitCodes) {
+  for (const Verb& verb : verbs()) {
+    const Outcome outcome = gltfx({verb.name, "--help"});
+    EXPECT_EQ(outcome.code, 0);
+    for (const std::string& option : verb.options) {
+      EXPECT_THAT(outcome.out, HasSubstr(option)) << verb.name;
+    }
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr("Examples:\n  gltfx " + verb.name), HasSubstr("Exit codes"),
+                      HasSubstr("Usage: gltfx " + verb.name)));
+    EXPECT_EQ(gltfx({verb.name, "-h"}).out, outcome.out);
+  }
+}
+
+TEST(Help, FitsATerminalOfAHundredAndTenColumns) {
+  for (const Verb& verb : verbs()) {
+    EXPECT_THAT(gltfx({verb.name, "--help"}).out, testing::Not(testing::ContainsRegex(".{111}")));
+  }
+}
+
+TEST(Version, NamesEverythingItWasBuiltWith) {
+  const Outcome outcome = gltfx({"--version"});
+  EXPECT_EQ(outcome.code, 0);
+  for (const char* name : {"gltfx 0.", "CLI11 2.", "fmt 9", "nlohmann_json 3.", "simdjson 3.",
+                           "TBB 20", "compiled by "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(name));
+  }
+}
+
+TEST(Explain, TellsWhyAndHowWithTheRealReport) {
+  const Outcome outcome = gltfx({"explain", "Value_Not_In_Range"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(testing::StartsWith("VALUE_NOT_IN_RANGE (error): "), HasSubstr("Why it matters"),
+            HasSubstr("What to do"), HasSubstr("error[VALUE_NOT_IN_RANGE]: "),
+            HasSubstr(" --> example.gltf:"), HasSubstr("The same asset, mended")));
+}
+
+TEST(Explain, TakesSeveralCodes) {
+  const Outcome outcome = gltfx({"explain", "TYPE_MISMATCH", "UNUSED_OBJECT"});
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("TYPE_MISMATCH (error)"), HasSubstr("UNUSED_OBJECT (")));
+}
+
+TEST(Rules, TextHasALineForEachRule) {
+  const Outcome text = gltfx({"rules"});
+  const json rules = json::parse(gltfx({"rules", "--format", "json"}).out)["rules"];
+  EXPECT_GE(rules.size(), 100U);
+  for (const json& rule : rules) {
+    EXPECT_THAT(text.out, HasSubstr(rule["code"].get<std::string>() + " "));
+    EXPECT_THAT(text.out, HasSubstr(rule["summary"].get<std::string>() + "\n"));
+  }
+}
+
+TEST(Rules, EachHasAllThatExplainNeeds) {
+  const json rules = json::parse(gltfx({"rules", "--format", "json"}).out)["rules"];
+  std::string codes;
+  for (const json& rule : rules) {
+    for (const char* key : {"code", "severity", "summary", "why", "remedy", "fix"}) {
+      EXPECT_FALSE(rule[key].get<std::string>().empty()) << rule["code"] << ' ' << key;
+    }
+    codes += " " + rule["code"].get<std::string>();
+  }
+  const Outcome outcome = bash("\"$GLTFX\" explain" + codes);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace gltfx::program

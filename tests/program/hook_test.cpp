@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The hook for pre-commit, as a repository with assets would use it.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "container/temp_folder.hpp"
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+using container::test::TempFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// Two repositories below one folder: `hooks` offers the hook, `assets` uses it.
+class Hook : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (bash("command -v pre-commit && command -v git").code != 0) {
+      GTEST_SKIP() << "pre-commit or git is not installed";
+    }
+    folder_.write("hooks/.pre-commit-hooks.yaml",
+                  read_file(GLTFX_SOURCE_DIR "/.pre-commit-hooks.yaml"));
+    commit("hooks");
+    folder_.write("assets/sound.gltf", kSound);
+    folder_.write("assets/notes.txt", "not an asset");
+  }
+  void commit(const std::string& name) const {
+    const Outcome outcome = shell(
+        "git init -q . && git add -A && git -c user.name=a -c user.email=a@example.com "
+        "commit -q -m start",
+        name);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  Outcome try_hook() const {
+    shell("git init -q . && git add -A", "assets");
+    return shell("pre-commit try-repo ../hooks gltfx-validate --all-files --color never", "assets");
+  }
+  Outcome shell(const std::string& line, const std::string& where) const {
+    const std::string bin = std::filesystem::path(program()).parent_path().native();
+    return bash("export PATH=\"$BIN:$PATH\" && " + line,
+                {(folder_.path() / where).native(),
+                 {},
+                 {{"BIN", bin},
+                  {"PRE_COMMIT_HOME", (folder_.path() / "cache").native()},
+                  {"HOME", folder_.path().native()}}});
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(Hook, PassesWhereAllAssetsAreSound) {
+  const Outcome outcome = try_hook();
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("Validate glTF assets"), HasSubstr("Passed")));
+}
+
+TEST_F(Hook, FailsWithTheReportWhereOneIsNot) {
+  folder_.write("assets/deep/Faulty.GLTF", kFaulty);
+  const Outcome outcome = try_hook();
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("Failed"), HasSubstr("error[VALUE_NOT_IN_RANGE]"),
+                                 HasSubstr("deep/Faulty.GLTF:2:25"), Not(HasSubstr("notes.txt"))));
+}
+
+}  // namespace
+}  // namespace gltfx::program

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Files, folders, globs and standard input: what is opened, and in which order.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "container/temp_folder.hpp"
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+using container::test::TempFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Input : public testing::Test {
+ protected:
+  // The files that were reported on, in order.
+  std::vector<std::string> checked(const std::vector<std::string>& paths,
+                                   const std::string& input = {}) {
+    std::vector<std::string> arguments{"validate", "--format", "json"};
+    arguments.insert(arguments.end(), paths.begin(), paths.end());
+    outcome_ = gltfx(arguments, {folder_.path().native(), input, {}});
+    std::vector<std::string> names;
+    const auto report = nlohmann::json::parse(outcome_.out, nullptr, false);
+    if (report.is_discarded()) return {"no JSON: " + outcome_.out + outcome_.err};
+    for (const auto& file : report["files"]) names.push_back(file["path"]);
+    return names;
+  }
+
+  TempFolder folder_;
+  Outcome outcome_;
+};
+
+TEST_F(Input, FoldersAreSearchedThroughInSortedOrder) {
+  folder_.write("a/z.gltf", kSound);
+  folder_.write("a/b/y.glb", "glTF");
+  folder_.write("a/B.GLTF", kSound);
+  folder_.write("a/notes.txt", "");
+  folder_.write("a/.git/x.gltf", kSound);
+  folder_.write("a/.hidden/w.gltf", kSound);
+  EXPECT_THAT(checked({"a"}), ElementsAre("a/.hidden/w.gltf", "a/B.GLTF", "a/b/y.glb", "a/z.gltf"));
+}
+
+TEST_F(Input, ArgumentsKeepTheirOrderAndEachFileIsCheckedOnce) {
+  folder_.write("a/1.gltf", kSound);
+  folder_.write("b.gltf", kSound);
+  EXPECT_THAT(checked({"b.gltf", "a", "a/1.gltf", "./b.gltf"}), ElementsAre("b.gltf", "a/1.gltf"));
+}
+
+TEST_F(Input, LinkedFoldersAreEnteredOnlyWhenNamed) {
+  folder_.write("real/1.gltf", kSound);
+  folder_.link("all/loop", "..");
+  folder_.link("all/2.gltf", "../real/1.gltf");
+  EXPECT_THAT(checked({"all"}), ElementsAre("all/2.gltf"));
+  folder_.link("named", "real");
+  EXPECT_THAT(checked({"named"}), ElementsAre("named/1.gltf"));
+}
+
+TEST_F(Input, GlobsThatTheShellLeftAreExpanded) {
+  folder_.write("a/1.gltf", kSound);
+  folder_.write("a/b/2.gltf", kSound);
+  folder_.write("a/b/2.txt", "");
+  folder_.write("3.gltf", kSound);
+  EXPECT_THAT(checked({"*.gltf"}), ElementsAre("3.gltf"));
+  EXPECT_THAT(checked({"a/*"}), ElementsAre("a/1.gltf", "a/b/2.gltf"));
+  EXPECT_THAT(checked({"**/*.gltf"}), ElementsAre("3.gltf", "a/1.gltf", "a/b/2.gltf"));
+  EXPECT_THAT(checked({"a/?.gltf", "[0-9].gltf"}), ElementsAre("a/1.gltf", "3.gltf"));
+}
+
+TEST_F(Input, AFileWhoseNameLooksLikeAGlobOrAListIsAFile) {
+  folder_.write("[a,b].gltf", kSound);
+  EXPECT_THAT(checked({"[a,b].gltf"}), ElementsAre("[a,b].gltf"));
+}
+
+TEST_F(Input, AGlobWithoutMatchIsUnreadable) {
+  EXPECT_THAT(checked({"*.gltf"}), ElementsAre("*.gltf"));
+  EXPECT_EQ(outcome_.code, 3);
+}
+
+TEST_F(Input, PathsThatLookLikeVerbsOrOptionsArePaths) {
+  folder_.write("rules/1.gltf", kSound);
+  folder_.write("--quiet.gltf", kSound);
+  EXPECT_THAT(checked({"rules"}), ElementsAre("rules/1.gltf"));
+  EXPECT_THAT(checked({"--", "--quiet.gltf"}), ElementsAre("--quiet.gltf"));
+  EXPECT_THAT(checked({"./--quiet.gltf"}), ElementsAre("./--quiet.gltf"));
+}
+
+TEST_F(Input, StandardInputStandsAmongTheFiles) {
+  folder_.write("1.gltf", kSound);
+  folder_.write("2.gltf", kSound);
+  EXPECT_THAT(checked({"1.gltf", "-", "2.gltf", "-"}, kFaulty),
+              ElementsAre("1.gltf", "-", "2.gltf"));
+  EXPECT_EQ(outcome_.code, 1);
+}
+
+TEST_F(Input, StandardInputTakesNoFilesUnlessToldWhere) {
+  const std::string asset =
+      R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "secret.bin", "byteLength": 4}]})";
+  folder_.write("secret.bin", "1234");
+  checked({"-"}, asset);
+  EXPECT_THAT(outcome_.out, HasSubstr("RESOURCE_NOT_CHECKED"));
+  checked({"-", "--root", "."}, asset);
+  EXPECT_THAT(outcome_.out, testing::Not(HasSubstr("RESOURCE_NOT_CHECKED")));
+}
+
+TEST_F(Input, AMissingFileDoesNotStopTheOthers) {
+  folder_.write("1.gltf", kSound);
+  EXPECT_THAT(checked({"gone.gltf", "1.gltf"}), ElementsAre("gone.gltf", "1.gltf"));
+  EXPECT_EQ(outcome_.code, 3);
+  EXPECT_THAT(outcome_.out, HasSubstr("IO_ERROR"));
+  EXPECT_EQ(outcome_.err, "");
+}
+
+TEST_F(Input, AFolderWithoutAssetsSaysSo) {
+  std::filesystem::create_directory(folder_.path() / "void");
+  EXPECT_THAT(checked({"void"}), IsEmpty());
+  EXPECT_EQ(outcome_.code, 0);
+  EXPECT_THAT(outcome_.err, HasSubstr("folder 'void' holds no .gltf or .glb file"));
+  checked({"void", "--quiet"});
+  EXPECT_EQ(outcome_.err, "");
+}
+
+TEST_F(Input, AFolderThatCannotBeListedIsUnreadable) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may list any folder";
+  folder_.write("shut/1.gltf", kSound);
+  std::filesystem::permissions(folder_.path() / "shut", std::filesystem::perms::none);
+  checked({"."});
+  EXPECT_EQ(outcome_.code, 3);
+  std::filesystem::permissions(folder_.path() / "shut", std::filesystem::perms::owner_all);
+}
+
+TEST_F(Input, TheRootWidensWhatAnAssetMayUse) {
+  folder_.write("models/1.gltf", R"({"asset": {"version": "2.0"},
+      "buffers": [{"uri": "../shared/1.bin", "byteLength": 4}]})");
+  folder_.write("shared/1.bin", "1234");
+  checked({"models/1.gltf"});
+  EXPECT_THAT(outcome_.out, HasSubstr("URI_OUTSIDE_ROOT"));
+  EXPECT_EQ(outcome_.code, 1);
+  checked({"models/1.gltf", "--root", "."});
+  EXPECT_EQ(outcome_.code, 0) << outcome_.out;
+}
+
+}  // namespace
+}  // namespace gltfx::program

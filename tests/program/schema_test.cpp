@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Schemas of the user, and `gltfx schema`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "container/temp_folder.hpp"
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+using container::test::TempFolder;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kLeafSchema = fixture("schemas/ACME_leaf.schema.json");
+
+std::string leaf(const std::string& extensions) {
+  return R"({"asset": {"version": "2.0"}, "extensionsUsed": ["ACME_leaf", "KHR_materials_unlit"],
+ "materials": [{"name": "oak", "extensions": {)" +
+         extensions + R"(}}, {"name": "plain", "extensions": {"KHR_materials_unlit": {}}}]})";
+}
+
+class UserSchema : public testing::Test {
+ protected:
+  Outcome check(const std::string& extensions, const std::vector<std::string>& options) const {
+    folder_.write("leaf.gltf", leaf(extensions));
+    std::vector<std::string> arguments{"validate", "leaf.gltf", "--ignore", "UNUSED_OBJECT"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return gltfx(arguments, {folder_.path().native(), {}, {}});
+  }
+  Outcome with_leaf(const std::string& extensions) const {
+    return check(extensions, {"--schema", kLeafSchema});
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(UserSchema, AnUnknownExtensionIsNamedAsSuch) {
+  EXPECT_THAT(check(R"("ACME_leaf": {"age": 99})", {}).out, HasSubstr("UNSUPPORTED_EXTENSION"));
+}
+
+TEST_F(UserSchema, AKnownOneIsCheckedLikeAnyOther) {
+  EXPECT_THAT(with_leaf(R"("ACME_leaf": {"age": 9})").out, HasSubstr("no problems"));
+  EXPECT_THAT(with_leaf(R"("ACME_leaf": {"age": 10})").out, HasSubstr("VALUE_NOT_IN_RANGE"));
+  EXPECT_THAT(with_leaf(R"("ACME_leaf": {"age": 0})").out, HasSubstr("VALUE_NOT_IN_RANGE"));
+  EXPECT_THAT(with_leaf(R"("ACME_leaf": {"age": "old"})").out, HasSubstr("TYPE_MISMATCH"));
+  EXPECT_THAT(with_leaf(R"("ACME_leaf": {})").out, HasSubstr("UNDEFINED_PROPERTY"));
+  EXPECT_THAT(with_leaf(R"("ACME_leaf": {"age": 1, "aeg": 2})").out,
+              AllOf(HasSubstr("UNEXPECTED_PROPERTY"), HasSubstr("age")));
+  EXPECT_THAT(with_leaf(R"("ACME_leaf": {"age": 1, "veins": {"index": 3}})").out,
+              HasSubstr("UNRESOLVED_REFERENCE"));
+}
+
+TEST_F(UserSchema, ItsExclusionsHold) {
+  const Outcome outcome = with_leaf(R"("ACME_leaf": {"age": 1}, "KHR_materials_unlit": {})");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("EXTENSION_EXCLUDED"), HasSubstr("'ACME_leaf'"),
+                                 HasSubstr("'KHR_materials_unlit'"), HasSubstr("A leaf is lit.")));
+}
+
+TEST_F(UserSchema, AFolderOfSchemasIsTakenWhole) {
+  folder_.write("schemas/ACME_leaf.schema.json", read_file(kLeafSchema));
+  folder_.write("schemas/notes.json", "not a schema");
+  EXPECT_THAT(check(R"("ACME_leaf": {"age": 10})", {"--schema-dir", "schemas"}).out,
+              HasSubstr("VALUE_NOT_IN_RANGE"));
+}
+
+TEST_F(UserSchema, AFolderWithoutSchemasIsAMistake) {
+  folder_.write("schemas/notes.json", "{}");
+  const Outcome outcome = check("", {"--schema-dir", "schemas"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("no file named *.schema.json"));
+}
+
+TEST_F(UserSchema, FaultsAreToldWithFileLineAndColumn) {
+  std::string text = read_file(kLeafSchema);
+  text.replace(text.find("\"minimum\""), 9, "\"minimun\"");
+  folder_.write("bad.schema.json", text);
+  const Outcome outcome = check("", {"--schema", "bad.schema.json"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("\nbad.schema.json:2:40: "), HasSubstr("'minimun'"),
+                                 HasSubstr("'minimum'")));
+}
+
+TEST_F(UserSchema, BrokenJsonIsToldTheSameWay) {
+  folder_.write("bad.schema.json", "{\n  \"type\": \n}");
+  const Outcome outcome = check("", {"--schema", "bad.schema.json"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("\nbad.schema.json:"));
+}
+
+TEST(SchemaVerb, ListsExtensionsAndCoreTypes) {
+  const Outcome text = gltfx({"schema"});
+  EXPECT_THAT(text.out, AllOf(HasSubstr("KHR_materials_volume"), HasSubstr("ratified"),
+                              HasSubstr("mesh.primitive")));
+  const json list = json::parse(gltfx({"schema", "--format", "json"}).out);
+  EXPECT_GE(list["extensions"].size(), 61U);
+  for (const json& extension : list["extensions"]) {
+    EXPECT_FALSE(extension["status"].get<std::string>().empty()) << extension["extension"];
+  }
+  EXPECT_GE(list["coreTypes"].size(), 25U);
+}
+
+TEST(SchemaVerb, TellsWhatIsKnownOfAnExtension) {
+  const Outcome text = gltfx({"schema", "KHR_materials_volume"});
+  EXPECT_THAT(text.out, AllOf(HasSubstr("status        ratified"), HasSubstr("material"),
+                              HasSubstr("excludes      KHR_materials_unlit: "),
+                              HasSubstr("thicknessTexture"), HasSubstr("reads G (linear)"),
+                              HasSubstr("default [1, 1, 1]"), HasSubstr("animatable as float3"),
+                              HasSubstr("https://github.com/KhronosGroup/glTF")));
+  const json volume = json::parse(gltfx({"schema", "KHR_materials_volume", "--format=json"}).out);
+  EXPECT_EQ(volume["on"], json({"material"}));
+  EXPECT_GE(volume["excludes"].size(), 1U);
+  const json& properties = volume["objects"][0]["properties"];
+  ASSERT_EQ(properties.size(), 4U);
+  EXPECT_EQ(properties[0]["name"], "thicknessFactor");
+  EXPECT_EQ(properties[0]["minimum"], 0);
+  EXPECT_EQ(properties[1]["slot"]["channels"], "g");
+}
+
+TEST(SchemaVerb, TellsWhatIsKnownOfACoreType) {
+  EXPECT_THAT(gltfx({"schema", "material"}).out,
+              AllOf(HasSubstr("alphaMode"), HasSubstr("\"OPAQUE\", \"MASK\" or \"BLEND\"")));
+  const json type = json::parse(gltfx({"schema", "accessor", "--format", "json"}).out);
+  EXPECT_EQ(type["type"], "accessor");
+}
+
+TEST(SchemaVerb, EveryNameOfTheListIsKnown) {
+  const json list = json::parse(gltfx({"schema", "--format", "json"}).out);
+  std::string line;
+  for (const json& extension : list["extensions"]) {
+    line += " " + extension["extension"].get<std::string>();
+  }
+  for (const json& type : list["coreTypes"]) line += " " + type.get<std::string>();
+  const Outcome outcome =
+      bash("for name in" + line +
+           "; do \"$GLTFX\" schema $name > /dev/null || exit 9; "
+           "\"$GLTFX\" schema $name --format json | grep -q type || echo $name; "
+           "done");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(SchemaVerb, ShowsTheUsersOwn) {
+  const Outcome outcome = gltfx({"schema", "ACME_leaf", "--schema", kLeafSchema});
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("1 to 9; required"), HasSubstr("reads A (linear)")));
+}
+
+}  // namespace
+}  // namespace gltfx::program
