@@ -50,18 +50,6 @@ std::uint64_t triangles(std::uint64_t count, Mode mode) {
   return chained && count > 2 ? count - 2 : 0;
 }
 
-bool is_counted(const Attribute& attribute) {
-  return attribute.accessor && attribute.semantic.kind != SemanticKind::invalid &&
-         attribute.semantic.kind != SemanticKind::extension;
-}
-
-bool has_resolved_target(const Asset& asset, const Primitive& primitive) {
-  return std::any_of(primitive.targets.begin(), primitive.targets.end(), [&](json::NodeId target) {
-    const auto attributes = read_attributes(asset, target);
-    return std::any_of(attributes.begin(), attributes.end(), is_counted);
-  });
-}
-
 // A sum of numbers from a file saturates.
 void add(std::uint64_t& sum, std::uint64_t value) { sum += std::min(value, UINT64_MAX - sum); }
 
@@ -70,7 +58,7 @@ void add_primitive(const Asset& asset, const Primitive& primitive, AssetInfo& in
   std::optional<std::uint64_t> vertices;
   std::uint64_t attributes = 0;
   for (const Attribute& attribute : primitive.attributes) {
-    if (!is_counted(attribute)) continue;
+    if (!attribute.accessor) continue;
     ++attributes;
     if (!vertices) vertices = element_count(asset, *attribute.accessor);
   }
@@ -82,7 +70,7 @@ void add_primitive(const Asset& asset, const Primitive& primitive, AssetInfo& in
   info.max_influences = std::max(info.max_influences, skinned ? joints * 4 : 0);
   info.max_uvs = std::max(info.max_uvs, set_count(primitive, SemanticKind::texcoord));
   info.max_attributes = std::max(info.max_attributes, attributes);
-  info.has_morph_targets = info.has_morph_targets || has_resolved_target(asset, primitive);
+  info.has_morph_targets = info.has_morph_targets || !primitive.targets.empty();
 }
 
 }  // namespace

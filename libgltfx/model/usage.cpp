@@ -67,7 +67,6 @@ class UsageReader {
 
   void read_attributes_of(json::NodeId object) {
     for (const Attribute& attribute : read_attributes(asset_, object)) {
-      if (attribute.semantic.kind == SemanticKind::invalid) continue;
       note(attribute.accessor, AccessorUse::vertex_attribute, attribute.value);
     }
   }

@@ -38,15 +38,15 @@ TEST(AssetInfo, CountsTrianglesByMode) {
   EXPECT_EQ(triangles(R"({"attributes": {"POSITION": 1}, "indices": 0, "mode": 9})"), 0U);
 }
 
-TEST(AssetInfo, CountsAttributesThatLeadSomewhere) {
+TEST(AssetInfo, CountsAttributesThatLeadSomewhereWhateverTheirName) {
   const AssetText text(R"({"accessors": [{"count": 3}], "meshes": [
     {"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 9, "TEXCOORD_0": 0, "TEXCOORD_1": 0,
-      "JOINTS_0": 0, "WEIGHTS_0": 0, "WRONG": 0}}]},
+      "JOINTS_0": 0, "WEIGHTS_0": 0, "X_y:A": 0, "WRONG": 0}}]},
     {"primitives": [{"attributes": {"_A": 0}, "targets": [{"_A": 0}]}, {"attributes": {"TEXCOORD_5": 0}}]}]})");
   const AssetInfo info = asset_info(text.asset);
   EXPECT_EQ(info.draw_call_count, 3U);
   EXPECT_EQ(info.total_vertex_count, 9U);
-  EXPECT_EQ(info.max_attributes, 5U);
+  EXPECT_EQ(info.max_attributes, 7U);
   EXPECT_EQ(info.max_uvs, 2U);
   EXPECT_EQ(info.max_influences, 4U);
   EXPECT_TRUE(info.has_morph_targets);

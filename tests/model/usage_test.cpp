@@ -17,7 +17,7 @@ TEST(Usage, TheFirstUseDecidesInTheOrderOfTheSpecification) {
     "accessors": [{"bufferView": 0}, {"bufferView": 1}, {"bufferView": 2}, {"bufferView": 3}, {"bufferView": 3}],
     "bufferViews": [{}, {}, {"target": 34963}, {}, {}, {}],
     "images": [{"bufferView": 4}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "WRONG": 5}, "indices": 1,
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "WRONG": 9}, "indices": 1,
       "targets": [{"NORMAL": 2}]}]}],
     "skins": [{"inverseBindMatrices": 3}],
     "animations": [{"samplers": [{"input": 4, "output": 0}]}]})");

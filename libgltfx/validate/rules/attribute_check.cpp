@@ -124,7 +124,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   if (!format.known()) return true;
   const FormatList* allowed = state.formats.find(use.attribute, use.target);
   if (allowed == nullptr) {
-    if (format.component != model::ComponentType::uint32) return true;
+    if (use.target || format.component != model::ComponentType::uint32) return true;
     report(state, use, path, "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT",
            fmt::format("{} is {}, but attributes cannot have 32-bit integers.",
                        quoted(use.attribute.name), model::format_text(format)));

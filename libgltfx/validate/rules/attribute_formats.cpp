@@ -105,6 +105,15 @@ SemanticKind kind_of(std::string_view semantic) {
   return SemanticKind::extension;
 }
 
+SemanticKind kind_before_underscore(std::string_view name) {
+  const std::string_view prefix = name.substr(0, name.find('_'));
+  for (std::size_t i = 0; i < model::kCoreSemanticCount; ++i) {
+    const auto kind = static_cast<SemanticKind>(i);
+    if (model::semantic_prefix(kind) == prefix) return kind;
+  }
+  return SemanticKind::invalid;
+}
+
 bool is_core(SemanticKind kind) {
   return static_cast<std::size_t>(kind) < model::kCoreSemanticCount;
 }
@@ -168,8 +177,13 @@ AttributeFormats::AttributeFormats(const Context& context) {
 
 const FormatList* AttributeFormats::find(const model::Attribute& attribute, bool target) const {
   const Table& table = target ? morph_ : vertex_;
-  const SemanticKind kind = attribute.semantic.kind;
-  if (is_core(kind)) return &table.core[static_cast<std::size_t>(kind)];
+  SemanticKind kind = attribute.semantic.kind;
+  // The Khronos validator takes the format from what stands before the first underscore.
+  if (kind == SemanticKind::invalid) kind = kind_before_underscore(attribute.name);
+  if (is_core(kind)) {
+    const FormatList& formats = table.core[static_cast<std::size_t>(kind)];
+    return formats.empty() ? nullptr : &formats;
+  }
   if (kind != SemanticKind::extension) return nullptr;
   const auto lookup = [&](std::string_view name) -> const FormatList* {
     const auto at = std::lower_bound(

@@ -33,6 +33,7 @@ const Family& mesh_family();
 const Family& mesh_primitive_family();
 const Family& primitive_material_family();
 const Family& use_family();
+const Family& animation_use_family();
 const Family& unused_objects_family();
 
 // Cameras, the scene graph, skins, animations.

@@ -3,6 +3,10 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "model/fields.hpp"
+
 namespace gltfx::validate {
 
 Finding finding_on(const Context& context, json::NodeId value, std::string_view code,
@@ -25,6 +29,16 @@ void report_member(Sink& sink, const Context& context, const Path& path, json::N
   const json::NodeId value = context.document.find(object, member);
   sink.report(Path(path, member), finding_on(context, value != json::kNoNode ? value : object, code,
                                              std::move(message), std::move(help)));
+}
+
+bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,
+                          const Path& path) {
+  const json::Document& document = context.document;
+  if (model::extension_object(document, document.root(), extension) != json::kNoNode) return true;
+  context.link_sink.report(
+      path, finding_on(context, object, "UNSATISFIED_DEPENDENCY",
+                       fmt::format("{} is not defined at the root of the asset.", extension)));
+  return false;
 }
 
 }  // namespace gltfx::validate

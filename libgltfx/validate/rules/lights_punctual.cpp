@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/rules/active_extensions.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -74,12 +75,29 @@ void check_light(const Context& context, json::NodeId light, const Path& path) {
   if (type == "directional") report_extra(context, light, path, "range", type);
 }
 
+// Lights on nodes of an asset that has none. In other profiles the index is reported.
+void check_lights_exist(const Context& context) {
+  constexpr std::string_view kExtension = "KHR_lights_punctual";
+  if (!context.khronos() || !ActiveExtensions(context).contains(kExtension)) return;
+  const Path root;
+  const Path array(root, "nodes");
+  const auto& nodes = context.asset.elements(model::RootArray::nodes);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const json::NodeId light = model::extension_object(context.document, nodes[i], kExtension);
+    if (light == json::kNoNode) continue;
+    const Path node(array, static_cast<std::uint64_t>(i));
+    const Path extensions(node, "extensions");
+    if (check_root_extension(context, kExtension, light, Path(extensions, kExtension))) return;
+  }
+}
+
 constexpr ObjectRuleEntry kObjectRules[] = {{"KHR_lights_punctual.light", check_light}};
+constexpr LinkRule kLinkRules[] = {check_lights_exist};
 
 }  // namespace
 
 const Family& lights_punctual_family() {
-  static const Family family{"lights_punctual", kRules, kObjectRules, {}};
+  static const Family family{"lights_punctual", kRules, kObjectRules, kLinkRules};
   return family;
 }
 

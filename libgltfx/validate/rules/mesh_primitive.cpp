@@ -25,11 +25,10 @@ const model::Accessor& accessor_of(const Context& context, const Attribute& attr
   return context.views.accessors[*attribute.accessor];
 }
 
-// Attributes with a wrong name are reported; what they refer to means nothing.
+// Attributes with a wrong name are reported; what they refer to means nothing, but for the Khronos
+// validator.
 bool is_usable(const Context& context, const Attribute& attribute) {
-  const SemanticKind kind = attribute.semantic.kind;
-  const bool named =
-      kind != SemanticKind::invalid && !(kind == SemanticKind::extension && context.khronos());
+  const bool named = attribute.semantic.kind != SemanticKind::invalid || context.khronos();
   return named && attribute.accessor.has_value();
 }
 
@@ -188,9 +187,9 @@ void check_base(const Context& context, const Attribute& attribute, const Attrib
                              *expected)));
 }
 
-bool can_be_morphed(const Attribute& attribute) {
-  return attribute.semantic.kind != SemanticKind::joints &&
-         attribute.semantic.kind != SemanticKind::weights;
+bool can_be_morphed(const Context& context, const Attribute& attribute) {
+  const SemanticKind kind = attribute.semantic.kind;
+  return context.khronos() || (kind != SemanticKind::joints && kind != SemanticKind::weights);
 }
 
 void check_targets(MeshState& state, const Primitive& primitive, const Path& path) {
@@ -201,7 +200,7 @@ void check_targets(MeshState& state, const Primitive& primitive, const Path& pat
   for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
     const Path target(array, static_cast<std::uint64_t>(i));
     for (const Attribute& attribute : model::read_attributes(context.asset, primitive.targets[i])) {
-      if (!is_usable(context, attribute) || !can_be_morphed(attribute)) continue;
+      if (!is_usable(context, attribute) || !can_be_morphed(context, attribute)) continue;
       const Path at(target, attribute.name);
       report_use(context, *attribute.accessor, model::AccessorUse::vertex_attribute,
                  attribute.value, at);

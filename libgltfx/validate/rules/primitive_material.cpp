@@ -109,6 +109,7 @@ void check_variants(const MeshState& state, const Primitive& primitive, const Pa
   for_each_mapping(
       context, state.active, primitive.node, path,
       [&](json::NodeId mapping, std::uint64_t index, const Path& at) {
+        if (!check_variants_exist(context, mapping, at)) return;
         check_unique_variants(context, mapping, index, at, seen);
         const auto material = context.asset.index(mapping, "material", model::RootArray::materials);
         if (!material) return;

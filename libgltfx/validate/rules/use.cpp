@@ -19,8 +19,7 @@ constexpr std::string_view kGood =
  "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})";
 
 constexpr RuleDescription kRules[] = {
-    {"ACCESSOR_USAGE_OVERRIDE", Severity::error,
-     "An accessor is used for two kinds of data",
+    {"ACCESSOR_USAGE_OVERRIDE", Severity::error, "An accessor is used for two kinds of data",
      "Vertex attributes, indices, animation data and skinning matrices have different forms and go "
      "to different places; readers upload an accessor once.",
      "Give each use an accessor of its own.",
@@ -44,8 +43,7 @@ constexpr RuleDescription kRules[] = {
  "bufferViews": [{"buffer": 0, "byteLength": 12, "target": 34962}, {"buffer": 0, "byteLength": 1}],
  "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
      kGood, Fix::safe, true},
-    {"BUFFER_VIEW_TARGET_OVERRIDE", Severity::error,
-     "A buffer view is used for two kinds of data",
+    {"BUFFER_VIEW_TARGET_OVERRIDE", Severity::error, "A buffer view is used for two kinds of data",
      "A view becomes one GPU buffer or one file; vertex attributes, indices, images and animation "
      "data cannot share it.",
      "Give each kind of data a view of its own, or correct target.",
@@ -73,6 +71,16 @@ void check_skins(const Context& context) {
   }
 }
 
+// The Khronos validator counts the view of an animation's output twice.
+void report_output_again(const Context& context, json::NodeId sampler, const Path& path) {
+  const auto accessor = context.asset.index(sampler, "output", model::RootArray::accessors);
+  if (!accessor) return;
+  const auto view = context.views.accessors[*accessor].buffer_view;
+  if (!view) return;
+  report_view_use(context, *view, model::ViewUse::other, context.document.find(sampler, "output"),
+                  Path(path, "output"));
+}
+
 void check_sampler(const Context& context, json::NodeId sampler, const Path& path) {
   using model::AccessorUse;
   const auto check = [&](std::string_view member, AccessorUse use) {
@@ -83,6 +91,7 @@ void check_sampler(const Context& context, json::NodeId sampler, const Path& pat
   };
   check("input", AccessorUse::animation_input);
   check("output", AccessorUse::animation_output);
+  if (context.khronos()) report_output_again(context, sampler, path);
 }
 
 void check_animations(const Context& context) {
@@ -101,7 +110,9 @@ void check_animations(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_skins, check_animations};
+// Two families, so that uses are reported just before what else is said of skins and animations.
+constexpr LinkRule kSkinRules[] = {check_skins};
+constexpr LinkRule kAnimationRules[] = {check_animations};
 
 }  // namespace
 
@@ -123,11 +134,11 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
   const bool strided = context.views.buffer_views[view].byte_stride.has_value();
   if (strided && kind == model::ViewUse::indices && !context.khronos()) return;
   context.link_sink.report(
-      path, finding_on(context, place, "BUFFER_VIEW_TARGET_MISSING",
-                       fmt::format("View {} holds {}, but has no target.", view,
-                                   model::use_text(kind)),
-                       fmt::format("add \"target\": {} to buffer view {}",
-                                   kind == model::ViewUse::vertices ? 34962 : 34963, view)));
+      path,
+      finding_on(context, place, "BUFFER_VIEW_TARGET_MISSING",
+                 fmt::format("View {} holds {}, but has no target.", view, model::use_text(kind)),
+                 fmt::format("add \"target\": {} to buffer view {}",
+                             kind == model::ViewUse::vertices ? 34962 : 34963, view)));
 }
 
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
@@ -135,17 +146,22 @@ void report_use(const Context& context, std::uint32_t accessor, model::AccessorU
   const auto& first = context.views.usage.accessor(accessor);
   if (first.kind != kind) {
     context.link_sink.report(
-        path, finding_on(context, place, "ACCESSOR_USAGE_OVERRIDE",
-                         fmt::format("Accessor {} holds {} by its first use; here it is used for {}.",
-                                     accessor, model::use_text(first.kind),
-                                     model::use_text(kind))));
+        path,
+        finding_on(context, place, "ACCESSOR_USAGE_OVERRIDE",
+                   fmt::format("Accessor {} holds {} by its first use; here it is used for {}.",
+                               accessor, model::use_text(first.kind), model::use_text(kind))));
   }
   const auto view = context.views.accessors[accessor].buffer_view;
   if (view) report_view_use(context, *view, model::view_use(kind), place, path);
 }
 
 const Family& use_family() {
-  static const Family family{"use", kRules, {}, kLinkRules};
+  static const Family family{"use", kRules, {}, kSkinRules};
+  return family;
+}
+
+const Family& animation_use_family() {
+  static const Family family{"animation_use", {}, {}, kAnimationRules};
   return family;
 }
 

@@ -47,6 +47,11 @@ json::NodeId variant_mappings(const Context& context, const ActiveExtensions& ac
   return usable ? mappings : json::kNoNode;
 }
 
+// In other profiles the index of the variant is reported.
+bool check_variants_exist(const Context& context, json::NodeId mapping, const Path& path) {
+  return !context.khronos() || check_root_extension(context, kVariantsExtension, mapping, path);
+}
+
 // A repeat inside one mapping is one in an array of unique elements, which the schema reports.
 void check_unique_variants(const Context& context, json::NodeId mapping, std::uint64_t index,
                            const Path& path, SeenVariants& seen) {

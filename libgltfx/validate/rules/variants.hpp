@@ -18,6 +18,9 @@ inline constexpr std::string_view kVariantsExtension = "KHR_materials_variants";
 json::NodeId variant_mappings(const Context& context, const ActiveExtensions& active,
                               json::NodeId primitive);
 
+/// In the khronos profile, reports a mapping in an asset that has no variants. True when there are.
+bool check_variants_exist(const Context& context, json::NodeId mapping, const Path& path);
+
 /// Variants of one primitive by the index of the mapping that had them first.
 using SeenVariants = std::unordered_map<std::uint64_t, std::uint64_t>;
 

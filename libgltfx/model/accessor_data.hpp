@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The elements of an accessor as plain arrays, block by block: strides, padded columns of matrices
+/// and sparse replacements are out of the way (specification section 3.6.2.3).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "model/resource_data.hpp"
+#include "model/views.hpp"
+
+namespace gltfx::model {
+
+/// What a malformed member does: it makes the data unusable, or it counts as absent as for the
+/// Khronos validator.
+enum class Malformed : std::uint8_t { unusable, absent };
+
+/// Numbers of one component type that lie packed, and how many.
+struct PackedNumbers {
+  container::Bytes bytes;
+  ComponentType type = ComponentType::none;
+  /// Precondition: `at` numbers fit into the bytes; the type is that of sparse indices.
+  std::uint32_t index(std::uint64_t at) const;
+};
+
+/// The indices of a sparse accessor, or nothing when they are not all there or not on their
+/// boundaries. They may lie outside their buffer view, as long as the buffer has them.
+std::optional<PackedNumbers> sparse_indices(const Asset& asset, const Views& views,
+                                            const ResourceData& resources, const Sparse& sparse);
+
+/// Where the elements of one accessor lie. Every range has been checked against the bytes that are
+/// there. Keeps those alive; independent of the resources.
+class AccessorData {
+ public:
+  /// Nothing when the accessor has no data, or data that cannot be read: unknown format, bytes that
+  /// are missing, too few or not on their boundaries, a stride below the element's size, more
+  /// sparse elements than elements.
+  static std::optional<AccessorData> open(const Asset& asset, const Views& views,
+                                          const ResourceData& resources, const Accessor& accessor,
+                                          Malformed malformed);
+
+  const Format& format() const { return format_; }
+  std::uint64_t count() const { return count_; }
+  unsigned components() const { return components_; }
+  /// All but the sparse elements are zeros that take no bytes: the count is not bounded by any.
+  bool implied() const { return base_.empty(); }
+
+  /// Elements of a block: a multiple of 12, so that neither triangles nor groups of four are torn.
+  std::size_t block_elements() const { return kBlockValues / components_ / 12 * 12; }
+
+  /// Copies elements [first, first + count) packed to `to`, which has room for them. `next` is 0 for
+  /// the first call and then kept by the caller, who reads forward.
+  void read(std::byte* to, std::uint64_t first, std::size_t count, std::uint64_t& next) const {
+    copy(to, first, count);
+    replace(to, first, count, next);
+  }
+
+  /// Calls `visit(values, elements, first)` over all elements in order: `values` has
+  /// elements * components() numbers and is only valid during the call, `first` is the index of the
+  /// first element. T is the component's type. Where the data lies packed nothing is copied.
+  template <typename T, typename Visit>
+  void visit(Visit&& visit) const;
+
+ private:
+  static constexpr std::size_t kBlockValues = 4096;
+
+  bool open_base(const Asset& asset, const Views& views, const ResourceData& resources,
+                 const Accessor& accessor, Malformed malformed);
+  bool open_sparse(const Asset& asset, const Views& views, const ResourceData& resources,
+                   const Accessor& accessor, Malformed malformed);
+
+  template <typename T>
+  bool in_place() const {
+    const auto address = reinterpret_cast<std::uintptr_t>(base_.view().data());
+    return !implied() && sparse_count_ == 0 && rows_ == components_ &&
+           stride_ == sizeof(T) * components_ && address % alignof(T) == 0;
+  }
+  /// Copies elements [first, first + count) of the base.
+  void copy(std::byte* to, std::uint64_t first, std::size_t count) const;
+  /// Replaces those of [first, first + count) that are sparse. `next` is the first replacement that
+  /// has not been used.
+  void replace(std::byte* to, std::uint64_t first, std::size_t count, std::uint64_t& next) const;
+
+  Format format_;
+  std::uint64_t count_ = 0;
+  unsigned components_ = 1;
+  unsigned component_size_ = 1;
+  unsigned rows_ = 1;  ///< components that lie together: all, or those of a column
+  std::uint64_t column_stride_ = 0;
+  container::Bytes base_;
+  std::uint64_t stride_ = 0;
+  std::uint64_t sparse_count_ = 0;
+  PackedNumbers sparse_indices_;
+  container::Bytes sparse_values_;
+};
+
+template <typename T, typename Visit>
+void AccessorData::visit(Visit&& visit) const {
+  const std::size_t block = block_elements();
+  if (in_place<T>()) {
+    const T* values = reinterpret_cast<const T*>(base_.view().data());
+    for (std::uint64_t first = 0; first < count_; first += block) {
+      visit(values + first * components_,
+            static_cast<std::size_t>(std::min<std::uint64_t>(block, count_ - first)), first);
+    }
+    return;
+  }
+  std::array<T, kBlockValues> buffer{};
+  auto* to = reinterpret_cast<std::byte*>(buffer.data());
+  std::uint64_t next = 0;
+  for (std::uint64_t first = 0; first < count_; first += block) {
+    const auto elements = static_cast<std::size_t>(std::min<std::uint64_t>(block, count_ - first));
+    read(to, first, elements, next);
+    visit(static_cast<const T*>(buffer.data()), elements, first);
+  }
+}
+
+/// Calls `use` with a value of the type that the components have in memory. Precondition: one of
+/// the six types of glTF 2.0 itself.
+template <typename Use>
+auto with_component_type(ComponentType type, Use&& use) {
+  switch (type) {
+    case ComponentType::int8:
+      return use(std::int8_t{});
+    case ComponentType::uint8:
+      return use(std::uint8_t{});
+    case ComponentType::int16:
+      return use(std::int16_t{});
+    case ComponentType::uint16:
+      return use(std::uint16_t{});
+    case ComponentType::uint32:
+      return use(std::uint32_t{});
+    default:
+      return use(float{});
+  }
+}
+
+/// A number of an integer type that is normalized, as the specification's section 3.6.2.2 has it.
+template <typename T>
+double normalize(T value) {
+  constexpr double kMost = static_cast<double>(std::numeric_limits<T>::max());
+  return std::max(static_cast<double>(value) / kMost, -1.0);
+}
+
+}  // namespace gltfx::model
