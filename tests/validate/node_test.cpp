@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Transforms of nodes, what hangs on them, and scenes.
+#include <gtest/gtest.h>
+
+#include "validate/part.hpp"
+
+namespace gltfx::test {
+namespace {
+
+Lines transforms(const std::string& node, Profile profile = Profile::standard) {
+  return findings("\"nodes\": [{" + node + "}]", {"NODE_MATRIX", "ROTATION"}, profile);
+}
+
+TEST(NodeTransform, RotationHasLengthOne) {
+  EXPECT_EQ(transforms(R"("rotation": [0, 0, 0, 1])"), Lines{});
+  EXPECT_EQ(transforms(R"("rotation": [0, 0, 0, 0.9924])"), Lines{});
+  EXPECT_EQ(transforms(R"("rotation": [0, 0, 0, 0.992])"),
+            Lines{"ROTATION_NON_UNIT /nodes/0/rotation"});
+  EXPECT_EQ(transforms(R"("rotation": [0.5, 0.5, 0.5, 0.52])"),
+            Lines{"ROTATION_NON_UNIT /nodes/0/rotation"});
+  EXPECT_EQ(transforms(R"("rotation": [0, 0, 0, 0])"),
+            Lines{"ROTATION_NON_UNIT /nodes/0/rotation"});
+}
+
+TEST(NodeTransform, MalformedRotationIsReportedOnce) {
+  EXPECT_EQ(transforms(R"("rotation": [0, 0, 3])"), Lines{});
+  EXPECT_EQ(transforms(R"("rotation": [0, 0, 0, 2])"), Lines{});
+  EXPECT_EQ(transforms(R"("rotation": [0, 0, 0, "1"])"), Lines{});
+}
+
+TEST(NodeTransform, MatrixStandsAlone) {
+  const std::string matrix = R"("matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 5,0,0,1])";
+  EXPECT_EQ(transforms(matrix), Lines{});
+  for (const char* other :
+       {R"("translation": [0,0,0])", R"("rotation": [0,0,0,1])", R"("scale": [1,1,1])"}) {
+    EXPECT_EQ(transforms(matrix + ", " + other), Lines{"NODE_MATRIX_TRS /nodes/0/matrix"});
+  }
+  EXPECT_EQ(transforms(matrix + R"(, "scale": [1, 1])"), Lines{});
+}
+
+TEST(NodeTransform, IdentityMatrixIsForNothing) {
+  EXPECT_EQ(transforms(R"("matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1])"),
+            Lines{"NODE_MATRIX_DEFAULT /nodes/0/matrix"});
+}
+
+TEST(NodeTransform, MatrixCanBeTakenApart) {
+  const Lines wrong{"NODE_MATRIX_NON_TRS /nodes/0/matrix"};
+  // Rotations by 90 and 180 degrees about each axis, mirrored and scaled: every branch of the test.
+  for (const char* good :
+       {"0,1,0,0, -1,0,0,0, 0,0,1,0, 1,2,3,1", "1,0,0,0, 0,-1,0,0, 0,0,-1,0, 0,0,0,1",
+        "-1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1", "-1,0,0,0, 0,-1,0,0, 0,0,1,0, 0,0,0,1",
+        "-2,0,0,0, 0,3,0,0, 0,0,4,0, 0,0,0,1", "0,0,5,0, 0,0.1,0,0, -5,0,0,0, 0,0,0,1",
+        "0.36,0.48,-0.8,0, -0.8,0.6,0,0, 0.48,0.64,0.6,0, 0,0,0,1"}) {
+    EXPECT_EQ(transforms(std::string("\"matrix\": [") + good + "]"), Lines{}) << good;
+  }
+  for (const char* bad :
+       {"1,0,0,0.1, 0,1,0,0, 0,0,1,0, 0,0,0,1", "1,0,0,0, 0,1,0,0.1, 0,0,1,0, 0,0,0,1",
+        "1,0,0,0, 0,1,0,0, 0,0,1,0.1, 0,0,0,1", "1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,2",
+        "1,0,0,0, 0,0,0,0, 0,0,1,0, 0,0,0,1", "1,0,0,0, 1,1,0,0, 0,0,1,0, 0,0,0,1",
+        "1,0,0,0, 0,1,0,0, 0.5,0,1,0, 0,0,0,1"}) {
+    EXPECT_EQ(transforms(std::string("\"matrix\": [") + bad + "]"), wrong) << bad;
+  }
+}
+
+const std::string kAccessors = R"(, "accessors": [
+  {"componentType": 5126, "type": "VEC3", "count": 1, "min": [0,0,0], "max": [0,0,0]},
+  {"componentType": 5121, "type": "VEC4", "count": 1}, {"componentType": 5126, "type": "VEC4", "count": 1}])";
+const std::string kMeshes = R"(, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]},
+  {"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]},
+  {"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}, {"POSITION": 0}]}]},
+  {"primitives": [{"attributes": {"POSITION": 0, "JOINTS_1": 1, "WEIGHTS_1": 2}}]}])";
+
+Lines meshes(const std::string& nodes, Profile profile = Profile::standard) {
+  return findings(
+      "\"nodes\": [" + nodes + "]" + kMeshes + kAccessors + R"(, "skins": [{"joints": [0]}])",
+      {"NODE_SKIN_W", "NODE_SKINNED_MESH_WITHOUT", "NODE_WEIGHTS"}, profile);
+}
+
+TEST(NodeMesh, SkinAndJointsGoTogether) {
+  EXPECT_EQ(meshes(R"({"mesh": 1, "skin": 0}, {"mesh": 0})"), Lines{});
+  EXPECT_EQ(meshes(R"({"mesh": 0, "skin": 0})"), Lines{"NODE_SKIN_WITH_NON_SKINNED_MESH /nodes/0"});
+  EXPECT_EQ(meshes(R"({"mesh": 1})"), Lines{"NODE_SKINNED_MESH_WITHOUT_SKIN /nodes/0"});
+}
+
+TEST(NodeMesh, BrokenSkinOrJointsAreReportedOnce) {
+  EXPECT_EQ(meshes(R"({"mesh": 1, "skin": 9})"), Lines{});
+  EXPECT_EQ(meshes(R"({"mesh": 3, "skin": 0})"), Lines{});
+  EXPECT_EQ(meshes(R"({"mesh": 3, "skin": 0})", Profile::khronos),
+            Lines{"NODE_SKIN_WITH_NON_SKINNED_MESH /nodes/0"});
+}
+
+TEST(NodeMesh, WeightsMatchMorphTargets) {
+  EXPECT_EQ(meshes(R"({"mesh": 2, "weights": [0, 1]})"), Lines{});
+  EXPECT_EQ(meshes(R"({"mesh": 2, "weights": [0]})"),
+            Lines{"NODE_WEIGHTS_INVALID /nodes/0/weights"});
+  EXPECT_EQ(meshes(R"({"mesh": 0, "weights": [0]})"),
+            Lines{"NODE_WEIGHTS_INVALID /nodes/0/weights"});
+  EXPECT_EQ(meshes(R"({"mesh": 2, "weights": [0, "1", 2]})"), Lines{});
+}
+
+TEST(NodeMesh, NodeHasOneParent) {
+  const std::vector<std::string_view> code{"NODE_PARENT"};
+  EXPECT_EQ(findings(R"("nodes": [{"children": [2]}, {"children": [3, 2]}, {}, {}])", code),
+            Lines{"NODE_PARENT_OVERRIDE /nodes/1/children/1"});
+  EXPECT_EQ(findings(R"("nodes": [{"children": [1, 1]}, {}])", code), Lines{});
+  EXPECT_EQ(findings(R"("nodes": [{"children": [1, 1]}, {}])", code, Profile::khronos),
+            Lines{"NODE_PARENT_OVERRIDE /nodes/0/children/1"});
+  EXPECT_EQ(findings(R"("nodes": [{"children": [1, "x"]}, {"children": [2]}, {}])", code), Lines{});
+}
+
+TEST(Scene, ListsRootsOnly) {
+  const std::vector<std::string_view> code{"SCENE_"};
+  EXPECT_EQ(findings(R"("scenes": [{"nodes": [0, 1]}], "nodes": [{"children": [1]}, {}])", code),
+            Lines{"SCENE_NON_ROOT_NODE /scenes/0/nodes/1"});
+  EXPECT_EQ(findings(R"("scenes": [{"nodes": [0, 7]}], "nodes": [{"children": [1]}, {}])", code),
+            Lines{});
+}
+
+}  // namespace
+}  // namespace gltfx::test
