@@ -36,6 +36,7 @@ const ObjectRules& object_rules() {
 void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   const container::Container& container = context.container;
   if (!context.document.is_object(context.document.root())) return;
+  if (context.checked.stopped_at_asset) return;
   if (context.khronos() && (container.cut_short || container.ends_in_empty_chunk)) return;
   Resources resources = load_resources(context, sink, report);
   check_data(context, resources.data, sink);
@@ -56,6 +57,7 @@ void check_document(Context& context) {
   context.checked = schema::check(context.document, context.schemas, walk, context.schema_sink,
                                   context.link_sink, visit);
   if (!context.document.is_object(context.document.root())) return;
+  if (context.checked.stopped_at_asset) return;
   context.views = model::Views(context.asset);
   context.graph = model::SceneGraph(context.asset);
   for (const Family& family : families()) {
