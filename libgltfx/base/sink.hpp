@@ -3,12 +3,12 @@
 /// decided by the rule registry and the user's options behind this interface.
 #pragma once
 
+#include <gltfx/diagnostic.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include <gltfx/diagnostic.hpp>
 
 #include "base/json_pointer.hpp"
 #include "base/span.hpp"
@@ -23,6 +23,9 @@ struct Finding {
   Span span;              ///< bytes of the JSON text to mark; empty: no place in the text
   std::optional<Severity> severity;  ///< instead of the rule's default
   std::uint64_t count = 1;           ///< faults of this kind that one finding stands for
+  /// Tells findings of one code at one place apart, such as the member that an object lacks: those
+  /// about different things are no repeats of each other.
+  std::string about = {};
 };
 
 /// Not thread-safe: each thread of a phase fills its own.

@@ -24,7 +24,8 @@ void exchange(Archive& archive, Literal& literal) {
 template <class Archive>
 void exchange(Archive& archive, Property& property) {
   archive(property.name, property.shape, property.required, property.mutable_type, property.aliases,
-          property.default_json, property.deprecated, property.unit, property.description);
+          property.default_json, property.deprecated, property.added_late, property.unit,
+          property.description);
 }
 
 template <class Archive>

@@ -86,6 +86,9 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
   property.mutable_type = text(build_.member(annotation, "mutable"));
   property.unit = text(build_.member(annotation, "unit"));
   property.aliases = read_names(build_, build_.member(annotation, "aliases"));
+  const Site late = build_.member(annotation, "addedLate");
+  property.added_late =
+      late.exists() && build_.document(late).kind(late.node) == json::Kind::true_value;
   const std::string instead = text(build_.member(annotation, "deprecated"));
   if (!instead.empty()) property.deprecated = instead;
   return property;

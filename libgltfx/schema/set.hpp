@@ -70,6 +70,7 @@ struct Property {
   std::vector<std::string> aliases;  ///< names of earlier drafts
   std::string default_json;          ///< JSON text of the default; empty: none
   std::string deprecated;            ///< what to use instead; empty: current
+  bool added_late = false;           ///< required, but unknown to drafts that assets still follow
   std::string unit;
   std::string description;
 };

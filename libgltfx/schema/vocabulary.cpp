@@ -73,7 +73,7 @@ constexpr std::array kWord{
     Word{"mutable", F::mutable_type},
     Word{"enumNames", F::enum_names},
     Word{"aliases", F::names},
-    Word{"indexOf", F::flag},
+    Word{"addedLate", F::flag},
     Word{"unit", F::nonempty_text},
     Word{"deprecated", F::nonempty_text},
     Word{"hint", F::nonempty_text},

@@ -98,7 +98,12 @@ Path Walker::path_of(json::NodeId node, Step step) const {
 
 void Walker::report(const Path& path, std::string_view code, Span span, std::string message,
                     std::string help) {
-  schema_sink_.report(path, {code, std::move(message), std::move(help), span, std::nullopt});
+  Finding finding;
+  finding.code = code;
+  finding.message = std::move(message);
+  finding.help = std::move(help);
+  finding.span = span;
+  schema_sink_.report(path, std::move(finding));
 }
 
 Span Walker::opening(json::NodeId object) const {

@@ -40,6 +40,11 @@ void Walker::declarations() {
              quoted(name) + " is no name of an extension; names look like VENDOR_what_it_does.");
     }
     const ExtensionId id = set_.find_extension(name);
+    // In the default profile a rule behind the walk says so, and knows whether it is used.
+    if (khronos() && !looks_into(id, name)) {
+      report(path, "UNSUPPORTED_EXTENSION", span,
+             quoted(name) + " is not supported: what it says was not checked.");
+    }
     if (!looks_into(id, name) || is_required(name)) return;
     if (set_.extensions()[id].must_be_required != MustBeRequired::always) return;
     report(path, "NON_REQUIRED_EXTENSION", span,

@@ -173,6 +173,13 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
   return value(plan.shape, node, {Step::Kind::member});
 }
 
+bool Walker::follows_earlier_draft(const Frame& frame) const {
+  const auto& properties = set_.type(frame.type).properties;
+  return std::none_of(properties.begin(), properties.end(), [&](const Property& property) {
+    return property.added_late && document_.find(frame.node, property.name) != json::kNoNode;
+  });
+}
+
 void Walker::missing(Frame& frame, std::uint32_t index) {
   const ObjectType& type = set_.type(frame.type);
   const Property& property = type.properties[index];
@@ -182,9 +189,18 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
     const Property* own = set_.find_property(frame.parent->type, property.name);
     if (own != nullptr) described = own;
   }
-  report(frame.path, "UNDEFINED_PROPERTY", opening(frame.node),
-         quoted(property.name) + " is missing; it is required here.",
-         missing_help(set_, *described));
+  Finding finding;
+  finding.code = "UNDEFINED_PROPERTY";
+  finding.message = quoted(property.name) + " is missing; it is required here.";
+  finding.help = missing_help(set_, *described);
+  finding.span = opening(frame.node);
+  if (described->added_late && !khronos()) {
+    // An asset of an earlier draft lacks all such members: it is out of date, not broken.
+    finding.severity = follows_earlier_draft(frame) ? Severity::info : Severity::warning;
+  } else {
+    finding.about = property.name;
+  }
+  schema_sink_.report(frame.path, std::move(finding));
 }
 
 // Members that are described by pattern or by additionalProperties.
@@ -256,7 +272,9 @@ void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId va
 }
 
 void Walker::leave(Frame& frame) {
-  if (frame.extras != json::kNoNode && !frame.further && !document_.is_object(frame.extras)) {
+  const bool has_extras = frame.extras != json::kNoNode && !frame.further &&
+                          !(khronos() && document_.kind(frame.extras) == json::Kind::null);
+  if (has_extras && !document_.is_object(frame.extras)) {
     report({frame.path, "extras"}, "NON_OBJECT_EXTRAS", document_.span(frame.extras),
            "'extras' is " + shown(values_, {frame.extras}) + "; an object is easier to share.",
            "put the value under a name of its own inside an object");

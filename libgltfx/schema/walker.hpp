@@ -83,6 +83,7 @@ class Walker {
   bool root_property(Frame& frame);
   bool pending_shapes(Frame& frame);
   bool property(Frame& frame, std::uint32_t index, json::NodeId value);
+  bool follows_earlier_draft(const Frame& frame) const;
   void missing(Frame& frame, std::uint32_t index);
   void renamed(const Frame& frame, const Property& property, json::NodeId value);
   bool others(Frame& frame);

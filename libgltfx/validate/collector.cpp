@@ -16,9 +16,10 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
   return hash * 0xff51afd7ed558ccdULL;
 }
 
-// Hash of a code and of the path with every array index made equal.
-std::uint64_t fold_key(const Path& path, std::string_view code) {
-  std::uint64_t hash = std::hash<std::string_view>{}(code);
+// Hash of a code, what it is about and of the path with every array index made equal.
+std::uint64_t fold_key(const Path& path, const Finding& finding) {
+  std::uint64_t hash = mix(std::hash<std::string_view>{}(finding.code),
+                           std::hash<std::string_view>{}(finding.about));
   for (const Path* step = &path; step->parent() != nullptr; step = step->parent()) {
     hash = mix(hash, step->is_index() ? 1 : std::hash<std::string_view>{}(step->key()));
   }
@@ -76,8 +77,7 @@ bool Collector::accepts(std::string_view code, Severity severity) const {
 bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
   if (options_.profile == Profile::khronos) return false;
   const auto at = static_cast<std::size_t>(phase);
-  const auto [entry, fresh] =
-      folded_[at].try_emplace(fold_key(path, finding.code), entries_[at].size());
+  const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, finding), entries_[at].size());
   if (fresh) return false;
   Diagnostic& first = entries_[at][entry->second].diagnostic;
   first.count += finding.count;

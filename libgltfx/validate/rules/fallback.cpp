@@ -68,6 +68,9 @@ void check_object(const Context& context, json::NodeId object, const Path& path,
       continue;
     }
     Finding finding;
+    // An accessor or buffer without bytes is legal in itself and reads as zeros: the asset loads
+    // everywhere and looks wrong, so this is a warning and no error.
+    finding.severity = Severity::warning;
     finding.code = "NON_REQUIRED_EXTENSION";
     finding.message = fmt::format(
         "The data is only there in the form of {}, but the asset does not require it.", name);

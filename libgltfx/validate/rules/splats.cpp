@@ -79,6 +79,8 @@ void check_primitive(const Context& context, const schema::Extension& extension,
   }
   const json::NodeId attributes = model::object_member(document, place.host, "attributes");
   if (attributes == json::kNoNode) return;
+  // An extension of the extension carries the splats in another form.
+  if (document.find(place.object, "extensions") != json::kNoNode) return;
   for (const schema::AttributeFormat& wanted : extension.vertex_attributes) {
     if (!wanted.required || document.find(attributes, wanted.semantic) != json::kNoNode) continue;
     context.link_sink.report(
