@@ -1,10 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "validate/data/phases.hpp"
 #include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
 
+namespace {
+
+// Half a second of zeros, or the same bytes through a few accessors each.
+constexpr std::uint64_t kFreeNumbers = std::uint64_t{1} << 29U;
+constexpr std::uint64_t kNumbersPerByte = 16;
+
+}  // namespace
+
+Budget::Budget(const model::ResourceData& resources) : left_(kFreeNumbers) {
+  for (const auto& buffer : resources.buffers) {
+    if (buffer) left_ += buffer->size() * kNumbersPerByte;
+  }
+}
+
+bool Budget::take(std::uint64_t count, std::uint64_t each) {
+  const Checked cost = checked_mul(count, each);
+  if (!cost || *cost > left_) return false;
+  left_ -= *cost;
+  return true;
+}
+
 void check_data(const Context& context, const model::ResourceData& resources, Sink& sink) {
+  DataPhase phase{context, resources, sink, Budget(resources)};
+  check_sparse_indices(phase);
+  check_elements(phase);
+  check_influences(phase);
   check_textures(context, resources, sink);
 }
 

@@ -16,6 +16,9 @@ const Family& fallback_family();
 const Family& identity_family();
 const Family& resource_family();
 const Family& image_data_family();
+const Family& accessor_data_family();
+const Family& animation_data_family();
+const Family& skinning_data_family();
 
 // Objects and how they refer to each other.
 const Family& asset_root_family();

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is asked of the elements of accessors, and from where.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "validate/context.hpp"
+
+namespace gltfx::validate {
+
+/// Where a check comes from, and so where its findings point.
+struct Place {
+  enum class Kind : std::uint8_t { accessor, attribute, indices, times, channel, matrices };
+  Kind kind = Kind::accessor;
+  std::uint32_t outer = 0;            ///< index of the accessor, mesh, animation or skin
+  std::uint32_t inner = 0;            ///< index of the primitive, sampler or channel
+  std::string_view name;              ///< of the attribute; lives in the document
+  json::NodeId node = json::kNoNode;  ///< the value to mark
+};
+
+/// Calls `use` with the path of a place.
+template <typename Use>
+void with_path(const Place& place, Use&& use) {
+  static constexpr std::string_view kRoots[] = {"accessors",  "meshes",     "meshes",
+                                                "animations", "animations", "skins"};
+  static constexpr std::string_view kInner[] = {"",         "primitives", "primitives",
+                                                "samplers", "channels",   ""};
+  static constexpr std::string_view kLast[] = {"",      "",        "indices",
+                                               "input", "sampler", "inverseBindMatrices"};
+  const auto kind = static_cast<std::size_t>(place.kind);
+  const Path root;
+  const Path array(root, kRoots[kind]);
+  const Path outer(array, std::uint64_t{place.outer});
+  if (place.kind == Place::Kind::accessor) return use(outer);
+  if (place.kind == Place::Kind::matrices) return use(Path(outer, kLast[kind]));
+  const Path members(outer, kInner[kind]);
+  const Path inner(members, std::uint64_t{place.inner});
+  if (place.kind != Place::Kind::attribute) return use(Path(inner, kLast[kind]));
+  const Path attributes(inner, "attributes");
+  use(Path(attributes, place.name));
+}
+
+enum class CheckKind : std::uint8_t {
+  finite,
+  minimum,
+  maximum,
+  unit_vector,   ///< VEC3
+  unit_tangent,  ///< VEC4: a unit vector and a sign
+  clamped,       ///< 0 to 1
+  index,
+  times,
+  quaternion,
+  bind_matrix,
+};
+
+struct Check {
+  CheckKind kind = CheckKind::finite;
+  bool triangles = false;   ///< index: of a list of triangles
+  bool cubic = false;       ///< quaternion: only the middle one of three counts
+  std::int64_t most = 0;    ///< index: the last vertex; -1 without any
+  std::size_t same_as = 0;  ///< the first check of this accessor that asks the same; may be itself
+  Place place;
+  std::vector<double> bounds;  ///< minimum, maximum: as declared, one a component
+};
+
+/// An accessor with its checks, in the order in which they are reported.
+struct Schedule {
+  std::uint32_t accessor = 0;
+  std::vector<Check> checks;
+};
+
+/// All checks of an asset, in the order of the Khronos validator: accessors in the order in which
+/// they got their first check.
+std::vector<Schedule> schedule_checks(const Context& context);
+
+}  // namespace gltfx::validate

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/data/describe.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::array<std::string_view, kFaultKinds> kCodes{
+    "ACCESSOR_INVALID_FLOAT",
+    "ACCESSOR_VECTOR3_NON_UNIT",
+    "ACCESSOR_INVALID_SIGN",
+    "ACCESSOR_NON_CLAMPED",
+    "ACCESSOR_INDEX_OOB",
+    "ACCESSOR_INDEX_PRIMITIVE_RESTART",
+    "ACCESSOR_ANIMATION_INPUT_NEGATIVE",
+    "ACCESSOR_ANIMATION_INPUT_NON_INCREASING",
+    "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION",
+    "ACCESSOR_INVALID_IBM",
+};
+
+std::string place_text(const Looked& looked, const Fault& fault) {
+  const std::uint64_t element = fault.index / looked.components;
+  if (looked.components == 1) return fmt::format("Element {}", element);
+  return fmt::format("Component {} of element {}", fault.component, element);
+}
+
+std::string sentence(const Looked& looked, const Fault& fault) {
+  const std::string value = value_text(fault.value);
+  const std::uint64_t element = fault.index / looked.components;
+  switch (fault.kind) {
+    case FaultKind::invalid_float:
+      return fmt::format("{} is {}.", place_text(looked, fault), value);
+    case FaultKind::not_unit:
+      return fmt::format("The vector of element {} has length {}, not 1.", element, value);
+    case FaultKind::bad_sign:
+      return fmt::format("The sign (w) of element {} is {}, neither 1 nor -1.", element, value);
+    case FaultKind::not_clamped:
+      return fmt::format("{} is {}, not within 0 and 1.", place_text(looked, fault), value);
+    case FaultKind::index_out_of_range:
+      return fmt::format("Index {} is {}, but {}.", element, value,
+                         fault.other < 0 ? "there are no vertices"
+                                         : "the last vertex is " + value_text(fault.other));
+    case FaultKind::restart:
+      return fmt::format("Index {} is {}, the greatest of its type, which restarts primitives.",
+                         element, value);
+    case FaultKind::negative_time:
+      return fmt::format("Time {} is {}, before the animation begins.", element, value);
+    case FaultKind::not_increasing:
+      return fmt::format("Time {} is {}, not after {}.", element, value, value_text(fault.other));
+    case FaultKind::not_unit_quaternion:
+      return fmt::format("The quaternion of element {} has length {}, not 1.", element, value);
+    case FaultKind::bad_matrix:
+      return fmt::format("{} is {}, but must be {}.", place_text(looked, fault), value,
+                         value_text(fault.other));
+  }
+  return {};
+}
+
+Finding finding_at_bound(const Looked& looked, const Check& check, const BoundFault& fault,
+                         std::string_view code, std::string message) {
+  Finding finding;
+  finding.code = code;
+  finding.message = std::move(message);
+  finding.span = element_span(looked.context.document, check.place.node, fault.component);
+  return finding;
+}
+
+}  // namespace
+
+std::string value_text(double value) {
+  if (std::isnan(value)) return "no number (NaN)";
+  if (std::isinf(value)) return value < 0 ? "negative infinity" : "infinity";
+  return number_text(value);
+}
+
+Span element_span(const json::Document& document, json::NodeId array, std::uint64_t position) {
+  for (json::NumberCursor at(document, array); at.valid(); at.advance()) {
+    if (position-- == 0) return at.number().span;
+  }
+  return first_character(document, array);
+}
+
+Finding describe(const Looked& looked, const Check& check, const Fault& fault,
+                 std::uint64_t count) {
+  std::string message = sentence(looked, fault);
+  if (count > 1) message += fmt::format(" It is the first of {}.", count);
+  Finding finding = finding_on(looked.context, check.place.node,
+                               kCodes[static_cast<std::size_t>(fault.kind)], std::move(message));
+  finding.count = count;
+  return finding;
+}
+
+Finding describe_mismatch(const Looked& looked, const Check& check, const BoundFault& fault) {
+  const bool minimum = check.kind == CheckKind::minimum;
+  return finding_at_bound(
+      looked, check, fault, minimum ? "ACCESSOR_MIN_MISMATCH" : "ACCESSOR_MAX_MISMATCH",
+      fmt::format("The {} is declared as {}, but is {}.", minimum ? "minimum" : "maximum",
+                  value_text(fault.declared), value_text(fault.actual)));
+}
+
+Finding describe_outside(const Looked& looked, const Check& check, const BoundFault& fault) {
+  const bool minimum = check.kind == CheckKind::minimum;
+  return finding_at_bound(
+      looked, check, fault,
+      minimum ? "ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND" : "ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND",
+      fmt::format("{} of {} elements lie {} the declared {}, {}.", fault.outside, looked.count,
+                  minimum ? "below" : "above", minimum ? "minimum" : "maximum",
+                  value_text(fault.declared)));
+}
+
+Finding describe_degenerate(const Looked& looked, const Check& check, std::uint64_t count) {
+  return finding_on(
+      looked.context, check.place.node, "ACCESSOR_INDEX_TRIANGLE_DEGENERATE",
+      fmt::format("{} of {} triangles have two equal corners.", count, looked.count / 3));
+}
+
+}  // namespace gltfx::validate

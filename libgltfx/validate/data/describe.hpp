@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What was found in data, as findings.
+#pragma once
+
+#include <cstdint>
+
+#include "model/accessor_data.hpp"
+#include "validate/data/scan.hpp"
+
+namespace gltfx::validate {
+
+/// The accessor that was looked into.
+struct Looked {
+  const Context& context;
+  const Schedule& schedule;
+  unsigned components = 1;
+  std::uint64_t count = 0;  ///< elements
+};
+
+/// One fault, or `count` of them of which `fault` is the first.
+Finding describe(const Looked& looked, const Check& check, const Fault& fault, std::uint64_t count);
+/// A declared bound that is not the real one, and how many elements lie beyond it.
+Finding describe_mismatch(const Looked& looked, const Check& check, const BoundFault& fault);
+Finding describe_outside(const Looked& looked, const Check& check, const BoundFault& fault);
+/// Triangles without area; there are `count` of them.
+Finding describe_degenerate(const Looked& looked, const Check& check, std::uint64_t count);
+
+/// Number `position` of an array of numbers in the text.
+Span element_span(const json::Document& document, json::NodeId array, std::uint64_t position);
+
+/// A number as messages show it; infinities and what is no number by name.
+std::string value_text(double value);
+
+}  // namespace gltfx::validate

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/data/influence_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace gltfx::validate {
+namespace {
+
+// What one rounding to single precision may lose (specification section 3.7.3.3).
+constexpr double kSumTolerance = 2e-7;
+
+// The influences on one vertex: which joints have been seen, and the sum of the weights.
+class Vertex {
+ public:
+  explicit Vertex(std::uint64_t joint_count) : seen_(joint_count, 0) {}
+
+  void begin() {
+    ++stamp_;
+    sum_ = 0;
+    summed_ = 0;
+  }
+  // False when the vertex has that joint already.
+  bool add_joint(std::uint64_t joint) {
+    if (seen_[joint] == stamp_) return false;
+    seen_[joint] = stamp_;
+    ++summed_;
+    return true;
+  }
+  void add_weight(double weight) { sum_ = static_cast<double>(static_cast<float>(sum_ + weight)); }
+  double sum() const { return sum_; }
+  bool is_normalized() const {
+    return std::abs(sum_ - 1.0) <= kSumTolerance * static_cast<double>(summed_);
+  }
+
+ private:
+  std::vector<std::uint64_t> seen_;  // by joint, the vertex that had it last
+  std::uint64_t stamp_ = 0;
+  std::uint64_t summed_ = 0;
+  double sum_ = 0;
+};
+
+class InfluenceCheck {
+ public:
+  InfluenceCheck(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,
+                 const std::function<void(const Influence&)>& emit)
+      : joint_count_(joint_count), emit_(emit), vertex_(joint_count) {
+    for (const InfluenceSet& set : sets) {
+      joints_.emplace_back(*set.joints, false);
+      weights_.emplace_back(*set.weights, true);
+    }
+  }
+
+  void run() {
+    vertex_.begin();
+    for (std::uint64_t index = 0; has_more(); ++index) {
+      for (std::uint32_t set = 0; set < joints_.size(); ++set) check(index, set);
+      if (index % 4 == 3) finish_vertex(index);
+    }
+  }
+
+ private:
+  bool has_more() const {
+    const auto done = [](const NumberReader& reader) { return reader.done(); };
+    return std::none_of(joints_.begin(), joints_.end(), done) &&
+           std::none_of(weights_.begin(), weights_.end(), done);
+  }
+
+  void check(std::uint64_t index, std::uint32_t set) {
+    const double joint = joints_[set].next();
+    const double weight = weights_[set].next();
+    if (joint >= static_cast<double>(joint_count_) || joint < 0) {
+      emit_({InfluenceFault::joint_out_of_range, set, index, joint});
+    } else if (weight != 0) {
+      add(index, set, joint, weight);
+    } else if (joint != 0) {
+      emit_({InfluenceFault::joint_without_weight, set, index, joint});
+    }
+  }
+
+  void add(std::uint64_t index, std::uint32_t set, double joint, double weight) {
+    const bool fresh = vertex_.add_joint(static_cast<std::uint64_t>(joint));
+    if (!fresh) emit_({InfluenceFault::joint_repeated, set, index, joint});
+    if (weight < 0) {
+      emit_({InfluenceFault::negative_weight, set, index, weight});
+    } else if (fresh) {
+      vertex_.add_weight(weight);
+    }
+  }
+
+  void finish_vertex(std::uint64_t index) {
+    if (!vertex_.is_normalized()) {
+      for (std::uint32_t set = 0; set < weights_.size(); ++set) {
+        emit_({InfluenceFault::wrong_sum, set, index, vertex_.sum()});
+      }
+    }
+    vertex_.begin();
+  }
+
+  std::uint64_t joint_count_;
+  const std::function<void(const Influence&)>& emit_;
+  std::vector<NumberReader> joints_, weights_;
+  Vertex vertex_;
+};
+
+}  // namespace
+
+NumberReader::NumberReader(const model::AccessorData& data, bool normalized)
+    : data_(&data), normalized_(normalized && data.format().normalized) {}
+
+double NumberReader::next() {
+  if (at_ == filled_) fill();
+  return values_[at_++];
+}
+
+void NumberReader::fill() {
+  const auto elements =
+      static_cast<std::size_t>(std::min<std::uint64_t>(kElements, data_->count() - next_element_));
+  filled_ = elements * data_->components();
+  at_ = 0;
+  model::with_component_type(data_->format().component, [&](auto zero) {
+    using T = decltype(zero);
+    std::array<T, kElements * kMostComponents> raw{};
+    data_->read(reinterpret_cast<std::byte*>(raw.data()), next_element_, elements, next_sparse_);
+    for (std::size_t i = 0; i < filled_; ++i) {
+      values_[i] = static_cast<double>(raw[i]);
+      if constexpr (std::is_integral_v<T>) {
+        if (normalized_) values_[i] = model::normalize(raw[i]);
+      }
+    }
+  });
+  next_element_ += elements;
+}
+
+void check_influences_of(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,
+                         const std::function<void(const Influence&)>& emit) {
+  InfluenceCheck(sets, joint_count, emit).run();
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "model/fields.hpp"
+#include "model/mesh.hpp"
+#include "model/skin.hpp"
+#include "validate/data/describe.hpp"
+#include "validate/data/influence_check.hpp"
+#include "validate/data/phases.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::AccessorData;
+using model::SemanticKind;
+
+// The smallest skin that deforms a mesh.
+struct Limit {
+  std::uint64_t joints = 0;  ///< 0: no skin deforms it
+  std::uint32_t skin = 0;
+};
+
+std::vector<Limit> joint_limits(const Context& context) {
+  std::vector<std::uint64_t> counts;
+  for (const json::NodeId skin : context.asset.elements(model::RootArray::skins)) {
+    counts.push_back(model::read_skin(context.asset, skin).joint_count);
+  }
+  std::vector<Limit> limits(context.asset.count(model::RootArray::meshes));
+  for (const json::NodeId node : context.asset.elements(model::RootArray::nodes)) {
+    const auto mesh = context.asset.index(node, "mesh", model::RootArray::meshes);
+    const auto skin = context.asset.index(node, "skin", model::RootArray::skins);
+    if (!mesh || !skin || counts[*skin] == 0) continue;
+    Limit& limit = limits[*mesh];
+    if (limit.joints == 0 || counts[*skin] < limit.joints) limit = {counts[*skin], *skin};
+  }
+  return limits;
+}
+
+// A primitive whose joints and weights are looked at.
+struct Skinned {
+  std::uint32_t mesh = 0;
+  std::uint32_t primitive = 0;
+  Limit limit;
+  json::NodeId attributes = json::kNoNode;
+};
+
+// Faults of all primitives; for the khronos profile one by one, otherwise the first of each kind.
+class InfluenceReport {
+ public:
+  explicit InfluenceReport(const DataPhase& phase) : phase_(phase) {}
+
+  void begin(const Skinned& skinned) { primitives_.push_back(skinned); }
+
+  void note(const Influence& influence) {
+    const std::size_t primitive = primitives_.size() - 1;
+    if (!phase_.context.khronos()) {
+      const Key key{primitive, influence.fault, influence.set};
+      const auto [at, fresh] = tallies_.try_emplace(key, found_.size());
+      if (!fresh) {
+        ++found_[at->second].count;
+        return;
+      }
+    }
+    found_.push_back({influence, primitive, 1});
+  }
+
+  // The Khronos validator takes one step in all primitives before it takes the next.
+  void finish() {
+    if (phase_.context.khronos()) {
+      std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+        return a.influence.index < b.influence.index;
+      });
+    }
+    for (const Found& found : found_) send(found);
+  }
+
+ private:
+  using Key = std::tuple<std::size_t, InfluenceFault, std::uint32_t>;
+  struct Found {
+    Influence influence;
+    std::size_t primitive = 0;
+    std::uint64_t count = 1;
+  };
+
+  static std::string_view code(InfluenceFault fault) {
+    static constexpr std::array<std::string_view, kInfluenceFaults> kCodes{
+        "ACCESSOR_JOINTS_INDEX_OOB", "ACCESSOR_JOINTS_INDEX_DUPLICATE", "ACCESSOR_WEIGHTS_NEGATIVE",
+        "ACCESSOR_JOINTS_USED_ZERO_WEIGHT", "ACCESSOR_WEIGHTS_NON_NORMALIZED"};
+    return kCodes[static_cast<std::size_t>(fault)];
+  }
+
+  static std::string sentence(const Influence& found, const Limit& limit) {
+    const std::string value = value_text(found.value);
+    const std::uint64_t vertex = found.index / 4;
+    const std::uint64_t slot = found.index % 4;
+    switch (found.fault) {
+      case InfluenceFault::joint_out_of_range:
+        return fmt::format("Joint {} of vertex {} is {}, but skin {} has {} joints.", slot, vertex,
+                           value, limit.skin, limit.joints);
+      case InfluenceFault::joint_repeated:
+        return fmt::format("Joint {} of vertex {} is {}, which the vertex has already.", slot,
+                           vertex, value);
+      case InfluenceFault::negative_weight:
+        return fmt::format("Weight {} of vertex {} is {}.", slot, vertex, value);
+      case InfluenceFault::joint_without_weight:
+        return fmt::format("Joint {} of vertex {} is {}, but has no weight.", slot, vertex, value);
+      case InfluenceFault::wrong_sum:
+        return fmt::format("The weights of vertex {} sum up to {}, not 1.", vertex, value);
+    }
+    return {};
+  }
+
+  void send(const Found& found) const {
+    const Skinned& skinned = primitives_[found.primitive];
+    const Influence& influence = found.influence;
+    const bool weights = influence.fault == InfluenceFault::negative_weight ||
+                         influence.fault == InfluenceFault::wrong_sum;
+    const std::string name = fmt::format("{}_{}", weights ? "WEIGHTS" : "JOINTS", influence.set);
+    std::string message = sentence(influence, skinned.limit);
+    if (found.count > 1) message += fmt::format(" It is the first of {}.", found.count);
+    Finding finding =
+        finding_on(phase_.context, phase_.context.document.find(skinned.attributes, name),
+                   code(influence.fault), std::move(message));
+    finding.count = found.count;
+    with_path({Place::Kind::attribute, skinned.mesh, skinned.primitive, name, json::kNoNode},
+              [&](const Path& path) { phase_.sink.report(path, std::move(finding)); });
+  }
+
+  const DataPhase& phase_;
+  std::vector<Skinned> primitives_;
+  std::vector<Found> found_;
+  std::map<Key, std::size_t> tallies_;
+};
+
+class InfluencePhase {
+ public:
+  explicit InfluencePhase(DataPhase& phase) : phase_(phase), report_(phase) {}
+
+  void run() {
+    const Context& context = phase_.context;
+    if (context.asset.count(model::RootArray::skins) == 0) return;
+    const std::vector<Limit> limits = joint_limits(context);
+    const auto& meshes = context.asset.elements(model::RootArray::meshes);
+    for (std::uint32_t i = 0; i < meshes.size(); ++i) {
+      if (limits[i].joints != 0) check_mesh(i, meshes[i], limits[i]);
+    }
+    report_.finish();
+  }
+
+ private:
+  void check_mesh(std::uint32_t index, json::NodeId mesh, const Limit& limit) {
+    const std::vector<json::NodeId> objects = model::primitives(phase_.context.document, mesh);
+    const bool holes = std::find(objects.begin(), objects.end(), json::kNoNode) != objects.end();
+    if (holes && phase_.context.khronos()) return;
+    for (std::uint32_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] != json::kNoNode) check_primitive({index, i, limit}, objects[i]);
+    }
+  }
+
+  void check_primitive(Skinned skinned, json::NodeId object) {
+    const std::size_t sets = model::joint_sets(phase_.context.asset, object);
+    if (sets == 0) return;
+    const model::Primitive primitive = model::read_primitive(phase_.context.asset, object);
+    const std::uint64_t vertices = vertex_count(primitive);
+    std::vector<AccessorData> data;
+    data.reserve(sets * 2);  // what readers refer to stays where it is
+    std::vector<InfluenceSet> influences;
+    for (std::size_t set = 0; set < sets; ++set) {
+      for (const SemanticKind kind : {SemanticKind::joints, SemanticKind::weights}) {
+        auto opened = open(primitive.find(kind, set), kind, vertices);
+        if (!opened) return;
+        data.push_back(*std::move(opened));
+      }
+      influences.push_back({&data[set * 2], &data[set * 2 + 1]});
+    }
+    skinned.attributes = primitive.attributes_node;
+    report_.begin(skinned);
+    check_influences_of(influences, skinned.limit.joints,
+                        [&](const Influence& influence) { report_.note(influence); });
+  }
+
+  // That of the first attribute that leads to an accessor with one.
+  std::uint64_t vertex_count(const model::Primitive& primitive) const {
+    for (const model::Attribute& attribute : primitive.attributes) {
+      if (!attribute.accessor) continue;
+      const auto count = phase_.context.views.accessors[*attribute.accessor].count;
+      if (count) return *count;
+    }
+    return 0;
+  }
+
+  std::optional<AccessorData> open(const model::Attribute* attribute, SemanticKind kind,
+                                   std::uint64_t vertices) {
+    if (attribute == nullptr || !attribute->accessor) return std::nullopt;
+    const model::Accessor& accessor = phase_.context.views.accessors[*attribute->accessor];
+    if (accessor.count != vertices) return std::nullopt;
+    auto data = phase_.open(*attribute->accessor);
+    if (!data || (data->components() != 4 && !phase_.context.khronos())) return std::nullopt;
+    const bool numbers = data->format().component == model::ComponentType::float32;
+    if (kind == SemanticKind::joints && numbers) return std::nullopt;
+    constexpr std::uint64_t kEffort = 16;  // several times that of a vectorised pass
+    if (!phase_.budget.take(data->count(), data->components() * kEffort)) return std::nullopt;
+    return data;
+  }
+
+  DataPhase& phase_;
+  InfluenceReport report_;
+};
+
+}  // namespace
+
+void check_influences(DataPhase& phase) { InfluencePhase(phase).run(); }
+
+}  // namespace gltfx::validate

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plain loops without branches: at -O3 g++ and clang turn them into SSE2, and into NEON on Arm.
+#include "validate/data/kernels.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace gltfx::validate::kernels {
+namespace {
+
+// Counts in 32 bits, as wide as what is compared; blocks are far below that.
+using Count = std::uint32_t;
+
+constexpr std::size_t kSums = 256;
+
+}  // namespace
+
+std::size_t count_non_finite(const float* values, std::size_t count) {
+  constexpr std::uint32_t kExponent = 0x7f800000;
+  Count faults = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    faults += (std::bit_cast<std::uint32_t>(values[i]) & kExponent) == kExponent ? 1U : 0U;
+  }
+  return faults;
+}
+
+std::size_t count_unclamped(const float* values, std::size_t count) {
+  Count faults = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    faults += (values[i] < 0.0F ? 1U : 0U) | (values[i] > 1.0F ? 1U : 0U);
+  }
+  return faults;
+}
+
+template <unsigned N>
+UnitCount count_non_unit(const float* values, std::size_t count) {
+  constexpr double kShort = (1 - kVectorTolerance) * (1 - kVectorTolerance);
+  constexpr double kLong = (1 + kVectorTolerance) * (1 + kVectorTolerance);
+  constexpr double kDoubt = 1e-5;  // far more than three squares and sums lose
+  constexpr auto kBadShort = static_cast<float>(kShort * (1 - kDoubt));
+  constexpr auto kGoodShort = static_cast<float>(kShort * (1 + kDoubt));
+  constexpr auto kGoodLong = static_cast<float>(kLong * (1 - kDoubt));
+  constexpr auto kBadLong = static_cast<float>(kLong * (1 + kDoubt));
+  UnitCount result;
+  std::array<float, kSums> sums;
+  for (std::size_t done = 0; done < count; done += kSums) {
+    const std::size_t some = std::min(kSums, count - done);
+    const float* at = values + done * N;
+    for (std::size_t i = 0; i < some; ++i) {
+      sums[i] =
+          at[i * N] * at[i * N] + at[i * N + 1] * at[i * N + 1] + at[i * N + 2] * at[i * N + 2];
+    }
+    Count bad = 0;
+    Count doubtful = 0;
+    for (std::size_t i = 0; i < some; ++i) {
+      bad += (sums[i] < kBadShort ? 1U : 0U) | (sums[i] > kBadLong ? 1U : 0U);
+      doubtful += (sums[i] < kGoodShort ? 1U : 0U) | (sums[i] > kGoodLong ? 1U : 0U);
+    }
+    result.faults += bad;
+    result.uncertain += doubtful - bad;
+  }
+  return result;
+}
+
+std::size_t count_bad_signs(const float* values, std::size_t count) {
+  Count faults = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float sign = values[i * 4 + 3];
+    faults += (sign != 1.0F ? 1U : 0U) & (sign != -1.0F ? 1U : 0U);
+  }
+  return faults;
+}
+
+template <typename T>
+T greatest(const T* values, std::size_t count) {
+  T most = 0;
+  for (std::size_t i = 0; i < count; ++i) most = values[i] > most ? values[i] : most;
+  return most;
+}
+
+template <typename T>
+std::size_t count_above(const T* values, std::size_t count, std::uint64_t most) {
+  std::size_t faults = 0;
+  for (std::size_t i = 0; i < count; ++i) faults += values[i] > most ? 1U : 0U;
+  return faults;
+}
+
+template <typename T>
+std::size_t count_equal(const T* values, std::size_t count, T wanted) {
+  std::size_t faults = 0;
+  for (std::size_t i = 0; i < count; ++i) faults += values[i] == wanted ? 1U : 0U;
+  return faults;
+}
+
+// Whole vectors are compared with those one and two places further on; `kFirst` and `kSecond` keep
+// what falls inside a triangle. Only where something is found triangles are looked at one by one.
+template <typename T>
+std::size_t count_degenerate(const T* indices, std::size_t count) {
+  constexpr std::size_t kStep = 48;
+  constexpr std::size_t kAhead = 2;
+  static constexpr auto kMasks = [] {
+    std::array<std::array<T, kStep>, 2> masks{};
+    for (std::size_t i = 0; i < kStep; ++i) {
+      masks[0][i] = static_cast<T>(i % 3 != 2 ? ~T{0} : T{0});
+      masks[1][i] = static_cast<T>(i % 3 == 0 ? ~T{0} : T{0});
+    }
+    return masks;
+  }();
+  const auto exact = [](const T* at, std::size_t length) {
+    std::size_t faults = 0;
+    for (std::size_t i = 0; i + 3 <= length; i += 3) {
+      faults += at[i] == at[i + 1] || at[i + 1] == at[i + 2] || at[i + 2] == at[i] ? 1U : 0U;
+    }
+    return faults;
+  };
+  std::size_t faults = 0;
+  std::size_t done = 0;
+  for (; done + kStep + kAhead <= count; done += kStep) {
+    const T* at = indices + done;
+    T any = 0;
+    for (std::size_t i = 0; i < kStep; ++i) {
+      const T next = at[i] == at[i + 1] ? kMasks[0][i] : T{0};
+      const T second = at[i] == at[i + 2] ? kMasks[1][i] : T{0};
+      any = static_cast<T>(any | next | second);
+    }
+    if (any != 0) faults += exact(at, kStep);
+  }
+  return faults + exact(indices + done, count - done);
+}
+
+template <typename T>
+template <unsigned Lanes>
+void Extremes<T>::fold(const T* values, std::size_t count) {
+  std::array<T, Lanes> best;
+  std::copy_n(lanes_.begin(), Lanes, best.begin());
+  std::size_t done = 0;
+  if (greatest_) {
+    for (; done + Lanes <= count; done += Lanes) {
+      for (unsigned i = 0; i < Lanes; ++i) {
+        best[i] = values[done + i] > best[i] ? values[done + i] : best[i];
+      }
+    }
+  } else {
+    for (; done + Lanes <= count; done += Lanes) {
+      for (unsigned i = 0; i < Lanes; ++i) {
+        best[i] = values[done + i] < best[i] ? values[done + i] : best[i];
+      }
+    }
+  }
+  for (std::size_t i = 0; done + i < count; ++i) {
+    const T value = values[done + i];
+    if (greatest_ ? value > best[i] : value < best[i]) best[i] = value;
+  }
+  std::copy_n(best.begin(), Lanes, lanes_.begin());
+}
+
+template <typename T>
+void Extremes<T>::add(const T* values, std::size_t elements) {
+  if (elements == 0) return;
+  if (!begun_) {
+    for (unsigned i = 0; i < components_ * 4; ++i) lanes_[i] = values[i % components_];
+    begun_ = true;
+  }
+  const std::size_t count = elements * components_;
+  switch (components_) {
+    case 1:
+      return fold<4>(values, count);
+    case 2:
+      return fold<8>(values, count);
+    case 3:
+      return fold<12>(values, count);
+    case 4:
+      return fold<16>(values, count);
+    case 9:
+      return fold<36>(values, count);
+    default:
+      return fold<64>(values, count);
+  }
+}
+
+template <typename T>
+T Extremes<T>::of(unsigned component) const {
+  T best = lanes_[component];
+  for (unsigned i = 1; i < 4; ++i) {
+    const T value = lanes_[i * components_ + component];
+    if (greatest_ ? value > best : value < best) best = value;
+  }
+  return best;
+}
+
+template UnitCount count_non_unit<3>(const float*, std::size_t);
+template UnitCount count_non_unit<4>(const float*, std::size_t);
+
+template std::uint8_t greatest(const std::uint8_t*, std::size_t);
+template std::uint16_t greatest(const std::uint16_t*, std::size_t);
+template std::uint32_t greatest(const std::uint32_t*, std::size_t);
+template std::size_t count_above(const std::uint8_t*, std::size_t, std::uint64_t);
+template std::size_t count_above(const std::uint16_t*, std::size_t, std::uint64_t);
+template std::size_t count_above(const std::uint32_t*, std::size_t, std::uint64_t);
+template std::size_t count_equal(const std::uint8_t*, std::size_t, std::uint8_t);
+template std::size_t count_equal(const std::uint16_t*, std::size_t, std::uint16_t);
+template std::size_t count_equal(const std::uint32_t*, std::size_t, std::uint32_t);
+template std::size_t count_degenerate(const std::uint8_t*, std::size_t);
+template std::size_t count_degenerate(const std::uint16_t*, std::size_t);
+template std::size_t count_degenerate(const std::uint32_t*, std::size_t);
+
+template class Extremes<std::int8_t>;
+template class Extremes<std::uint8_t>;
+template class Extremes<std::int16_t>;
+template class Extremes<std::uint16_t>;
+template class Extremes<std::uint32_t>;
+template class Extremes<float>;
+
+}  // namespace gltfx::validate::kernels

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The parts of the data phase, in the order in which they report.
+#pragma once
+
+#include "base/checked.hpp"
+#include "model/accessor_data.hpp"
+#include "validate/context.hpp"
+
+namespace gltfx::validate {
+
+/// How many numbers may be looked at. Accessors may share bytes, and sparse ones need none: without
+/// a limit a small file could ask for years of work.
+class Budget {
+ public:
+  explicit Budget(const model::ResourceData& resources);
+  /// Takes `count` times `each`, or nothing when that much is not left.
+  bool take(std::uint64_t count, std::uint64_t each);
+
+ private:
+  std::uint64_t left_;
+};
+
+/// What the parts share.
+struct DataPhase {
+  const Context& context;
+  const model::ResourceData& resources;
+  Sink& sink;
+  Budget budget;
+
+  std::optional<model::AccessorData> open(std::uint32_t accessor) const {
+    return model::AccessorData::open(
+        context.asset, context.views, resources, context.views.accessors[accessor],
+        context.khronos() ? model::Malformed::absent : model::Malformed::unusable);
+  }
+};
+
+/// Indices of sparse accessors: increasing, within the accessor.
+void check_sparse_indices(DataPhase& phase);
+/// Every element of every accessor, by its format and its uses.
+void check_elements(DataPhase& phase);
+/// Joints and weights of skinned meshes.
+void check_influences(DataPhase& phase);
+
+}  // namespace gltfx::validate

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+/// One pass over an accessor for all of its checks.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "model/accessor_data.hpp"
+#include "validate/data/check.hpp"
+#include "validate/data/evaluator.hpp"
+
+namespace gltfx::validate {
+
+/// Faults of one kind, and the first of them.
+struct Tally {
+  std::uint64_t count = 0;
+  Fault first;
+};
+
+/// A bound of one component that differs from what is there.
+struct BoundFault {
+  unsigned component = 0;
+  double declared = 0;
+  double actual = 0;
+  std::uint64_t outside = 0;  ///< elements beyond the declared bound
+};
+
+/// What a check found.
+struct Outcome {
+  std::array<Tally, kFaultKinds> faults;
+  std::uint64_t degenerate = 0;  ///< triangles
+  std::vector<BoundFault> bounds;
+
+  std::uint64_t total() const;
+};
+
+/// Runs `checks` over all elements. The outcome of a check that is the same as an earlier one is
+/// that of the earlier one.
+std::vector<Outcome> scan(const model::AccessorData& data, const std::vector<Check>& checks);
+
+/// Calls `use(check, fault)` for every single fault, in the order of the elements and, for one
+/// element, of the checks.
+void list_faults(const model::AccessorData& data, const std::vector<Check>& checks,
+                 const std::function<void(const Check&, const Fault&)>& use);
+
+}  // namespace gltfx::validate

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "model/animation.hpp"
+#include "model/mesh.hpp"
+#include "model/skin.hpp"
+#include "validate/data/check.hpp"
+#include "validate/rules/attribute_formats.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::Accessor;
+using model::ComponentType;
+using model::ElementType;
+using model::SemanticKind;
+
+constexpr model::Format kTimes{ElementType::scalar, ComponentType::float32, false};
+constexpr model::Format kBindMatrix{ElementType::mat4, ComponentType::float32, false};
+
+bool is_index_format(const model::Format& format) {
+  return format.type == ElementType::scalar && !format.normalized &&
+         (format.component == ComponentType::uint8 || format.component == ComponentType::uint16 ||
+          format.component == ComponentType::uint32);
+}
+
+std::vector<double> read_bounds(const json::Document& document, json::NodeId array, bool single) {
+  std::vector<double> bounds;
+  for (json::NumberCursor at(document, array); at.valid(); at.advance()) {
+    const double value = at.number().value;
+    bounds.push_back(single ? static_cast<double>(static_cast<float>(value)) : value);
+  }
+  return bounds;
+}
+
+class Scheduler {
+ public:
+  explicit Scheduler(const Context& context)
+      : context_(context),
+        formats_(context),
+        positions_(context.views.accessors.size(), kNowhere) {}
+
+  std::vector<Schedule> run() {
+    const auto& accessors = context_.views.accessors;
+    for (std::uint32_t i = 0; i < accessors.size(); ++i) add_accessor(i, accessors[i]);
+    const auto& meshes = context_.asset.elements(model::RootArray::meshes);
+    for (std::uint32_t i = 0; i < meshes.size(); ++i) add_mesh(i, meshes[i]);
+    const auto& skins = context_.asset.elements(model::RootArray::skins);
+    for (std::uint32_t i = 0; i < skins.size(); ++i) add_skin(i, skins[i]);
+    const auto& animations = context_.asset.elements(model::RootArray::animations);
+    for (std::uint32_t i = 0; i < animations.size(); ++i) add_animation(i, animations[i]);
+    return std::move(schedules_);
+  }
+
+ private:
+  static constexpr std::size_t kNowhere = SIZE_MAX;
+  using Key = std::tuple<std::uint32_t, CheckKind, std::int64_t, bool, bool>;
+
+  const Accessor& accessor(std::uint32_t index) const { return context_.views.accessors[index]; }
+
+  Schedule& schedule(std::uint32_t index) {
+    if (positions_[index] == kNowhere) {
+      positions_[index] = schedules_.size();
+      schedules_.push_back({index, {}});
+    }
+    return schedules_[positions_[index]];
+  }
+
+  void add(std::uint32_t index, Check check) {
+    std::vector<Check>& checks = schedule(index).checks;
+    const Key key{index, check.kind, check.most, check.triangles, check.cubic};
+    check.same_as = seen_.try_emplace(key, checks.size()).first->second;
+    if (check.same_as != checks.size() && !context_.khronos()) return;  // once is enough
+    checks.push_back(std::move(check));
+  }
+
+  void add_accessor(std::uint32_t index, const Accessor& accessor) {
+    const model::Format& format = accessor.format;
+    if (!format.known() || !model::is_core_component(format.component)) return;
+    const bool single = format.component == ComponentType::float32;
+    Check check;
+    check.place = {Place::Kind::accessor, index, 0, {}, accessor.node};
+    if (single) add(index, check);
+    const auto add_bound = [&](CheckKind kind, json::NodeId array) {
+      if (array == json::kNoNode) return;
+      if (!model::is_sound_bound(context_.document, format, array)) return;
+      check.kind = kind;
+      check.bounds = read_bounds(context_.document, array, single);
+      check.place.node = array;
+      add(index, check);
+    };
+    add_bound(CheckKind::minimum, accessor.min);
+    add_bound(CheckKind::maximum, accessor.max);
+  }
+
+  void add_mesh(std::uint32_t index, json::NodeId mesh) {
+    const std::vector<json::NodeId> objects = model::primitives(context_.document, mesh);
+    const bool holes = std::find(objects.begin(), objects.end(), json::kNoNode) != objects.end();
+    if (holes && context_.khronos()) return;
+    for (std::uint32_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] != json::kNoNode) add_primitive(index, i, objects[i]);
+    }
+  }
+
+  void add_primitive(std::uint32_t mesh, std::uint32_t index, json::NodeId object) {
+    const model::Primitive primitive = model::read_primitive(context_.asset, object);
+    std::int64_t vertices = -1;
+    for (const model::Attribute& attribute : primitive.attributes) {
+      if (!attribute.accessor) continue;
+      const Accessor& used = accessor(*attribute.accessor);
+      if (vertices < 0 && used.count) vertices = static_cast<std::int64_t>(*used.count);
+      add_attribute(attribute, used,
+                    {Place::Kind::attribute, mesh, index, attribute.name, attribute.value});
+    }
+    if (!primitive.indices || !is_index_format(accessor(*primitive.indices).format)) return;
+    if (vertices < 0 && !context_.khronos()) return;
+    Check check;
+    check.kind = CheckKind::index;
+    check.most = vertices < 0 ? -1 : vertices - 1;
+    check.triangles = primitive.mode == model::Mode::triangles;
+    check.place = {Place::Kind::indices, mesh, index, {}, primitive.indices_node};
+    add(*primitive.indices, check);
+  }
+
+  void add_attribute(const model::Attribute& attribute, const Accessor& used, const Place& place) {
+    const FormatList* formats = formats_.find(attribute, false);
+    if (formats == nullptr || !allows(*formats, used.format)) return;
+    Check check;
+    check.place = place;
+    if (attribute.semantic.kind == SemanticKind::normal) {
+      check.kind = CheckKind::unit_vector;
+    } else if (attribute.semantic.kind == SemanticKind::tangent) {
+      check.kind = CheckKind::unit_tangent;
+    } else if (attribute.semantic.kind == SemanticKind::color && attribute.semantic.set == 0 &&
+               used.format.component == ComponentType::float32) {
+      check.kind = CheckKind::clamped;
+    } else {
+      return;
+    }
+    add(*attribute.accessor, check);
+  }
+
+  void add_skin(std::uint32_t index, json::NodeId object) {
+    const auto matrices =
+        context_.asset.index(object, "inverseBindMatrices", model::RootArray::accessors);
+    if (!matrices || accessor(*matrices).format != kBindMatrix) return;
+    Check check;
+    check.kind = CheckKind::bind_matrix;
+    check.place = {
+        Place::Kind::matrices, index, 0, {}, context_.document.find(object, "inverseBindMatrices")};
+    add(*matrices, check);
+  }
+
+  void add_animation(std::uint32_t index, json::NodeId object) {
+    const model::Animation animation = model::read_animation(context_.asset, object);
+    for (std::uint32_t i = 0; i < animation.samplers.size(); ++i) {
+      const auto& input = animation.samplers[i].input;
+      if (!input || accessor(*input).format != kTimes) continue;
+      Check check;
+      check.kind = CheckKind::times;
+      check.place = {Place::Kind::times,
+                     index,
+                     i,
+                     {},
+                     context_.document.find(animation.samplers[i].object, "input")};
+      add(*input, check);
+    }
+    for (std::uint32_t i = 0; i < animation.channels.size(); ++i) {
+      const model::AnimationChannel& channel = animation.channels[i];
+      if (channel.sampler) {
+        add_channel({index, i}, channel, animation.samplers[*channel.sampler]);
+      }
+    }
+  }
+
+  struct ChannelIndex {
+    std::uint32_t animation, channel;
+  };
+
+  void add_channel(ChannelIndex index, const model::AnimationChannel& channel,
+                   const model::AnimationSampler& sampler) {
+    if (channel.path != model::AnimationPath::rotation || !sampler.output) return;
+    const model::Format& format = accessor(*sampler.output).format;
+    const bool vector = format.type == ElementType::vec4;
+    if (!vector && !(context_.khronos() && model::component_count(format.type) == 4)) return;
+    Check check;
+    check.kind = CheckKind::quaternion;
+    check.cubic = sampler.interpolation == model::Interpolation::cubic_spline;
+    check.place = {Place::Kind::channel,
+                   index.animation,
+                   index.channel,
+                   {},
+                   context_.document.find(channel.object, "sampler")};
+    add(*sampler.output, check);
+  }
+
+  const Context& context_;
+  AttributeFormats formats_;
+  std::vector<Schedule> schedules_;
+  std::vector<std::size_t> positions_;  // in schedules_, by accessor
+  std::map<Key, std::size_t> seen_;     // position of the first check of its kind in its schedule
+};
+
+}  // namespace
+
+std::vector<Schedule> schedule_checks(const Context& context) { return Scheduler(context).run(); }
+
+}  // namespace gltfx::validate
