@@ -52,6 +52,28 @@ std::size_t tolerance(std::string_view a, std::string_view b) {
   return is_same_but_for_case(a, b) ? length * (kEdit / 2) : length / 3 * kEdit;
 }
 
+// Shorter words begin too many others.
+constexpr std::size_t kShortestBeginning = 3;
+
+// Whether one of the words is the other one's beginning: "MASKED", "CUBIC".
+bool begins(std::string_view a, std::string_view b) {
+  const std::size_t length = std::min(a.size(), b.size());
+  return length >= kShortestBeginning &&
+         is_same_but_for_case(a.substr(0, length), b.substr(0, length));
+}
+
+// The only candidate that begins like the word, or empty.
+std::string_view only_one_that_begins(std::string_view word,
+                                      std::span<const std::string_view> candidates) {
+  std::string_view found;
+  for (const std::string_view candidate : candidates) {
+    if (!begins(word, candidate) || candidate == found) continue;
+    if (!found.empty()) return {};
+    found = candidate;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
@@ -69,7 +91,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
       best_distance = found;
     }
   }
-  return best;
+  return best.empty() ? only_one_that_begins(word, candidates) : best;
 }
 
 }  // namespace gltfx

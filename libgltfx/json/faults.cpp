@@ -67,7 +67,9 @@ ParseFault explain_word(std::string_view text, Span token) {
 // The mistakes at the very beginning that tell what kind of file this is instead.
 std::string root_hint(std::string_view text, Span token) {
   const std::string_view word = token.in(text);
-  if (colon_follows(text, token)) return std::string(kWrapHint);
+  if (colon_follows(text, token)) {
+    return std::string(kWrapHint) + (is_word(word) ? ", and the name in double quotes" : "");
+  }
   if (word.substr(0, 4) == "glTF") return "this is a binary glTF (GLB), not a JSON text";
   if (word == "<") return "this looks like HTML or XML, not like glTF";
   return {};
@@ -118,7 +120,8 @@ ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected 
   if (is_quote_like(word)) {
     return {Fault::bad_literal,
             token,
-            fmt::format("found {}; strings and names stand in double quotes (\")", quoted(word)),
+            fmt::format("found {}; strings and names stand in double quotes (\")",
+                        word == "'" ? std::string("a single quote") : quoted(word)),
             {}};
   }
   if (expected == Expected::root) {

@@ -56,8 +56,8 @@ ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at)
   if (text[at + 1] != 'u') {
     return {Fault::bad_escape,
             {at, at + size},
-            fmt::format("found {}; JSON has \\\" \\\\ \\/ \\b \\f \\n \\r \\t and \\uXXXX, and a "
-                        "backslash itself is written \\\\",
+            fmt::format("found {}; a backslash itself is written \\\\, and with one begin only "
+                        "\\\" \\/ \\b \\f \\n \\r \\t and \\uXXXX",
                         quoted(text.substr(at, size))),
             opening};
   }

@@ -69,25 +69,67 @@ std::string default_message(json::Fault fault) {
   }
 }
 
-// Where the first of two equal names stands, or the bracket that was never closed.
-std::string other_place(const json::ParseFault& fault, const json::LineIndex& lines) {
-  if (fault.other.empty()) return {};
-  const Location at = lines.locate(fault.other);
-  if (fault.fault == json::Fault::duplicate_key) {
-    return fmt::format(
-        "the first one is in line {}, column {}; readers keep one of them, and not "
-        "all keep the same",
-        at.line, at.column);
+// "found 'x'; JSON has none" as the sentence of a message.
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  const bool is_name = text.compare(0, 4, "glTF") == 0;
+  if (!is_name && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
   }
-  return fmt::format("it was opened in line {}, column {}", at.line, at.column);
+  if (text.back() != '.' && text.back() != '?') text += '.';
+  return text;
 }
 
-void report_fault(const json::ParseFault& fault, const json::LineIndex& lines, bool khronos,
-                  Collector& collector) {
+// Where the comma belongs: behind the item before, which mostly ends on another line.
+std::string comma_help(const json::ParseFault& fault, std::string_view text,
+                       const json::LineIndex& lines) {
+  const std::size_t before = text.find_last_not_of(" \t\r\n", fault.span.begin - 1);
+  const auto at = static_cast<std::uint32_t>(before);
+  const Location end = lines.locate({at, at + 1});
+  if (end.line == lines.locate(fault.span).line) return "add a ',' between the two";
+  return fmt::format("add a ',' behind column {} of line {}", end.column, end.line);
+}
+
+std::string opening_help(const json::ParseFault& fault, std::string_view text,
+                         const json::LineIndex& lines) {
+  if (fault.other.empty()) return {};
+  const Location at = lines.locate(fault.other);
+  return fmt::format("the {} opened in line {}, column {} is not closed",
+                     gltfx::quoted(fault.other.in(text)), at.line, at.column);
+}
+
+std::string help_for(const json::ParseFault& fault, std::string_view text,
+                     const json::LineIndex& lines) {
+  switch (fault.fault) {
+    case json::Fault::trailing_comma:
+      return "remove the comma";
+    case json::Fault::missing_comma:
+      return comma_help(fault, text, lines);
+    case json::Fault::duplicate_key: {
+      const Location first = lines.locate(fault.other);
+      return fmt::format(
+          "the first one is in line {}, column {}; readers keep one of them, and not all keep the "
+          "same",
+          first.line, first.column);
+    }
+    case json::Fault::byte_order_mark:
+      return "save the file as UTF-8 without a byte order mark";
+    case json::Fault::bad_escape:
+      return "the path in a URI has '/' between folders, not a backslash";
+    case json::Fault::syntax:
+    case json::Fault::unexpected_end:
+      return opening_help(fault, text, lines);
+    default:
+      return {};
+  }
+}
+
+void report_fault(const json::ParseFault& fault, std::string_view text,
+                  const json::LineIndex& lines, bool khronos, Collector& collector) {
   Finding finding;
   finding.code = khronos ? std::string_view("INVALID_JSON") : code_of(fault.fault);
-  finding.message = fault.detail.empty() ? default_message(fault.fault) : fault.detail;
-  finding.help = other_place(fault, lines);
+  finding.message = sentence(fault.detail.empty() ? default_message(fault.fault) : fault.detail);
+  finding.help = help_for(fault, text, lines);
   finding.span = fault.span;
   collector.report_file(Phase::json, std::move(finding));
 }
@@ -107,11 +149,11 @@ bool minded_by_khronos(json::Fault fault) {
          fault != json::Fault::number_out_of_range;
 }
 
-bool report_as_khronos(const json::Parsed& parsed, const json::LineIndex& lines,
-                       Collector& collector) {
+bool report_as_khronos(const json::Parsed& parsed, std::string_view text,
+                       const json::LineIndex& lines, Collector& collector) {
   for (const json::ParseFault& fault : parsed.faults) {
     if (!minded_by_khronos(fault.fault)) continue;
-    report_fault(fault, lines, true, collector);
+    report_fault(fault, text, lines, true, collector);
     if (fault.fault != json::Fault::byte_order_mark) return false;
   }
   return true;
@@ -126,10 +168,10 @@ bool parse_document(const container::Container& container, const ValidateOptions
   if (!parsed.faults.empty()) {
     const json::LineIndex lines(*container.json);
     if (options.profile == Profile::khronos) {
-      readable = report_as_khronos(parsed, lines, collector);
+      readable = report_as_khronos(parsed, *container.json, lines, collector);
     } else {
       for (const json::ParseFault& fault : parsed.faults) {
-        report_fault(fault, lines, false, collector);
+        report_fault(fault, *container.json, lines, false, collector);
       }
       report_unlisted(parsed.unrecorded_faults, collector);
     }

@@ -59,5 +59,15 @@ TEST(Nearest, VeryLongWordsAreNotCompared) {
   EXPECT_EQ(nearest(std::string_view(name).substr(1), names), name);
 }
 
+TEST(Nearest, FallsBackToTheOnlyNameThatBeginsTheSame) {
+  constexpr std::string_view kModes[]{"OPAQUE", "MASK", "BLEND"};
+  EXPECT_EQ(nearest("MASKED", kModes), "MASK");
+  EXPECT_EQ(nearest("blended", kModes), "BLEND");
+  constexpr std::string_view kFactors[]{"baseColorFactor", "baseColorTexture", "strength"};
+  EXPECT_EQ(nearest("str", kFactors), "strength");
+  EXPECT_EQ(nearest("st", kFactors), "");
+  EXPECT_EQ(nearest("base", kFactors), "");
+}
+
 }  // namespace
 }  // namespace gltfx

@@ -50,7 +50,8 @@ std::vector<std::string> found(const std::string& asset, Profile profile) {
   std::vector<std::string> lines;
   for (const Diagnostic& one : validate_file((folder() / asset).string(), options).diagnostics) {
     std::string line(one.code);
-    line += one.offset ? " @" + std::to_string(*one.offset) : " " + one.pointer;
+    if (one.offset) line += " @" + std::to_string(*one.offset);
+    if (!one.pointer.empty()) line += " " + one.pointer;
     if (one.count > 1) line += " x" + std::to_string(one.count);
     lines.push_back(line);
   }

@@ -196,7 +196,7 @@ void check_undeclared(const Context& context) {
   const Path root;
   for (const std::string& name : context.checked.extensions_seen) {
     if (contains(context.checked.extensions_used, name)) continue;
-    check_entry({context, root, first_character(context.document, 0), name}, false);
+    check_entry({context, root, Span{}, name}, false);
   }
 }
 

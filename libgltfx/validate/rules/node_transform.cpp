@@ -3,6 +3,7 @@
 // section 3.5.3).
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -82,11 +83,13 @@ void check_matrix(const Context& context, const model::Node& node, const Path& p
   if (!transform.matrix) return;
   const Path at(path, "matrix");
   if (transform.translation || transform.rotation || transform.scale) {
-    context.schema_sink.report(at, finding_on(context, node.matrix, "NODE_MATRIX_TRS",
-                                              fmt::format("The node has a matrix and {}.",
-                                                          transform.translation ? "a translation"
-                                                          : transform.rotation  ? "a rotation"
-                                                                                : "a scale")));
+    Finding finding = finding_on(
+        context, node.matrix, "NODE_MATRIX_TRS",
+        fmt::format("The node has a matrix and {}.", transform.translation ? "a translation"
+                                                     : transform.rotation  ? "a rotation"
+                                                                           : "a scale"));
+    finding.help = "keep the matrix, or translation, rotation and scale, but not both";
+    context.schema_sink.report(at, std::move(finding));
   }
   model::Transform alone;
   alone.matrix = transform.matrix;
