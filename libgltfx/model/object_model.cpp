@@ -141,6 +141,15 @@ bool ObjectModel::step(Walk& walk) {
 bool ObjectModel::into_object(Walk& walk) {
   const std::string& name = walk.step();
   const schema::TypeId id = type_of(walk.shape);
+  const schema::ShapeId values =
+      walk.shape == schema::kNone ? schema::kNone : schemas_.shape(walk.shape).values;
+  if (name != "extras" && id == schema::kNone && values != schema::kNone) {
+    // A map from names, such as the attributes of a primitive.
+    if (!into_unknown(walk)) return false;
+    walk.place = Walk::Place::value;
+    walk.shape = values;
+    return true;
+  }
   if (name == "extras" || id == schema::kNone) {
     walk.place = Walk::Place::unknown;
     return into_unknown(walk);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// What extensions ask of the whole graph, beyond the examples that every rule carries.
+#include <gtest/gtest.h>
+
+#include "validate/part.hpp"
+
+namespace gltfx::test {
+namespace {
+
+Lines levels(const std::string& nodes) {
+  return findings(R"("extensionsUsed": ["MSFT_lod"], "nodes": [)" + nodes + "]", {"LOD_"});
+}
+std::string level(const std::string& ids) {
+  return R"({"extensions": {"MSFT_lod": {"ids": [)" + ids + "]}}}";
+}
+
+TEST(Lod, OnlyCirclesAreReported) {
+  EXPECT_EQ(levels(level("1, 2") + "," + level("2") + ", {}"), Lines{});
+  EXPECT_EQ(levels(level("0")), Lines{"LOD_CYCLE /nodes/0/extensions/MSFT_lod/ids"});
+  EXPECT_EQ(levels(level("1") + "," + level("2") + "," + level("1")),
+            Lines{"LOD_CYCLE /nodes/1/extensions/MSFT_lod/ids x2"});
+}
+
+TEST(Lod, LongChainsAreNoProblem) {
+  std::string nodes = "{}";
+  for (int i = 0; i < 50000; ++i) nodes.append(",").append(level(std::to_string(i)));
+  EXPECT_EQ(levels(nodes), Lines{});
+}
+
+Lines single(const std::string& members) {
+  return findings(R"("extensionsUsed": ["GODOT_single_root"], )" + members, {"SINGLE_ROOT"});
+}
+
+TEST(SingleRoot, IsNodeZeroOfTheOnlyScene) {
+  EXPECT_EQ(single(R"("scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}])"), Lines{});
+  EXPECT_EQ(single(R"("scenes": [{"nodes": [0]}], "nodes": [{}])"),
+            Lines{"SINGLE_ROOT_MISSING /scene"});
+  EXPECT_EQ(single(R"("scene": 0, "scenes": [{"nodes": [1]}], "nodes": [{}, {}])"),
+            Lines{"SINGLE_ROOT_MISSING /scenes/0/nodes"});
+  EXPECT_EQ(single(R"("scene": 0, "scenes": [{"nodes": [0]}, {"nodes": [0]}], "nodes": [{}])"),
+            Lines{"SINGLE_ROOT_MISSING /scenes"});
+  EXPECT_EQ(single(R"("scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"scale": [2, 1, 1]}])"),
+            Lines{"SINGLE_ROOT_TRANSFORM /nodes/0"});
+}
+
+Lines interactive(const std::string& graph) {
+  return findings(R"("extensionsUsed": ["KHR_interactivity"],
+    "extensions": {"KHR_interactivity": {"graphs": [{)" +
+                      graph + "}]}}",
+                  {"INTERACTIVITY"});
+}
+const std::string kGraph = " /extensions/KHR_interactivity/graphs/0";
+
+TEST(Interactivity, ValuesAreOfTheirType) {
+  const auto value = [](const std::string& signature, const std::string& elements) {
+    return interactive(R"("types": [{"signature": ")" + signature +
+                       R"("}], "variables": [{"type": 0, "value": [)" + elements + "]}]");
+  };
+  const Lines kind{"INTERACTIVITY_VALUE_KIND" + kGraph + "/variables/0/value"};
+  EXPECT_EQ(value("bool", "false"), Lines{});
+  EXPECT_EQ(value("bool", "0"), kind);
+  EXPECT_EQ(value("int", "2147483647"), Lines{});
+  EXPECT_EQ(value("int", "2147483648"), kind);
+  EXPECT_EQ(value("int", "0.5"), kind);
+  EXPECT_EQ(value("float", "true"), kind);
+  EXPECT_EQ(value("ref", "\"/animations/1\""), Lines{});
+  EXPECT_EQ(value("ref", "\"animations\""), kind);
+  EXPECT_EQ(value("float4x4", "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0"), Lines{});
+  EXPECT_EQ(value("float3", "0, 0"),
+            Lines{"INTERACTIVITY_VALUE_LENGTH" + kGraph + "/variables/0/value"});
+}
+
+TEST(Interactivity, ValuesComeFromBeforeAndFlowsGoBehind) {
+  const auto nodes = [](const std::string& list) {
+    return interactive(R"("declarations": [{"op": "a/b"}], "nodes": [)" + list + "]");
+  };
+  EXPECT_EQ(nodes(R"({"declaration": 0, "flows": {"out": {"node": 1}}},
+    {"declaration": 0, "values": {"a": {"node": 0}}})"),
+            Lines{});
+  EXPECT_EQ(nodes(R"({"declaration": 0, "flows": {"out": {"node": 0}}})"),
+            Lines{"INTERACTIVITY_NODE_ORDER" + kGraph + "/nodes/0/flows/out/node"});
+  EXPECT_EQ(nodes(R"({"declaration": 0, "values": {"a": {"node": 1}}}, {"declaration": 0})"),
+            Lines{"INTERACTIVITY_NODE_ORDER" + kGraph + "/nodes/0/values/a/node"});
+}
+
+TEST(Names, AreUniqueInTheirListOnly) {
+  const auto stage = [](const std::string& name) {
+    return R"({"name": ")" + name +
+           R"(", "type": "xScale", "minimumValue": 0, "maximumValue": 1, "initialValue": 1})";
+  };
+  const auto articulations = [&](const std::string& a, const std::string& b) {
+    return findings(R"("extensionsUsed": ["AGI_articulations"], "extensions": {"AGI_articulations":
+      {"articulations": [{"name": ")" +
+                        a + R"(", "stages": [)" + stage("x") + R"(]}, {"name": ")" + b +
+                        R"(", "stages": [)" + stage("x") + "]}]}}",
+                    {"NAME_", "ARTICULATION"});
+  };
+  EXPECT_EQ(articulations("a", "b"), Lines{});
+  EXPECT_EQ(articulations("a", "a"),
+            Lines{"NAME_REPEATED /extensions/AGI_articulations/articulations/1/name"});
+}
+
+TEST(ExtensionRules, StaySilentInTheKhronosProfile) {
+  EXPECT_EQ(findings(R"("extensionsUsed": ["MSFT_lod"], "nodes": [)" + level("0") + "]", {"LOD_"},
+                     Profile::khronos),
+            Lines{});
+}
+
+}  // namespace
+}  // namespace gltfx::test
