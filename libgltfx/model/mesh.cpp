@@ -21,6 +21,21 @@ std::vector<json::NodeId> objects(const json::Document& document, json::NodeId a
   return found;
 }
 
+// The elements of `targets`, none of them when one is empty or no object.
+std::vector<json::NodeId> whole_targets(const json::Document& document, json::NodeId array) {
+  std::vector<json::NodeId> targets = objects(document, array);
+  const bool broken = std::any_of(targets.begin(), targets.end(), [&](json::NodeId target) {
+    return target == json::kNoNode || document.node(target).next == target + 1;
+  });
+  return broken ? std::vector<json::NodeId>() : targets;
+}
+
+std::optional<std::uint32_t> index_at(const Asset& asset, json::NodeId value, RootArray array) {
+  const json::Document& document = asset.document();
+  if (value == json::kNoNode || !document.is_number(value)) return std::nullopt;
+  return asset.index(document.number(value).value, array);
+}
+
 }  // namespace
 
 std::string_view mode_name(Mode mode) { return kModes[static_cast<std::size_t>(mode)]; }
@@ -49,21 +64,34 @@ const Attribute* Primitive::find(SemanticKind kind, std::uint64_t set) const {
   return at == attributes.end() ? nullptr : &*at;
 }
 
+// One pass over the members: large files have a million primitives, and each is read often.
 Primitive read_primitive(const Asset& asset, json::NodeId object) {
   const json::Document& document = asset.document();
   Primitive primitive;
   primitive.node = object;
-  primitive.attributes_node = object_member(document, object, "attributes");
+  json::NodeId mode = json::kNoNode;
+  json::NodeId targets = json::kNoNode;
+  if (object == json::kNoNode || !document.is_object(object)) return primitive;
+  for (const auto member : document.members(object)) {
+    const std::string_view name = document.key(member.key_id);
+    if (name == "attributes") primitive.attributes_node = member.value;
+    if (name == "indices") primitive.indices_node = member.value;
+    if (name == "material") primitive.material_node = member.value;
+    if (name == "targets") targets = member.value;
+    if (name == "mode") mode = member.value;
+  }
+  if (primitive.attributes_node != json::kNoNode &&
+      !document.is_object(primitive.attributes_node)) {
+    primitive.attributes_node = json::kNoNode;
+  }
   primitive.attributes = read_attributes(asset, primitive.attributes_node);
-  primitive.targets = morph_targets(document, object);
-  primitive.indices_node = document.find(object, "indices");
-  primitive.indices = asset.index(object, "indices", RootArray::accessors);
-  primitive.material_node = document.find(object, "material");
-  primitive.material = asset.index(object, "material", RootArray::materials);
-  if (document.find(object, "mode") != json::kNoNode) {
-    const auto mode = unsigned_member(document, object, "mode");
-    const bool valid = mode && *mode < kModes.size();
-    primitive.mode = valid ? std::optional(static_cast<Mode>(*mode)) : std::nullopt;
+  primitive.targets = whole_targets(document, targets);
+  primitive.indices = index_at(asset, primitive.indices_node, RootArray::accessors);
+  primitive.material = index_at(asset, primitive.material_node, RootArray::materials);
+  if (mode != json::kNoNode) {
+    const auto number = document.unsigned_integer(mode);
+    const bool valid = number && *number < kModes.size();
+    primitive.mode = valid ? std::optional(static_cast<Mode>(*number)) : std::nullopt;
   }
   return primitive;
 }
@@ -73,11 +101,7 @@ std::vector<json::NodeId> primitives(const json::Document& document, json::NodeI
 }
 
 std::vector<json::NodeId> morph_targets(const json::Document& document, json::NodeId primitive) {
-  std::vector<json::NodeId> targets = objects(document, document.find(primitive, "targets"));
-  const bool broken = std::any_of(targets.begin(), targets.end(), [&](json::NodeId target) {
-    return target == json::kNoNode || document.node(target).next == target + 1;
-  });
-  return broken ? std::vector<json::NodeId>() : targets;
+  return whole_targets(document, document.find(primitive, "targets"));
 }
 
 }  // namespace gltfx::model
