@@ -85,7 +85,7 @@ constexpr std::array kExtension{
     Word{"status", F::status, K::none, true},
     Word{"spec", F::url},
     Word{"excludes", F::relations},
-    Word{"requires", F::relations},
+    Word{"requires", F::companions},
     Word{"overriddenBy", F::relations},
     Word{"standalone", F::flag},
     Word{"mustBeRequired", F::requirement},
@@ -109,6 +109,10 @@ constexpr std::array kSlot{
 constexpr std::array kRelation{
     Word{"extension", F::extension_name, K::none, true},
     Word{"because", F::nonempty_text, K::none, true},
+};
+constexpr std::array kCompanion{
+    kRelation[0],
+    kRelation[1],
     Word{"severity", F::severity},
 };
 constexpr std::array kAttribute{
@@ -157,6 +161,8 @@ std::span<const Word> words(Context context) {
       return kSlot;
     case Context::relation:
       return kRelation;
+    case Context::companion:
+      return kCompanion;
     case Context::attribute:
       return kAttribute;
     case Context::generation:
@@ -166,10 +172,11 @@ std::span<const Word> words(Context context) {
 }
 
 std::string_view context_name(Context context) {
-  constexpr std::array<std::string_view, 8> kNames{"a schema file", "a schema",
+  constexpr std::array<std::string_view, 9> kNames{"a schema file", "a schema",
                                                    "x-gltfx",       "x-gltfx of an extension",
                                                    "a slot",        "a relation to an extension",
-                                                   "an attribute",  "a generation"};
+                                                   "a companion",   "an attribute",
+                                                   "a generation"};
   return kNames[static_cast<std::size_t>(context)];
 }
 

@@ -93,6 +93,7 @@ enum class Form : std::uint8_t {
   status,
   url,
   relations,
+  companions,
   severity,
   requirement,
   media_types,
@@ -118,6 +119,7 @@ enum class Context : std::uint8_t {
   extension,
   slot,
   relation,
+  companion,
   attribute,
   generation
 };

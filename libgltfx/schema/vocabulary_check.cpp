@@ -97,6 +97,8 @@ class FileCheck {
         return each_member(node, word, Context::slot);
       case Form::relations:
         return each_element(node, word, Context::relation);
+      case Form::companions:
+        return each_element(node, word, Context::companion);
       case Form::generations:
         return each_element(node, word, Context::generation);
       case Form::semantics:
