@@ -56,7 +56,12 @@ TEST(Help, OfEachVerbListsEveryOptionExamplesAndExitCodes) {
 
 TEST(Help, FitsATerminalOfAHundredAndTenColumns) {
   for (const Verb& verb : verbs()) {
-    EXPECT_THAT(gltfx({verb.name, "--help"}).out, testing::Not(testing::ContainsRegex(".{111}")));
+    const std::string text = gltfx({verb.name, "--help"}).out;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = text.find('\n', at);
+      EXPECT_LE(end - at, 110U) << text.substr(at, end - at);
+      at = end + 1;
+    }
   }
 }
 

@@ -64,7 +64,7 @@ TEST_F(Hook, FailsWithTheReportWhereOneIsNot) {
   const Outcome outcome = try_hook();
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("Failed"), HasSubstr("error[VALUE_NOT_IN_RANGE]"),
-                                 HasSubstr("deep/Faulty.GLTF:2:25"), Not(HasSubstr("notes.txt"))));
+                                 HasSubstr("deep/Faulty.GLTF:2:26"), Not(HasSubstr("notes.txt"))));
 }
 
 }  // namespace

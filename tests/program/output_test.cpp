@@ -49,7 +49,7 @@ class OutputTest : public testing::Test {
 TEST_F(OutputTest, TextNamesPlaceMessageAndSummary) {
   const Outcome outcome = here({"faulty.gltf"});
   EXPECT_THAT(outcome.out, HasSubstr("error[VALUE_NOT_IN_RANGE]"));
-  EXPECT_THAT(outcome.out, HasSubstr("faulty.gltf:2:25"));
+  EXPECT_THAT(outcome.out, HasSubstr("faulty.gltf:2:26"));
   EXPECT_THAT(outcome.out, HasSubstr("1 file checked: 1 error"));
   EXPECT_EQ(outcome.err, "");
 }

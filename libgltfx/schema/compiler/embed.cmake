@@ -5,7 +5,10 @@ get_target_property(schema_sources gltfx_schema SOURCES)
 set(core_sources ${schema_sources})
 list(FILTER core_sources EXCLUDE REGEX "/schema/builtin.cpp$")
 add_library(gltfx_schema_core STATIC ${core_sources})
-target_include_directories(gltfx_schema_core PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)
+target_include_directories(gltfx_schema_core PUBLIC
+  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>
+  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(gltfx_schema_core PUBLIC gltfx_json PRIVATE gltfx_options fmt::fmt)
 
 add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/embed.cpp)
