@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 11> kTypeNames{"",         "bool",     "i
 // Runtime state of a node that the object model shows but nobody may set.
 constexpr std::array<std::string_view, 2> kNodeState{"globalMatrix", "parent"};
 constexpr std::string_view kLength = ".length";
-// From this many members on a table is made of an object that pointers lead through.
-constexpr std::size_t kManyMembers = 24;
+// So many names of extensions are looked at for the one that was meant.
+constexpr std::size_t kCandidates = 24;
 
 // An array index of RFC 6901: decimal without leading zeros.
 std::optional<std::uint64_t> array_index(std::string_view step) {
@@ -93,7 +93,7 @@ struct ObjectModel::Walk {
 };
 
 ObjectModel::ObjectModel(const Asset& asset, const schema::Set& schemas)
-    : asset_(asset), schemas_(schemas) {
+    : asset_(asset), schemas_(schemas), lookup_(asset.document()) {
   const schema::TypeId root = schemas.find_type("glTF");
   if (root != schema::kNone) root_shape_ = schemas.type(root).shape;
 }
@@ -159,7 +159,7 @@ bool ObjectModel::into_object(Walk& walk) {
   const schema::Property* property = schemas_.find_property(id, name);
   if (property != nullptr && name != "extensions") return into_member(walk, *property);
   if (name == "extensions") {
-    walk.node = member(walk.node, name);
+    walk.node = lookup_.member(walk.node, name);
     walk.place = Walk::Place::extensions;
     walk.property = nullptr;
     return true;
@@ -168,7 +168,7 @@ bool ObjectModel::into_object(Walk& walk) {
 }
 
 bool ObjectModel::into_member(Walk& walk, const schema::Property& property) {
-  walk.node = member(walk.node, walk.step());
+  walk.node = lookup_.member(walk.node, walk.step());
   walk.shape = property.shape;
   walk.property = &property;
   walk.element = false;
@@ -189,7 +189,7 @@ bool ObjectModel::missing_member(Walk& walk, const schema::ObjectType& type) {
         Status::immutable,
         fmt::format("{} can be read while the asset is shown, but not set", quoted(name)));
   }
-  if (member(walk.node, name) != json::kNoNode) {
+  if (lookup_.member(walk.node, name) != json::kNoNode) {
     if (type.open) return into_unknown(walk);
     return walk.fail(Status::immutable, fmt::format("{} is no property that glTF knows in {}",
                                                     quoted(name), walk.here()));
@@ -214,7 +214,7 @@ bool ObjectModel::into_array(Walk& walk) {
     walk.target.element = index;
     return true;
   }
-  const std::uint64_t size = array_size(walk.node);
+  const std::uint64_t size = lookup_.size(walk.node);
   if (*index >= size) {
     return walk.fail(Status::unresolved,
                      fmt::format("{} has {}", walk.here(), plural(size, "element")));
@@ -222,7 +222,7 @@ bool ObjectModel::into_array(Walk& walk) {
   walk.shape = items_of(walk.shape);
   walk.element = true;
   const bool numbers = document.kind(walk.node) == json::Kind::number_array;
-  if (!numbers) walk.node = elements(walk.node)[*index];
+  if (!numbers) walk.node = lookup_.elements(walk.node)[*index];
   // The elements of a number array have no members: whatever follows leads nowhere.
   if (numbers && walk.at + 1 < walk.steps.size()) {
     ++walk.at;
@@ -233,13 +233,14 @@ bool ObjectModel::into_array(Walk& walk) {
 
 bool ObjectModel::into_extension(Walk& walk) {
   const std::string& name = walk.step();
-  const json::NodeId object = walk.node == json::kNoNode ? json::kNoNode : member(walk.node, name);
+  const json::NodeId object =
+      walk.node == json::kNoNode ? json::kNoNode : lookup_.member(walk.node, name);
   if (object == json::kNoNode) {
     std::vector<std::string_view> written;
     const json::Document& document = asset_.document();
     if (walk.node != json::kNoNode && document.is_object(walk.node)) {
       for (const auto each : document.members(walk.node)) {
-        if (written.size() < kManyMembers) written.push_back(document.key(each.key_id));
+        if (written.size() < kCandidates) written.push_back(document.key(each.key_id));
       }
     }
     walk.suggest(written);
@@ -269,15 +270,16 @@ bool ObjectModel::into_unknown(Walk& walk) {
   walk.property = nullptr;
   const json::Document& document = asset_.document();
   if (document.is_object(walk.node)) {
-    const json::NodeId next = member(walk.node, walk.step());
+    const json::NodeId next = lookup_.member(walk.node, walk.step());
     if (next != json::kNoNode) {
       walk.node = next;
       return true;
     }
   } else if (document.is_array(walk.node)) {
     const auto index = array_index(walk.step());
-    if (index && *index < array_size(walk.node)) {
-      if (document.kind(walk.node) == json::Kind::array) walk.node = elements(walk.node)[*index];
+    if (index && *index < lookup_.size(walk.node)) {
+      if (document.kind(walk.node) == json::Kind::array)
+        walk.node = lookup_.elements(walk.node)[*index];
       return true;
     }
   }
@@ -321,7 +323,7 @@ void ObjectModel::arrive_at_node(Walk& walk) {
   PropertyTarget& target = walk.target;
   const std::string_view name = walk.property->name;
   if (name != "translation" && target.type != PropertyType::number_array &&
-      member(walk.owner_node, "matrix") != json::kNoNode) {
+      lookup_.member(walk.owner_node, "matrix") != json::kNoNode) {
     walk.fail(Status::unresolved, fmt::format("a node with a matrix has no {} of its own", name));
     return;
   }
@@ -351,46 +353,11 @@ schema::ShapeId ObjectModel::items_of(schema::ShapeId shape) const {
   return shape == schema::kNone ? schema::kNone : schemas_.shape(shape).items;
 }
 
-json::NodeId ObjectModel::member(json::NodeId object, std::string_view name) {
-  const json::Document& document = asset_.document();
-  if (object == json::kNoNode || !document.is_object(object)) return json::kNoNode;
-  auto known = members_.find(object);
-  if (known == members_.end()) {
-    std::size_t count = 0;
-    for (auto at = document.members(object).begin();
-         count < kManyMembers && at != document.members(object).end(); ++at) {
-      ++count;
-    }
-    if (count < kManyMembers) return document.find(object, name);
-    known = members_.try_emplace(object).first;
-    for (const auto each : document.members(object)) known->second[each.key_id] = each.value;
-  }
-  const auto found = known->second.find(document.key_id(name));
-  return found == known->second.end() ? json::kNoNode : found->second;
-}
-
-const std::vector<json::NodeId>& ObjectModel::elements(json::NodeId array) {
-  const auto [known, fresh] = elements_.try_emplace(array);
-  if (fresh) {
-    for (const json::NodeId element : asset_.document().elements(array)) {
-      known->second.push_back(element);
-    }
-  }
-  return known->second;
-}
-
-std::uint64_t ObjectModel::array_size(json::NodeId array) {
-  if (asset_.document().kind(array) == json::Kind::array) return elements(array).size();
-  const auto [known, fresh] = sizes_.try_emplace(array);
-  if (fresh) known->second = asset_.document().array_size(array);
-  return known->second;
-}
-
 std::uint64_t ObjectModel::morph_target_count(json::NodeId node) {
   const auto mesh = asset_.index(node, "mesh", RootArray::meshes);
   if (!mesh) return 0;
   const json::NodeId object = asset_.elements(RootArray::meshes)[*mesh];
-  const auto [known, fresh] = sizes_.try_emplace(object);
+  const auto [known, fresh] = morph_targets_.try_emplace(object);
   if (fresh) {
     const auto all = primitives(asset_.document(), object);
     known->second = all.empty() ? 0 : morph_targets(asset_.document(), all.front()).size();

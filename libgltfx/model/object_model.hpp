@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <vector>
 
 #include "model/asset.hpp"
+#include "model/lookup.hpp"
 #include "schema/set.hpp"
 
 namespace gltfx::model {
@@ -80,17 +80,13 @@ class ObjectModel {
 
   schema::TypeId type_of(schema::ShapeId shape) const;
   schema::ShapeId items_of(schema::ShapeId shape) const;
-  json::NodeId member(json::NodeId object, std::string_view name);
-  const std::vector<json::NodeId>& elements(json::NodeId array);
-  std::uint64_t array_size(json::NodeId array);
   std::uint64_t morph_target_count(json::NodeId node);
 
   const Asset& asset_;
   const schema::Set& schemas_;
   schema::ShapeId root_shape_ = schema::kNone;
-  std::unordered_map<json::NodeId, std::vector<json::NodeId>> elements_;
-  std::unordered_map<json::NodeId, std::unordered_map<json::KeyId, json::NodeId>> members_;
-  std::unordered_map<json::NodeId, std::uint64_t> sizes_;
+  Lookup lookup_;
+  std::unordered_map<json::NodeId, std::uint64_t> morph_targets_;  ///< by mesh
 };
 
 }  // namespace gltfx::model
