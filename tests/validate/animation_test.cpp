@@ -105,6 +105,16 @@ TEST(Animation, SamplerIsUsed) {
             Lines{"UNUSED_OBJECT /animations/0/samplers/0"});
 }
 
+TEST(Animation, KhronosPointersStrayBehindAChannelWithoutSampler) {
+  const std::string members = R"("animations": [{"samplers": [{"input": 0, "output": 1}],
+    "channels": [{"target": {"path": "scale"}}]}])" +
+                              kRest;
+  const std::vector<std::string_view> code{"UNUSED_OBJECT /animations"};
+  EXPECT_EQ(findings(members, code), Lines{"UNUSED_OBJECT /animations/0/samplers/0"});
+  EXPECT_EQ(findings(members, code, Profile::khronos),
+            Lines{"UNUSED_OBJECT /animations/0/channels/0/samplers/0"});
+}
+
 std::string pointer_channel(const std::string& pointer, int index = 0) {
   return "{\"sampler\": " + std::to_string(index) +
          R"(, "target": {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": ")" +

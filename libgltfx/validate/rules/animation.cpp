@@ -2,10 +2,12 @@
 // Animations: keyframes, targets, and that the one fits the other (specification section 3.11).
 #include "model/animation.hpp"
 
+#include <deque>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
+#include "model/fields.hpp"
 #include "model/skin.hpp"
 #include "validate/rules/animation_output.hpp"
 #include "validate/rules/animation_table.hpp"
@@ -42,11 +44,12 @@ class AnimationCheck {
     for (std::size_t i = 0; i < animation.samplers.size(); ++i) {
       check_sampler(animation.samplers[i], Path(samplers, i));
     }
-    const Path channels(path, "channels");
     const auto later = later_channels(animation);
     std::vector<std::uint8_t> used(animation.samplers.size(), 0);
+    Stray stray(path);
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const AnimationChannel& channel = animation.channels[i];
+      const Path channels(stray.path(), "channels");
       const Path at(channels, i);
       check_target(channel, at);
       if (channel.sampler) {
@@ -54,7 +57,36 @@ class AnimationCheck {
         check_output(channel, animation.samplers[*channel.sampler], at);
       }
       if (later[i] != 0) report_duplicate(channel, later[i], at);
+      if (context_.khronos() && !has_sampler_index(channel)) stray.keep(i);
     }
+    report_unused(animation, used, Path(stray.path(), "samplers"));
+  }
+
+  // Behind a channel without a sampler index the Khronos validator goes on as if it were still in
+  // it, so that pointers carry its place along. Some levels of that are enough.
+  class Stray {
+   public:
+    explicit Stray(const Path& animation) : last_(&animation) {}
+    const Path& path() const { return *last_; }
+    void keep(std::size_t channel) {
+      if (steps_.size() >= kMost) return;
+      steps_.emplace_back(*last_, "channels");
+      steps_.emplace_back(steps_.back(), channel);
+      last_ = &steps_.back();
+    }
+
+   private:
+    static constexpr std::size_t kMost = 32;
+    std::deque<Path> steps_;
+    const Path* last_;
+  };
+
+  bool has_sampler_index(const AnimationChannel& channel) const {
+    return model::unsigned_member(context_.document, channel.object, "sampler").has_value();
+  }
+
+  void report_unused(const model::Animation& animation, const std::vector<std::uint8_t>& used,
+                     const Path& samplers) {
     for (std::size_t i = 0; i < used.size(); ++i) {
       if (used[i] != 0) continue;
       report(Path(samplers, i), animation.samplers[i].object, "UNUSED_OBJECT",
