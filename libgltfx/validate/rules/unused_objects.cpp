@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects that nothing refers to, and weights that are always overridden.
+#include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -131,9 +133,13 @@ void check_extension_array(const Context& context, const schema::TargetArray& ta
 
 void check_objects(const Context& context) {
   for (const RootArray array : kArrays) check_array(context, array);
+  std::vector<const schema::TargetArray*> arrays;
   for (const schema::TargetArray& target : context.checked.targets) {
-    if (target.node != json::kNoNode) check_extension_array(context, target);
+    if (target.node != json::kNoNode) arrays.push_back(&target);
   }
+  std::sort(arrays.begin(), arrays.end(),
+            [](const auto* a, const auto* b) { return a->node < b->node; });
+  for (const schema::TargetArray* target : arrays) check_extension_array(context, *target);
 }
 
 // --- Weights of meshes ---
