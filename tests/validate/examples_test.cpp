@@ -18,6 +18,9 @@ namespace {
 // Codes that cannot come alone, with those that come along and why.
 const std::map<std::string_view, std::set<std::string_view>>& companions() {
   static const std::map<std::string_view, std::set<std::string_view>> table{
+      // What lies outside a bound makes it wrong.
+      {"ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND", {"ACCESSOR_MIN_MISMATCH"}},
+      {"ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND", {"ACCESSOR_MAX_MISMATCH"}},
       // The repaired file has data where the broken one has none.
       {"DATA_URI_GLB", {"URI_GLB"}},
       {"URI_GLB", {"NON_RELATIVE_URI"}},

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace gltfx::validate {
 namespace {
@@ -25,7 +27,6 @@ class Vertex {
   bool add_joint(std::uint64_t joint) {
     if (seen_[joint] == stamp_) return false;
     seen_[joint] = stamp_;
-    ++summed_;
     return true;
   }
   void add_weight(double weight) { sum_ = static_cast<double>(static_cast<float>(sum_ + weight)); }
@@ -47,36 +48,45 @@ class InfluenceCheck {
                  const std::function<void(const Influence&)>& emit)
       : joint_count_(joint_count), emit_(emit), vertex_(joint_count) {
     for (const InfluenceSet& set : sets) {
-      joints_.emplace_back(*set.joints, false);
-      weights_.emplace_back(*set.weights, true);
+      joints_.push_back(reader(set.joints, false));
+      weights_.push_back(reader(set.weights, true));
     }
   }
 
   void run() {
     vertex_.begin();
-    for (std::uint64_t index = 0; has_more(); ++index) {
-      for (std::uint32_t set = 0; set < joints_.size(); ++set) check(index, set);
+    for (std::uint64_t index = 0;; ++index) {
+      for (std::uint32_t set = 0; set < joints_.size(); ++set) {
+        if (!check(index, set)) return;
+      }
       if (index % 4 == 3) finish_vertex(index);
     }
   }
 
  private:
-  bool has_more() const {
-    const auto done = [](const NumberReader& reader) { return reader.done(); };
-    return std::none_of(joints_.begin(), joints_.end(), done) &&
-           std::none_of(weights_.begin(), weights_.end(), done);
-  }
+  using Reader = std::optional<NumberReader>;
 
-  void check(std::uint64_t index, std::uint32_t set) {
-    const double joint = joints_[set].next();
-    const double weight = weights_[set].next();
+  static Reader reader(const model::AccessorData* data, bool normalized) {
+    return data != nullptr ? Reader(std::in_place, *data, normalized) : std::nullopt;
+  }
+  static bool has_more(const Reader& reader) { return reader && !reader->done(); }
+
+  // False when there is nothing left to read.
+  bool check(std::uint64_t index, std::uint32_t set) {
+    if (!has_more(joints_[set])) return false;
+    const double joint = joints_[set]->next();
+    const bool weighted = has_more(weights_[set]);
+    const double weight = weighted ? weights_[set]->next() : 0;
     if (joint >= static_cast<double>(joint_count_) || joint < 0) {
       emit_({InfluenceFault::joint_out_of_range, set, index, joint});
-    } else if (weight != 0) {
+      return true;
+    }
+    if (weighted && weight != 0) {
       add(index, set, joint, weight);
-    } else if (joint != 0) {
+    } else if (weighted && joint != 0) {
       emit_({InfluenceFault::joint_without_weight, set, index, joint});
     }
+    return weighted;
   }
 
   void add(std::uint64_t index, std::uint32_t set, double joint, double weight) {
@@ -100,7 +110,7 @@ class InfluenceCheck {
 
   std::uint64_t joint_count_;
   const std::function<void(const Influence&)>& emit_;
-  std::vector<NumberReader> joints_, weights_;
+  std::vector<Reader> joints_, weights_;
   Vertex vertex_;
 };
 

@@ -51,14 +51,15 @@ struct Influence {
   double value = 0;         ///< the joint, the weight or the sum
 };
 
-/// The accessors of one set.
+/// The accessors of one set; null where the data cannot be read.
 struct InfluenceSet {
   const model::AccessorData* joints = nullptr;
   const model::AccessorData* weights = nullptr;
 };
 
-/// Calls `emit` for each fault, in the order of the components and, for one of them, of the sets.
-/// `joint_count` is that of the smallest skin, at least 1.
+/// Calls `emit` for each fault, up to the first joint or weight that cannot be read, in the order
+/// of the components and, for one of them, of the sets. `joint_count` is that of the smallest skin,
+/// at least 1.
 void check_influences_of(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,
                          const std::function<void(const Influence&)>& emit);
 

@@ -168,16 +168,20 @@ class InfluencePhase {
     if (sets == 0) return;
     const model::Primitive primitive = model::read_primitive(phase_.context.asset, object);
     const std::uint64_t vertices = vertex_count(primitive);
-    std::vector<AccessorData> data;
-    data.reserve(sets * 2);  // what readers refer to stays where it is
-    std::vector<InfluenceSet> influences;
+    std::vector<std::optional<AccessorData>> data;
     for (std::size_t set = 0; set < sets; ++set) {
       for (const SemanticKind kind : {SemanticKind::joints, SemanticKind::weights}) {
-        auto opened = open(primitive.find(kind, set), kind, vertices);
-        if (!opened) return;
-        data.push_back(*std::move(opened));
+        const model::Attribute* attribute = primitive.find(kind, set);
+        if (!has_count(attribute, vertices)) return;
+        data.push_back(open(*attribute, kind));
+        // The Khronos validator reads until it meets what cannot be read.
+        if (!data.back() && !phase_.context.khronos()) return;
       }
-      influences.push_back({&data[set * 2], &data[set * 2 + 1]});
+    }
+    std::vector<InfluenceSet> influences(sets);
+    for (std::size_t set = 0; set < sets; ++set) {
+      influences[set] = {data[set * 2] ? &*data[set * 2] : nullptr,
+                         data[set * 2 + 1] ? &*data[set * 2 + 1] : nullptr};
     }
     skinned.attributes = primitive.attributes_node;
     report_.begin(skinned);
@@ -195,12 +199,13 @@ class InfluencePhase {
     return 0;
   }
 
-  std::optional<AccessorData> open(const model::Attribute* attribute, SemanticKind kind,
-                                   std::uint64_t vertices) {
-    if (attribute == nullptr || !attribute->accessor) return std::nullopt;
-    const model::Accessor& accessor = phase_.context.views.accessors[*attribute->accessor];
-    if (accessor.count != vertices) return std::nullopt;
-    auto data = phase_.open(*attribute->accessor);
+  bool has_count(const model::Attribute* attribute, std::uint64_t vertices) const {
+    return attribute != nullptr && attribute->accessor &&
+           phase_.context.views.accessors[*attribute->accessor].count == vertices;
+  }
+
+  std::optional<AccessorData> open(const model::Attribute& attribute, SemanticKind kind) {
+    auto data = phase_.open(*attribute.accessor);
     if (!data || (data->components() != 4 && !phase_.context.khronos())) return std::nullopt;
     const bool numbers = data->format().component == model::ComponentType::float32;
     if (kind == SemanticKind::joints && numbers) return std::nullopt;
