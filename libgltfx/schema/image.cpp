@@ -65,7 +65,7 @@ class Writer {
   }
 };
 
-// Trusts that the bytes were written by Writer, but never reads beyond their end.
+// Trusts that the bytes were written by Writer; notices when there are too few of them.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : at_(bytes.data()), end_(at_ + bytes.size()) {}
@@ -73,30 +73,37 @@ class Reader {
   void operator()(T&... values) {
     (get(values), ...);
   }
-  bool is_done() const { return at_ == end_; }
+  bool is_done() const { return at_ == end_ && !short_; }
 
  private:
+  bool has(std::size_t bytes) {
+    if (static_cast<std::size_t>(end_ - at_) >= bytes) return true;
+    short_ = true;
+    at_ = end_;
+    return false;
+  }
   std::uint64_t get_number() {
     std::uint64_t value = 0;
-    for (int shift = 0; at_ < end_ && shift < 64; shift += 7) {
+    for (int shift = 0; has(1) && shift < 64; shift += 7) {
       const auto byte = static_cast<unsigned char>(*at_++);
       value |= std::uint64_t{byte & 0x7Fu} << shift;
       if (byte < 0x80) break;
     }
     return value - 1;
   }
+  // Everything that is counted takes at least a byte.
   std::size_t get_count() {
-    return static_cast<std::size_t>(
-        std::min<std::uint64_t>(get_number(), static_cast<std::uint64_t>(end_ - at_)));
+    const std::uint64_t count = get_number();
+    return has(count) ? static_cast<std::size_t>(count) : 0;
   }
   template <class T>
   void get(T& value) {
     if constexpr (std::is_same_v<T, double>) {
-      if (end_ - at_ < static_cast<std::ptrdiff_t>(sizeof value)) return;
+      if (!has(sizeof value)) return;
       std::memcpy(&value, at_, sizeof value);
       at_ += sizeof value;
     } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool> || sizeof(T) == 1) {
-      if (at_ < end_) value = static_cast<T>(*at_++);
+      if (has(1)) value = static_cast<T>(*at_++);
     } else if constexpr (std::is_integral_v<T>) {
       value = static_cast<T>(get_number());
     } else {
@@ -120,11 +127,12 @@ class Reader {
   }
   template <class T>
   void get(std::optional<T>& maybe) {
-    if (at_ < end_ && *at_++ != 0) get(maybe.emplace());
+    if (has(1) && *at_++ != 0) get(maybe.emplace());
   }
 
   const char* at_;
   const char* end_;
+  bool short_ = false;
 };
 
 // Names of types that are not the types' own: those of definitions that stand at several homes.

@@ -43,6 +43,7 @@ bool are_fractions(std::string_view raw, bool negative) {
     }
     const bool one = raw[at] == '1';
     if (!one && raw[at] != '0') return false;
+    if (raw[at + 1] >= '0' && raw[at + 1] <= '9') return false;  // 10
     if (raw[at + 1] != '.') continue;
     at += 2;
     while (one ? raw[at] == '0' : raw[at] >= '0' && raw[at] <= '9') ++at;

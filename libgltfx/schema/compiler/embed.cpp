@@ -4,23 +4,6 @@
 namespace gltfx::schema {
 namespace {
 
-// JSON without the blanks between its tokens.
-std::string minified(const std::string& json) {
-  std::string out;
-  bool in_string = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    const bool blank = c == ' ' || c == '\n' || c == '\r' || c == '\t';
-    if (in_string || !blank) out += c;
-    if (in_string && c == '\\' && i + 1 < json.size()) {
-      out += json[++i];
-    } else if (c == '"') {
-      in_string = !in_string;
-    }
-  }
-  return out;
-}
-
 // As an ordinary string literal, a line at a time; bytes beyond ASCII in octal.
 std::string literal(const std::string& text) {
   std::string out = "\n    \"";
@@ -57,6 +40,22 @@ std::string byte_list(const std::string& bytes) {
 
 }  // namespace
 
+std::string minified(const std::string& json) {
+  std::string out;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    const bool blank = c == ' ' || c == '\n' || c == '\r' || c == '\t';
+    if (in_string || !blank) out += c;
+    if (in_string && c == '\\' && i + 1 < json.size()) {
+      out += json[++i];
+    } else if (c == '"') {
+      in_string = !in_string;
+    }
+  }
+  return out;
+}
+
 std::string embed(const std::vector<SourceFile>& files, const std::string& image) {
   constexpr std::size_t kPiece = 16000;
   std::string out =
@@ -64,7 +63,7 @@ std::string embed(const std::vector<SourceFile>& files, const std::string& image
       "namespace gltfx::schema {\nnamespace {\n";
   std::string table;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string text = minified(files[i].text);
+    const std::string& text = files[i].text;
     const std::string name = "kText" + std::to_string(i);
     out += "constexpr std::string_view " + name + "[]{";
     for (std::size_t at = 0; at < text.size(); at += kPiece) {

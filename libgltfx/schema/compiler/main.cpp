@@ -15,6 +15,10 @@
 
 namespace {
 
+using gltfx::schema::Compiled;
+using gltfx::schema::SchemaFault;
+using gltfx::schema::SourceFile;
+
 bool read_file(const std::string& path, std::string& text) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return false;
@@ -28,36 +32,47 @@ bool write_file(const std::string& path, const std::string& text) {
   return static_cast<bool>(file.flush());
 }
 
-// The vocabulary's own schema is embedded but describes no object of an asset.
-bool is_meta(const std::string& name) { return name.rfind("meta/", 0) == 0; }
-
 int fail(const std::string& message) {
   std::fprintf(stderr, "%s\n", message.c_str());
   return 1;
 }
 
+// The vocabulary's own schema is embedded but describes no object of an asset. `root` is the length
+// of what stands before the name inside schema/.
+std::vector<SourceFile> described(const std::vector<SourceFile>& files, std::size_t root) {
+  std::vector<SourceFile> all;
+  for (const SourceFile& file : files) {
+    if (file.name.compare(root, 5, "meta/") != 0) all.push_back(file);
+  }
+  return all;
+}
+
+// Whether the files are free of mistakes; tells each with its place.
+bool are_right(const std::vector<SourceFile>& files) {
+  const Compiled compiled = gltfx::schema::compile(files);
+  for (const SchemaFault& fault : compiled.faults) {
+    std::fprintf(stderr, "%s\n", fault.text().c_str());
+  }
+  return compiled.set != nullptr;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace gltfx::schema;
   if (argc < 4) return fail("usage: gltfx_schema_compiler OUT.cpp ROOT FILE...");
-  const std::string root = argv[2];
+  const std::string root = std::string(argv[2]) + "/";
   std::vector<SourceFile> files;
   for (int i = 3; i < argc; ++i) {
-    SourceFile file{argv[i], {}, false};
-    if (!read_file(root + "/" + file.name, file.text))
-      return fail(root + "/" + file.name + ": cannot be read");
+    SourceFile file{root + argv[i], {}, false};
+    if (!read_file(file.name, file.text)) return fail(file.name + ": cannot be read");
     files.push_back(std::move(file));
   }
-  std::vector<SourceFile> described;
-  for (const SourceFile& file : files) {
-    if (!is_meta(file.name)) described.push_back({root + "/" + file.name, file.text, false});
+  if (!are_right(described(files, root.size()))) return fail("schema/ has mistakes: see above");
+  for (SourceFile& file : files) {
+    file.name.erase(0, root.size());
+    file.text = gltfx::schema::minified(file.text);
   }
-  const Compiled compiled = compile(described);
-  for (const SchemaFault& fault : compiled.faults)
-    std::fprintf(stderr, "%s\n", fault.text().c_str());
-  if (!compiled.set)
-    return fail("the schema files have " + std::to_string(compiled.faults.size()) + " faults");
-  const std::string out = embed(files, write_image(*compiled.set));
+  const Compiled compiled = gltfx::schema::compile(described(files, 0));
+  const std::string out = gltfx::schema::embed(files, gltfx::schema::write_image(*compiled.set));
   return write_file(argv[1], out) ? 0 : fail(std::string(argv[1]) + ": cannot be written");
 }
