@@ -46,11 +46,11 @@ class AnimationCheck {
     }
     const auto later = later_channels(animation);
     std::vector<std::uint8_t> used(animation.samplers.size(), 0);
-    Stray stray(path);
+    const Path channels(path, "channels");
+    Stray stray(channels);
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const AnimationChannel& channel = animation.channels[i];
-      const Path channels(stray.path(), "channels");
-      const Path at(channels, i);
+      const Path at(stray.path(), i);
       check_target(channel, at);
       if (channel.sampler) {
         used[*channel.sampler] = 1;
@@ -59,20 +59,17 @@ class AnimationCheck {
       if (later[i] != 0) report_duplicate(channel, later[i], at);
       if (context_.khronos() && !has_sampler_index(channel)) stray.keep(i);
     }
-    report_unused(animation, used, Path(stray.path(), "samplers"));
+    report_unused(animation, used, Path(*stray.path().parent(), "samplers"));
   }
 
   // Behind a channel without a sampler index the Khronos validator goes on as if it were still in
   // it, so that pointers carry its place along. Some levels of that are enough.
   class Stray {
    public:
-    explicit Stray(const Path& animation) : last_(&animation) {}
+    explicit Stray(const Path& channels) : last_(&channels) {}
     const Path& path() const { return *last_; }
     void keep(std::size_t channel) {
-      if (steps_.size() >= kMost) return;
-      steps_.emplace_back(*last_, "channels");
-      steps_.emplace_back(steps_.back(), channel);
-      last_ = &steps_.back();
+      if (steps_.size() < kMost) last_ = &steps_.emplace_back(*last_, channel);
     }
 
    private:
