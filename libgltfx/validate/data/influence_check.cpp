@@ -29,7 +29,10 @@ class Vertex {
     seen_[joint] = stamp_;
     return true;
   }
-  void add_weight(double weight) { sum_ = static_cast<double>(static_cast<float>(sum_ + weight)); }
+  void add_weight(double weight) {
+    sum_ = static_cast<double>(static_cast<float>(sum_ + weight));
+    ++summed_;
+  }
   double sum() const { return sum_; }
   bool is_normalized() const {
     return std::abs(sum_ - 1.0) <= kSumTolerance * static_cast<double>(summed_);
