@@ -107,7 +107,7 @@ TEST(Animation, SamplerIsUsed) {
 
 TEST(Animation, KhronosPointersStrayBehindAChannelWithoutSampler) {
   const std::string members = R"("animations": [{"samplers": [{"input": 0, "output": 1}],
-    "channels": [{"target": {"path": "scale"}}]}])" +
+    "channels": [{"target": {}}, {"target": {}}]}])" +
                               kRest;
   const std::vector<std::string_view> code{"UNUSED_OBJECT /animations"};
   EXPECT_EQ(findings(members, code), Lines{"UNUSED_OBJECT /animations/0/samplers/0"});
