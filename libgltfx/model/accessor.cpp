@@ -149,8 +149,11 @@ unsigned component_count(ElementType type) { return row(type).components; }
 bool is_matrix(ElementType type) { return row(type).columns > 1; }
 
 std::string format_text(const Format& format) {
-  return fmt::format("{} of {}{}", element_type_name(format.type),
-                     format.normalized ? "normalized " : "", component_type_name(format.component));
+  const std::string_view type = element_type_name(format.type);
+  const std::string_view component = component_type_name(format.component);
+  return fmt::format("{} of {}{}", type.empty() ? "an unknown type" : type,
+                     format.normalized ? "normalized " : "",
+                     component.empty() ? "unknown components" : component);
 }
 
 std::uint64_t packed_stride(const Format& format) {

@@ -50,11 +50,12 @@ class AccessorData {
   /// All but the sparse elements are zeros that take no bytes: the count is not bounded by any.
   bool implied() const { return base_.empty(); }
 
-  /// Elements of a block: a multiple of 12, so that neither triangles nor groups of four are torn.
-  std::size_t block_elements() const { return kBlockValues / components_ / 12 * 12; }
+  /// Elements of a block: a multiple of 48, so that neither triangles nor groups of 2, 4, 8 or 16
+  /// are torn.
+  std::size_t block_elements() const { return kBlockValues / components_ / 48 * 48; }
 
-  /// Copies elements [first, first + count) packed to `to`, which has room for them. `next` is 0 for
-  /// the first call and then kept by the caller, who reads forward.
+  /// Copies elements [first, first + count) packed to `to`, which has room for them. `next` is 0
+  /// for the first call and then kept by the caller, who reads forward.
   void read(std::byte* to, std::uint64_t first, std::size_t count, std::uint64_t& next) const {
     copy(to, first, count);
     replace(to, first, count, next);

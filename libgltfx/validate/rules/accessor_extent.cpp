@@ -19,31 +19,32 @@ void check_alignment(const Context& context, const Extent& extent, const Path& p
   }
   // Where the accessor's own offset is at fault, the sum says nothing new.
   if (!aligned && !context.khronos()) return;
-  const auto& view = context.views.buffer_views[extent.view];
-  if (!view.byte_offset) return;
-  const Checked total = checked_add(*view.byte_offset, offset);
+  const std::uint64_t view_offset = context.views.buffer_views[extent.view].byte_offset.value_or(0);
+  const Checked total = checked_add(view_offset, offset);
   if (!total || *total % extent.component_size == 0) return;
   context.link_sink.report(
-      path, finding_on(context, extent.object, "ACCESSOR_TOTAL_OFFSET_ALIGNMENT",
-                       fmt::format("The data begins at byte {} of the buffer ({} of view {}, and {} "
-                                   "more), which is no multiple of the component size, {} bytes.",
-                                   *total, *view.byte_offset, extent.view, offset,
-                                   extent.component_size)));
+      path,
+      finding_on(context, extent.object, "ACCESSOR_TOTAL_OFFSET_ALIGNMENT",
+                 fmt::format("The data begins at byte {} of the buffer ({} of view {}, and {} "
+                             "more), which is no multiple of the component size, {} bytes.",
+                             *total, view_offset, extent.view, offset, extent.component_size)));
 }
 
 }  // namespace
 
 void check_extent(const Context& context, const Extent& extent, const Path& path) {
+  const bool has_offset = context.document.find(extent.object, "byteOffset") != json::kNoNode;
+  if (has_offset && !extent.byte_offset) return;
   check_alignment(context, extent, path);
   const auto& view = context.views.buffer_views[extent.view];
-  if (!view.byte_length) return;
+  if (!view.byte_length && !context.khronos()) return;
   const std::uint64_t offset = extent.byte_offset.value_or(0);
   const std::uint64_t length = extent.length.value_or(UINT64_MAX);
-  if (fits(offset, length, *view.byte_length)) return;
+  if (view.byte_length && fits(offset, length, *view.byte_length)) return;
   std::string message =
       fmt::format("The elements take {} bytes from byte {} on, but view {} has only {}.", length,
-                  offset, extent.view, *view.byte_length);
-  if (offset > *view.byte_length) {
+                  offset, extent.view, view.byte_length.value_or(0));
+  if (!view.byte_length || offset > *view.byte_length) {
     report_member(context.link_sink, context, path, extent.object, "byteOffset",
                   "ACCESSOR_TOO_LONG", std::move(message));
   } else {

@@ -94,6 +94,8 @@ void report(const MeshState& state, const AttributeUse& use, const Path& path,
 bool has_bounds(const Context& context, const model::Accessor& accessor) {
   const json::Document& document = context.document;
   if (context.khronos()) {
+    if (!accessor.format.known() || !model::is_core_component(accessor.format.component))
+      return false;
     return model::is_sound_bound(document, accessor.format, accessor.min) &&
            model::is_sound_bound(document, accessor.format, accessor.max);
   }
@@ -120,8 +122,8 @@ std::string format_help(const MeshState& state, const AttributeUse& use) {
 
 // True when the format is one the attribute may have, or nothing is known of it.
 bool check_format(const MeshState& state, const AttributeUse& use, const Path& path) {
-  const model::Format& format = use.accessor.format;
-  if (!format.known()) return true;
+  const model::Format format = use.accessor.format;
+  const bool judged = format.known() && model::is_core_component(format.component);
   const FormatList* allowed = state.formats.find(use.attribute, use.target);
   if (allowed == nullptr) {
     if (use.target || format.component != model::ComponentType::uint32) return true;
@@ -130,9 +132,9 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
                        quoted(use.attribute.name), model::format_text(format)));
     return false;
   }
-  if (allows(*allowed, format)) return true;
-  // A component type that no version of glTF has is a fault of the accessor.
-  if (!model::is_core_component(format.component)) return true;
+  if (format.known() && allows(*allowed, format)) return true;
+  // A type that glTF does not have is a fault of the accessor, not of its use.
+  if (!judged && !state.context.khronos()) return true;
   report(state, use, path, "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT",
          fmt::format("{} is {}; it may be {}.", quoted(use.attribute.name),
                      model::format_text(format), formats_text(*allowed)),

@@ -34,6 +34,13 @@ bool is_usable(const Context& context, const Attribute& attribute) {
 
 // --- Attributes ---
 
+// For the Khronos validator a count that is missing differs from one that is there.
+bool differ(const Context& context, std::optional<std::uint64_t> expected,
+            std::optional<std::uint64_t> count) {
+  if (!expected || (!count && !context.khronos())) return false;
+  return expected != count;
+}
+
 void check_attributes(MeshState& state, const Primitive& primitive, const Path& path) {
   const Context& context = state.context;
   std::optional<std::uint64_t> count;
@@ -45,11 +52,12 @@ void check_attributes(MeshState& state, const Primitive& primitive, const Path& 
                at);
     check_attribute(state, use, at);
     if (!count) count = use.accessor.count;
-    if (count && use.accessor.count && *count != *use.accessor.count) {
+    if (differ(context, count, use.accessor.count)) {
       context.link_sink.report(
-          at, finding_on(context, attribute.value, "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT",
-                         fmt::format("{} has {} elements, but the first attribute has {}.",
-                                     quoted(attribute.name), *use.accessor.count, *count)));
+          at,
+          finding_on(context, attribute.value, "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT",
+                     fmt::format("{} has {} elements, but the first attribute has {}.",
+                                 quoted(attribute.name), use.accessor.count.value_or(0), *count)));
     }
     check_shared_view(state, use, at);
   }
@@ -89,7 +97,8 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
                        fmt::format("View {} holds indices, but has a byteStride.",
                                    *accessor.buffer_view)));
   }
-  if (!accessor.format.known() || is_index_format(accessor.format)) return;
+  if (is_index_format(accessor.format)) return;
+  if (!accessor.format.known() && !context.khronos()) return;
   context.link_sink.report(
       at, finding_on(context, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT",
                      fmt::format("Indices are {}; they may be SCALAR of UNSIGNED_BYTE, "
@@ -179,12 +188,13 @@ void check_base(const Context& context, const Attribute& attribute, const Attrib
   if (!base->accessor) return;
   const auto count = accessor_of(context, attribute).count;
   const auto expected = accessor_of(context, *base).count;
-  if (!count || !expected || *count == *expected) return;
+  const bool wrong = context.khronos() ? count != expected : differ(context, expected, count);
+  if (!wrong) return;
   context.link_sink.report(
       path,
       finding_on(context, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT",
-                 fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name), *count,
-                             *expected)));
+                 fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name),
+                             count.value_or(0), expected.value_or(0))));
 }
 
 bool can_be_morphed(const Context& context, const Attribute& attribute) {

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/rules/active_extensions.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -55,10 +56,19 @@ constexpr std::array kArrays{RootArray::accessors, RootArray::buffers, RootArray
 void mark_nodes(const Context& context, json::NodeId object, std::string_view member,
                 std::vector<bool>& used) {
   const json::NodeId array = context.document.find(object, member);
-  if (array == json::kNoNode || context.document.kind(array) != json::Kind::number_array) return;
-  for (json::NumberCursor at(context.document, array); at.valid(); at.advance()) {
-    const auto index = context.asset.index(at.number().value, RootArray::nodes);
+  if (array == json::kNoNode || !context.document.is_array(array)) return;
+  const auto mark = [&](double number) {
+    const auto index = context.asset.index(number, RootArray::nodes);
     if (index) used[*index] = true;
+  };
+  if (context.document.kind(array) == json::Kind::number_array) {
+    for (json::NumberCursor at(context.document, array); at.valid(); at.advance()) {
+      mark(at.number().value);
+    }
+    return;
+  }
+  for (const json::NodeId element : context.document.elements(array)) {
+    if (context.document.is_number(element)) mark(context.document.number(element).value);
   }
 }
 
@@ -115,9 +125,11 @@ void check_array(const Context& context, RootArray array) {
 }
 
 // An array of an extension at the root, such as lights.
-void check_extension_array(const Context& context, const schema::TargetArray& target) {
+void check_extension_array(const Context& context, const ActiveExtensions& active,
+                           const schema::TargetArray& target) {
   const auto steps = split_pointer(target.pointer);
   if (!steps || steps->size() != 3 || steps->front() != "extensions") return;
+  if (!active.contains((*steps)[1])) return;
   if (context.document.kind(target.node) != json::Kind::array) return;
   const Path root;
   const Path extensions(root, (*steps)[0]);
@@ -133,13 +145,14 @@ void check_extension_array(const Context& context, const schema::TargetArray& ta
 
 void check_objects(const Context& context) {
   for (const RootArray array : kArrays) check_array(context, array);
+  const ActiveExtensions active(context);
   std::vector<const schema::TargetArray*> arrays;
   for (const schema::TargetArray& target : context.checked.targets) {
     if (target.node != json::kNoNode) arrays.push_back(&target);
   }
   std::sort(arrays.begin(), arrays.end(),
             [](const auto* a, const auto* b) { return a->node < b->node; });
-  for (const schema::TargetArray* target : arrays) check_extension_array(context, *target);
+  for (const schema::TargetArray* target : arrays) check_extension_array(context, active, *target);
 }
 
 // --- Weights of meshes ---
