@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <type_traits>
 
 namespace gltfx::validate::kernels {
 namespace {
@@ -12,6 +13,27 @@ namespace {
 using Count = std::uint32_t;
 
 constexpr std::size_t kSums = 256;
+
+// Flips the sign bit of integers whose order SSE2 does not know; wraps around for all others.
+template <typename T>
+typename Ordered<T>::Type to_ordered(T value) {
+  using Key = typename Ordered<T>::Type;
+  if constexpr (std::is_same_v<T, Key>) {
+    return value;
+  } else {
+    constexpr auto kSign = static_cast<T>(T{1} << (sizeof(T) * 8 - 1));
+    return static_cast<Key>(static_cast<T>(value ^ kSign));
+  }
+}
+template <typename T>
+T from_ordered(typename Ordered<T>::Type key) {
+  if constexpr (std::is_same_v<T, typename Ordered<T>::Type>) {
+    return key;
+  } else {
+    constexpr auto kSign = static_cast<T>(T{1} << (sizeof(T) * 8 - 1));
+    return static_cast<T>(static_cast<T>(key) ^ kSign);
+  }
+}
 
 }  // namespace
 
@@ -73,9 +95,12 @@ std::size_t count_bad_signs(const float* values, std::size_t count) {
 
 template <typename T>
 T greatest(const T* values, std::size_t count) {
-  T most = 0;
-  for (std::size_t i = 0; i < count; ++i) most = values[i] > most ? values[i] : most;
-  return most;
+  auto most = to_ordered(T{0});
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto key = to_ordered(values[i]);
+    most = key > most ? key : most;
+  }
+  return from_ordered<T>(most);
 }
 
 template <typename T>
@@ -129,27 +154,20 @@ std::size_t count_degenerate(const T* indices, std::size_t count) {
 }
 
 template <typename T>
-template <unsigned Lanes>
+template <unsigned Lanes, bool Greatest>
 void Extremes<T>::fold(const T* values, std::size_t count) {
-  std::array<T, Lanes> best;
+  std::array<Key, Lanes> best;
   std::copy_n(lanes_.begin(), Lanes, best.begin());
   std::size_t done = 0;
-  if (greatest_) {
-    for (; done + Lanes <= count; done += Lanes) {
-      for (unsigned i = 0; i < Lanes; ++i) {
-        best[i] = values[done + i] > best[i] ? values[done + i] : best[i];
-      }
-    }
-  } else {
-    for (; done + Lanes <= count; done += Lanes) {
-      for (unsigned i = 0; i < Lanes; ++i) {
-        best[i] = values[done + i] < best[i] ? values[done + i] : best[i];
-      }
+  for (; done + Lanes <= count; done += Lanes) {
+    for (unsigned i = 0; i < Lanes; ++i) {
+      const Key key = to_ordered(values[done + i]);
+      best[i] = (Greatest ? key > best[i] : key < best[i]) ? key : best[i];
     }
   }
-  for (std::size_t i = 0; done + i < count; ++i) {
-    const T value = values[done + i];
-    if (greatest_ ? value > best[i] : value < best[i]) best[i] = value;
+  for (unsigned i = 0; done + i < count; ++i) {
+    const Key key = to_ordered(values[done + i]);
+    if (Greatest ? key > best[i] : key < best[i]) best[i] = key;
   }
   std::copy_n(best.begin(), Lanes, lanes_.begin());
 }
@@ -158,34 +176,29 @@ template <typename T>
 void Extremes<T>::add(const T* values, std::size_t elements) {
   if (elements == 0) return;
   if (!begun_) {
-    for (unsigned i = 0; i < components_ * 4; ++i) lanes_[i] = values[i % components_];
+    for (unsigned i = 0; i < kMostLanes; ++i) lanes_[i] = to_ordered(values[i % components_]);
     begun_ = true;
   }
   const std::size_t count = elements * components_;
   switch (components_) {
-    case 1:
-      return fold<4>(values, count);
-    case 2:
-      return fold<8>(values, count);
     case 3:
-      return fold<12>(values, count);
-    case 4:
-      return fold<16>(values, count);
+      return fold<24>(values, count);
     case 9:
       return fold<36>(values, count);
-    default:
+    case 16:
       return fold<64>(values, count);
+    default:
+      return fold<16>(values, count);
   }
 }
 
 template <typename T>
 T Extremes<T>::of(unsigned component) const {
-  T best = lanes_[component];
-  for (unsigned i = 1; i < 4; ++i) {
-    const T value = lanes_[i * components_ + component];
-    if (greatest_ ? value > best : value < best) best = value;
+  Key best = lanes_[component];
+  for (unsigned i = component; i < kMostLanes; i += components_) {
+    if (greatest_ ? lanes_[i] > best : lanes_[i] < best) best = lanes_[i];
   }
-  return best;
+  return from_ordered<T>(best);
 }
 
 template UnitCount count_non_unit<3>(const float*, std::size_t);

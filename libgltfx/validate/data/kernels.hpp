@@ -44,25 +44,50 @@ std::size_t count_equal(const T* values, std::size_t count, T wanted);
 template <typename T>
 std::size_t count_degenerate(const T* indices, std::size_t count);
 
+/// A type whose order vector instructions know, and that has the order of T.
+template <typename T>
+struct Ordered {
+  using Type = T;
+};
+template <>
+struct Ordered<std::int8_t> {
+  using Type = std::uint8_t;
+};
+template <>
+struct Ordered<std::uint16_t> {
+  using Type = std::int16_t;
+};
+template <>
+struct Ordered<std::uint32_t> {
+  using Type = std::int32_t;
+};
+
 /// Smallest (or greatest) value of each component over any number of blocks. A first value that is
 /// no number stays, a later one does not count.
 template <typename T>
 class Extremes {
  public:
   Extremes(unsigned components, bool greatest) : components_(components), greatest_(greatest) {}
-  /// `elements` elements of packed components.
+  /// `elements` elements of packed components. All calls but the last have a multiple of 16.
   void add(const T* values, std::size_t elements);
   T of(unsigned component) const;
 
  private:
+  using Key = typename Ordered<T>::Type;
   static constexpr unsigned kMostLanes = 64;
-  template <unsigned Lanes>
+
+  template <unsigned Lanes, bool Greatest>
   void fold(const T* values, std::size_t count);
+  template <unsigned Lanes>
+  void fold(const T* values, std::size_t count) {
+    greatest_ ? fold<Lanes, true>(values, count) : fold<Lanes, false>(values, count);
+  }
 
   unsigned components_;
   bool greatest_;
   bool begun_ = false;
-  std::array<T, kMostLanes> lanes_{};  // four for each component, so that whole vectors fit
+  /// Several for each component, so that whole vectors fit and do not wait for each other.
+  std::array<Key, kMostLanes> lanes_{};
 };
 
 }  // namespace gltfx::validate::kernels
