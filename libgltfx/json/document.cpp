@@ -91,8 +91,20 @@ std::size_t Document::object_size(NodeId object) const {
 }
 
 NodeId Document::find(NodeId object, std::string_view name) const {
-  const KeyId id = key_id(name);
-  return id == kNoKey ? kNoNode : find(object, id);
+  if (object == kNoNode || !is_object(object)) return kNoNode;
+  // Most objects are small: comparing names costs less than hashing the wanted one.
+  constexpr NodeId kFewNodes = 48;
+  const Node* const nodes = nodes_.data();
+  const NodeId end = nodes[object].next;
+  if (end - object > kFewNodes) {
+    const KeyId id = key_id(name);
+    return id == kNoKey ? kNoNode : find(object, id);
+  }
+  NodeId found = kNoNode;
+  for (NodeId key = object + 1; key < end; key = nodes[key + 1].next) {
+    if (keys_.name(nodes[key].next) == name) found = key + 1;
+  }
+  return found;
 }
 
 NodeId Document::find(NodeId object, KeyId name) const {

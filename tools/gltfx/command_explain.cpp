@@ -8,7 +8,6 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
-#include "container/base64.hpp"
 #include "terminal.hpp"
 
 namespace gltfx::tool {
@@ -17,28 +16,18 @@ namespace {
 constexpr std::string_view kBinary = "base64:";
 constexpr std::size_t kIndent = 2;
 
-// An example as bytes: JSON text, or a GLB given in base64.
-std::string example_bytes(std::string_view example) {
-  if (!example.starts_with(kBinary)) return std::string(example);
-  auto bytes = container::decode_base64(example.substr(kBinary.size()));
-  return bytes ? *std::move(bytes) : std::string();
-}
-
 std::string example_text(std::string_view example) {
   if (!example.starts_with(kBinary)) return indented(example, kIndent + 2);
   return fmt::format("    (a binary file of {} bytes)\n", example_bytes(example).size());
 }
 
 // What `gltfx validate` says about an example, as it would be printed.
-std::string verdict_on(std::string_view example, bool color) {
-  const char* name = example.starts_with(kBinary) ? "example.glb" : "example.gltf";
-  ValidateOptions options;
-  options.profile = Profile::strict;
+std::string verdict_on(const RuleDescription& rule, bool color) {
   FormatOptions format;
   format.color = color;
   format.quiet = true;
   format.command = "gltfx";
-  const FileReport report = validate_bytes(example_bytes(example), name, options);
+  const FileReport report = validate_example(rule, rule.bad);
   const auto writer = make_report_writer(ReportFormat::text, format);
   std::string text;
   writer->begin(text);
@@ -77,7 +66,7 @@ std::string explanation(const RuleDescription& rule, bool color) {
     heading("An asset that raises it");
     text += example_text(rule.bad);
     heading("which is reported as");
-    text += indented(verdict_on(rule.bad, color), kIndent + 2);
+    text += indented(verdict_on(rule, color), kIndent + 2);
   }
   if (!rule.good.empty()) {
     heading("The same asset, mended");

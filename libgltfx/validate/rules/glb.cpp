@@ -65,9 +65,8 @@ constexpr RuleDescription kRules[] = {
     {"GLB_LENGTH_TOO_SMALL", Severity::error,
      "The length in the GLB header leaves no room for a chunk",
      "The header alone takes twelve bytes; a JSON chunk must follow.",
-     "Write the length of the whole file into bytes 8 to 11.",
-     "base64:Z2xURgIAAAAMAAAAHAAAAEpTT057ImFzc2V0Ijp7InZlcnNpb24iOiIyLjAifX0g", kGood, Fix::none,
-     true},
+     "Write the length of the whole file into bytes 8 to 11.", "base64:Z2xURgIAAAAMAAAA", kGood,
+     Fix::none, true},
     {"GLB_TOO_MANY_CHUNKS", Severity::error, "A GLB has thousands of chunks",
      "An asset needs two. Files with thousands are made to keep a reader busy.",
      "Remove the chunks that hold neither the JSON text nor binary data.",
@@ -77,8 +76,8 @@ constexpr RuleDescription kRules[] = {
     {"GLB_UNEXPECTED_BIN_CHUNK", Severity::error, "The BIN chunk of a GLB is not the second chunk",
      "Readers look for binary data right behind the JSON chunk and nowhere else.",
      "Move the BIN chunk behind the JSON chunk, other chunks behind both.",
-     "base64:Z2xURgIAAABwAAAARAAAAEpTT057ImFzc2V0Ijp7InZlcnNpb24iOiIyLjAifSwiYnVmZmVycyI6W3siY"
-     "nl0ZUxlbmd0aCI6NCwiZXh0cmFzIjp7fX1dfQQAAABYWFhYAAAAAAQAAABCSU4AAQIDBA==",
+     "base64:Z2xURgIAAABIAAAAHAAAAEpTT057ImFzc2V0Ijp7InZlcnNpb24iOiIyLjAifX0gBAAAAFhYWFgAAAAAB"
+     "AAAAEJJTgABAgME",
      kGood, Fix::none, true},
     {"GLB_UNEXPECTED_END_OF_CHUNK_DATA", Severity::error, "A GLB ends inside a chunk",
      "The file was cut off: part of the data is missing.", "Export or copy the file again.",

@@ -34,7 +34,7 @@ constexpr RuleDescription kRules[] = {
     {"VRM_ASSET", Severity::info, "The asset is a VRM avatar",
      "VRM adds rules of its own (bones, expressions, licence) that are not checked here.",
      "Check it with a VRM tool as well.",
-     R"({"asset": {"version": "2.0"}, "extensions": {"VRM": {}}, "extensionsUsed": ["VRM"]})",
+     R"({"asset": {"version": "2.0"}, "extensions": {"VRMC_vrm": {}}, "extensionsUsed": ["VRMC_vrm"]})",
      kMinimal, Fix::none, false},
 };
 
