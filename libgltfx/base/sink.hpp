@@ -19,7 +19,7 @@ namespace gltfx {
 struct Finding {
   std::string_view code;  ///< static storage: the code of a rule
   std::string message;    ///< one sentence; asset text in it is neutralised by the formatters
-  std::string help;       ///< what to do in this very case; empty: the rule's remedy is used
+  std::string help;       ///< what to do in this very case; may be empty
   Span span;              ///< bytes of the JSON text to mark; empty: no place in the text
   std::optional<Severity> severity;  ///< instead of the rule's default
   std::uint64_t count = 1;           ///< faults of this kind that one finding stands for

@@ -38,6 +38,15 @@ std::string nearest_name(const json::Document& document, std::string_view pointe
   return name != json::kNoNode && document.is_string(name) ? document.string(name) : std::string();
 }
 
+// A remedy in the form of the other helps: no capital, no full stop where it is one sentence.
+std::string as_help(std::string_view remedy) {
+  std::string help(remedy);
+  const bool word = help.size() > 1 && help[1] >= 'a' && help[1] <= 'z';
+  if (word && help[0] >= 'A' && help[0] <= 'Z') help[0] = static_cast<char>(help[0] + 32);
+  if (help.find(". ") == std::string::npos && !help.empty() && help.back() == '.') help.pop_back();
+  return help;
+}
+
 }  // namespace
 
 Collector::Collector(const ValidateOptions& options) : options_(options) {
@@ -103,6 +112,13 @@ void Collector::report_file(Phase phase, Finding finding) {
 
 void Collector::store(Phase phase, Severity severity, Finding finding, std::string pointer,
                       std::optional<std::uint64_t> offset) {
+  // What is wrong between objects seldom tells what to do by itself; a wrong value does.
+  const bool between_objects = phase == Phase::reference || phase == Phase::resources;
+  const bool loud = severity == Severity::error || severity == Severity::warning;
+  if (finding.help.empty() && between_objects && loud && options_.profile != Profile::khronos) {
+    const RuleDescription* rule = find_rule(finding.code);
+    if (rule != nullptr) finding.help = as_help(rule->remedy);
+  }
   Entry entry;
   entry.span = finding.span;
   entry.diagnostic.code = finding.code;

@@ -25,7 +25,8 @@ namespace gltfx::validate {
 enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };
 inline constexpr std::size_t kPhaseCount = 6;
 
-/// Findings of one asset. A repeat of a code at the same place, but for array indices, is folded
+/// Findings of one asset. One about how objects go together that has no help of its own gets the
+/// rule's remedy. A repeat of a code at the same place, but for array indices, is folded
 /// into the first (not in the khronos profile), so a million faults cost a counter.
 class Collector {
  public:

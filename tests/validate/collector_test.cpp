@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How findings become a report: severities, filters, folding, order, places and names.
+#include <gltfx/pipeline.hpp>
+
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include <gltfx/pipeline.hpp>
 
 #include "validate/verdict.hpp"
 
@@ -90,7 +90,8 @@ TEST(Collector, KnowsThePlaceAndTheNameOfTheObject) {
 }
 
 TEST(Collector, FindingsStandInTheOrderOfThePhases) {
-  const Lines wanted{"JSON_DUPLICATE_KEY ", "UNEXPECTED_PROPERTY /a", "UNRESOLVED_REFERENCE /scene"};
+  const Lines wanted{"JSON_DUPLICATE_KEY ", "UNEXPECTED_PROPERTY /a",
+                     "UNRESOLVED_REFERENCE /scene"};
   EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.0", "version": "2.0"}, "scene": 0, "a": 1})"),
             wanted);
 }

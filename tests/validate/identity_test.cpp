@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that are not quite glTF 2.0 are named for what they are, once.
+#include <gltfx/pipeline.hpp>
+
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include <gltfx/pipeline.hpp>
 
 #include "validate/verdict.hpp"
 
@@ -61,9 +61,7 @@ TEST(Identity, GitLfsPointerIsAnErrorOnRequest) {
   EXPECT_EQ(validate_bytes(kPointer, "model.gltf", options).counts.errors, 1U);
 }
 
-TEST(Identity, AnEmptyFileIsNoAsset) {
-  EXPECT_EQ(test::verdict(""), Lines{"INVALID_JSON "});
-}
+TEST(Identity, AnEmptyFileIsNoAsset) { EXPECT_EQ(test::verdict(""), Lines{"INVALID_JSON "}); }
 
 TEST(Identity, JsonUnderTheNameOfAGlbIsToldSo) {
   const FileReport report = validate_bytes(R"({"asset": {"version": "2.0"}})", "a.glb");
