@@ -41,7 +41,8 @@ class Lexer {
 
   void raw_literal() {
     const std::size_t open = std::min(text_.find('(', at_), text_.size());
-    const std::string close = ")" + std::string(text_.substr(at_ + 2, open - at_ - 2)) + "\"";
+    std::string close(1, ')');
+    close.append(text_.substr(at_ + 2, open - at_ - 2)).append(1, '"');
     const std::size_t end = std::min(text_.find(close, open), text_.size());
     lexed_.literals.push_back(
         {line_of(text_, at_), std::string(text_.substr(open + 1, end - open - 1)), true});
