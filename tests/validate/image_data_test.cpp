@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images as the data phase sees them: format, header, declared type; textures that use them.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "image/png_builder.hpp"
+#include "validate/data_asset.hpp"
+
+namespace gltfx::test {
+namespace {
+
+const std::set<std::string, std::less<>>& image_codes() {
+  static const std::set<std::string, std::less<>> codes{"IMAGE_DATA_INVALID",
+                                                        "IMAGE_FEATURES_UNSUPPORTED",
+                                                        "IMAGE_MIME_TYPE_INVALID",
+                                                        "IMAGE_NON_ENABLED_MIME_TYPE",
+                                                        "IMAGE_NPOT_DIMENSIONS",
+                                                        "IMAGE_UNEXPECTED_EOS",
+                                                        "IMAGE_UNRECOGNIZED_FORMAT",
+                                                        "INVALID_URI",
+                                                        "TEXTURE_INVALID_IMAGE_MIME_TYPE"};
+  return codes;
+}
+
+std::string image_uri(const std::string& type, const std::string& bytes) {
+  return "data:" + type + ";base64," + base64(bytes);
+}
+
+// An image behind a data URI, and what the root has beside it.
+std::string with_image(const std::string& type, const std::string& bytes,
+                       const std::string& more = {}, const std::string& root = {}) {
+  return asset_with(R"("images": [{"uri": ")" + image_uri(type, bytes) + "\"" + more + "}]" + root);
+}
+
+Lines about(const std::string& asset, Profile profile = Profile::standard) {
+  return selected(asset, image_codes(), profile);
+}
+
+std::string ktx2() { return "\xabKTX 20\xbb\r\n\x1a\n" + std::string(80, '\0'); }
+std::string small_webp() { return webp("VP8L", std::string("\x2f\xff\xc0\x1f\x00", 5)); }
+
+TEST(Images, ThatAreRightAreSilent) {
+  EXPECT_EQ(about(with_image("image/png", png())), Lines());
+  EXPECT_EQ(about(with_image("image/jpeg", jpeg(jpeg_frame(3)))), Lines());
+  EXPECT_EQ(about(with_image("image/png", png(), R"(, "mimeType": "image/png")")), Lines());
+}
+
+TEST(Images, InABufferViewAreReadFromThere) {
+  DataAsset asset;
+  asset.view(png(png_chunk("gAMA", "12345")));
+  asset.view(png());
+  const std::string images =
+      R"("images": [{"bufferView": 0, "mimeType": "image/png"}, {"bufferView": 1, "mimeType": "image/jpeg"}])";
+  EXPECT_EQ(about(asset.text(images)), (Lines{"IMAGE_DATA_INVALID /images/0",
+                                              "IMAGE_MIME_TYPE_INVALID /images/1/bufferView"}));
+}
+
+TEST(Images, OfUnknownFormat) {
+  EXPECT_EQ(about(with_image("image/png", "GIF89a, and some more bytes")),
+            (Lines{"IMAGE_UNRECOGNIZED_FORMAT /images/0"}));
+  EXPECT_EQ(about(with_image("image/png", "")), (Lines{"IMAGE_UNRECOGNIZED_FORMAT /images/0"}));
+}
+
+TEST(Images, CutAtEveryByteOfTheirHeaderAreNamedAndNeverReadBeyond) {
+  const std::string whole = png();
+  for (std::size_t size = 14; size < whole.find("IDAT") + 4; ++size) {
+    EXPECT_EQ(about(with_image("image/png", whole.substr(0, size))),
+              (Lines{"IMAGE_UNEXPECTED_EOS /images/0"}))
+        << size;
+  }
+}
+
+TEST(Images, HeadersThatCannotBeMeantAreInvalidOnlyForUs) {
+  const std::string asset = with_image("image/png", png({}, {4, 4, 3, 2, 0}));
+  EXPECT_EQ(about(asset), (Lines{"IMAGE_DATA_INVALID /images/0"}));
+  EXPECT_EQ(about(asset, Profile::khronos), Lines());
+}
+
+TEST(Images, OfAnotherFormatThanTheySay) {
+  EXPECT_EQ(about(with_image("image/png", png(), R"(, "mimeType": "image/jpeg")")),
+            (Lines{"IMAGE_MIME_TYPE_INVALID /images/0/uri"}));
+  const std::string uri = with_image("image/jpeg", png());
+  EXPECT_EQ(about(uri), (Lines{"IMAGE_MIME_TYPE_INVALID /images/0/uri"}));
+  EXPECT_EQ(about(uri, Profile::khronos), (Lines{"INVALID_URI /images/0/uri"}));
+}
+
+TEST(Images, WhoseSidesAreNoPowersOfTwoAreAHint) {
+  const std::string asset = with_image("image/png", png({}, {5, 4, 8, 2, 0}));
+  ValidateOptions standard;
+  EXPECT_EQ(verdict(asset, standard), (Lines{"UNUSED_OBJECT /images/0"}));
+  EXPECT_EQ(about(asset, Profile::strict), (Lines{"IMAGE_NPOT_DIMENSIONS /images/0"}));
+  const FileReport report = validate_bytes(asset, "test", [] {
+    ValidateOptions options;
+    options.profile = Profile::khronos;
+    options.select = {"IMAGE_NPOT_DIMENSIONS"};
+    return options;
+  }());
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].severity, Severity::info);
+}
+
+Severity feature_severity(const std::string& asset, Profile profile) {
+  ValidateOptions options;
+  options.profile = profile;
+  options.select = {"IMAGE_FEATURES_UNSUPPORTED"};
+  const FileReport report = validate_bytes(asset, "test", options);
+  return report.diagnostics.empty() ? Severity::hint : report.diagnostics[0].severity;
+}
+
+TEST(Images, ColourSpacesOfTheirOwnAreAnInfoAndForKhronosAWarning) {
+  const std::string gamma = with_image("image/png", png(png_chunk("gAMA", be32(60000))));
+  EXPECT_EQ(feature_severity(gamma, Profile::standard), Severity::info);
+  EXPECT_EQ(feature_severity(gamma, Profile::khronos), Severity::warning);
+  const std::string linear = with_image("image/png", png(png_chunk("gAMA", be32(100000))));
+  EXPECT_EQ(about(linear), Lines());
+}
+
+TEST(Images, AnimationsAreAWarningInPngOnlyForUs) {
+  const std::string animated = with_image("image/png", png(png_chunk("acTL", "12345678")));
+  EXPECT_EQ(feature_severity(animated, Profile::standard), Severity::warning);
+  EXPECT_EQ(about(animated, Profile::khronos), Lines());
+}
+
+const std::string kWebp = R"(, "extensionsUsed": ["EXT_texture_webp"])";
+
+TEST(Images, OfFormatsThatExtensionsBringNeedThem) {
+  EXPECT_EQ(about(with_image("image/webp", small_webp())),
+            (Lines{"IMAGE_NON_ENABLED_MIME_TYPE /images/0"}));
+  EXPECT_EQ(about(with_image("image/webp", small_webp(), {}, kWebp)), Lines());
+  EXPECT_EQ(about(with_image("image/webp", small_webp(), {}, kWebp), Profile::khronos), Lines());
+}
+
+TEST(Images, Ktx2IsToldByItsFirstBytes) {
+  const std::string basis = R"(, "extensionsUsed": ["KHR_texture_basisu"])";
+  EXPECT_EQ(about(with_image("image/ktx2", ktx2())),
+            (Lines{"IMAGE_NON_ENABLED_MIME_TYPE /images/0"}));
+  EXPECT_EQ(about(with_image("image/ktx2", ktx2(), {}, basis)), Lines());
+  EXPECT_EQ(about(with_image("image/ktx2", ktx2(), {}, basis), Profile::khronos),
+            (Lines{"IMAGE_UNRECOGNIZED_FORMAT /images/0"}));
+}
+
+TEST(Images, ThatUnknownExtensionsHaveASayInAreSkippedByKhronos) {
+  const std::string asset =
+      with_image("image/png", "GIF89a, and some more bytes", R"(, "extensions": {"VENDOR_x": {}})");
+  EXPECT_EQ(about(asset, Profile::khronos), (Lines{"INVALID_URI /images/0/uri"}));
+  EXPECT_EQ(about(asset), (Lines{"IMAGE_UNRECOGNIZED_FORMAT /images/0"}));
+}
+
+std::string with_texture(const std::string& texture) {
+  return with_image("image/webp", small_webp(), {}, kWebp + R"(, "textures": [)" + texture + "]");
+}
+
+TEST(Textures, ShowPngAndJpeg) {
+  EXPECT_EQ(about(with_texture(R"({"source": 0})")),
+            (Lines{"TEXTURE_INVALID_IMAGE_MIME_TYPE /textures/0/source"}));
+  EXPECT_EQ(about(with_texture(R"({"source": 0})"), Profile::khronos),
+            (Lines{"TEXTURE_INVALID_IMAGE_MIME_TYPE /textures/0/source"}));
+  EXPECT_EQ(about(with_texture(R"({"extensions": {"EXT_texture_webp": {"source": 0}}})")), Lines());
+}
+
+TEST(Textures, ExtensionsShowTheirOwnFormat) {
+  const std::string asset = with_image(
+      "image/png", png(), {},
+      kWebp +
+          R"(, "textures": [{"source": 0, "extensions": {"EXT_texture_webp": {"source": 0}}}])");
+  const Lines wrong{
+      "TEXTURE_INVALID_IMAGE_MIME_TYPE /textures/0/extensions/EXT_texture_webp/source"};
+  EXPECT_EQ(about(asset), wrong);
+  EXPECT_EQ(about(asset, Profile::khronos), wrong);
+}
+
+TEST(Textures, OfAFormatThatNothingBringsAreNotBlamedTwice) {
+  const std::string asset =
+      with_image("image/webp", small_webp(), {}, R"(, "textures": [{"source": 0}])");
+  EXPECT_EQ(about(asset), (Lines{"IMAGE_NON_ENABLED_MIME_TYPE /images/0"}));
+  EXPECT_EQ(about(asset, Profile::khronos).size(), 2U);
+}
+
+TEST(Images, TheReportListsThem) {
+  const FileReport report = validate_bytes(with_image("image/png", png()), "test", {});
+  ASSERT_TRUE(report.info);
+  ASSERT_EQ(report.info->resources.size(), 1U);
+  const ResourceInfo& listed = report.info->resources[0];
+  EXPECT_EQ(listed.pointer, "/images/0");
+  EXPECT_EQ(listed.mime_type, "image/png");
+  EXPECT_EQ(listed.storage, "data-uri");
+  EXPECT_FALSE(listed.byte_length);
+  ASSERT_TRUE(listed.image);
+  EXPECT_EQ(listed.image->width, 4U);
+  EXPECT_EQ(listed.image->height, 2U);
+  EXPECT_EQ(listed.image->format, "rgb");
+  EXPECT_EQ(listed.image->primaries, "srgb");
+}
+
+}  // namespace
+}  // namespace gltfx::test
