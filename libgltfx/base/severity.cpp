@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-
 #include <gltfx/diagnostic.hpp>
+
+#include <array>
 
 namespace gltfx {
 namespace {

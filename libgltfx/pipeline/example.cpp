@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 
+#include <utility>
+
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -32,9 +34,10 @@ std::shared_ptr<const schema::Set> leaf_schemas() {
 }
 
 // The ending of the name decides what some faults are.
-std::string name_for(std::string_view code) {
-  if (code == "FILE_EXTENSION_MISMATCH") return "example.gltf";
-  return code.substr(0, 4) == "GLB_" ? "example.glb" : "example";
+std::string name_for(std::string_view code, std::string_view bytes) {
+  const bool wrong_name = code == "FILE_EXTENSION_MISMATCH";
+  const bool glb = code.substr(0, 4) == "GLB_" || bytes.substr(0, 4) == "glTF";
+  return glb && !wrong_name ? "example.glb" : "example.gltf";
 }
 
 }  // namespace
@@ -47,7 +50,9 @@ FileReport validate_example(const RuleDescription& rule, std::string_view exampl
   // Files are looked for where the program runs, but for the rule about not looking for them.
   if (rule.code != "RESOURCE_NOT_CHECKED") options.root = ".";
   if (example.find("ACME_leaf") != std::string_view::npos) options.schemas = leaf_schemas();
-  return validate_bytes(example_bytes(example), name_for(rule.code), options);
+  std::string bytes = example_bytes(example);
+  const std::string name = name_for(rule.code, bytes);
+  return validate_bytes(std::move(bytes), name, options);
 }
 
 }  // namespace gltfx

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Validates a JSON text from outside and writes the verdict as lines, so that a test reads like a table.
+/// Validates a JSON text from outside and writes the verdict as lines, so that a test reads like a
+/// table.
 #pragma once
+
+#include <gltfx/pipeline.hpp>
 
 #include <string>
 #include <vector>
 
-#include <gltfx/pipeline.hpp>
-
 namespace gltfx::test {
 
-/// Findings as "CODE /pointer" in the order of the report ("CODE @offset" on a container), folded ones
-/// with " xN". Hints are included when the profile is strict or khronos.
+/// Findings as "CODE /pointer" in the order of the report ("CODE @offset" on a container), folded
+/// ones with " xN". Hints are included when the profile is strict or khronos.
 inline std::vector<std::string> verdict(const std::string& asset, const ValidateOptions& options) {
   const FileReport report = validate_bytes(asset, "test", options);
   std::vector<std::string> lines;

@@ -13,6 +13,16 @@
 namespace gltfx::tool {
 namespace {
 
+// The embedded files are minified: a space behind each comma, as a person writes a list.
+std::string spaced(std::string_view json) {
+  std::string text;
+  for (const char c : json) {
+    if (!text.empty() && text.back() == ',' && c != ' ') text += ' ';
+    text += c;
+  }
+  return text;
+}
+
 using schema::Set;
 
 // "key:     value" lines, wrapped and aligned.
@@ -41,7 +51,7 @@ std::string property_facts(const Set& set, const schema::Property& property) {
   std::string words = type_words(set, property.shape);
   append(words, limit_words(set, property.shape));
   if (property.required) append(words, "required");
-  if (!property.default_json.empty()) append(words, "default " + property.default_json);
+  if (!property.default_json.empty()) append(words, "default " + spaced(property.default_json));
   if (!property.unit.empty()) append(words, "in " + property.unit);
   if (property.shape != schema::kNone) {
     const auto& slot = set.shape(property.shape).slot;

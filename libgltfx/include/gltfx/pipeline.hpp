@@ -21,8 +21,8 @@ FileReport validate_file(const std::string& path, const ValidateOptions& options
 FileReport validate_bytes(std::string bytes, const std::string& name,
                           const ValidateOptions& options = {});
 
-/// What validation says of an example of a rule, in the strict profile: the bad one raises the rule,
-/// the good one nothing. `example` is `rule.bad` or `rule.good`.
+/// What validation says of an example of a rule, in the strict profile: the bad one raises the
+/// rule, the good one nothing. `example` is `rule.bad` or `rule.good`.
 FileReport validate_example(const RuleDescription& rule, std::string_view example);
 
 /// Validates many files on `jobs` threads (at least 1) and hands over the reports in the order of

@@ -51,7 +51,8 @@ constexpr RuleDescription kRules[] = {
      kGood, Fix::none, true},
     {"ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE", Severity::error,
      "A sparse accessor replaces more elements than it has",
-     "Every replaced element has an index of its own, so there cannot be more of them than elements.",
+     "Every replaced element has an index of its own, so there cannot be more of them than "
+     "elements.",
      "Correct sparse.count or count.",
      R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_HEAT": 1}, "mode": 0}]}],
@@ -98,14 +99,14 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
   const std::uint64_t size = model::element_size(accessor.format);
   if (view->byte_stride && *view->byte_stride < size) {
     context.link_sink.report(
-        path, finding_on(context, accessor.node, "ACCESSOR_SMALL_BYTESTRIDE",
-                         fmt::format("The stride of view {} is {} bytes, but an element ({}) takes {}.",
-                                     *accessor.buffer_view, *view->byte_stride,
-                                     model::format_text(accessor.format), size)));
+        path,
+        finding_on(context, accessor.node, "ACCESSOR_SMALL_BYTESTRIDE",
+                   fmt::format("The stride of view {} is {} bytes, but an element ({}) takes {}.",
+                               *accessor.buffer_view, *view->byte_stride,
+                               model::format_text(accessor.format), size)));
     if (!context.khronos()) return;  // lengths counted with a wrong stride mean nothing
   }
-  const std::uint64_t stride =
-      view->byte_stride.value_or(model::packed_stride(accessor.format));
+  const std::uint64_t stride = view->byte_stride.value_or(model::packed_stride(accessor.format));
   check_extent(context,
                {accessor.node, *accessor.buffer_view, accessor.byte_offset,
                 model::component_size(accessor.format.component), accessor.span_size(stride)},
@@ -129,10 +130,10 @@ void check_part(const Context& context, const model::SparsePart& part, std::uint
   const unsigned component = model::component_size(part.format.component);
   if (component == 0) return;
   const std::uint64_t element = std::uint64_t{component} * model::component_count(part.format.type);
-  check_extent(context,
-               {part.node, *part.buffer_view, part.byte_offset, component,
-                checked_mul(count, element)},
-               path);
+  check_extent(
+      context,
+      {part.node, *part.buffer_view, part.byte_offset, component, checked_mul(count, element)},
+      path);
 }
 
 void check_sparse(const Context& context, const model::Accessor& accessor, const Path& path) {

@@ -108,10 +108,10 @@ void check_normalized(const Context& context, const model::Accessor& accessor, c
   const ComponentType type = accessor.format.component;
   if (!accessor.format.normalized || type == ComponentType::none) return;
   if (model::component_size(type) <= 2 && model::is_core_component(type)) return;
-  report_member(context.schema_sink, context, path, accessor.node, "normalized",
-                "ACCESSOR_NORMALIZED_INVALID",
-                fmt::format("Components of type {} cannot be normalized.",
-                            model::component_type_name(type)));
+  report_member(
+      context.schema_sink, context, path, accessor.node, "normalized",
+      "ACCESSOR_NORMALIZED_INVALID",
+      fmt::format("Components of type {} cannot be normalized.", model::component_type_name(type)));
 }
 
 void check_matrix_offset(const Context& context, const model::Accessor& accessor,
@@ -119,10 +119,9 @@ void check_matrix_offset(const Context& context, const model::Accessor& accessor
   if (!model::is_matrix(accessor.format.type) || !accessor.byte_offset) return;
   if (context.document.find(accessor.node, "bufferView") == json::kNoNode) return;
   if (*accessor.byte_offset % 4 == 0) return;
-  report_member(context.schema_sink, context, path, accessor.node, "byteOffset",
-                "ACCESSOR_MATRIX_ALIGNMENT",
-                fmt::format("Matrices begin at multiples of 4 bytes; {} is none.",
-                            *accessor.byte_offset));
+  report_member(
+      context.schema_sink, context, path, accessor.node, "byteOffset", "ACCESSOR_MATRIX_ALIGNMENT",
+      fmt::format("Matrices begin at multiples of 4 bytes; {} is none.", *accessor.byte_offset));
 }
 
 void check_accessor(const Context& context, json::NodeId object, const Path& path) {

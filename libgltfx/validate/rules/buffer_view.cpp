@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffer views: their stride, and whether they fit their buffer.
+#include "model/buffer_view.hpp"
+
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
-#include "model/buffer_view.hpp"
 #include "model/fields.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"

@@ -20,8 +20,8 @@ void report_member(Sink& sink, const Context& context, const Path& path, json::N
                    std::string_view member, std::string_view code, std::string message,
                    std::string help = {});
 
-/// Reports UNSATISFIED_DEPENDENCY when the root object lacks the object of an extension that `object`
-/// needs. True when it is there.
+/// Reports UNSATISFIED_DEPENDENCY when the root object lacks the object of an extension that
+/// `object` needs. True when it is there.
 bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,
                           const Path& path);
 

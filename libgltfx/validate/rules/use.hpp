@@ -8,12 +8,13 @@
 namespace gltfx::validate {
 
 /// One use of buffer view `view` by the index that stands at `place` in the text. Reports
-/// BUFFER_VIEW_TARGET_MISSING for the first use, BUFFER_VIEW_TARGET_OVERRIDE for one of another kind.
+/// BUFFER_VIEW_TARGET_MISSING for the first use, BUFFER_VIEW_TARGET_OVERRIDE for one of another
+/// kind.
 void report_view_use(const Context& context, std::uint32_t view, model::ViewUse kind,
                      json::NodeId place, const Path& path);
 
-/// One use of accessor `accessor`, and thereby of its view. Reports ACCESSOR_USAGE_OVERRIDE and what
-/// report_view_use() does.
+/// One use of accessor `accessor`, and thereby of its view. Reports ACCESSOR_USAGE_OVERRIDE and
+/// what report_view_use() does.
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
                 json::NodeId place, const Path& path);
 
