@@ -24,9 +24,9 @@ class Reading {
     if (!holds && problem_.empty()) problem_ = std::move(problem);
   }
   template <class Wanted>
-  Result<Request> finish(Wanted request) {
+  Result<Wanted> finish(Wanted& request) {
     if (!problem_.empty()) return Error{problem_};
-    return Request(std::move(request));
+    return std::move(request);
   }
 
  private:
@@ -44,7 +44,7 @@ void read_common(Reading& reading, const CommonWords& words, CommonOptions& opti
 
 }  // namespace
 
-Result<Request> request_of(const ValidateWords& words) {
+Result<ValidateRequest> request_of(const ValidateWords& words) {
   Reading reading;
   ValidateRequest request;
   read_common(reading, words.common, request.common);
@@ -65,27 +65,27 @@ Result<Request> request_of(const ValidateWords& words) {
   request.schema_folders = words.schema_folders;
   request.baseline = words.baseline;
   request.write_baseline = words.write_baseline;
-  return reading.finish(std::move(request));
+  return reading.finish(request);
 }
 
-Result<Request> request_of(const ExplainWords& words) {
+Result<ExplainRequest> request_of(const ExplainWords& words) {
   Reading reading;
   ExplainRequest request;
   read_common(reading, words.common, request.common);
   reading.require(!words.codes.empty(), "explain: name a code; 'gltfx rules' lists them all.");
   request.codes = words.codes;
-  return reading.finish(std::move(request));
+  return reading.finish(request);
 }
 
-Result<Request> request_of(const RulesWords& words) {
+Result<RulesRequest> request_of(const RulesWords& words) {
   Reading reading;
   RulesRequest request;
   read_common(reading, words.common, request.common);
   reading.set(request.format, parse_table_format(words.format));
-  return reading.finish(std::move(request));
+  return reading.finish(request);
 }
 
-Result<Request> request_of(const SchemaWords& words) {
+Result<SchemaRequest> request_of(const SchemaWords& words) {
   Reading reading;
   SchemaRequest request;
   read_common(reading, words.common, request.common);
@@ -94,7 +94,7 @@ Result<Request> request_of(const SchemaWords& words) {
   if (!words.names.empty()) request.name = words.names.front();
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;
-  return reading.finish(std::move(request));
+  return reading.finish(request);
 }
 
 }  // namespace gltfx::tool

@@ -39,9 +39,9 @@ struct SchemaWords {
 };
 
 // Words into a request; the Error says which word is wrong.
-Result<Request> request_of(const ValidateWords& words);
-Result<Request> request_of(const ExplainWords& words);
-Result<Request> request_of(const RulesWords& words);
-Result<Request> request_of(const SchemaWords& words);
+Result<ValidateRequest> request_of(const ValidateWords& words);
+Result<ExplainRequest> request_of(const ExplainWords& words);
+Result<RulesRequest> request_of(const RulesWords& words);
+Result<SchemaRequest> request_of(const SchemaWords& words);
 
 }  // namespace gltfx::tool
