@@ -12,7 +12,7 @@ using Instruction = Pattern::Instruction;
 using Op = Pattern::Op;
 using Fragment = std::vector<Instruction>;
 
-constexpr std::size_t kMaxProgram = 20000;  // bounds what {n,m} inside {n,m} can build
+constexpr std::size_t kMaxProgram = 5000;  // bounds what {n,m} inside {n,m} can build
 constexpr int kMaxNesting = 64;
 constexpr std::uint32_t kMaxRepeat = 1000;
 
