@@ -99,7 +99,8 @@ TEST(Png, Gamma) {
 
 TEST(Png, Chromaticities) {
   std::string values;
-  for (const std::uint32_t value : {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}) {
+  for (const std::uint32_t value :
+       {31270U, 32900U, 64000U, 33000U, 30000U, 60000U, 15000U, 6000U}) {
     values += be32(value);
   }
   EXPECT_EQ(header(png(png_chunk("cHRM", values))).primaries, Tag::srgb);
