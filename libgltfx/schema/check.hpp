@@ -41,12 +41,15 @@ class UsedElements {
  public:
   void resize(std::size_t count) { used_.resize(count, 0); }
   void mark(std::uint64_t index) { used_[index] = 1; }
-  void mark_all() { used_.assign(used_.size(), 1); }
-  bool contains(std::uint64_t index) const { return index < used_.size() && used_[index] != 0; }
+  void mark_all() { all_ = true; }
+  bool contains(std::uint64_t index) const {
+    return index < used_.size() && (all_ || used_[index] != 0);
+  }
   std::size_t size() const { return used_.size(); }
 
  private:
   std::vector<std::uint8_t> used_;
+  bool all_ = false;
 };
 
 /// An array that references point into.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
 
@@ -26,7 +27,8 @@ Walker::Walker(const json::Document& document, const Set& set, const CheckOption
       names_(document, set),
       targets_(document, set),
       holds_(document, set),
-      seen_(document.key_count(), false) {}
+      seen_(document.key_count(), false),
+      declared_(document.key_count(), Declared::unseen) {}
 
 CheckResult Walker::run() {
   const json::NodeId root = document_.root();
@@ -104,6 +106,15 @@ void Walker::report(const Path& path, std::string_view code, Span span, std::str
   finding.help = std::move(help);
   finding.span = span;
   schema_sink_.report(path, std::move(finding));
+}
+
+// "did you mean 'x'?", or nothing.
+std::string Walker::did_you_mean(std::string_view word,
+                                 const std::vector<std::string_view>& known) {
+  if (suggestions_left_ <= 0) return {};
+  --suggestions_left_;
+  const std::string_view near = nearest(word, known);
+  return near.empty() ? std::string() : "did you mean " + quoted(near) + "?";
 }
 
 Span Walker::opening(json::NodeId object) const {

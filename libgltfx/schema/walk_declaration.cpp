@@ -21,6 +21,13 @@ void Walker::read_declarations() {
   read("extensionsRequired", required_, result_.extensions_required);
 }
 
+bool Walker::is_declared(json::KeyId key) {
+  if (declared_[key] == Declared::unseen) {
+    declared_[key] = is_declared(document_.key(key)) ? Declared::yes : Declared::no;
+  }
+  return declared_[key] == Declared::yes;
+}
+
 void Walker::declarations() {
   const auto each = [&](std::string_view member, const auto& look_at) {
     const json::NodeId node = document_.find(document_.root(), member);

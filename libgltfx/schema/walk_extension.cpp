@@ -65,7 +65,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
     return false;
   }
   const ExtensionId id = names_.extension(key);
-  if (!is_declared(name)) {
+  if (!is_declared(key)) {
     report(path, "UNDECLARED_EXTENSION", document_.span(node - 1),
            quoted(name) + " is used here but not declared.",
            "add \"" + printable(name) + "\" to \"extensionsUsed\"");

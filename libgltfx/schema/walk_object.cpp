@@ -98,9 +98,8 @@ void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
   const ObjectType& type = set_.type(frame.type);
   std::vector<std::string_view> known{"extensions", "extras"};
   for (const Property& property : type.properties) known.push_back(property.name);
-  const std::string_view near = nearest(document_.key(key), known);
-  std::string help = near.empty() ? "" : "did you mean " + quoted(near) + "?";
-  if (near.empty() && set_.find_extension(document_.key(key)) != kNone) {
+  std::string help = did_you_mean(document_.key(key), known);
+  if (help.empty() && set_.find_extension(document_.key(key)) != kNone) {
     help = "put it inside \"extensions\": { … }";
   }
   report({frame.path, document_.key(key)}, "UNEXPECTED_PROPERTY", document_.span(value - 1),

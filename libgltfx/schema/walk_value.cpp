@@ -161,8 +161,7 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
     if (is_added(id, text)) return;
     std::vector<std::string_view> known;
     for (const Literal& literal : shape.literals) known.push_back(literal.string);
-    const std::string_view near = nearest(text, known);
-    if (!near.empty()) help = "did you mean " + quoted(near) + "?";
+    help = did_you_mean(text, known);
   }
   report(
       path, "VALUE_NOT_IN_LIST", values_.span(value),

@@ -156,6 +156,8 @@ class Walker {
   // walk_declaration.cpp
   void read_declarations();
   void declarations();
+  /// is_declared() of a member's name, looked up once.
+  bool is_declared(json::KeyId key);
   bool is_declared(std::string_view name) const { return used_.count(std::string(name)) != 0; }
   bool is_required(std::string_view name) const { return required_.count(std::string(name)) != 0; }
 
@@ -163,6 +165,7 @@ class Walker {
   void report(const Path& path, std::string_view code, Span span, std::string message,
               std::string help = {});
   Span opening(json::NodeId object) const;
+  std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known);
 
   const json::Document& document_;
   const Set& set_;
@@ -182,6 +185,9 @@ class Walker {
   std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
   std::unordered_set<std::string> used_, required_;
   std::vector<bool> seen_;  ///< by KeyId: an extension object of that name was met
+  enum class Declared : std::uint8_t { unseen, no, yes };
+  std::vector<Declared> declared_;  ///< by KeyId
+  int suggestions_left_ = 2000;     ///< each one costs microseconds; hostile files have millions
 };
 
 }  // namespace gltfx::schema
