@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
@@ -90,6 +91,32 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
   if (tables_.shapes[id].combined) combine(id, {node}, path_of(node, step), false);
 }
 
+// Which indices an array has had: few are compared one by one, many leave a stamp each.
+class Walker::Repeats {
+ public:
+  Repeats(Walker& walker, bool wanted, std::size_t bytes, std::uint64_t size)
+      : walker_(walker), wanted_(wanted), many_(bytes > 2 * kFew) {
+    if (!wanted_ || !many_) return;
+    if (walker_.stamps_.size() < size) walker_.stamps_.resize(size, 0);
+    ++walker_.stamp_;
+  }
+
+  bool is_one(std::uint64_t index) {
+    if (!wanted_) return false;
+    if (many_) return std::exchange(walker_.stamps_[index], walker_.stamp_) == walker_.stamp_;
+    if (std::find(few_, few_ + count_, index) != few_ + count_) return true;
+    few_[count_++] = index;
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kFew = 64;  // an index takes two bytes or more
+  Walker& walker_;
+  bool wanted_, many_;
+  std::uint64_t few_[kFew + 1];
+  std::size_t count_ = 0;
+};
+
 // The number of elements. Commas are counted first, which is fast; they mislead only where some are
 // missing, and then the count does not fit.
 std::uint64_t Walker::count_numbers(const Shape& shape, json::NodeId node) const {
@@ -99,19 +126,18 @@ std::uint64_t Walker::count_numbers(const Shape& shape, json::NodeId node) const
   return fits ? commas + 1 : document_.array_size(node);
 }
 
-// Indices that are all in order, without a look back: marks them as used.
+// Indices that are all in order, without a look back: marks them as used. False leaves the array to
+// be judged in full.
 bool Walker::plain_indices(ShapeId items, json::NodeId node, bool unique) {
   const ShapePlan& plan = tables_.shapes[items];
   const TargetPlan& target = tables_.targets[plan.target];
   if (target.pointer.empty() || target.steps_over) return false;
   Targets::Array& array = targets_.from_root(plan.target);
   if (!array.holes.empty()) return false;
-  constexpr std::size_t kMost = 32;
-  std::uint64_t found[kMost];
-  std::size_t count = 0;
+  const std::string_view raw = document_.raw(node);
+  Repeats repeats(*this, unique, raw.size(), array.size);
   std::uint64_t number = 0;
   bool in_number = false;
-  const std::string_view raw = document_.raw(node);
   for (std::size_t i = 1; i < raw.size(); ++i) {
     const unsigned digit = static_cast<unsigned char>(raw[i]) - unsigned{'0'};
     if (digit <= 9) {
@@ -124,15 +150,11 @@ bool Walker::plain_indices(ShapeId items, json::NodeId node, bool unique) {
                            raw[i] == '\r' || raw[i] == '\t';
     if (!separates) return false;
     if (!in_number) continue;
-    if (count == kMost) return false;
-    for (std::size_t k = 0; unique && k < count; ++k) {
-      if (found[k] == number) return false;
-    }
-    found[count++] = number;
+    if (repeats.is_one(number)) return false;
+    array.used.mark(number);
     number = 0;
     in_number = false;
   }
-  for (std::size_t k = 0; k < count; ++k) array.used.mark(found[k]);
   return true;
 }
 

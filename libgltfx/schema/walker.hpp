@@ -112,6 +112,7 @@ class Walker {
   void number_array(ShapeId shape, json::NodeId node, Step step);
   void numbers(ShapeId items, json::NodeId node, const Shape& shape, Step step);
   std::uint64_t count_numbers(const Shape& shape, json::NodeId node) const;
+  class Repeats;
   std::uint64_t count_elements(const Shape& shape, json::NodeId node) const;
   bool plain_indices(ShapeId items, json::NodeId node, bool unique);
   void array_step(Frame& frame);
@@ -184,7 +185,9 @@ class Walker {
   std::vector<json::NodeId> members_;  ///< of all open objects, by property; see Frame::scratch
   std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
   std::unordered_set<std::string> used_, required_;
-  std::vector<bool> seen_;  ///< by KeyId: an extension object of that name was met
+  std::vector<bool> seen_;             ///< by KeyId: an extension object of that name was met
+  std::vector<std::uint32_t> stamps_;  ///< by index: the last long list of indices that had it
+  std::uint32_t stamp_ = 0;
   enum class Declared : std::uint8_t { unseen, no, yes };
   std::vector<Declared> declared_;  ///< by KeyId
   int suggestions_left_ = 2000;     ///< each one costs microseconds; hostile files have millions
