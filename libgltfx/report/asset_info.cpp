@@ -35,7 +35,9 @@ void write_resource(json::Writer& writer, const ResourceInfo& resource) {
   writer.member("pointer", resource.pointer);
   write_if_any(writer, "mimeType", resource.mime_type);
   write_if_any(writer, "storage", resource.storage);
-  write_if_any(writer, "uri", resource.uri);
+  if (resource.storage == "external") {
+    writer.member("uri", resource.uri);
+  }
   if (resource.byte_length) writer.member("byteLength", *resource.byte_length);
   if (resource.image) {
     writer.key("image");

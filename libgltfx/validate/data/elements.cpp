@@ -10,13 +10,9 @@
 namespace gltfx::validate {
 namespace {
 
-// Faults that are listed of elements which take no bytes, so that a few bytes do not become
-// gigabytes of report.
-constexpr std::uint64_t kMostImplied = 65536;
-
 class ElementReport {
  public:
-  ElementReport(const DataPhase& phase, const Schedule& schedule, const model::AccessorData& data)
+  ElementReport(DataPhase& phase, const Schedule& schedule, const model::AccessorData& data)
       : phase_(phase),
         data_(data),
         looked_{phase.context, schedule, data.components(), data.count()} {}
@@ -61,7 +57,7 @@ class ElementReport {
     std::uint64_t total = 0;
     for (const Outcome& outcome : outcomes) total += outcome.total();
     if (total == 0) return;
-    if (data_.implied() && total > kMostImplied) return report_counts(outcomes);
+    if (!phase_.budget.list(total)) return report_counts(outcomes);
     list_faults(data_, looked_.schedule.checks, [&](const Check& check, const Fault& fault) {
       send(check, describe(looked_, check, fault, 1));
     });
@@ -79,7 +75,7 @@ class ElementReport {
     }
   }
 
-  const DataPhase& phase_;
+  DataPhase& phase_;
   const model::AccessorData& data_;
   Looked looked_;
 };

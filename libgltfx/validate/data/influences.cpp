@@ -50,16 +50,17 @@ struct Skinned {
   json::NodeId attributes = json::kNoNode;
 };
 
-// Faults of all primitives; for the khronos profile one by one, otherwise the first of each kind.
+// Faults of all primitives; for the khronos profile one by one while that is few enough, otherwise
+// the first of each kind.
 class InfluenceReport {
  public:
-  explicit InfluenceReport(const DataPhase& phase) : phase_(phase) {}
+  explicit InfluenceReport(DataPhase& phase) : phase_(phase) {}
 
   void begin(const Skinned& skinned) { primitives_.push_back(skinned); }
 
   void note(const Influence& influence) {
     const std::size_t primitive = primitives_.size() - 1;
-    if (!phase_.context.khronos()) {
+    if (!phase_.context.khronos() || !phase_.budget.list(1)) {
       const Key key{primitive, influence.fault, influence.set};
       const auto [at, fresh] = tallies_.try_emplace(key, found_.size());
       if (!fresh) {
@@ -132,7 +133,7 @@ class InfluenceReport {
               [&](const Path& path) { phase_.sink.report(path, std::move(finding)); });
   }
 
-  const DataPhase& phase_;
+  DataPhase& phase_;
   std::vector<Skinned> primitives_;
   std::vector<Found> found_;
   std::map<Key, std::size_t> tallies_;

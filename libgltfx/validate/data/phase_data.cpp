@@ -10,13 +10,25 @@ namespace {
 // Half a second of zeros, or the same bytes through a few accessors each.
 constexpr std::uint64_t kFreeNumbers = std::uint64_t{1} << 29U;
 constexpr std::uint64_t kNumbersPerByte = 16;
+// Some megabytes of report, and as many faults as buffers have floats.
+constexpr std::uint64_t kFreeFaults = 65536;
+constexpr std::uint64_t kBytesPerFault = 4;
 
 }  // namespace
 
-Budget::Budget(const model::ResourceData& resources) : left_(kFreeNumbers) {
+Budget::Budget(const model::ResourceData& resources)
+    : left_(kFreeNumbers), listed_left_(kFreeFaults) {
   for (const auto& buffer : resources.buffers) {
-    if (buffer) left_ += buffer->size() * kNumbersPerByte;
+    if (!buffer) continue;
+    left_ += buffer->size() * kNumbersPerByte;
+    listed_left_ += buffer->size() / kBytesPerFault;
   }
+}
+
+bool Budget::list(std::uint64_t faults) {
+  if (faults > listed_left_) return false;
+  listed_left_ -= faults;
+  return true;
 }
 
 bool Budget::take(std::uint64_t count, std::uint64_t each) {

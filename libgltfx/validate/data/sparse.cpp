@@ -17,17 +17,15 @@ struct SparseFault {
 
 class SparseReport {
  public:
-  SparseReport(const DataPhase& phase, std::uint32_t accessor)
-      : phase_(phase), accessor_(accessor) {}
+  SparseReport(DataPhase& phase, std::uint32_t accessor) : phase_(phase), accessor_(accessor) {}
 
   void note(bool order, const SparseFault& fault) {
     Tally& tally = order ? order_ : range_;
+    if (phase_.context.khronos() && phase_.budget.list(1)) return send(order, fault, 1);
     if (tally.count++ == 0) tally.first = fault;
-    if (phase_.context.khronos()) send(order, fault, 1);
   }
 
   void finish() const {
-    if (phase_.context.khronos()) return;
     if (order_.count != 0) send(true, order_.first, order_.count);
     if (range_.count != 0) send(false, range_.first, range_.count);
   }
@@ -57,7 +55,7 @@ class SparseReport {
     phase_.sink.report(Path(accessor, "sparse"), std::move(finding));
   }
 
-  const DataPhase& phase_;
+  DataPhase& phase_;
   std::uint32_t accessor_;
   Tally order_, range_;
 };
