@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <tbb/info.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
@@ -33,6 +34,11 @@ void run_pipeline(std::size_t count, std::size_t ahead,
                  tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, consume));
 }
 
+// TBB has no more workers than that, and says so on stderr when asked for more.
+unsigned possible_jobs(unsigned jobs) {
+  return jobs == 1 ? 1 : std::min(jobs == 0 ? default_jobs() : jobs, default_jobs());
+}
+
 }  // namespace
 
 unsigned default_jobs() {
@@ -42,8 +48,7 @@ unsigned default_jobs() {
 void parallel_ordered(std::size_t count, unsigned jobs,
                       const std::function<void(std::size_t)>& produce,
                       const std::function<void(std::size_t)>& consume) {
-  // TBB has no more workers than that, and says so on stderr when asked for more.
-  if (jobs != 1) jobs = std::min(jobs == 0 ? default_jobs() : jobs, default_jobs());
+  jobs = possible_jobs(jobs);
   if (jobs == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) {
       produce(i);
@@ -53,6 +58,17 @@ void parallel_ordered(std::size_t count, unsigned jobs,
   }
   tbb::task_arena arena(static_cast<int>(jobs));
   arena.execute([&] { run_pipeline(count, jobs * kAheadPerJob, produce, consume); });
+}
+
+void run_both(unsigned jobs, const std::function<void()>& one, const std::function<void()>& other) {
+  jobs = possible_jobs(jobs);
+  if (jobs == 1) {
+    one();
+    other();
+    return;
+  }
+  tbb::task_arena arena(static_cast<int>(jobs));
+  arena.execute([&] { tbb::parallel_invoke(one, other); });
 }
 
 }  // namespace gltfx

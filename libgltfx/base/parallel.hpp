@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Many items on several threads, results in the order of the items.
+/// Work on several threads, results in the order of the items.
 #pragma once
 
 #include <cstddef>
@@ -26,5 +26,9 @@ unsigned default_jobs();
 void parallel_ordered(std::size_t count, unsigned jobs,
                       const std::function<void(std::size_t)>& produce,
                       const std::function<void(std::size_t)>& consume);
+
+/// Calls both, at the same time when `jobs` (as above) is not 1, and returns when both are done.
+/// An exception reaches the caller.
+void run_both(unsigned jobs, const std::function<void()>& one, const std::function<void()>& other);
 
 }  // namespace gltfx

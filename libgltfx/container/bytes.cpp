@@ -5,9 +5,11 @@
 
 namespace gltfx::container {
 
-Bytes Bytes::from_string(std::string text) {
-  auto owner = std::make_shared<const std::string>(std::move(text));
-  return {std::as_bytes(std::span(owner->data(), owner->size())), owner};
+Bytes Bytes::from_string(std::string text) { return from_text(share_text(std::move(text))); }
+
+Bytes Bytes::from_text(const SharedText& text) {
+  if (!text) return {};
+  return {std::as_bytes(std::span(text->data(), text->size())), text};
 }
 
 }  // namespace gltfx::container

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/shared_text.hpp"
+
 namespace gltfx::container {
 
 /// Cheap to copy; keeps what it points into alive.
@@ -19,6 +21,8 @@ class Bytes {
 
   /// Takes the text's memory.
   static Bytes from_string(std::string text);
+  /// Shares the text's memory; empty for none.
+  static Bytes from_text(const SharedText& text);
 
   std::span<const std::byte> view() const { return view_; }
   std::string_view text() const {

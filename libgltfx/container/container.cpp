@@ -28,19 +28,18 @@ Error too_large(const std::filesystem::path& path, std::uint64_t size, std::uint
 }
 
 /// The text is the only copy: `bytes` shows the same memory.
-Container from_text(std::string text) {
+Container from_text(SharedText text) {
   Container container;
   container.format = Format::gltf;
-  container.json = std::make_shared<const std::string>(std::move(text));
-  container.bytes = {std::as_bytes(std::span(container.json->data(), container.json->size())),
-                     container.json};
+  container.bytes = Bytes::from_text(text);
+  container.json = std::move(text);
   return container;
 }
 
-Container from_memory(std::string text, std::string_view name) {
-  const Format format = sniff(text, text.size(), name);
+Container from_memory(SharedText text, std::string_view name) {
+  const Format format = sniff(*text, text->size(), name);
   if (format == Format::gltf) return from_text(std::move(text));
-  return open_bytes(Bytes::from_string(std::move(text)), name);
+  return open_bytes(Bytes::from_text(text), name);
 }
 
 Result<Container> copy_whole(const File& file, const std::filesystem::path& path) {
@@ -72,7 +71,7 @@ Result<Container> open_file(const std::filesystem::path& path, const OpenLimits&
   if (file.size <= kCopyBelow) return copy_whole(file, path);
   const Copied head = copy_range(file.fd.get(), 0, kSniffBytes);
   if (head.fault != ResolveFault::none) return failure(path, head.fault, head.problem);
-  const Format format = sniff(head.text, file.size, path.native());
+  const Format format = sniff(*head.text, file.size, path.native());
   if (format != Format::gltf) return open_mapped(file, path, format);
   if (file.size > kMaxJson) return too_large(path, file.size, kMaxJson);
   return copy_whole(file, path);
@@ -82,7 +81,7 @@ Container open_bytes(Bytes bytes, std::string_view name) {
   Container container;
   container.format = sniff(bytes.text(), bytes.size(), name);
   if (container.format == Format::gltf && bytes.size() <= kMaxJson) {
-    container.json = std::make_shared<const std::string>(bytes.text());
+    container.json = share_text(std::string(bytes.text()));
   } else if (container.format == Format::glb) {
     read_glb(Source(bytes), container);  // memory does not fail
   }

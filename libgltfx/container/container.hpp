@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "base/shared_text.hpp"
 #include "base/span.hpp"
 #include "container/bytes.hpp"
 
@@ -54,12 +54,12 @@ inline constexpr std::uint32_t kChunkBin = 0x004E4942;
 /// changed by somebody else while it is read cannot change under the parser.
 struct Container {
   Format format = Format::unknown;
-  Bytes bytes;                              ///< the whole file
-  std::shared_ptr<const std::string> json;  ///< null when there is none
-  std::uint64_t json_offset = 0;            ///< byte in the file where the JSON begins
-  std::vector<Chunk> chunks;                ///< GLB only, in the order of the file
-  std::optional<Chunk> bin;                 ///< the BIN chunk that buffer 0 may refer to
-  std::vector<ContainerFault> faults;       ///< found before the JSON is read
+  Bytes bytes;                         ///< the whole file
+  SharedText json;                     ///< null when there is none
+  std::uint64_t json_offset = 0;       ///< byte in the file where the JSON begins
+  std::vector<Chunk> chunks;           ///< GLB only, in the order of the file
+  std::optional<Chunk> bin;            ///< the BIN chunk that buffer 0 may refer to
+  std::vector<ContainerFault> faults;  ///< found before the JSON is read
   std::vector<ContainerFault>
       late_faults;  ///< end-of-file faults: reported behind those of the JSON
   std::optional<std::uint32_t> glb_version;  ///< of a GLB header, also when it is not 2

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <limits>
 #include <memory>
-#include <new>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -33,15 +32,6 @@ ssize_t pread_again(int fd, char* to, std::size_t length, std::uint64_t offset) 
     got = ::pread(fd, to, std::min(length, kReadAtOnce), static_cast<off_t>(offset));
   } while (got < 0 && errno == EINTR);
   return got;
-}
-
-bool allocate(std::string& text, std::uint64_t length) {
-  try {
-    text.resize(length);
-  } catch (const std::exception&) {  // bad_alloc, length_error
-    return false;
-  }
-  return true;
 }
 
 Copied copy_fault(ResolveFault fault, std::string problem) {
@@ -84,15 +74,14 @@ File adopt_regular(UniqueFd fd) {
 }
 
 Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length) {
-  Copied copy;
-  if (!allocate(copy.text, length)) {
+  TextRoom room(length);
+  if (!room) {
     return copy_fault(ResolveFault::too_large,
                       fmt::format("{} bytes do not fit in memory", length));
   }
   std::size_t done = 0;
-  while (done < copy.text.size()) {
-    const ssize_t got =
-        pread_again(fd, copy.text.data() + done, copy.text.size() - done, offset + done);
+  while (done < room.size()) {
+    const ssize_t got = pread_again(fd, room.data() + done, room.size() - done, offset + done);
     if (got < 0) return copy_fault(fault_of_errno(errno), errno_text(errno));
     if (got == 0) {
       return copy_fault(ResolveFault::truncated,
@@ -101,7 +90,7 @@ Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length) {
     }
     done += static_cast<std::size_t>(got);
   }
-  return copy;
+  return {ResolveFault::none, std::move(room).share(), {}};
 }
 
 Loaded map_file(int fd, std::uint64_t size) {
@@ -121,7 +110,7 @@ Loaded load_file(const File& file) {
   if (file.fault != ResolveFault::none) return {file.fault, {}, file.problem};
   if (file.size > kCopyBelow) return map_file(file.fd.get(), file.size);
   Copied copy = copy_range(file.fd.get(), 0, file.size);
-  return {copy.fault, Bytes::from_string(std::move(copy.text)), std::move(copy.problem)};
+  return {copy.fault, Bytes::from_text(copy.text), std::move(copy.problem)};
 }
 
 }  // namespace gltfx::container

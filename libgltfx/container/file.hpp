@@ -61,7 +61,7 @@ struct Loaded {
 /// Text that was read, or why not.
 struct Copied {
   ResolveFault fault = ResolveFault::none;
-  std::string text;
+  SharedText text;  ///< not null when there is no fault
   std::string problem;
 };
 

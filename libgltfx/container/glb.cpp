@@ -48,7 +48,7 @@ class GlbReader {
     return false;
   }
 
-  bool copy(std::uint64_t offset, std::uint64_t length, std::string& text) {
+  bool copy(std::uint64_t offset, std::uint64_t length, SharedText& text) {
     Copied copied = source_.copy(offset, length);
     if (copied.fault != ResolveFault::none) {
       failure_ = std::move(copied);
@@ -60,11 +60,11 @@ class GlbReader {
 
   bool read_header() {
     if (source_.size() < kHeaderSize) return stop_short(glb_fault::end_of_header(source_.size()));
-    std::string header;
+    SharedText header;
     if (!copy(0, kHeaderSize, header)) return false;
-    const std::uint32_t magic = little_endian(header, 0);
-    const std::uint32_t version = little_endian(header, 4);
-    declared_ = little_endian(header, 8);
+    const std::uint32_t magic = little_endian(*header, 0);
+    const std::uint32_t version = little_endian(*header, 4);
+    declared_ = little_endian(*header, 8);
     if (magic != kMagic) {
       early(glb_fault::invalid_magic(magic));
       return false;
@@ -91,9 +91,9 @@ class GlbReader {
     if (!fits(at_, kChunkHeaderSize, size)) {
       return stop_short(glb_fault::end_of_chunk_header(at_, size));
     }
-    std::string header;
+    SharedText header;
     if (!copy(at_, kChunkHeaderSize, header)) return false;
-    return take_chunk(little_endian(header, 0), little_endian(header, 4));
+    return take_chunk(little_endian(*header, 0), little_endian(*header, 4));
   }
 
   bool take_chunk(std::uint32_t length, std::uint32_t type) {
@@ -140,9 +140,7 @@ class GlbReader {
     if (chunk.type != kChunkJson || std::exchange(seen_json_, true)) return true;
     // Half a JSON text would only add a second message about the same cut.
     if (!whole || chunk.length == 0) return true;
-    std::string text;
-    if (!copy(chunk.offset, chunk.length, text)) return false;
-    out_.json = std::make_shared<const std::string>(std::move(text));
+    if (!copy(chunk.offset, chunk.length, out_.json)) return false;
     out_.json_offset = chunk.offset;
     return true;
   }

@@ -9,12 +9,13 @@
 
 #include <cstdint>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/pages.hpp"
+#include "base/shared_text.hpp"
 #include "base/span.hpp"
 #include "json/keys.hpp"
 
@@ -46,6 +47,7 @@ struct Node {
   std::uint16_t reserved = 0;
 };
 static_assert(sizeof(Node) == 16);
+using NodeArray = std::vector<Node, PageAllocator<Node>>;
 
 /// A number as it stands in the text.
 struct Number {
@@ -133,7 +135,7 @@ class Document {
  public:
   Document() = default;
 
-  std::string_view text() const { return text_ ? std::string_view(*text_) : std::string_view(); }
+  std::string_view text() const { return text_ ? *text_ : std::string_view(); }
   bool empty() const { return nodes_.empty(); }
   NodeId root() const { return 0; }
   std::size_t node_count() const { return nodes_.size(); }
@@ -193,8 +195,8 @@ class Document {
 
  private:
   friend class Parser;
-  std::shared_ptr<const std::string> text_;
-  std::vector<Node> nodes_;
+  SharedText text_;
+  NodeArray nodes_;
   KeyTable keys_;
 };
 

@@ -19,10 +19,11 @@ bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 }  // namespace
 
-LineIndex::LineIndex(std::string_view text) : text_(text) {
-  blocks_.reserve(text.size() / kBlock + 1);
+LineIndex::LineIndex(std::string_view text, std::size_t reach) : text_(text) {
+  reach = std::min(reach, text.size());
+  blocks_.reserve(reach / kBlock + 1);
   blocks_.emplace_back();
-  for (std::size_t begin = 0; begin + kBlock <= text.size(); begin += kBlock) {
+  for (std::size_t begin = 0; begin + kBlock <= reach; begin += kBlock) {
     const std::size_t end = begin + kBlock;
     Block next = blocks_.back();
     next.code_points += count_starts(text.substr(begin, kBlock));

@@ -12,12 +12,14 @@
 
 namespace gltfx::json {
 
-/// Finds lines and columns of one text. One pass builds a small index (12 bytes for every 4 KiB);
-/// an answer then takes the same time wherever it lies, also in a text that is one long line. The
-/// text must outlive the index. Lines end at "\n", "\r\n" or "\r". Any number of threads may ask.
+/// Finds lines and columns of one text. One pass builds a small index (12 bytes for every 4 KiB),
+/// as far as somebody will ask; an answer then takes the same time wherever it lies, also in a text
+/// that is one long line. The text must outlive the index. Lines end at "\n", "\r\n" or "\r". Any
+/// number of threads may ask.
 class LineIndex {
  public:
-  explicit LineIndex(std::string_view text);
+  /// Spans that are asked about end at `reach` or before.
+  explicit LineIndex(std::string_view text, std::size_t reach = SIZE_MAX);
 
   /// Line and column of both ends of a span; `base` is added to the byte offset (the start of a
   /// GLB's JSON chunk).

@@ -21,13 +21,13 @@ bool is_closing(char c) { return c == ']' || c == '}'; }
 
 bool is_recoverable(Fault fault) { return fault >= Fault::byte_order_mark; }
 
-Parsed parse(std::shared_ptr<const std::string> text, const Limits& limits) {
-  if (!text) text = std::make_shared<const std::string>();
+Parsed parse(SharedText text, const Limits& limits) {
+  if (!text) text = share_text({});
   return Parser(std::move(text), limits).run();
 }
 
 Parsed parse(std::string_view text, const Limits& limits) {
-  return parse(std::make_shared<const std::string>(text), limits);
+  return parse(share_text(std::string(text)), limits);
 }
 
 Parsed Parser::run() {

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/shared_text.hpp"
 #include "base/span.hpp"
 #include "json/document.hpp"
 
@@ -59,7 +59,7 @@ struct Parsed {
 };
 
 /// Parses `text`, which the document keeps. Time and memory are linear in its length.
-Parsed parse(std::shared_ptr<const std::string> text, const Limits& limits = {});
+Parsed parse(SharedText text, const Limits& limits = {});
 /// Convenience for small texts: copies.
 Parsed parse(std::string_view text, const Limits& limits = {});
 

@@ -10,7 +10,7 @@
 
 namespace gltfx::json {
 
-Parser::Parser(std::shared_ptr<const std::string> text, const Limits& limits)
+Parser::Parser(SharedText text, const Limits& limits)
     : limits_(limits), nodes_(document_.nodes_), keys_(document_.keys_) {
   document_.text_ = std::move(text);
   begin_ = document_.text_->data();

@@ -2,7 +2,6 @@
 /// The parser itself; `json/parse.hpp` is what others call.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace gltfx::json {
 /// the place behind it, or null after a fault that ends the parse.
 class Parser {
  public:
-  Parser(std::shared_ptr<const std::string> text, const Limits& limits);
+  Parser(SharedText text, const Limits& limits);
   Parsed run();
 
  private:
@@ -74,7 +73,7 @@ class Parser {
 
   Limits limits_;
   Document document_;
-  std::vector<Node>& nodes_;
+  NodeArray& nodes_;
   KeyTable& keys_;
   const char* begin_;
   const char* end_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The innermost loops of the parser: from a byte to the end of what begins there.
 ///
-/// Each scanner relies on the NUL behind a std::string: it stops there without asking for the end.
+/// Each scanner relies on the NUL behind a SharedText: it stops there without asking for the end.
 /// `end` is asked only before eight bytes are read at once.
 #pragma once
 

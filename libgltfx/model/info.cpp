@@ -6,9 +6,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "model/accessor.hpp"
 #include "model/fields.hpp"
-#include "model/mesh.hpp"
 
 namespace gltfx::model {
 namespace {
@@ -38,12 +36,6 @@ std::uint64_t set_count(const Primitive& primitive, SemanticKind kind) {
   return count > 0 && highest == count - 1 ? count : 0;
 }
 
-std::optional<std::uint64_t> element_count(const Asset& asset, std::uint32_t accessor) {
-  const json::NodeId object = asset.elements(RootArray::accessors)[accessor];
-  const auto count = unsigned_member(asset.document(), object, "count");
-  return count && *count >= 1 ? count : std::nullopt;
-}
-
 std::uint64_t triangles(std::uint64_t count, Mode mode) {
   if (mode == Mode::triangles) return count / 3;
   const bool chained = mode == Mode::triangle_strip || mode == Mode::triangle_fan;
@@ -53,16 +45,16 @@ std::uint64_t triangles(std::uint64_t count, Mode mode) {
 // A sum of numbers from a file saturates.
 void add(std::uint64_t& sum, std::uint64_t value) { sum += std::min(value, UINT64_MAX - sum); }
 
-void add_primitive(const Asset& asset, const Primitive& primitive, AssetInfo& info) {
+void add_primitive(const Views& views, const Primitive& primitive, AssetInfo& info) {
   ++info.draw_call_count;
   std::optional<std::uint64_t> vertices;
   std::uint64_t attributes = 0;
   for (const Attribute& attribute : primitive.attributes) {
     if (!attribute.accessor) continue;
     ++attributes;
-    if (!vertices) vertices = element_count(asset, *attribute.accessor);
+    if (!vertices) vertices = views.accessors[*attribute.accessor].count;
   }
-  const auto drawn = primitive.indices ? element_count(asset, *primitive.indices) : vertices;
+  const auto drawn = primitive.indices ? views.accessors[*primitive.indices].count : vertices;
   add(info.total_vertex_count, vertices.value_or(0));
   if (drawn && primitive.mode) add(info.total_triangle_count, triangles(*drawn, *primitive.mode));
   const std::uint64_t joints = set_count(primitive, SemanticKind::joints);
@@ -75,7 +67,7 @@ void add_primitive(const Asset& asset, const Primitive& primitive, AssetInfo& in
 
 }  // namespace
 
-AssetInfo asset_info(const Asset& asset) {
+AssetInfo asset_info(const Asset& asset, const Views& views) {
   AssetInfo info;
   const json::Document& document = asset.document();
   if (document.empty() || !document.is_object(document.root())) return info;
@@ -90,11 +82,9 @@ AssetInfo asset_info(const Asset& asset) {
   info.has_skins = asset.count(RootArray::skins) > 0;
   info.has_textures = asset.count(RootArray::textures) > 0;
   info.has_default_scene = asset.index(document.root(), "scene", RootArray::scenes).has_value();
-  for (const json::NodeId mesh : asset.elements(RootArray::meshes)) {
-    for (const json::NodeId primitive : primitives(document, mesh)) {
-      if (primitive != json::kNoNode) {
-        add_primitive(asset, read_primitive(asset, primitive), info);
-      }
+  for (const Mesh& mesh : views.meshes) {
+    for (const Primitive& primitive : mesh.primitives) {
+      if (primitive.node != json::kNoNode) add_primitive(views, primitive, info);
     }
   }
   return info;

@@ -64,7 +64,7 @@ const Attribute* Primitive::find(SemanticKind kind, std::uint64_t set) const {
   return at == attributes.end() ? nullptr : &*at;
 }
 
-// One pass over the members: large files have a million primitives, and each is read often.
+// One pass over the members: large files have a million primitives.
 Primitive read_primitive(const Asset& asset, json::NodeId object) {
   const json::Document& document = asset.document();
   Primitive primitive;
@@ -94,6 +94,20 @@ Primitive read_primitive(const Asset& asset, json::NodeId object) {
     primitive.mode = valid ? std::optional(static_cast<Mode>(*number)) : std::nullopt;
   }
   return primitive;
+}
+
+std::vector<Mesh> read_meshes(const Asset& asset) {
+  std::vector<Mesh> meshes(asset.count(RootArray::meshes));
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    meshes[i].node = asset.elements(RootArray::meshes)[i];
+    const auto objects = primitives(asset.document(), meshes[i].node);
+    meshes[i].primitives.reserve(objects.size());
+    for (const json::NodeId object : objects) {
+      meshes[i].primitives.push_back(read_primitive(asset, object));
+      if (object == json::kNoNode) meshes[i].has_holes = true;
+    }
+  }
+  return meshes;
 }
 
 std::vector<json::NodeId> primitives(const json::Document& document, json::NodeId mesh) {

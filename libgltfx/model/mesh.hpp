@@ -51,6 +51,16 @@ struct Primitive {
 
 Primitive read_primitive(const Asset& asset, json::NodeId object);
 
+/// One mesh. A primitive that is no object has no `node`.
+struct Mesh {
+  json::NodeId node = json::kNoNode;  ///< kNoNode: the element of the array is no object
+  std::vector<Primitive> primitives;
+  bool has_holes = false;  ///< an element of `primitives` is no object
+};
+
+/// All meshes, by index.
+std::vector<Mesh> read_meshes(const Asset& asset);
+
 /// The objects of a mesh's `primitives`; an element that is no object is kNoNode.
 std::vector<json::NodeId> primitives(const json::Document& document, json::NodeId mesh);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace gltfx::model {
 namespace {
@@ -15,11 +17,8 @@ std::optional<std::uint32_t> index_of(const Asset& asset, json::NodeId value, Ro
   return asset.index(document.number(value).value, array);
 }
 
-struct Field {
-  std::string_view name;
-  json::NodeId Node::*value;
-};
-constexpr Field kFields[] = {
+using Field = json::NodeId Node::*;
+constexpr std::pair<std::string_view, Field> kFields[] = {
     {"mesh", &Node::mesh_value},
     {"children", &Node::children},
     {"translation", &Node::translation},
@@ -32,6 +31,22 @@ constexpr Field kFields[] = {
     {"extensions", &Node::extensions},
     {"extras", &Node::extras},
 };
+
+// By KeyId: the field that a member of that name fills, or null. Large files have a million nodes.
+std::vector<Field> fields_by_key(const json::Document& document) {
+  std::vector<Field> fields(document.key_count(), nullptr);
+  for (const auto& [name, field] : kFields) {
+    const json::KeyId key = document.key_id(name);
+    if (key != json::kNoKey) fields[key] = field;
+  }
+  return fields;
+}
+
+void read_indices(const Asset& asset, Node& node) {
+  node.mesh = index_of(asset, node.mesh_value, RootArray::meshes);
+  node.camera = index_of(asset, node.camera_value, RootArray::cameras);
+  node.skin = index_of(asset, node.skin_value, RootArray::skins);
+}
 
 template <std::size_t N>
 bool is_absent_or(const std::optional<std::array<float, N>>& value,
@@ -49,13 +64,27 @@ Node read_node(const Asset& asset, json::NodeId object) {
   for (const auto member : document.members(object)) {
     const std::string_view name = document.key(member.key_id);
     const auto* const field = std::find_if(std::begin(kFields), std::end(kFields),
-                                           [&](const Field& each) { return each.name == name; });
-    if (field != std::end(kFields)) node.*(field->value) = member.value;
+                                           [&](const auto& each) { return each.first == name; });
+    if (field != std::end(kFields)) node.*(field->second) = member.value;
   }
-  node.mesh = index_of(asset, node.mesh_value, RootArray::meshes);
-  node.camera = index_of(asset, node.camera_value, RootArray::cameras);
-  node.skin = index_of(asset, node.skin_value, RootArray::skins);
+  read_indices(asset, node);
   return node;
+}
+
+std::vector<Node> read_nodes(const Asset& asset) {
+  const json::Document& document = asset.document();
+  const std::vector<Field> fields = fields_by_key(document);
+  std::vector<Node> nodes(asset.count(RootArray::nodes));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    Node& node = nodes[i];
+    node.object = asset.elements(RootArray::nodes)[i];
+    if (node.object == json::kNoNode) continue;
+    for (const auto member : document.members(node.object)) {
+      if (const Field field = fields[member.key_id]) node.*field = member.value;
+    }
+    read_indices(asset, node);
+  }
+  return nodes;
 }
 
 bool read_floats(const json::Document& document, json::NodeId array, std::size_t count,

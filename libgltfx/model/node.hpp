@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "model/asset.hpp"
 
@@ -37,6 +38,9 @@ struct Node {
 
 /// One pass over the members; the last of repeated ones counts.
 Node read_node(const Asset& asset, json::NodeId object);
+
+/// All nodes, by index.
+std::vector<Node> read_nodes(const Asset& asset);
 
 /// `count` numbers of an array, rounded to single precision into `values`. False when the value is
 /// no array of just so many finite numbers within [least, most].

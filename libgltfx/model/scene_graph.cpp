@@ -30,21 +30,19 @@ Children invert(const SceneGraph& graph) {
 
 }  // namespace
 
-SceneGraph::SceneGraph(const Asset& asset) {
-  const std::size_t count = asset.count(RootArray::nodes);
+SceneGraph::SceneGraph(const Asset& asset, const std::vector<Node>& nodes) {
+  const std::size_t count = nodes.size();
   parents_.assign(count, kNoNodeIndex);
   components_.assign(count, kNoNodeIndex);
   on_loop_.assign(count, 0);
-  read_children(asset);
+  read_children(asset, nodes);
   find_components();
 }
 
-void SceneGraph::read_children(const Asset& asset) {
-  const auto& objects = asset.elements(RootArray::nodes);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
+void SceneGraph::read_children(const Asset& asset, const std::vector<Node>& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto parent = static_cast<NodeIndex>(i);
-    const json::NodeId list = asset.document().find(objects[i], "children");
-    for_each_index(asset, list, RootArray::nodes,
+    for_each_index(asset, nodes[i].children, RootArray::nodes,
                    [&](std::uint64_t position, std::optional<std::uint32_t> child, Span span) {
                      if (!child) return;
                      NodeIndex& slot = parents_[*child];

@@ -25,7 +25,7 @@ struct ParentOverride {
 class SceneGraph {
  public:
   SceneGraph() = default;
-  explicit SceneGraph(const Asset& asset);
+  SceneGraph(const Asset& asset, const std::vector<Node>& nodes);
 
   std::size_t size() const { return parents_.size(); }
   /// kNoNodeIndex for a root.
@@ -44,7 +44,7 @@ class SceneGraph {
   const std::vector<ParentOverride>& overrides() const { return overrides_; }
 
  private:
-  void read_children(const Asset& asset);
+  void read_children(const Asset& asset, const std::vector<Node>& nodes);
   void find_components();
   void climb(NodeIndex start, std::vector<NodeIndex>& way, std::vector<std::uint8_t>& state);
 

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "model/fields.hpp"
-#include "model/mesh.hpp"
-
 namespace gltfx::model {
 namespace {
 
@@ -21,27 +18,20 @@ std::size_t continuous_sets(const std::vector<Attribute>& attributes, SemanticKi
   return count != 0 && greatest == count - 1 ? count : 0;
 }
 
-bool names_joints(const Asset& asset, json::NodeId primitive) {
-  const json::NodeId attributes = object_member(asset.document(), primitive, "attributes");
-  if (attributes == json::kNoNode) return false;
-  for (const auto member : asset.document().members(attributes)) {
-    if (asset.document().key(member.key_id).starts_with("JOINTS")) return true;
-  }
-  return false;
+bool names_joints(const Primitive& primitive) {
+  return std::any_of(primitive.attributes.begin(), primitive.attributes.end(),
+                     [](const Attribute& each) { return each.name.starts_with("JOINTS"); });
 }
 
-Deformation read_deformation(const Asset& asset, json::NodeId mesh) {
+Deformation read_deformation(const Mesh& mesh) {
   Deformation deformation;
-  const auto all = primitives(asset.document(), mesh);
-  if (all.empty() || std::find(all.begin(), all.end(), json::kNoNode) != all.end()) {
-    return deformation;
-  }
+  if (mesh.primitives.empty() || mesh.has_holes) return deformation;
   deformation.known = true;
-  deformation.morph_targets = morph_targets(asset.document(), all.front()).size();
-  for (const json::NodeId primitive : all) {
-    if (!names_joints(asset, primitive)) continue;
+  deformation.morph_targets = mesh.primitives.front().targets.size();
+  for (const Primitive& primitive : mesh.primitives) {
+    if (!names_joints(primitive)) continue;
     deformation.names_joints = true;
-    deformation.has_joints = deformation.has_joints || joint_sets(asset, primitive) != 0;
+    deformation.has_joints = deformation.has_joints || joint_sets(primitive) != 0;
   }
   return deformation;
 }
@@ -67,19 +57,16 @@ Skin read_skin(const Asset& asset, json::NodeId object) {
   return skin;
 }
 
-std::size_t joint_sets(const Asset& asset, json::NodeId primitive) {
-  const auto attributes =
-      read_attributes(asset, object_member(asset.document(), primitive, "attributes"));
-  const std::size_t joints = continuous_sets(attributes, SemanticKind::joints);
-  return joints == continuous_sets(attributes, SemanticKind::weights) ? joints : 0;
+std::size_t joint_sets(const Primitive& primitive) {
+  const std::size_t joints = continuous_sets(primitive.attributes, SemanticKind::joints);
+  const std::size_t weights = continuous_sets(primitive.attributes, SemanticKind::weights);
+  return joints == weights ? joints : 0;
 }
 
-std::vector<Deformation> read_deformations(const Asset& asset) {
+std::vector<Deformation> read_deformations(const std::vector<Mesh>& meshes) {
   std::vector<Deformation> all;
-  all.reserve(asset.count(RootArray::meshes));
-  for (const json::NodeId mesh : asset.elements(RootArray::meshes)) {
-    all.push_back(read_deformation(asset, mesh));
-  }
+  all.reserve(meshes.size());
+  for (const Mesh& mesh : meshes) all.push_back(read_deformation(mesh));
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/mesh.hpp"
 #include "model/node.hpp"
 
 namespace gltfx::model {
@@ -26,7 +27,7 @@ Skin read_skin(const Asset& asset, json::NodeId object);
 
 /// How many sets of four joints (JOINTS_0, JOINTS_1, ...) a primitive binds its vertices to. 0 when
 /// the sets have gaps or do not pair with WEIGHTS_n: that is reported where it stands.
-std::size_t joint_sets(const Asset& asset, json::NodeId primitive);
+std::size_t joint_sets(const Primitive& primitive);
 
 /// What may deform a mesh.
 struct Deformation {
@@ -37,6 +38,6 @@ struct Deformation {
 };
 
 /// By index of the mesh. Linear in the meshes.
-std::vector<Deformation> read_deformations(const Asset& asset);
+std::vector<Deformation> read_deformations(const std::vector<Mesh>& meshes);
 
 }  // namespace gltfx::model

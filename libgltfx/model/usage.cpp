@@ -4,7 +4,6 @@
 #include <array>
 
 #include "model/fields.hpp"
-#include "model/mesh.hpp"
 
 namespace gltfx::model {
 
@@ -12,8 +11,8 @@ namespace gltfx::model {
 class UsageReader {
  public:
   UsageReader(const Asset& asset, const std::vector<Accessor>& accessors,
-              const std::vector<BufferView>& views, Usage& usage)
-      : asset_(asset), accessors_(accessors), usage_(usage) {
+              const std::vector<BufferView>& views, const std::vector<Mesh>& meshes, Usage& usage)
+      : asset_(asset), accessors_(accessors), meshes_(meshes), usage_(usage) {
     usage_.accessors_.resize(accessors.size());
     usage_.views_.resize(views.size());
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -29,7 +28,7 @@ class UsageReader {
       note_view(asset_.index(image, "bufferView", RootArray::buffer_views), ViewUse::image,
                 document().find(image, "bufferView"));
     }
-    for (const json::NodeId mesh : asset_.elements(RootArray::meshes)) read_mesh(mesh);
+    for (const Mesh& mesh : meshes_) read_mesh(mesh);
     for (const json::NodeId skin : asset_.elements(RootArray::skins)) {
       note_member(skin, "inverseBindMatrices", AccessorUse::inverse_bind_matrices);
     }
@@ -65,18 +64,18 @@ class UsageReader {
     }
   }
 
-  void read_attributes_of(json::NodeId object) {
-    for (const Attribute& attribute : read_attributes(asset_, object)) {
+  void note_attributes(const std::vector<Attribute>& attributes) {
+    for (const Attribute& attribute : attributes) {
       note(attribute.accessor, AccessorUse::vertex_attribute, attribute.value);
     }
   }
 
-  void read_mesh(json::NodeId mesh) {
-    for (const json::NodeId primitive : primitives(document(), mesh)) {
-      read_attributes_of(object_member(document(), primitive, "attributes"));
-      note_member(primitive, "indices", AccessorUse::indices);
-      for (const json::NodeId target : morph_targets(document(), primitive)) {
-        read_attributes_of(target);
+  void read_mesh(const Mesh& mesh) {
+    for (const Primitive& primitive : mesh.primitives) {
+      note_attributes(primitive.attributes);
+      note(primitive.indices, AccessorUse::indices, primitive.indices_node);
+      for (const json::NodeId target : primitive.targets) {
+        note_attributes(read_attributes(asset_, target));
       }
     }
   }
@@ -92,12 +91,13 @@ class UsageReader {
 
   const Asset& asset_;
   const std::vector<Accessor>& accessors_;
+  const std::vector<Mesh>& meshes_;
   Usage& usage_;
 };
 
 Usage::Usage(const Asset& asset, const std::vector<Accessor>& accessors,
-             const std::vector<BufferView>& views) {
-  UsageReader(asset, accessors, views, *this).read();
+             const std::vector<BufferView>& views, const std::vector<Mesh>& meshes) {
+  UsageReader(asset, accessors, views, meshes, *this).read();
 }
 
 ViewUse view_use(AccessorUse use) {

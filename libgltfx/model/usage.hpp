@@ -9,6 +9,7 @@
 
 #include "model/accessor.hpp"
 #include "model/buffer_view.hpp"
+#include "model/mesh.hpp"
 
 namespace gltfx::model {
 
@@ -41,7 +42,7 @@ class Usage {
  public:
   Usage() = default;
   Usage(const Asset& asset, const std::vector<Accessor>& accessors,
-        const std::vector<BufferView>& views);
+        const std::vector<BufferView>& views, const std::vector<Mesh>& meshes);
 
   const FirstUse<AccessorUse>& accessor(std::uint32_t index) const { return accessors_[index]; }
   const FirstUse<ViewUse>& view(std::uint32_t index) const { return views_[index]; }

@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The tables that most questions about geometry start from, read once.
+/// The tables that most questions about a scene start from, read once.
 #pragma once
 
 #include <vector>
 
 #include "model/accessor.hpp"
 #include "model/buffer_view.hpp"
+#include "model/mesh.hpp"
+#include "model/node.hpp"
 #include "model/usage.hpp"
 
 namespace gltfx::model {
 
-/// Numbers only: it stays valid as long as the document its nodes belong to.
+/// Stays valid as long as the document its nodes and names belong to.
 struct Views {
   std::vector<Accessor> accessors;       ///< as many as elements(RootArray::accessors)
   std::vector<BufferView> buffer_views;  ///< as many as elements(RootArray::buffer_views)
+  std::vector<Mesh> meshes;              ///< as many as elements(RootArray::meshes)
+  std::vector<Node> nodes;               ///< as many as elements(RootArray::nodes)
   Usage usage;
 
   Views() = default;
   explicit Views(const Asset& asset)
       : accessors(read_accessors(asset)),
         buffer_views(read_buffer_views(asset)),
-        usage(asset, accessors, buffer_views) {}
+        meshes(read_meshes(asset)),
+        nodes(read_nodes(asset)),
+        usage(asset, accessors, buffer_views, meshes) {}
 
   /// The view behind an accessor, or null.
   const BufferView* view_of(const Accessor& accessor) const {

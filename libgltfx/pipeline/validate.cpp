@@ -61,8 +61,11 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
 void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
                     unsigned jobs, const std::function<void(FileReport&&)>& consume) {
   std::vector<std::optional<FileReport>> reports(paths.size());
+  ValidateOptions each = options;
+  // Many files keep all threads busy by themselves.
+  each.jobs = paths.size() == 1 ? jobs : 1;
   parallel_ordered(
-      paths.size(), jobs, [&](std::size_t i) { reports[i] = validate_file(paths[i], options); },
+      paths.size(), jobs, [&](std::size_t i) { reports[i] = validate_file(paths[i], each); },
       [&](std::size_t i) {
         consume(std::move(*reports[i]));
         reports[i].reset();

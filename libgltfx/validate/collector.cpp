@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/collector.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -151,10 +152,19 @@ void Collector::finish(FileReport& report, const json::Document& document,
   }
 }
 
+// Where the last of all marked spans ends.
+std::size_t Collector::last_place() const {
+  std::uint32_t last = 0;
+  for (const std::vector<Entry>& entries : entries_) {
+    for (const Entry& entry : entries) last = std::max(last, entry.span.end);
+  }
+  return last;
+}
+
 void Collector::locate(std::vector<Entry>& entries, const json::Document& document,
                        std::uint64_t json_offset) {
   if (!text_) return;
-  if (!lines_) lines_.emplace(*text_);
+  if (!lines_) lines_.emplace(*text_, last_place());
   for (Entry& entry : entries) {
     entry.diagnostic.object_name = nearest_name(document, entry.diagnostic.pointer);
     // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/shared_text.hpp"
 #include "base/sink.hpp"
 #include "json/document.hpp"
 #include "json/lines.hpp"
@@ -41,7 +42,7 @@ class Collector {
   /// A finding that belongs to no value: about the file as a whole, or about its text.
   void report_file(Phase phase, Finding finding);
   /// The JSON text that spans refer to; may be null.
-  void keep_text(std::shared_ptr<const std::string> text) { text_ = std::move(text); }
+  void keep_text(SharedText text) { text_ = std::move(text); }
 
   /// Moves everything into `report`: diagnostics in order, counts, and for those with a place in
   /// the text its line, column, excerpt and name. `document` may be empty. `json_offset` is where
@@ -71,13 +72,14 @@ class Collector {
              std::optional<std::uint64_t> offset);
   void locate(std::vector<Entry>& entries, const json::Document& document,
               std::uint64_t json_offset);
+  std::size_t last_place() const;
 
   const ValidateOptions& options_;
   std::array<std::vector<Entry>, kPhaseCount> entries_;
   std::array<PhaseSink, kPhaseCount> sinks_;
   /// Fold key -> position in entries_ of its phase.
   std::array<std::unordered_map<std::uint64_t, std::size_t>, kPhaseCount> folded_;
-  std::shared_ptr<const std::string> text_;
+  SharedText text_;
   std::optional<json::LineIndex> lines_;
 };
 

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "json/parse.hpp"
 #include "model/info.hpp"
 #include "schema/compile.hpp"
@@ -31,21 +32,26 @@ const ObjectRules& object_rules() {
   return table;
 }
 
+// Bytes of JSON above which a second thread is worth its start.
+constexpr std::size_t kLargeText = std::size_t{1} << 20U;
+
+unsigned jobs_for(const Context& context) {
+  return context.document.text().size() < kLargeText ? 1 : context.options.jobs;
+}
+
 // Phase 5 and those that need its bytes. The Khronos validator does not come this far with a GLB
 // that ends too early, nor with an asset whose version it cannot tell.
 void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   const container::Container& container = context.container;
-  if (!context.document.is_object(context.document.root())) return;
-  if (context.checked.stopped_at_asset) return;
   if (context.khronos() && (container.cut_short || container.ends_in_empty_chunk)) return;
   Resources resources = load_resources(context, sink, report);
   check_data(context, resources.data, sink);
-  report.info = model::asset_info(context.asset);
+  report.info = model::asset_info(context.asset, context.views);
   report.info->resources = std::move(resources.listed);
 }
 
-// Phases 3 and 4: the schema walk with object rules at its heels, then the link rules.
-void check_document(Context& context) {
+// Phase 3: the schema walk with object rules at its heels.
+schema::CheckResult check_objects(const Context& context) {
   schema::CheckOptions walk;
   walk.scope = context.khronos() ? schema::Scope::khronos : schema::Scope::all;
   const ObjectRules& rules = object_rules();
@@ -54,15 +60,37 @@ void check_document(Context& context) {
     if (found == rules.end()) return;
     for (const ObjectRule rule : found->second) rule(context, object, path);
   };
-  context.checked = schema::check(context.document, context.schemas, walk, context.schema_sink,
-                                  context.link_sink, visit);
-  if (!context.document.is_object(context.document.root())) return;
-  if (context.checked.stopped_at_asset) return;
-  context.views = model::Views(context.asset);
-  context.graph = model::SceneGraph(context.asset);
+  return schema::check(context.document, context.schemas, walk, context.schema_sink,
+                       context.link_sink, visit);
+}
+
+// Phase 4.
+void check_links(const Context& context) {
   for (const Family& family : families()) {
     for (const LinkRule rule : family.link_rules) rule(context);
   }
+}
+
+// Phases 3 to 7. Each phase reports to a sink of its own, so that two of them can run at once:
+// what they share is only read.
+void check_document(Context& context, Collector& collector, FileReport& report) {
+  const unsigned jobs = jobs_for(context);
+  schema::CheckResult checked;
+  model::Views views;
+  model::SceneGraph graph;
+  run_both(
+      jobs, [&] { checked = check_objects(context); },
+      [&] {
+        views = model::Views(context.asset);
+        graph = model::SceneGraph(context.asset, views.nodes);
+      });
+  if (checked.stopped_at_asset || !context.document.is_object(context.document.root())) return;
+  context.checked = std::move(checked);
+  context.views = std::move(views);
+  context.graph = std::move(graph);
+  run_both(
+      jobs, [&] { check_links(context); },
+      [&] { check_bytes(context, collector.sink(Phase::resources), report); });
 }
 
 }  // namespace
@@ -86,12 +114,7 @@ FileReport validate(const container::Container& container, const std::string& na
                     {},
                     collector.sink(Phase::schema),
                     collector.sink(Phase::reference)};
-    if (check_identity(context, collector)) {
-      check_document(context);
-      if (!context.checked.stopped_at_asset) {
-        check_bytes(context, collector.sink(Phase::resources), report);
-      }
-    }
+    if (check_identity(context, collector)) check_document(context, collector, report);
   }
   report.mime_type = mime_type(container, document);
   collector.finish(report, document, container.json_offset);

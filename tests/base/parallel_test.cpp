@@ -123,5 +123,16 @@ TEST(ParallelOrderedThreads, AnExceptionReachesTheCallerInsteadOfEndingTheProces
 
 TEST(DefaultJobs, IsAtLeastOne) { EXPECT_GE(default_jobs(), 1U); }
 
+TEST_P(ParallelOrdered, RunBothCallsEachOnceAndPassesAnExceptionOn) {
+  int one = 0, other = 0;
+  run_both(
+      GetParam(), [&] { ++one; }, [&] { ++other; });
+  EXPECT_EQ(one, 1);
+  EXPECT_EQ(other, 1);
+  EXPECT_THROW(run_both(
+                   GetParam(), [] {}, [] { throw std::runtime_error("no"); }),
+               std::runtime_error);
+}
+
 }  // namespace
 }  // namespace gltfx

@@ -5,7 +5,6 @@
 #include <gltfx/pipeline.hpp>
 
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,13 +15,13 @@
 
 namespace {
 
-std::shared_ptr<const std::string> load(const char* path) {
+gltfx::SharedText load(const char* path) {
   std::vector<char> bytes;
   const std::size_t size = gltfx::bench::read_file(path, bytes);
-  return std::make_shared<const std::string>(bytes.data(), size);
+  return gltfx::share_text(std::string(bytes.data(), size));
 }
 
-void parse_only(benchmark::State& state, const std::shared_ptr<const std::string>& text) {
+void parse_only(benchmark::State& state, const gltfx::SharedText& text) {
   std::size_t nodes = 0;
   for (auto _ : state) {
     const gltfx::json::Parsed parsed = gltfx::json::parse(text);

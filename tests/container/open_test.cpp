@@ -171,7 +171,7 @@ TEST(OpenFile, NamesInErrorsAreNeutralised) {
 TEST(CopyRange, AFileThatBecameShorterIsTruncated) {
   const TempFolder folder;
   const File file = open_regular(AT_FDCWD, folder.write("a", "12345").c_str());
-  EXPECT_EQ(copy_range(file.fd.get(), 1, 4).text, "2345");
+  EXPECT_EQ(*copy_range(file.fd.get(), 1, 4).text, "2345");
   const Copied cut = copy_range(file.fd.get(), 2, 4);
   EXPECT_EQ(cut.fault, ResolveFault::truncated);
   EXPECT_EQ(cut.problem, "it ended at byte 5 where 6 were expected");

@@ -72,6 +72,18 @@ TEST(Lines, AreFoundAcrossTheBlocksOfTheIndex) {
   }
 }
 
+TEST(Lines, AnIndexThatEndsEarlyAnswersUpToThere) {
+  std::string text;
+  for (int i = 0; i < 6000; ++i) text += "\u00e4b\n";
+  const LineIndex whole(text);
+  for (const std::size_t reach : {0U, 3U, 4095U, 4096U, 4097U, 9000U, 24000U}) {
+    const LineIndex lines(text, reach);
+    const auto at = static_cast<std::uint32_t>(reach / 4 * 4);
+    EXPECT_EQ(lines.locate({0, at}).end_line, whole.locate({0, at}).end_line) << reach;
+    EXPECT_EQ(lines.excerpt({at, at}).text, whole.excerpt({at, at}).text) << reach;
+  }
+}
+
 TEST(Lines, AreFoundInATextOfExactlySomeBlocks) {
   for (const char last : {'\n', '\r', 'x'}) {
     std::string text(8192, 'x');

@@ -116,7 +116,7 @@ TEST(ParseValues, CharactersThatOnlyJavaScriptMindsAreAllowed) {
 }
 
 TEST(ParseValues, TheDocumentKeepsTheTextItWasGiven) {
-  const auto text = std::make_shared<const std::string>("[1, {\"a\": 2}]");
+  const auto text = share_text("[1, {\"a\": 2}]");
   const Parsed parsed = parse(text);
   EXPECT_EQ(parsed.document.text().data(), text->data());
   EXPECT_EQ(parsed.document.raw(0), *text);

@@ -21,9 +21,8 @@ using test::packed;
 class AssetWithData {
  public:
   AssetWithData(const std::string& accessor, const std::string& views, std::string bytes) {
-    auto text = std::make_shared<const std::string>(R"({"accessors": [)" + accessor +
-                                                    R"(], "bufferViews": [)" + views +
-                                                    R"(], "buffers": [{"byteLength": 1}]})");
+    auto text = share_text(R"({"accessors": [)" + accessor + R"(], "bufferViews": [)" + views +
+                           R"(], "buffers": [{"byteLength": 1}]})");
     document_ = json::parse(text).document;
     asset_ = std::make_unique<Asset>(document_);
     views_ = Views(*asset_);

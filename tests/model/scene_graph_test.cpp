@@ -12,7 +12,7 @@ using test::AssetText;
 
 TEST(SceneGraph, LastParentCountsAndEarlierOnesAreKept) {
   const AssetText text(R"({"nodes": [{"children": [2]}, {"children": [2, 9, 3]}, {}, {}]})");
-  const SceneGraph graph(text.asset);
+  const SceneGraph graph(text.asset, read_nodes(text.asset));
   EXPECT_EQ(graph.parent(2), 1U);
   EXPECT_EQ(graph.parent(3), 1U);
   EXPECT_TRUE(graph.is_root(0));
@@ -26,7 +26,7 @@ TEST(SceneGraph, LastParentCountsAndEarlierOnesAreKept) {
 TEST(SceneGraph, ComponentIsTheRootOrTheLoopAbove) {
   const AssetText text(R"({"nodes": [{"children": [1]}, {"children": [2]}, {},
     {"children": [4]}, {"children": [3, 5]}, {"children": [6]}, {}]})");
-  const SceneGraph graph(text.asset);
+  const SceneGraph graph(text.asset, read_nodes(text.asset));
   EXPECT_EQ(graph.root(2), 0U);
   EXPECT_EQ(graph.root(0), 0U);
   EXPECT_EQ(graph.root(6), kNoNodeIndex);
@@ -40,7 +40,7 @@ TEST(SceneGraph, ComponentIsTheRootOrTheLoopAbove) {
 TEST(Ancestry, KnowsWhoIsAbove) {
   const AssetText text(R"({"nodes": [{"children": [1, 2]}, {"children": [3]}, {}, {}, {},
     {"children": [5]}]})");
-  const SceneGraph graph(text.asset);
+  const SceneGraph graph(text.asset, read_nodes(text.asset));
   const Ancestry ancestry(graph);
   const auto above = [&](NodeIndex a, NodeIndex b) { return ancestry.is_ancestor_or_self(a, b); };
   EXPECT_TRUE(above(0, 3));

@@ -115,6 +115,40 @@ TEST_F(Validate, ManyFilesComeBackInOrderWhateverTheThreads) {
   }
 }
 
+// Faults of all phases in a text that is large enough for several threads.
+std::string large_asset() {
+  std::string nodes, accessors;
+  for (int i = 0; i < 30000; ++i) {
+    if (i > 0) nodes += ',';
+    nodes += R"({"children": [)";
+    nodes += std::to_string(i + 1);
+    nodes += R"(], "scale": [1, 1, "x"]})";
+    if (i % 30 != 0) continue;
+    if (i > 0) accessors += ',';
+    accessors += R"({"bufferView": 7, "count": 0})";
+  }
+  return R"({"asset": {"version": "2.0"}, "nodes": [)" + nodes + R"(], "accessors": [)" +
+         accessors + R"(], "images": [{"uri": "none.png"}], "scenes": [{"nodes": [0, 5]}]})";
+}
+
+TEST_F(Validate, ALargeFileGivesTheSameReportWhateverTheThreads) {
+  const std::string path = write("large.gltf", large_asset());
+  ASSERT_GT(fs::file_size(path), std::uintmax_t{1} << 20U);
+  std::vector<std::string> first;
+  for (const unsigned jobs : {1U, 2U, 0U, 2U}) {
+    ValidateOptions options;
+    options.profile = Profile::khronos;
+    options.jobs = jobs;
+    std::vector<std::string> found;
+    for (const Diagnostic& one : validate_file(path, options).diagnostics) {
+      found.push_back(std::string(one.code) + " " + one.pointer);
+    }
+    EXPECT_GT(found.size(), 30000U);
+    if (first.empty()) first = found;
+    EXPECT_EQ(found, first) << jobs;
+  }
+}
+
 TEST_F(Validate, NoFilesAreNoWork) {
   validate_files({}, {}, 2, [](FileReport&&) { FAIL(); });
 }

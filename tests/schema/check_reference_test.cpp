@@ -184,7 +184,7 @@ TEST(Robustness, DeepDocumentsAreWalkedWithoutRecursion) {
   json += "}}}]}";
   json::Limits limits;
   limits.depth = 2 * kDeep;
-  const auto parsed = json::parse(std::make_shared<const std::string>(json), limits);
+  const auto parsed = json::parse(share_text(json), limits);
   ASSERT_TRUE(parsed.ok());
   class Count : public Sink {
    public:

@@ -33,6 +33,8 @@ struct ValidateOptions {
   std::string root;
   /// Findings kept per file, 0: no limit.
   std::uint64_t max_issues = 0;
+  /// Threads that one large file may be given; 0: one a core. Reports do not depend on it.
+  unsigned jobs = 0;
   std::set<std::string, std::less<>> select;              ///< only these codes; empty: all
   std::set<std::string, std::less<>> ignore;              ///< never these
   std::map<std::string, Severity, std::less<>> severity;  ///< instead of a rule's default

@@ -147,7 +147,7 @@ class InfluencePhase {
     const Context& context = phase_.context;
     if (context.asset.count(model::RootArray::skins) == 0) return;
     const std::vector<Limit> limits = joint_limits(context);
-    const auto& meshes = context.asset.elements(model::RootArray::meshes);
+    const auto& meshes = context.views.meshes;
     for (std::uint32_t i = 0; i < meshes.size(); ++i) {
       if (limits[i].joints != 0) check_mesh(i, meshes[i], limits[i]);
     }
@@ -155,19 +155,16 @@ class InfluencePhase {
   }
 
  private:
-  void check_mesh(std::uint32_t index, json::NodeId mesh, const Limit& limit) {
-    const std::vector<json::NodeId> objects = model::primitives(phase_.context.document, mesh);
-    const bool holes = std::find(objects.begin(), objects.end(), json::kNoNode) != objects.end();
-    if (holes && phase_.context.khronos()) return;
-    for (std::uint32_t i = 0; i < objects.size(); ++i) {
-      if (objects[i] != json::kNoNode) check_primitive({index, i, limit}, objects[i]);
+  void check_mesh(std::uint32_t index, const model::Mesh& mesh, const Limit& limit) {
+    if (mesh.has_holes && phase_.context.khronos()) return;
+    for (std::uint32_t i = 0; i < mesh.primitives.size(); ++i) {
+      check_primitive({index, i, limit}, mesh.primitives[i]);
     }
   }
 
-  void check_primitive(Skinned skinned, json::NodeId object) {
-    const std::size_t sets = model::joint_sets(phase_.context.asset, object);
+  void check_primitive(Skinned skinned, const model::Primitive& primitive) {
+    const std::size_t sets = model::joint_sets(primitive);
     if (sets == 0) return;
-    const model::Primitive primitive = model::read_primitive(phase_.context.asset, object);
     const std::uint64_t vertices = vertex_count(primitive);
     std::vector<std::optional<AccessorData>> data;
     for (std::size_t set = 0; set < sets; ++set) {

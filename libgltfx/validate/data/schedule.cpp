@@ -46,7 +46,7 @@ class Scheduler {
   std::vector<Schedule> run() {
     const auto& accessors = context_.views.accessors;
     for (std::uint32_t i = 0; i < accessors.size(); ++i) add_accessor(i, accessors[i]);
-    const auto& meshes = context_.asset.elements(model::RootArray::meshes);
+    const auto& meshes = context_.views.meshes;
     for (std::uint32_t i = 0; i < meshes.size(); ++i) add_mesh(i, meshes[i]);
     const auto& skins = context_.asset.elements(model::RootArray::skins);
     for (std::uint32_t i = 0; i < skins.size(); ++i) add_skin(i, skins[i]);
@@ -96,17 +96,14 @@ class Scheduler {
     add_bound(CheckKind::maximum, accessor.max);
   }
 
-  void add_mesh(std::uint32_t index, json::NodeId mesh) {
-    const std::vector<json::NodeId> objects = model::primitives(context_.document, mesh);
-    const bool holes = std::find(objects.begin(), objects.end(), json::kNoNode) != objects.end();
-    if (holes && context_.khronos()) return;
-    for (std::uint32_t i = 0; i < objects.size(); ++i) {
-      if (objects[i] != json::kNoNode) add_primitive(index, i, objects[i]);
+  void add_mesh(std::uint32_t index, const model::Mesh& mesh) {
+    if (mesh.has_holes && context_.khronos()) return;
+    for (std::uint32_t i = 0; i < mesh.primitives.size(); ++i) {
+      add_primitive(index, i, mesh.primitives[i]);
     }
   }
 
-  void add_primitive(std::uint32_t mesh, std::uint32_t index, json::NodeId object) {
-    const model::Primitive primitive = model::read_primitive(context_.asset, object);
+  void add_primitive(std::uint32_t mesh, std::uint32_t index, const model::Primitive& primitive) {
     std::int64_t vertices = -1;
     for (const model::Attribute& attribute : primitive.attributes) {
       if (!attribute.accessor) continue;

@@ -26,7 +26,7 @@ constexpr model::Format kTimes{model::ElementType::scalar, model::ComponentType:
 class AnimationCheck {
  public:
   explicit AnimationCheck(const Context& context)
-      : context_(context), deformations_(model::read_deformations(context.asset)) {}
+      : context_(context), deformations_(model::read_deformations(context.views.meshes)) {}
 
   void run() {
     const Path root;
@@ -163,8 +163,7 @@ class AnimationCheck {
   void check_target(const AnimationChannel& channel, const Path& path) {
     if (!channel.node) return;
     const Path at(path, "target");
-    const json::NodeId object = context_.asset.elements(model::RootArray::nodes)[*channel.node];
-    const model::Node node = model::read_node(context_.asset, object);
+    const model::Node& node = context_.views.nodes[*channel.node];
     if (channel.path == AnimationPath::weights) {
       check_weights(channel, node, at);
     } else if (!model::animation_path_name(channel.path).empty()) {
@@ -210,8 +209,7 @@ class AnimationCheck {
     std::uint64_t values = 1;
     if (channel.path == AnimationPath::weights) {
       if (!channel.node) return;
-      values = morph_targets(model::read_node(
-          context_.asset, context_.asset.elements(model::RootArray::nodes)[*channel.node]));
+      values = morph_targets(context_.views.nodes[*channel.node]);
     }
     check_output_count(context_, sampler, values, channel.object, path);
   }

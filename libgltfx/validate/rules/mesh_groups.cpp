@@ -51,7 +51,7 @@ class RestartCheck {
   RestartCheck(const Context& context, const ExtensionPlace& place, const Path& path)
       : context_(context),
         groups_(object_list(context.document, place.object, "primitiveGroups")),
-        primitives_(model::primitives(context.document, place.host)),
+        primitives_(context.views.meshes[place.index].primitives),
         owner_(primitives_.size(), SIZE_MAX),
         list_(path, "primitiveGroups") {}
 
@@ -63,7 +63,7 @@ class RestartCheck {
       if (array == json::kNoNode || context_.document.kind(array) != json::Kind::number_array) {
         continue;
       }
-      std::optional<model::Primitive> first;
+      const model::Primitive* first = nullptr;
       std::uint64_t position = 0;
       for (json::NumberCursor at(context_.document, array); at.valid(); at.advance(), ++position) {
         const double value = at.number().value;
@@ -77,21 +77,21 @@ class RestartCheck {
   }
 
  private:
-  void check(std::size_t index, std::size_t group, std::optional<model::Primitive>& first,
-             Span span, const Path& path) {
-    if (primitives_[index] == json::kNoNode) return;
+  void check(std::size_t index, std::size_t group, const model::Primitive*& first, Span span,
+             const Path& path) {
+    const model::Primitive& primitive = primitives_[index];
+    if (primitive.node == json::kNoNode) return;
     if (owner_[index] != SIZE_MAX && owner_[index] != group) {
       add(path, span, "RESTART_PRIMITIVE_REPEATED",
           fmt::format("Primitive {} is in group {} already.", index, owner_[index]));
     }
     owner_[index] = group;
-    const model::Primitive primitive = model::read_primitive(context_.asset, primitives_[index]);
     const std::string why = why_not_grouped(context_.document, primitive);
     if (!why.empty()) {
       add(path, span, "RESTART_PRIMITIVE_UNFIT",
           fmt::format("Primitive {} cannot be in a group: {}.", index, why));
-    } else if (!first) {
-      first = primitive;
+    } else if (first == nullptr) {
+      first = &primitive;
     } else if (primitive.mode != first->mode || primitive.material != first->material ||
                !same_attributes(primitive, *first)) {
       add(path, span, "RESTART_PRIMITIVES_DIFFER",
@@ -107,7 +107,8 @@ class RestartCheck {
   }
 
   const Context& context_;
-  std::vector<json::NodeId> groups_, primitives_;
+  std::vector<json::NodeId> groups_;
+  const std::vector<model::Primitive>& primitives_;
   std::vector<std::size_t> owner_;  ///< group a primitive is in
   Path list_;
 };
@@ -153,11 +154,10 @@ std::string why_no_part(const Context& context, const model::Primitive& primitiv
 void check_manifold(const Context& context, const ExtensionPlace& place, const Path& path) {
   Shared shared;
   std::size_t index = 0;
-  for (const json::NodeId object : model::primitives(context.document, place.host)) {
+  for (const model::Primitive& primitive : context.views.meshes[place.index].primitives) {
     const std::size_t own = index++;
-    if (object == json::kNoNode) continue;
-    const std::string why =
-        why_no_part(context, model::read_primitive(context.asset, object), shared);
+    if (primitive.node == json::kNoNode) continue;
+    const std::string why = why_no_part(context, primitive, shared);
     if (why.empty()) continue;
     report(context, path, place.object, "MANIFOLD_PRIMITIVE_UNFIT",
            fmt::format("Primitive {} cannot be part of the manifold: {}.", own, why));

@@ -236,15 +236,14 @@ void check_meshes(const Context& context) {
   MeshState state(context);
   const Path root;
   const Path array(root, "meshes");
-  const auto& meshes = context.asset.elements(model::RootArray::meshes);
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const Path mesh(array, static_cast<std::uint64_t>(i));
-    const Path list(mesh, "primitives");
+  std::uint64_t mesh_index = 0;
+  for (const model::Mesh& mesh : context.views.meshes) {
+    const Path owner(array, mesh_index++);
+    const Path list(owner, "primitives");
     std::uint64_t index = 0;
-    for (const json::NodeId object : model::primitives(context.document, meshes[i])) {
+    for (const Primitive& primitive : mesh.primitives) {
       const Path path(list, index++);
-      if (object == json::kNoNode) continue;
-      check_primitive(state, model::read_primitive(context.asset, object), path);
+      if (primitive.node != json::kNoNode) check_primitive(state, primitive, path);
     }
   }
 }

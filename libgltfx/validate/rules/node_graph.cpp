@@ -21,9 +21,7 @@ using model::NodeIndex;
 class GraphCheck {
  public:
   explicit GraphCheck(const Context& context)
-      : context_(context),
-        graph_(context.graph),
-        objects_(context.asset.elements(model::RootArray::nodes)) {
+      : context_(context), graph_(context.graph), nodes_(context.views.nodes) {
     if (context.khronos()) {
       declared_.insert(context.checked.extensions_used.begin(),
                        context.checked.extensions_used.end());
@@ -34,10 +32,10 @@ class GraphCheck {
   void run() {
     const Path root;
     const Path list(root, "nodes");
-    for (std::size_t i = 0; i < objects_.size(); ++i) {
-      if (objects_[i] == json::kNoNode) continue;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const model::Node& node = nodes_[i];
+      if (node.object == json::kNoNode) continue;
       const auto index = static_cast<NodeIndex>(i);
-      const model::Node node = model::read_node(context_.asset, objects_[i]);
       const Path path(list, i);
       check_empty(node, index, path);
       check_loop(index, path);
@@ -51,7 +49,7 @@ class GraphCheck {
   }
 
   void read_skins() {
-    is_joint_.assign(objects_.size(), 0);
+    is_joint_.assign(nodes_.size(), 0);
     for (const json::NodeId object : context_.asset.elements(model::RootArray::skins)) {
       skins_.push_back(kNoNodeIndex);
       if (object == json::kNoNode) continue;
@@ -113,7 +111,7 @@ class GraphCheck {
   void check_loop(NodeIndex index, const Path& path) {
     if (!graph_.on_loop(index)) return;
     const NodeIndex parent = graph_.parent(index);
-    report(path, objects_[index], "NODE_LOOP",
+    report(path, nodes_[index].object, "NODE_LOOP",
            parent == index ? std::string("The node is its own child.")
                            : fmt::format("The node is above its own parent, node {}.", parent));
   }
@@ -121,9 +119,9 @@ class GraphCheck {
   // Whether a node or one above it moves: from the top down, each node once.
   void find_transforms() {
     enum State : std::uint8_t { kUnseen, kOnTheWay, kStill, kMoved };
-    moved_.assign(objects_.size(), kUnseen);
+    moved_.assign(nodes_.size(), kUnseen);
     std::vector<NodeIndex> way;
-    for (std::size_t i = 0; i < objects_.size(); ++i) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
       auto at = static_cast<NodeIndex>(i);
       for (; at != kNoNodeIndex && moved_[at] == kUnseen; at = graph_.parent(at)) {
         moved_[at] = kOnTheWay;
@@ -139,9 +137,7 @@ class GraphCheck {
   }
 
   bool moves(NodeIndex index) const {
-    if (objects_[index] == json::kNoNode) return false;
-    const model::Node node = model::read_node(context_.asset, objects_[index]);
-    return !model::read_transform(context_.document, node).is_identity();
+    return !model::read_transform(context_.document, nodes_[index]).is_identity();
   }
 
   void check_skinned(const model::Node& node, NodeIndex index, const Path& path) {
@@ -179,7 +175,7 @@ class GraphCheck {
 
   const Context& context_;
   const model::SceneGraph& graph_;
-  const std::vector<json::NodeId>& objects_;
+  const std::vector<model::Node>& nodes_;
   std::unordered_set<std::string_view> declared_;
   std::vector<NodeIndex> skins_;  ///< root above all joints, by skin
   std::vector<std::uint8_t> is_joint_;

@@ -66,17 +66,17 @@ constexpr RuleDescription kRules[] = {
 class NodeCheck {
  public:
   explicit NodeCheck(const Context& context)
-      : context_(context), deformations_(model::read_deformations(context.asset)) {}
+      : context_(context), deformations_(model::read_deformations(context.views.meshes)) {}
 
   void run() {
     const Path root;
     const Path list(root, "nodes");
-    const auto& objects = context_.asset.elements(model::RootArray::nodes);
+    const auto& nodes = context_.views.nodes;
     const auto& overrides = context_.graph.overrides();
     auto next = overrides.begin();
-    for (std::size_t i = 0; i < objects.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
       const Path path(list, i);
-      if (objects[i] != json::kNoNode) check(model::read_node(context_.asset, objects[i]), path);
+      if (nodes[i].object != json::kNoNode) check(nodes[i], path);
       for (; next != overrides.end() && next->parent == i; ++next) report_override(*next, path);
     }
   }

@@ -83,10 +83,10 @@ void check_single_root(const Context& context) {
                    fault);
     return;
   }
-  const json::NodeId node = context.asset.elements(model::RootArray::nodes).front();
-  if (model::read_transform(document, model::read_node(context.asset, node)).is_identity()) return;
+  const model::Node& node = context.views.nodes.front();
+  if (model::read_transform(document, node).is_identity()) return;
   const Path nodes(root, "nodes");
-  context.link_sink.report(Path(nodes, 0), finding_on(context, node, "SINGLE_ROOT_TRANSFORM",
+  context.link_sink.report(Path(nodes, 0), finding_on(context, node.object, "SINGLE_ROOT_TRANSFORM",
                                                       "Node 0, the single root, has a transform."));
 }
 

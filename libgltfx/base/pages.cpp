@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/pages.hpp"
+
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace gltfx {
+namespace {
+
+constexpr std::size_t kHugePage = std::size_t{2} << 20U;
+constexpr std::align_val_t kAlignment{kHugePage};
+
+bool is_worth_it(std::size_t bytes) { return bytes >= 2 * kHugePage; }
+
+}  // namespace
+
+void* allocate_pages(std::size_t bytes) {
+  if (!is_worth_it(bytes)) return ::operator new(bytes);
+  void* const memory = ::operator new(bytes, kAlignment);
+#ifdef MADV_HUGEPAGE
+  // A wish: a system without huge pages gives small ones. What is not a whole page stays small.
+  ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
+#endif
+  return memory;
+}
+
+void free_pages(void* memory, std::size_t bytes) noexcept {
+  if (is_worth_it(bytes)) {
+    ::operator delete(memory, kAlignment);
+  } else {
+    ::operator delete(memory);
+  }
+}
+
+}  // namespace gltfx

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Text that many keep and nobody changes.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace gltfx {
+
+/// Lives as long as one of its owners. A NUL stands behind it. Null: there is none.
+using SharedText = std::shared_ptr<const std::string_view>;
+
+/// Takes the text's memory.
+SharedText share_text(std::string text);
+
+/// Room for a text of known length, to be filled and then shared.
+class TextRoom {
+ public:
+  /// Check operator bool: there may not be enough memory.
+  explicit TextRoom(std::size_t size);
+
+  explicit operator bool() const { return bytes_ != nullptr; }
+  char* data() { return bytes_.get(); }
+  std::size_t size() const { return size_; }
+  SharedText share() &&;
+
+ private:
+  struct Free {
+    std::size_t bytes;  ///< as allocated
+    void operator()(char* memory) const noexcept;
+  };
+  std::unique_ptr<char, Free> bytes_;
+  std::size_t size_;
+};
+
+}  // namespace gltfx
