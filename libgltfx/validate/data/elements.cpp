@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/parallel.hpp"
 #include "validate/data/describe.hpp"
 #include "validate/data/phases.hpp"
 #include "validate/rules/finding.hpp"
@@ -10,9 +12,11 @@
 namespace gltfx::validate {
 namespace {
 
+using model::AccessorData;
+
 class ElementReport {
  public:
-  ElementReport(DataPhase& phase, const Schedule& schedule, const model::AccessorData& data)
+  ElementReport(DataPhase& phase, const Schedule& schedule, const AccessorData& data)
       : phase_(phase),
         data_(data),
         looked_{phase.context, schedule, data.components(), data.count()} {}
@@ -76,7 +80,7 @@ class ElementReport {
   }
 
   DataPhase& phase_;
-  const model::AccessorData& data_;
+  const AccessorData& data_;
   Looked looked_;
 };
 
@@ -98,18 +102,77 @@ void report_unchecked(DataPhase& phase, std::uint32_t index) {
                              *accessor.count)));
 }
 
+// Accessors that one thread looks at, one after the other.
+struct Batch {
+  std::vector<const Schedule*> schedules;
+  std::vector<bool> affordable;
+  std::uint64_t numbers = 0;
+};
+
+// An accessor at fault.
+struct Scan {
+  std::size_t position;  // in its batch
+  AccessorData data;
+  std::vector<Outcome> outcomes;
+};
+
+// What can be read, as far as the budget goes, in batches that are worth a thread.
+std::vector<Batch> plan_batches(DataPhase& phase, const std::vector<Schedule>& schedules) {
+  constexpr std::uint64_t kWorthAThread = 1U << 20U;
+  std::vector<Batch> batches;
+  for (const Schedule& schedule : schedules) {
+    const auto data = phase.open(schedule.accessor);
+    if (!data) continue;
+    if (batches.empty() || batches.back().numbers >= kWorthAThread) batches.emplace_back();
+    Batch& batch = batches.back();
+    const std::uint64_t each = data->components() * distinct(schedule.checks);
+    const bool affordable = phase.budget.take(data->count(), each);
+    batch.schedules.push_back(&schedule);
+    batch.affordable.push_back(affordable);
+    if (affordable) batch.numbers += data->count() * each;
+  }
+  return batches;
+}
+
+std::vector<Scan> scan_batch(const DataPhase& phase, const Batch& batch) {
+  std::vector<Scan> scans;
+  for (std::size_t i = 0; i < batch.schedules.size(); ++i) {
+    if (!batch.affordable[i]) continue;
+    const auto data = phase.open(batch.schedules[i]->accessor);
+    if (!data) continue;
+    std::vector<Outcome> outcomes = scan(*data, batch.schedules[i]->checks);
+    const bool clean = std::all_of(outcomes.begin(), outcomes.end(),
+                                   [](const Outcome& each) { return each.clean(); });
+    if (!clean) scans.push_back({i, *data, std::move(outcomes)});
+  }
+  return scans;
+}
+
+void report_batch(DataPhase& phase, const Batch& batch, const std::vector<Scan>& scans) {
+  auto next = scans.begin();
+  for (std::size_t i = 0; i < batch.schedules.size(); ++i) {
+    if (!batch.affordable[i]) {
+      report_unchecked(phase, batch.schedules[i]->accessor);
+    } else if (next != scans.end() && next->position == i) {
+      ElementReport(phase, *batch.schedules[i], next->data).report(next->outcomes);
+      ++next;
+    }
+  }
+}
+
 }  // namespace
 
 void check_elements(DataPhase& phase) {
-  for (const Schedule& schedule : schedule_checks(phase.context)) {
-    const auto data = phase.open(schedule.accessor);
-    if (!data) continue;
-    if (!phase.budget.take(data->count(), data->components() * distinct(schedule.checks))) {
-      report_unchecked(phase, schedule.accessor);
-      continue;
-    }
-    ElementReport(phase, schedule, *data).report(scan(*data, schedule.checks));
-  }
+  const std::vector<Schedule> schedules = schedule_checks(phase.context);
+  const std::vector<Batch> batches = plan_batches(phase, schedules);
+  std::vector<std::vector<Scan>> scans(batches.size());
+  parallel_ordered(
+      batches.size(), phase.context.options.jobs,
+      [&](std::size_t i) { scans[i] = scan_batch(phase, batches[i]); },
+      [&](std::size_t i) {
+        report_batch(phase, batches[i], scans[i]);
+        scans[i] = {};
+      });
 }
 
 }  // namespace gltfx::validate

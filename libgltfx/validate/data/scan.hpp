@@ -34,6 +34,7 @@ struct Outcome {
   std::vector<BoundFault> bounds;
 
   std::uint64_t total() const;
+  bool clean() const { return total() == 0 && degenerate == 0 && bounds.empty(); }
 };
 
 /// Runs `checks` over all elements. The outcome of a check that is the same as an earlier one is
