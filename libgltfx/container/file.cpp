@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <limits>
-#include <memory>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "container/mapping.hpp"
 
 namespace gltfx::container {
 namespace {
@@ -101,9 +102,9 @@ Loaded map_file(int fd, std::uint64_t size) {
   const std::size_t length = size;
   void* start = ::mmap(nullptr, length, PROT_READ, MAP_PRIVATE, fd, 0);
   if (start == MAP_FAILED) return {fault_of_errno(errno), {}, errno_text(errno)};
-  const std::shared_ptr<const void> owner(
-      start, [length](const void* mapped) { ::munmap(const_cast<void*>(mapped), length); });
-  return {ResolveFault::none, {{static_cast<const std::byte*>(start), length}, owner}, {}};
+  return {ResolveFault::none,
+          {{static_cast<const std::byte*>(start), length}, own_mapping(start, length)},
+          {}};
 }
 
 Loaded load_file(const File& file) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // RESOLVE_BENEATH done by hand, and more generous in one point: an absolute link that leads back
-// into the root is followed. Outside the root folders are only passed through (O_PATH), never read.
+// into the root is followed. Nothing outside is opened on the way but the folders above the root
+// (O_PATH: passed through, not read); links are read by name.
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <string_view>
@@ -17,12 +19,27 @@ namespace gltfx::container {
 namespace {
 
 constexpr int kLinkBudget = 40;  // as many as the kernel follows
-constexpr int kPeek = O_PATH | O_NOFOLLOW | O_CLOEXEC;
+constexpr int kPass = O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 
 struct Identity {
   dev_t device = 0;
   ino_t inode = 0;
+  bool operator==(const Identity&) const = default;
 };
+
+Identity identity_of(const struct stat& status) { return {status.st_dev, status.st_ino}; }
+
+// The folders above `root`, up to "/".
+std::vector<Identity> folders_above(int root) {
+  std::vector<Identity> above;
+  struct stat status {};
+  for (std::string way = ".."; ::fstatat(root, way.c_str(), &status, 0) == 0; way += "/..") {
+    const Identity next = identity_of(status);
+    if (!above.empty() && above.back() == next) break;
+    above.push_back(next);
+  }
+  return above;
+}
 
 class Walk {
  public:
@@ -31,7 +48,7 @@ class Walk {
   File run(std::string_view path) {
     struct stat status {};
     if (::fstat(root_, &status) != 0) return file_fault(errno);
-    root_identity_ = {status.st_dev, status.st_ino};
+    root_identity_ = identity_of(status);
     push_components(path);
     if (path.starts_with('/') && !start_at_slash()) return file_fault(EXDEV);
     File file;
@@ -62,19 +79,21 @@ class Walk {
   bool step(const std::string& name, File& file) {
     if (name.empty() || name == ".") return false;
     if (name == "..") return step_up(file);
-    UniqueFd next(::openat(here(), name.c_str(), kPeek));
     struct stat status {};
-    if (!next || ::fstat(next.get(), &status) != 0) return end(file, file_fault(errno));
-    if (S_ISLNK(status.st_mode)) return follow(next.get(), file);
-    if (S_ISDIR(status.st_mode)) {
-      enter(std::move(next), status);
-      return false;
+    if (::fstatat(here(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+      return end(file, file_fault(errno));
     }
+    if (S_ISLNK(status.st_mode)) return follow(name, file);
+    if (outside_ && !leads_to_root(identity_of(status))) return end(file, file_fault(EXDEV));
+    if (S_ISDIR(status.st_mode)) return enter(name, file);
     if (!todo_.empty()) return end(file, file_fault(ENOTDIR));
-    if (outside_) return end(file, file_fault(EXDEV));
-    if (!S_ISREG(status.st_mode)) return end(file, adopt_regular(std::move(next)));
     // A link that takes the name's place meanwhile is refused by O_NOFOLLOW.
     return end(file, open_regular(here(), name.c_str(), O_NOFOLLOW));
+  }
+
+  bool leads_to_root(const Identity& folder) const {
+    return folder == root_identity_ ||
+           std::find(above_.begin(), above_.end(), folder) != above_.end();
   }
 
   static bool end(File& file, File result) {
@@ -88,8 +107,16 @@ class Walk {
     return false;
   }
 
-  void enter(UniqueFd folder, const struct stat& status) {
-    if (status.st_dev == root_identity_.device && status.st_ino == root_identity_.inode) {
+  bool enter(const std::string& name, File& file) {
+    UniqueFd folder(::openat(here(), name.c_str(), kPass));
+    struct stat status {};
+    if (!folder || ::fstat(folder.get(), &status) != 0) return end(file, file_fault(errno));
+    keep(std::move(folder), identity_of(status));
+    return false;
+  }
+
+  void keep(UniqueFd folder, const Identity& identity) {
+    if (identity == root_identity_) {
       folders_.clear();
       outside_ = false;
     } else {
@@ -97,10 +124,10 @@ class Walk {
     }
   }
 
-  bool follow(int link, File& file) {
+  bool follow(const std::string& link, File& file) {
     if (++links_ > kLinkBudget) return end(file, file_fault(ELOOP));
     std::string target(PATH_MAX, '\0');
-    const ssize_t length = ::readlinkat(link, "", target.data(), target.size());
+    const ssize_t length = ::readlinkat(here(), link.c_str(), target.data(), target.size());
     if (length < 0) return end(file, file_fault(errno));
     if (length == 0) return end(file, file_fault(ENOENT));
     target.resize(static_cast<std::size_t>(length));
@@ -115,12 +142,14 @@ class Walk {
     if (!slash || ::fstat(slash.get(), &status) != 0) return false;
     folders_.clear();
     outside_ = true;
-    enter(std::move(slash), status);
+    above_ = folders_above(root_);
+    keep(std::move(slash), identity_of(status));
     return true;
   }
 
   int root_;
   Identity root_identity_;
+  std::vector<Identity> above_;    ///< filled by the first absolute link
   std::vector<UniqueFd> folders_;  ///< below the root; while outside: from "/" on
   std::vector<std::string> todo_;  ///< components still to walk, the next one last
   bool outside_ = false;

@@ -134,6 +134,7 @@ Uri absolute(std::string_view uri, std::size_t scheme) {
   out.kind = UriKind::non_relative;
   out.normalized = normalize_escapes(uri, "?#[]");
   for (std::size_t i = 0; i < scheme; ++i) out.normalized[i] = ascii_lower(out.normalized[i]);
+  out.local = scheme == 1 || out.normalized.starts_with("file:");  // a drive's letter is no scheme
   return out;
 }
 
@@ -174,6 +175,7 @@ Uri classify_uri(std::string_view uri) {
   if (rooted || uri.find_first_of("?#") != npos) {
     out.kind = UriKind::non_relative;
     out.normalized = normalize_escapes(uri, "?#");
+    out.local = rooted && !uri.starts_with("//");
     return out;
   }
   out.problem = find_problem(uri);

@@ -28,6 +28,9 @@ struct Uri {
   /// digits are undone, hexadecimal digits are upper case.
   std::string normalized;
   std::string problem;  ///< invalid: why, as the printable end of a sentence ("it ... at byte 3")
+  /// non_relative: names a place of this machine or its network, such as "/etc", "C:\\a" or
+  /// "file:".
+  bool local = false;
   /// invalid: a lenient reader still takes it for a relative path, which `path` and `normalized`
   /// then hold ('\\' read as '/', a stray '%' as itself). False where nobody can.
   bool lenient_path = false;

@@ -2,10 +2,13 @@
 #include "validate/collector.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
+#include <system_error>
 #include <utility>
 
 #include "json/lines.hpp"
+#include "model/lookup.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -28,14 +31,18 @@ std::uint64_t fold_key(const Path& path, const Finding& finding) {
 }
 
 // The name of the element of a root array that a pointer leads into: what an artist knows it by.
-std::string nearest_name(const json::Document& document, std::string_view pointer) {
-  if (document.empty() || pointer.empty()) return {};
+std::string nearest_name(model::Lookup& lookup, const json::Document& document,
+                         std::string_view pointer) {
   const std::size_t second = pointer.find('/', 1);
-  if (second == std::string_view::npos) return {};
-  const std::string_view element = pointer.substr(0, pointer.find('/', second + 1));
-  const json::NodeId object = document.resolve(element);
-  if (object == json::kNoNode) return {};
-  const json::NodeId name = document.find(object, "name");
+  if (document.empty() || second == std::string_view::npos) return {};
+  const std::string_view position = pointer.substr(second + 1);
+  std::size_t index = 0;
+  const auto read = std::from_chars(position.data(), position.data() + position.size(), index);
+  const json::NodeId array = lookup.member(document.root(), pointer.substr(1, second - 1));
+  if (read.ec != std::errc() || array == json::kNoNode) return {};
+  const auto& elements = lookup.elements(array);
+  if (index >= elements.size()) return {};
+  const json::NodeId name = document.find(elements[index], "name");
   return name != json::kNoNode && document.is_string(name) ? document.string(name) : std::string();
 }
 
@@ -88,7 +95,14 @@ bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
   if (options_.profile == Profile::khronos) return false;
   const auto at = static_cast<std::size_t>(phase);
   const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, finding), entries_[at].size());
-  if (fresh) return false;
+  if (fresh) {
+    Places& places = places_[at][finding.code];
+    if (places.count++ < kMostPlaces) {
+      places.last = entries_[at].size();
+      return false;
+    }
+    entry->second = places.last;
+  }
   Diagnostic& first = entries_[at][entry->second].diagnostic;
   first.count += finding.count;
   first.last_pointer = path.pointer();
@@ -165,8 +179,9 @@ void Collector::locate(std::vector<Entry>& entries, const json::Document& docume
                        std::uint64_t json_offset) {
   if (!text_) return;
   if (!lines_) lines_.emplace(*text_, last_place());
+  model::Lookup lookup(document);
   for (Entry& entry : entries) {
-    entry.diagnostic.object_name = nearest_name(document, entry.diagnostic.pointer);
+    entry.diagnostic.object_name = nearest_name(lookup, document, entry.diagnostic.pointer);
     // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.
     if (entry.span.end == 0) continue;
     entry.diagnostic.location = lines_->locate(entry.span, json_offset);

@@ -28,7 +28,8 @@ inline constexpr std::size_t kPhaseCount = 6;
 
 /// Findings of one asset. One about how objects go together that has no help of its own gets the
 /// rule's remedy. A repeat of a code at the same place, but for array indices, is folded
-/// into the first (not in the khronos profile), so a million faults cost a counter.
+/// into the first (not in the khronos profile), so a million faults cost a counter. So are those of
+/// one code at ever new places, once very many have been listed: nobody reads on there.
 class Collector {
  public:
   explicit Collector(const ValidateOptions& options);
@@ -50,9 +51,16 @@ class Collector {
   void finish(FileReport& report, const json::Document& document, std::uint64_t json_offset);
 
  private:
+  static constexpr std::size_t kMostPlaces = 1000;
+
   struct Entry {
     Diagnostic diagnostic;
     Span span;
+  };
+  /// Where a code was found, but for array indices.
+  struct Places {
+    std::size_t count = 0;
+    std::size_t last = 0;  ///< the last one that is listed: position in entries_ of its phase
   };
   class PhaseSink final : public Sink {
    public:
@@ -79,6 +87,7 @@ class Collector {
   std::array<PhaseSink, kPhaseCount> sinks_;
   /// Fold key -> position in entries_ of its phase.
   std::array<std::unordered_map<std::uint64_t, std::size_t>, kPhaseCount> folded_;
+  std::array<std::unordered_map<std::string_view, Places>, kPhaseCount> places_;
   SharedText text_;
   std::optional<json::LineIndex> lines_;
 };

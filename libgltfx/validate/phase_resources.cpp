@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "container/mapping.hpp"
 #include "model/fields.hpp"
 #include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
 #include "validate/resource_fetch.hpp"
+#include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -96,7 +98,38 @@ void load_buffers(const Context& context, Sink& sink, FileReport& report, Resour
   }
 }
 
+// What a bufferView holds is torn with its buffer.
+bool is_torn_file(const Context& context, json::NodeId object, bool buffer,
+                  const std::optional<Bytes>& bytes) {
+  if (!bytes || !container::is_torn(*bytes)) return false;
+  return buffer || context.document.find(object, "uri") != json::kNoNode;
+}
+
+void report_torn(const Context& context, model::RootArray array, std::size_t index, Sink& sink) {
+  const Path root;
+  const Path list(root, model::root_array_name(array));
+  sink.report(Path(list, index),
+              finding_on(context, context.asset.elements(array)[index], "IO_ERROR",
+                         "The file became shorter while it was read; what was missing counts as "
+                         "zeros."));
+}
+
 }  // namespace
+
+void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink) {
+  const auto& buffers = context.asset.elements(model::RootArray::buffers);
+  for (std::size_t i = 0; i < resources.buffers.size(); ++i) {
+    if (is_torn_file(context, buffers[i], true, resources.buffers[i])) {
+      report_torn(context, model::RootArray::buffers, i, sink);
+    }
+  }
+  const auto& images = context.asset.elements(model::RootArray::images);
+  for (std::size_t i = 0; i < resources.images.size(); ++i) {
+    if (is_torn_file(context, images[i], false, resources.images[i].bytes)) {
+      report_torn(context, model::RootArray::images, i, sink);
+    }
+  }
+}
 
 Resources load_resources(const Context& context, Sink& sink, FileReport& report) {
   Resources resources;

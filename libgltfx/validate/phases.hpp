@@ -38,6 +38,9 @@ struct Resources {
 /// root, too short, a Git-LFS pointer, and images whose header is at fault.
 Resources load_resources(const Context& context, Sink& sink, FileReport& report);
 
+/// Files that became shorter while phases read them; to be called behind those.
+void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink);
+
 /// Phases 5 to 7 over `resources`: sparse indices, elements of accessors, skinning, textures.
 void check_data(const Context& context, const model::ResourceData& resources, Sink& sink);
 

@@ -46,6 +46,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   if (context.khronos() && (container.cut_short || container.ends_in_empty_chunk)) return;
   Resources resources = load_resources(context, sink, report);
   check_data(context, resources.data, sink);
+  check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
   report.info->resources = std::move(resources.listed);
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,8 +55,10 @@ Outcome run(const std::vector<std::string>& words, const Setting& setting) {
   const pid_t child = ::fork();
   if (child == 0) become(words, setting, io);
   int status = 0;
-  ::waitpid(child, &status, 0);
+  struct rusage usage {};
+  ::wait4(child, &status, 0, &usage);
   Outcome outcome;
+  outcome.peak_kib = usage.ru_maxrss;
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.out = read_file(io + "/out");
   outcome.err = read_file(io + "/err");

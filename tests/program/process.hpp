@@ -14,6 +14,7 @@ struct Outcome {
   int code = -1;  ///< exit code; 128 + signal when one ended it
   std::string out;
   std::string err;
+  long peak_kib = 0;  ///< most memory that was resident
 };
 
 struct Setting {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// gltfx: validates glTF 2.0 assets.
+#include <gltfx/mapping.hpp>
+
 #include <csignal>
 #include <exception>
 #include <string>
@@ -22,6 +24,19 @@ void keep_standard_streams() {
   if (fd > STDERR_FILENO) ::close(fd);
 }
 
+// A mapped file that is cut while it is read is a finding. Any other such fault ends the program as
+// if there were no handler.
+void repair_or_die(int signal, siginfo_t* info, void*) {
+  if (!repair_mapping(info->si_addr)) static_cast<void>(std::signal(signal, SIG_DFL));
+}
+
+void guard_mappings() {
+  struct sigaction action {};
+  action.sa_sigaction = repair_or_die;
+  action.sa_flags = SA_SIGINFO;
+  ::sigaction(SIGBUS, &action, nullptr);
+}
+
 ExitCode run_command(int argc, char** argv) {
   const CommandLine command = read_command_line(argc, argv);
   if (const auto* answer = std::get_if<Answer>(&command)) {
@@ -39,6 +54,7 @@ int main(int argc, char** argv) {
   // A reader that goes away is seen where we write, so that files being written are still
   // completed.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  gltfx::tool::guard_mappings();
   gltfx::tool::keep_standard_streams();
   ExitCode code = ExitCode::internal;
   try {

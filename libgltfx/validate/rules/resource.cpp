@@ -223,8 +223,9 @@ void check_uri(const Context& context, json::NodeId object, const Path& path, bo
            fmt::format("{} is no URI: {}.", gltfx::quoted(text), uri.problem));
   }
   if (uri.kind == container::UriKind::non_relative) {
+    const bool outside = uri.local && !context.khronos();
     report(
-        context, at, value, "NON_RELATIVE_URI",
+        context, at, value, outside ? "URI_OUTSIDE_ROOT" : "NON_RELATIVE_URI",
         fmt::format("{} is no relative path; it is not looked up.", gltfx::quoted(uri.normalized)));
   }
   if (context.container.format != container::Format::glb) return;

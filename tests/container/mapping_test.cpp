@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/mapping.hpp"
+
+#include <gltfx/mapping.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+#include "container/file.hpp"
+#include "container/temp_folder.hpp"
+
+namespace gltfx::container::test {
+namespace {
+
+void repair(int signal, siginfo_t* info, void*) {
+  if (!repair_mapping(info->si_addr)) static_cast<void>(std::signal(signal, SIG_DFL));
+}
+
+// Repairs mappings as long as it lives.
+class Guard {
+ public:
+  Guard() {
+    struct sigaction action {};
+    action.sa_sigaction = repair;
+    action.sa_flags = SA_SIGINFO;
+    ::sigaction(SIGBUS, &action, &before_);
+  }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+  ~Guard() { ::sigaction(SIGBUS, &before_, nullptr); }
+
+ private:
+  struct sigaction before_ {};
+};
+
+TEST(Mapping, WhatIsCutOffReadsAsZerosAndIsKnown) {
+  const Guard guard;
+  const TempFolder folder;
+  const auto path = folder.write("big", std::string(1U << 20U, 'x'));
+  const Loaded loaded = load_file(open_regular(AT_FDCWD, path.c_str()));
+  const std::string_view text = loaded.bytes.text();
+  EXPECT_EQ(text[900000], 'x');
+  EXPECT_FALSE(is_torn(loaded.bytes));
+  std::filesystem::resize_file(path, 8192);
+  EXPECT_EQ(text[4096], 'x');
+  EXPECT_EQ(text[800000], '\0');
+  EXPECT_TRUE(is_torn(loaded.bytes));
+  EXPECT_TRUE(is_torn(loaded.bytes.part(100, 10)));
+}
+
+TEST(Mapping, OtherMemoryIsNotTouched) {
+  const std::string text(100, 'x');
+  EXPECT_FALSE(repair_mapping(text.data()));
+  EXPECT_FALSE(repair_mapping(nullptr));
+  EXPECT_FALSE(is_torn(Bytes::from_string(text)));
+}
+
+TEST(Mapping, AMappingThatIsGoneIsForgotten) {
+  const TempFolder folder;
+  const auto path = folder.write("big", std::string(1U << 20U, 'x'));
+  const void* address = nullptr;
+  {
+    const Loaded loaded = load_file(open_regular(AT_FDCWD, path.c_str()));
+    address = loaded.bytes.view().data();
+  }
+  EXPECT_FALSE(repair_mapping(address));
+  const Loaded again = load_file(open_regular(AT_FDCWD, path.c_str()));
+  EXPECT_FALSE(is_torn(again.bytes));
+}
+
+}  // namespace
+}  // namespace gltfx::container::test
