@@ -2,18 +2,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the benchmarks' workloads, the same bytes every time.
 
-  make_assets.py FOLDER [--only batch,city] [--files N] [--blocks N]
+  make_assets.py FOLDER [--only batch,city,...] [--files N] [--blocks N] [--side N]
 
-batch  1,000 small models of a few ten KB, half with the buffer inside, half with a .bin beside
-city   one .gltf of some 70 MB of JSON: many nodes, meshes, materials and animation channels
+batch     1,000 small models of a few ten KB, half with the buffer inside, half with a .bin beside
+city      one .gltf of some 70 MB of JSON: many nodes, meshes, materials and animation channels
+terrain   one .glb of some 400 MB of plain geometry: 8 meshes with positions, normals, tangents,
+          texture coordinates and indices
+normals   two .glb of a million vertices: clean.glb, and bad.glb whose normals are all too long
+textures  one .glb with 40 PNG images of 2,048 to 4,096 texels a side
 """
 import argparse
+import array
 import base64
 import json
 import math
 import os
 import random
 import struct
+import zlib
 
 ASSET = {"version": "2.0", "generator": "gltfx tests/bench"}
 
@@ -212,21 +218,105 @@ def make_city(folder, blocks):
         out.write(b"".join(parts))
 
 
+def write_glb(path, document, parts):
+    """`parts` are views, in order; each is padded to four bytes."""
+    at, views = 0, []
+    for part in parts:
+        views.append({"buffer": 0, "byteOffset": at, "byteLength": len(part)})
+        at += len(part) + -len(part) % 4
+    document.update(asset=ASSET, bufferViews=views, buffers=[{"byteLength": at}])
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    with open(path, "wb") as out:
+        out.write(b"glTF" + struct.pack("<II", 2, 12 + 8 + len(text) + 8 + at))
+        out.write(struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", at, b"BIN\0"))
+        for part in parts:
+            out.write(part)
+            out.write(b"\0" * (-len(part) % 4))
+
+
+def terrain_parts(side, normal):
+    """Views and accessors of a plane of side x side vertices."""
+    steps = [as_float32(i / (side - 1)) for i in range(side)]
+    points, uvs, triangles = array.array("f"), array.array("f"), array.array("I")
+    for y in steps:
+        for x in steps:
+            points.extend((x, 0.0, y))
+            uvs.extend((x, y))
+    for j in range(side - 1):
+        for k in range(j * side, j * side + side - 1):
+            triangles.extend((k, k + side, k + 1, k + 1, k + side, k + side + 1))
+    count = side * side
+    values = [(points, "VEC3", 5126, count, [0, 0, 0], [1, 0, 1]),
+              (array.array("f", normal) * count, "VEC3", 5126, count, normal, normal),
+              (array.array("f", (1, 0, 0, 1)) * count, "VEC4", 5126, count, [1, 0, 0, 1],
+               [1, 0, 0, 1]),
+              (uvs, "VEC2", 5126, count, [0, 0], [1, 1]),
+              (triangles, "SCALAR", 5125, len(triangles), [0], [count - 1])]
+    accessors = [{"bufferView": i, "componentType": component, "count": length, "type": kind,
+                  "min": low, "max": high}
+                 for i, (_, kind, component, length, low, high) in enumerate(values)]
+    return [part.tobytes() for part, *_ in values], accessors
+
+
+def make_terrain(path, side, meshes, normal=(0.0, 1.0, 0.0)):
+    own, accessors = terrain_parts(side, [as_float32(v) for v in normal])
+    document = {"scene": 0, "scenes": [{"nodes": list(range(meshes))}],
+                "nodes": [{"mesh": i} for i in range(meshes)], "meshes": [], "accessors": []}
+    for mesh in range(meshes):
+        first = 5 * mesh
+        document["accessors"] += [dict(a, bufferView=first + i) for i, a in enumerate(accessors)]
+        document["meshes"].append({"primitives": [{"attributes": {
+            "POSITION": first, "NORMAL": first + 1, "TANGENT": first + 2, "TEXCOORD_0": first + 3},
+            "indices": first + 4}]})
+    write_glb(path, document, own * meshes)
+
+
+def png(size, seed):
+    """An RGB image of size x size texels with some structure."""
+    rnd = random.Random(seed)
+    rows = [b"\0" + bytes(rnd.randrange(256) for _ in range(48)) * (size // 16) for _ in range(16)]
+    data = zlib.compress(b"".join(rows[y % 16] for y in range(size)), 1)
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    header = struct.pack(">IIBBBBB", size, size, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+
+
+def make_textures(path, count):
+    images = [png(2048 if i % 4 else 4096, i) for i in range(count)]
+    document = {"images": [{"bufferView": i, "mimeType": "image/png"} for i in range(count)],
+                "textures": [{"source": i} for i in range(count)],
+                "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}}
+                              for i in range(count)]}
+    write_glb(path, document, images)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
-    parser.add_argument("--only", default="batch,city")
+    parser.add_argument("--only", default="batch,city,terrain,normals,textures")
     parser.add_argument("--files", type=int, default=1000)
     parser.add_argument("--blocks", type=int, default=1500)
+    parser.add_argument("--side", type=int, default=800, help="vertices along a side of a terrain")
     options = parser.parse_args()
     for name in options.only.split(","):
         folder = os.path.join(options.folder, name)
         os.makedirs(folder, exist_ok=True)
         if name == "batch":
             make_batch(folder, options.files)
-        else:
+        elif name == "city":
             make_city(folder, options.blocks)
+        elif name == "terrain":
+            make_terrain(os.path.join(folder, "terrain.glb"), options.side, 8)
+        elif name == "normals":
+            make_terrain(os.path.join(folder, "clean.glb"), 1000, 1)
+            make_terrain(os.path.join(folder, "bad.glb"), 1000, 1, (0.0, 1.5, 0.0))
+        else:
+            make_textures(os.path.join(folder, "textures.glb"), 40)
 
 
 if __name__ == "__main__":
