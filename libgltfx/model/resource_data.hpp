@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "container/bytes.hpp"
@@ -19,17 +20,30 @@ struct ImageData {
   std::optional<image::Header> header;    ///< where it could be read
 };
 
+/// The elements of a buffer view that came compressed.
+struct DecodedView {
+  container::Bytes bytes;
+  bool rounded = false;  ///< integers may be off by one: a filter computed and rounded them
+};
+
 /// Owns or maps the bytes. Read-only once filled; any number of threads may read it.
 struct ResourceData {
   /// By index, at least as many bytes as declared. Nothing: not there, too short, or not to be
   /// looked at; whoever filled this has said why.
   std::vector<std::optional<container::Bytes>> buffers;
   std::vector<ImageData> images;  ///< by index
+  /// By the node of the buffer view, those that have nothing else: where there is one, it holds
+  /// what the view has, and not the buffer.
+  std::unordered_map<json::NodeId, DecodedView> decoded_views;
 
   /// The bytes [offset, offset + length) of a buffer view with their owner, or nothing when they do
-  /// not lie inside the view and inside what is there of its buffer. Takes any numbers.
+  /// not lie inside the view and inside what is there of its buffer, or of what was decoded. Takes
+  /// any numbers.
   std::optional<container::Bytes> part(const json::Document& document, const BufferView& view,
                                        std::uint64_t offset, std::uint64_t length) const;
+
+  /// What was decoded for a buffer view, or null.
+  const DecodedView* decoded(const BufferView& view) const;
 };
 
 /// The member `byteOffset` of `object`, which was read as `byte_offset`: 0 when it is absent,

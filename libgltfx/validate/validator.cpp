@@ -11,6 +11,7 @@
 #include "schema/compile.hpp"
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
+#include "validate/data/decode_views.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
@@ -45,6 +46,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   const container::Container& container = context.container;
   if (context.khronos() && (container.cut_short || container.ends_in_empty_chunk)) return;
   Resources resources = load_resources(context, sink, report);
+  decode_views(context, resources.data, sink);
   check_data(context, resources.data, sink);
   check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);

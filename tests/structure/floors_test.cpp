@@ -37,6 +37,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"simdjson.h", {"libgltfx/json/"}},
     {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/"}},
     {"tbb/", {"libgltfx/base/parallel.cpp"}},
+    {"meshoptimizer.h", {"libgltfx/model/"}},
     {"CLI/", {"tools/gltfx/command_line.cpp"}},
     {"fmt/", {"libgltfx/", "tools/gltfx/"}},
 };

@@ -32,6 +32,8 @@ const std::map<std::string_view, std::set<std::string_view>>& companions() {
       {"INVALID_EXTENSION_NAME_FORMAT", {"UNSUPPORTED_EXTENSION"}},
       {"VRM_ASSET", {"UNSUPPORTED_EXTENSION"}},
       {"GLB_TOO_MANY_CHUNKS", {"GLB_UNKNOWN_CHUNK_TYPE"}},
+      // The BIN chunk would be the placeholder, so that streams stand elsewhere.
+      {"MESHOPT_FALLBACK_FIRST_IN_GLB", {"DATA_URI_GLB", "URI_GLB"}},
   };
   return table;
 }

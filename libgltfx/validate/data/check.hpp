@@ -12,23 +12,32 @@ namespace gltfx::validate {
 
 /// Where a check comes from, and so where its findings point.
 struct Place {
-  enum class Kind : std::uint8_t { accessor, attribute, indices, times, channel, matrices };
+  enum class Kind : std::uint8_t {
+    accessor,
+    attribute,
+    indices,
+    times,
+    channel,
+    matrices,
+    instances
+  };
   Kind kind = Kind::accessor;
-  std::uint32_t outer = 0;            ///< index of the accessor, mesh, animation or skin
+  std::uint32_t outer = 0;            ///< index of the accessor, mesh, animation, skin or node
   std::uint32_t inner = 0;            ///< index of the primitive, sampler or channel
   std::string_view name;              ///< of the attribute; lives in the document
   json::NodeId node = json::kNoNode;  ///< the value to mark
+  std::string_view extension = {};    ///< that the attribute of instances belongs to
 };
 
 /// Calls `use` with the path of a place.
 template <typename Use>
 void with_path(const Place& place, Use&& use) {
-  static constexpr std::string_view kRoots[] = {"accessors",  "meshes",     "meshes",
-                                                "animations", "animations", "skins"};
-  static constexpr std::string_view kInner[] = {"",         "primitives", "primitives",
-                                                "samplers", "channels",   ""};
-  static constexpr std::string_view kLast[] = {"",      "",        "indices",
-                                               "input", "sampler", "inverseBindMatrices"};
+  static constexpr std::string_view kRoots[] = {"accessors",  "meshes", "meshes", "animations",
+                                                "animations", "skins",  "nodes"};
+  static constexpr std::string_view kInner[] = {"",         "primitives", "primitives", "samplers",
+                                                "channels", "",           "extensions"};
+  static constexpr std::string_view kLast[] = {
+      "", "", "indices", "input", "sampler", "inverseBindMatrices", ""};
   const auto kind = static_cast<std::size_t>(place.kind);
   const Path root;
   const Path array(root, kRoots[kind]);
@@ -36,6 +45,11 @@ void with_path(const Place& place, Use&& use) {
   if (place.kind == Place::Kind::accessor) return use(outer);
   if (place.kind == Place::Kind::matrices) return use(Path(outer, kLast[kind]));
   const Path members(outer, kInner[kind]);
+  if (place.kind == Place::Kind::instances) {
+    const Path extension(members, place.extension);
+    const Path attributes(extension, "attributes");
+    return use(Path(attributes, place.name));
+  }
   const Path inner(members, std::uint64_t{place.inner});
   if (place.kind != Place::Kind::attribute) return use(Path(inner, kLast[kind]));
   const Path attributes(inner, "attributes");
@@ -53,6 +67,10 @@ enum class CheckKind : std::uint8_t {
   times,
   quaternion,
   bind_matrix,
+  instance_rotation,
+  splat_rotation,
+  splat_scale,
+  splat_opacity,
 };
 
 struct Check {
@@ -63,6 +81,8 @@ struct Check {
   std::size_t same_as = 0;  ///< the first check of this accessor that asks the same; may be itself
   Place place;
   std::vector<double> bounds;  ///< minimum, maximum: as declared, one a component
+  double bound_slack = 0;      ///< what declared bounds may differ by, in components as stored
+  double length_slack = 0;     ///< what lengths may differ by beyond the usual
 };
 
 /// An accessor with its checks, in the order in which they are reported.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "validate/data/kernels.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -24,6 +25,10 @@ constexpr std::array<std::string_view, kFaultKinds> kCodes{
     "ACCESSOR_ANIMATION_INPUT_NON_INCREASING",
     "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION",
     "ACCESSOR_INVALID_IBM",
+    "INSTANCING_ROTATION_NON_UNIT",
+    "SPLAT_ROTATION_NON_UNIT",
+    "SPLAT_SCALE_NEGATIVE",
+    "SPLAT_OPACITY_OUT_OF_RANGE",
 };
 
 std::string place_text(const Looked& looked, const Fault& fault) {
@@ -43,6 +48,7 @@ std::string sentence(const Looked& looked, const Fault& fault) {
     case FaultKind::bad_sign:
       return fmt::format("The sign (w) of element {} is {}, neither 1 nor -1.", element, value);
     case FaultKind::not_clamped:
+    case FaultKind::bad_opacity:
       return fmt::format("{} is {}, not within 0 and 1.", place_text(looked, fault), value);
     case FaultKind::index_out_of_range:
       return fmt::format("Index {} is {}, but {}.", element, value,
@@ -56,12 +62,29 @@ std::string sentence(const Looked& looked, const Fault& fault) {
     case FaultKind::not_increasing:
       return fmt::format("Time {} is {}, not after {}.", element, value, value_text(fault.other));
     case FaultKind::not_unit_quaternion:
+    case FaultKind::not_unit_instance:
+    case FaultKind::not_unit_splat:
       return fmt::format("The quaternion of element {} has length {}, not 1.", element, value);
+    case FaultKind::negative_scale:
+      return fmt::format("{} is {}, less than 0.", place_text(looked, fault), value);
     case FaultKind::bad_matrix:
       return fmt::format("{} is {}, but must be {}.", place_text(looked, fault), value,
                          value_text(fault.other));
   }
   return {};
+}
+
+// Whether a vector of that length is of unit length in numbers of fewer bits than their type has:
+// an encoder that was asked for such a precision did not scale them up. Readers that normalize, as
+// they do with vectors between vertices anyway, see nothing of it.
+bool has_fewer_bits(model::ComponentType type, double length) {
+  if (type != model::ComponentType::int8 && type != model::ComponentType::int16) return false;
+  const double greatest = model::value_range(type).most;
+  for (double narrow = 3; narrow < greatest; narrow = narrow * 2 + 1) {
+    const double unit = narrow / greatest;
+    if (std::abs(length / unit - 1.0) <= kernels::kVectorTolerance + 1.0 / narrow) return true;
+  }
+  return false;
 }
 
 Finding finding_at_bound(const Looked& looked, const Check& check, const BoundFault& fault,
@@ -95,6 +118,9 @@ Finding describe(const Looked& looked, const Check& check, const Fault& fault,
   Finding finding = finding_on(looked.context, check.place.node,
                                kCodes[static_cast<std::size_t>(fault.kind)], std::move(message));
   finding.count = count;
+  if (fault.kind == FaultKind::not_unit && has_fewer_bits(looked.decoded, fault.value)) {
+    finding.severity = Severity::warning;
+  }
   return finding;
 }
 

@@ -15,6 +15,8 @@ struct Looked {
   const Schedule& schedule;
   unsigned components = 1;
   std::uint64_t count = 0;  ///< elements
+  /// Type of the components where they were decoded; none for plain ones.
+  model::ComponentType decoded = model::ComponentType::none;
 };
 
 /// One fault, or `count` of them of which `fault` is the first.

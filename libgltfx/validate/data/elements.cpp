@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/parallel.hpp"
 #include "validate/data/describe.hpp"
+#include "validate/data/extension_checks.hpp"
 #include "validate/data/phases.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -14,12 +16,21 @@ namespace {
 
 using model::AccessorData;
 
+// What the accessor's view was decoded to, or null.
+const model::DecodedView* decoded_view(const DataPhase& phase, const Schedule& schedule) {
+  const model::Accessor& accessor = phase.context.views.accessors[schedule.accessor];
+  const model::BufferView* view = phase.context.views.view_of(accessor);
+  return view == nullptr ? nullptr : phase.resources.decoded(*view);
+}
+
 class ElementReport {
  public:
   ElementReport(DataPhase& phase, const Schedule& schedule, const AccessorData& data)
       : phase_(phase),
         data_(data),
-        looked_{phase.context, schedule, data.components(), data.count()} {}
+        looked_{phase.context, schedule, data.components(), data.count(),
+                decoded_view(phase, schedule) == nullptr ? model::ComponentType::none
+                                                         : data.format().component} {}
 
   void report(const std::vector<Outcome>& outcomes) const {
     if (phase_.context.khronos()) {
@@ -102,6 +113,27 @@ void report_unchecked(DataPhase& phase, std::uint32_t index) {
                              *accessor.count)));
 }
 
+// What a declared bound may be beside data that went through a filter. Integers are computed and
+// rounded by decoders, one up and another down. Floats are rounded by encoders to the bits that
+// they are asked for, most often after the bounds were taken.
+double bound_slack(const Check& check, model::ComponentType type) {
+  constexpr double kRounding = 1.0 / 1024;
+  if (model::is_integer(type)) return 1;
+  double greatest = 0;
+  for (const double bound : check.bounds) greatest = std::max(greatest, std::abs(bound));
+  return greatest * kRounding;
+}
+
+void allow_rounding(const DataPhase& phase, Schedule& schedule) {
+  const model::DecodedView* decoded = decoded_view(phase, schedule);
+  if (decoded == nullptr || !decoded->rounded) return;
+  const model::Format& format = phase.context.views.accessors[schedule.accessor].format;
+  for (Check& check : schedule.checks) {
+    check.bound_slack = bound_slack(check, format.component);
+    check.length_slack += length_of_steps(format.component, model::component_count(format.type));
+  }
+}
+
 // Accessors that one thread looks at, one after the other.
 struct Batch {
   std::vector<const Schedule*> schedules;
@@ -163,7 +195,8 @@ void report_batch(DataPhase& phase, const Batch& batch, const std::vector<Scan>&
 }  // namespace
 
 void check_elements(DataPhase& phase) {
-  const std::vector<Schedule> schedules = schedule_checks(phase.context);
+  std::vector<Schedule> schedules = schedule_checks(phase.context);
+  for (Schedule& schedule : schedules) allow_rounding(phase, schedule);
   const std::vector<Batch> batches = plan_batches(phase, schedules);
   std::vector<std::vector<Scan>> scans(batches.size());
   parallel_ordered(

@@ -22,8 +22,12 @@ enum class FaultKind : std::uint8_t {
   not_increasing,
   not_unit_quaternion,
   bad_matrix,
+  not_unit_instance,
+  not_unit_splat,
+  negative_scale,
+  bad_opacity,
 };
-inline constexpr std::size_t kFaultKinds = 10;
+inline constexpr std::size_t kFaultKinds = 14;
 
 /// One component or element that is at fault.
 struct Fault {
@@ -69,7 +73,23 @@ class Evaluator {
         feed_time(index, value, emit);
         break;
       case CheckKind::quaternion:
-        feed_quaternion(index, component, value, emit);
+        // Of a cubic spline's three vectors the first and the last are tangents.
+        if (check_->cubic && index / 4 % 3 != 1) break;
+        feed_quaternion(FaultKind::not_unit_quaternion, index, component, value, emit);
+        break;
+      case CheckKind::instance_rotation:
+        feed_quaternion(FaultKind::not_unit_instance, index, component, value, emit);
+        break;
+      case CheckKind::splat_rotation:
+        feed_quaternion(FaultKind::not_unit_splat, index, component, value, emit);
+        break;
+      case CheckKind::splat_scale:
+        if (value < 0.0) emit(Fault{FaultKind::negative_scale, index, component, value});
+        break;
+      case CheckKind::splat_opacity:
+        if (value < 0.0 || value > 1.0) {
+          emit(Fault{FaultKind::bad_opacity, index, component, value});
+        }
         break;
       case CheckKind::bind_matrix:
         feed_matrix(index, component, value, emit);
@@ -85,7 +105,7 @@ class Evaluator {
     sum_ = component == 0 ? value * value : sum_ + value * value;
     if (component != 2) return;
     const double length = std::sqrt(sum_);
-    if (std::abs(length - 1.0) > kernels::kVectorTolerance) {
+    if (std::abs(length - 1.0) > kernels::kVectorTolerance + check_->length_slack) {
       emit(Fault{FaultKind::not_unit, index, component, length});
     }
   }
@@ -109,15 +129,14 @@ class Evaluator {
     last_ = value;
   }
 
-  // Of a cubic spline's three vectors the first and the last are tangents.
   template <typename Emit>
-  void feed_quaternion(std::uint64_t index, unsigned component, double value, Emit&& emit) {
-    if (check_->cubic && index / 4 % 3 != 1) return;
+  void feed_quaternion(FaultKind fault, std::uint64_t index, unsigned component, double value,
+                       Emit&& emit) {
     sum_ = component == 0 ? value * value : sum_ + value * value;
     if (component != 3) return;
     const double length = std::sqrt(sum_);
-    if (std::abs(length - 1.0) > kernels::kQuaternionTolerance) {
-      emit(Fault{FaultKind::not_unit_quaternion, index, component, length});
+    if (std::abs(length - 1.0) > kernels::kQuaternionTolerance + check_->length_slack) {
+      emit(Fault{fault, index, component, length});
     }
   }
 

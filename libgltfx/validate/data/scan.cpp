@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/data/scan.hpp"
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -59,8 +60,10 @@ class Running {
     if (check_.kind != CheckKind::minimum && check_.kind != CheckKind::maximum) return;
     for (unsigned i = 0; i < data_.components(); ++i) {
       const auto actual = static_cast<double>(extremes_.of(i));
-      if (actual != check_.bounds[i]) {
-        outcome_.bounds.push_back({i, check_.bounds[i], actual, 0});
+      const double declared = check_.bounds[i];
+      // What is no number is not near to anything.
+      if (actual != declared && !(std::abs(actual - declared) <= check_.bound_slack)) {
+        outcome_.bounds.push_back({i, declared, actual, 0});
       }
     }
     if (!outcome_.bounds.empty()) count_outside();

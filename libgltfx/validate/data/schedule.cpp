@@ -8,7 +8,9 @@
 #include "model/mesh.hpp"
 #include "model/skin.hpp"
 #include "validate/data/check.hpp"
+#include "validate/data/extension_checks.hpp"
 #include "validate/rules/attribute_formats.hpp"
+#include "validate/rules/extension_walk.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -52,6 +54,7 @@ class Scheduler {
     for (std::uint32_t i = 0; i < skins.size(); ++i) add_skin(i, skins[i]);
     const auto& animations = context_.asset.elements(model::RootArray::animations);
     for (std::uint32_t i = 0; i < animations.size(); ++i) add_animation(i, animations[i]);
+    add_instances();
     return std::move(schedules_);
   }
 
@@ -134,10 +137,45 @@ class Scheduler {
     } else if (attribute.semantic.kind == SemanticKind::color && attribute.semantic.set == 0 &&
                used.format.component == ComponentType::float32) {
       check.kind = CheckKind::clamped;
+    } else if (const auto kind = vertex_value_check(attribute.name); kind && !context_.khronos()) {
+      check.kind = *kind;
+      check.length_slack = length_of_steps(used.format.component, 4);
     } else {
       return;
     }
     add(*attribute.accessor, check);
+  }
+
+  void add_instances() {
+    if (context_.khronos()) return;
+    for (const schema::Extension& extension : context_.schemas.extensions()) {
+      if (extension.instance_attributes.empty()) continue;
+      for_each_extension(
+          context_, model::RootArray::nodes, extension.name,
+          [&](const ExtensionPlace& place, const Path&) { add_instances(place, extension.name); });
+    }
+  }
+
+  void add_instances(const ExtensionPlace& place, std::string_view extension) {
+    const json::NodeId attributes =
+        model::object_member(context_.document, place.object, "attributes");
+    if (attributes == json::kNoNode) return;
+    for (const auto& attribute : model::read_attributes(context_.asset, attributes)) {
+      if (!attribute.accessor) continue;
+      const model::Format& format = accessor(*attribute.accessor).format;
+      const auto kind = instance_value_check(attribute.name, format);
+      if (!kind) continue;
+      Check check;
+      check.kind = *kind;
+      check.length_slack = length_of_steps(format.component, 4);
+      check.place = {Place::Kind::instances,
+                     static_cast<std::uint32_t>(place.index),
+                     0,
+                     attribute.name,
+                     attribute.value,
+                     extension};
+      add(*attribute.accessor, check);
+    }
   }
 
   void add_skin(std::uint32_t index, json::NodeId object) {

@@ -21,6 +21,7 @@ std::span<const Family> families() {
       accessor_data_family(),
       animation_data_family(),
       skinning_data_family(),
+      packed_data_family(),
       asset_root_family(),
       buffer_view_family(),
       accessor_values_family(),

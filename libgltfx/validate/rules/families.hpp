@@ -19,6 +19,7 @@ const Family& image_data_family();
 const Family& accessor_data_family();
 const Family& animation_data_family();
 const Family& skinning_data_family();
+const Family& packed_data_family();
 
 // Objects and how they refer to each other.
 const Family& asset_root_family();

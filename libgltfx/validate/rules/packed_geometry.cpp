@@ -2,13 +2,12 @@
 // What the JSON says of compressed geometry: KHR_draco_mesh_compression on primitives,
 // EXT_meshopt_compression and KHR_meshopt_compression on buffer views. These compare objects with
 // the ones they sit on, which no schema file states; this file is about them and names them.
-#include <array>
-
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
 #include "model/buffer_view.hpp"
+#include "model/meshopt_view.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
@@ -18,8 +17,6 @@ namespace gltfx::validate {
 namespace {
 
 constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
-constexpr std::array<std::string_view, 2> kMeshopt{"EXT_meshopt_compression",
-                                                   "KHR_meshopt_compression"};
 
 void report(const Context& context, const Path& path, json::NodeId place, std::string_view code,
             std::string message) {
@@ -84,6 +81,11 @@ void check_packed_range(const Context& context, const ExtensionPlace& place, con
                             offset, *buffer, *room));
 }
 
+bool is_fallback(const Context& context, json::NodeId buffer, std::string_view extension) {
+  const json::NodeId mark = model::extension_object(context.document, buffer, extension);
+  return mark != json::kNoNode && model::true_member(context.document, mark, "fallback");
+}
+
 // A buffer that only says how large the decoded bytes are has none to read.
 void check_fallback(const Context& context, std::string_view extension) {
   const json::Document& document = context.document;
@@ -93,9 +95,7 @@ void check_fallback(const Context& context, std::string_view extension) {
   const Path list(root, "bufferViews");
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].node == json::kNoNode || !views[i].buffer) continue;
-    const json::NodeId mark =
-        model::extension_object(document, buffers[*views[i].buffer], extension);
-    if (mark == json::kNoNode || !model::true_member(document, mark, "fallback")) continue;
+    if (!is_fallback(context, buffers[*views[i].buffer], extension)) continue;
     if (model::extension_object(document, views[i].node, extension) != json::kNoNode) continue;
     const Path at(list, i);
     report_member(context.link_sink, context, at, views[i].node, "buffer", "MESHOPT_FALLBACK_USED",
@@ -104,14 +104,41 @@ void check_fallback(const Context& context, std::string_view extension) {
   }
 }
 
+// Nor has it streams.
+void check_source(const Context& context, std::string_view extension, const ExtensionPlace& place,
+                  const Path& path) {
+  const auto buffer = context.asset.index(place.object, "buffer", model::RootArray::buffers);
+  if (!buffer) return;
+  const json::NodeId object = context.asset.elements(model::RootArray::buffers)[*buffer];
+  if (!is_fallback(context, object, extension)) return;
+  report_member(context.link_sink, context, path, place.object, "buffer",
+                "MESHOPT_FALLBACK_COMPRESSED",
+                fmt::format("Buffer {} stands in for decoded bytes and has no streams.", *buffer));
+}
+
+// The first buffer of a GLB file is the BIN chunk.
+void check_first_buffer(const Context& context, std::string_view extension) {
+  const auto& buffers = context.asset.elements(model::RootArray::buffers);
+  if (context.container.format != container::Format::glb || buffers.empty()) return;
+  if (context.document.find(buffers[0], "uri") != json::kNoNode) return;
+  if (!is_fallback(context, buffers[0], extension)) return;
+  const Path root;
+  const Path list(root, "buffers");
+  report(context, Path(list, std::uint64_t{0}), buffers[0], "MESHOPT_FALLBACK_FIRST_IN_GLB",
+         "Buffer 0 of a GLB file is its BIN chunk, but this one stands in for decoded bytes.");
+}
+
 void check_meshopt(const Context& context) {
-  for (const std::string_view extension : kMeshopt) {
+  for (const std::string_view extension : model::kMeshoptExtensions) {
     for_each_extension(context, model::RootArray::buffer_views, extension,
                        [&](const ExtensionPlace& place, const Path& path) {
                          check_parent(context, place, path);
                          check_packed_range(context, place, path);
+                         check_source(context, extension, place, path);
                        });
-    if (has_objects_of(context, extension)) check_fallback(context, extension);
+    if (!has_objects_of(context, extension)) continue;
+    check_fallback(context, extension);
+    check_first_buffer(context, extension);
   }
 }
 

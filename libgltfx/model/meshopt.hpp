@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Streams and filters of meshoptimizer, as EXT_meshopt_compression and KHR_meshopt_compression
+/// define them (appendices A and B of the latter). Any bytes may come: nothing outside of them is
+/// read, and what the specification calls invalid is refused.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace gltfx::model::meshopt {
+
+enum class Mode : std::uint8_t { attributes, triangles, indices };
+enum class Filter : std::uint8_t { none, octahedral, quaternion, exponential, color };
+
+/// What the JSON text says of a stream.
+struct Layout {
+  std::uint64_t count = 0;   ///< elements
+  std::uint64_t stride = 0;  ///< bytes of one of them
+  Mode mode = Mode::attributes;
+  Filter filter = Filter::none;
+  unsigned newest_version = 1;  ///< of attribute streams that may come: 0 or 1
+
+  /// Whether the members may stand together. All functions below ask for it.
+  bool sound() const;
+  /// Bytes of all decoded elements, or nothing beyond 64 bits.
+  std::optional<std::uint64_t> decoded_size() const;
+};
+
+enum class Fault : std::uint8_t {
+  none,
+  header,     ///< the first byte is not that of the mode
+  version,    ///< the first byte is that of the mode, in a version that is not allowed
+  too_short,  ///< so few bytes that no stream of this layout has them
+  cut,        ///< data ends before the last element
+  channel,    ///< an unknown way to store differences
+  table,      ///< the table of a triangle stream is malformed
+  unwritten,  ///< a triangle refers to an edge or vertex that was not there
+  number,     ///< a number of more than five bytes
+  trailing,   ///< bytes are left over behind the last element
+};
+
+/// Whether the first byte is right, and whether the bytes can be enough. Costs nothing: to be
+/// asked before memory is taken for what is decoded. Gives none, header, version or too_short.
+Fault check_size(std::span<const std::byte> stream, const Layout& layout);
+
+/// Decodes into `elements`, which has decoded_size() bytes, without applying the filter.
+/// Little-endian numbers, as in the asset. On a fault the elements are of any value.
+Fault decode(std::span<const std::byte> stream, const Layout& layout,
+             std::span<std::byte> elements);
+
+/// Elements that a filter cannot take, for they say nothing sensible of their precision.
+struct Misfits {
+  std::uint64_t count = 0;
+  std::uint64_t first = 0;  ///< index of the first one
+};
+Misfits find_misfits(const Layout& layout, std::span<const std::byte> elements);
+
+/// Applies the filter in place. Precondition: no misfits.
+void apply_filter(const Layout& layout, std::span<std::byte> elements);
+
+}  // namespace gltfx::model::meshopt
