@@ -41,10 +41,14 @@ bool is_color(const std::byte* element) {
   return load<T>(element + 3 * sizeof(T)) >= 2;
 }
 
+// Encoders write zeros with exponents below the range, which decode to zero all the same until the
+// last one.
 bool is_exponential(const std::byte* element, std::size_t stride) {
   for (std::size_t i = 0; i < stride; i += 4) {
-    const std::int32_t exponent = load<std::int32_t>(element + i) >> 24;
-    if (exponent < -100 || exponent > 100) return false;
+    const auto number = load<std::int32_t>(element + i);
+    const std::int32_t exponent = number >> 24;
+    const bool zero = (number & 0xffffff) == 0;
+    if (exponent > 100 || exponent < (zero ? -127 : -100)) return false;
   }
   return true;
 }

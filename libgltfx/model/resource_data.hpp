@@ -23,7 +23,7 @@ struct ImageData {
 /// The elements of a buffer view that came compressed.
 struct DecodedView {
   container::Bytes bytes;
-  bool rounded = false;  ///< integers may be off by one: a filter computed and rounded them
+  bool rounded = false;  ///< went through a filter, which keeps no more bits than asked for
 };
 
 /// Owns or maps the bytes. Read-only once filled; any number of threads may read it.

@@ -108,9 +108,13 @@ TEST(MeshoptFilters, ElementsWithoutPrecisionAreMisfits) {
   EXPECT_EQ(misfits<std::int16_t>(Filter::octahedral, 8, {0, 0, 32767, 0, 0, 0, -32768, 0}), 1U);
   EXPECT_EQ(misfits<std::int16_t>(Filter::quaternion, 8, {0, 0, 0, 4, 0, 0, 0, 3}), 1U);
   EXPECT_EQ(misfits<std::int16_t>(Filter::quaternion, 8, {0, 0, 0, 9}), 1U);
-  EXPECT_EQ(misfits<std::int32_t>(Filter::exponential, 4,
-                                  {100 << 24, 101 << 24, -100 * (1 << 24), -101 * (1 << 24)}),
-            2U);
+  const auto exponents = [](int exponent, int mantissa) {
+    return misfits<std::int32_t>(Filter::exponential, 4, {exponent * (1 << 24) + mantissa});
+  };
+  for (const int inside : {100, 0, -100}) EXPECT_EQ(exponents(inside, 1), 0U);
+  for (const int outside : {101, 127, -101, -128}) EXPECT_EQ(exponents(outside, 1), 1U);
+  for (const int zero : {-101, -127}) EXPECT_EQ(exponents(zero, 0), 0U);
+  EXPECT_EQ(exponents(-128, 0), 1U);
   EXPECT_EQ(misfits<std::uint8_t>(Filter::color, 4, {0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 0}), 2U);
   EXPECT_EQ(misfits<std::uint16_t>(Filter::color, 8, {0, 0, 0, 0x8000, 0, 0, 0, 1}), 1U);
 }

@@ -323,6 +323,18 @@ TEST(Meshopt, UnitVectorsInFewerBitsAreOnlyWarnedOf) {
   EXPECT_EQ(severity(normals(20000)), "error");
 }
 
+TEST(Meshopt, BoundsOfFilteredDataMayBeTakenBeforeRounding) {
+  const auto bounded = [](const std::string& most) {
+    // The mantissa 1000 without an exponent.
+    Packed packed = filter_case("EXPONENTIAL", {0xe8, 3, 0, 0});
+    packed.accessor = R"("type": "SCALAR", "componentType": 5126, "max": [)" + most + "]";
+    return about_data(packed.text());
+  };
+  EXPECT_EQ(bounded("1000.5"), Lines());
+  EXPECT_EQ(bounded("999.5"), Lines());
+  EXPECT_EQ(bounded("1002"), Lines{"ACCESSOR_MAX_MISMATCH /accessors/0/max/0"});
+}
+
 std::string with_plain_copy(float last, const std::string& filter = {}) {
   const Octets element = filter.empty() ? octets<float>({1, 2, 3}) : Octets{0, 0, 127, 0};
   const Octets copy = filter.empty() ? octets<float>({1, 2, last}) : Octets{0, 0, 126, 0};

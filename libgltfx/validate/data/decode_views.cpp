@@ -176,8 +176,7 @@ class Decoding {
       report(job, "MESHOPT_FALLBACK_DIFFERS", "The plain copy has other bytes than the stream.");
     }
     if (job.plain) return;
-    const bool rounded =
-        layout.filter != meshopt::Filter::none && layout.filter != meshopt::Filter::exponential;
+    const bool rounded = layout.filter != meshopt::Filter::none;
     resources_.decoded_views.emplace(context_.views.buffer_views[job.index].node,
                                      model::DecodedView{std::move(job.elements), rounded});
   }
