@@ -26,6 +26,16 @@ std::string literal_text(const Literal& literal) {
   return literal.name.empty() ? number : number + " (" + literal.name + ")";
 }
 
+// What may stand in the text, as it stands there.
+std::string json_literals(const Shape& shape) {
+  std::vector<std::string> texts;
+  for (const Literal& literal : shape.literals) {
+    texts.push_back(literal.kind == Literal::Kind::string ? "\"" + literal.string + "\""
+                                                          : literal_text(literal));
+  }
+  return join_or(texts);
+}
+
 bool looks_like_number(const std::string& text) {
   return !text.empty() && text.size() < 30 &&
          text.find_first_not_of("+-.0123456789eE") == text.npos &&
@@ -172,7 +182,7 @@ std::string missing_help(const Set& set, const Property& property) {
   if (property.shape == kNone) return add;
   const Shape& shape = set.shape(property.shape);
   if (!shape.hint.empty()) return shape.hint;
-  if (!shape.literals.empty()) return add + ": " + list_phrase(shape);
+  if (!shape.literals.empty()) return add + ": " + json_literals(shape);
   if (!property.default_json.empty()) return add + ": " + property.default_json;
   if (shape.types == 0) return add;
   const std::string range = range_phrase(shape);

@@ -70,12 +70,13 @@ bool Walker::array(ShapeId id, json::NodeId node, Step step) {
 
 void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
   const Shape& shape = set_.shape(id);
+  bool wrong_length = false;
   if (counts(shape)) {
     const std::uint64_t size = count_numbers(shape, node);
-    if (size < shape.min_items || size > shape.max_items) {
-      count_items(shape, size, {node}, path_of(node, step));
-    }
+    wrong_length = size < shape.min_items || size > shape.max_items;
+    if (wrong_length) count_items(shape, size, {node}, path_of(node, step));
   }
+  if (wrong_length && is_vector(shape)) return;
   if (shape.items != kNone) {
     const ShapePlan& items = tables_.shapes[shape.items];
     const bool in_range =
@@ -89,6 +90,13 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
     numbers(kNone, node, shape, step);
   }
   if (tables_.shapes[id].combined) combine(id, {node}, path_of(node, step), false);
+}
+
+// A fixed number of plain numbers, which mean something together. Of too few or too many the first
+// question is which ones they are: three angles are no quaternion with a component out of range.
+bool Walker::is_vector(const Shape& shape) const {
+  return !khronos() && shape.min_items == shape.max_items && shape.items != kNone &&
+         tables_.shapes[shape.items].plan == Plan::number;
 }
 
 // Which indices an array has had: few are compared one by one, many leave a stamp each.

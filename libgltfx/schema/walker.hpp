@@ -110,6 +110,7 @@ class Walker {
   // walk_array.cpp
   bool array(ShapeId shape, json::NodeId node, Step step);
   void number_array(ShapeId shape, json::NodeId node, Step step);
+  bool is_vector(const Shape& shape) const;
   void numbers(ShapeId items, json::NodeId node, const Shape& shape, Step step);
   std::uint64_t count_numbers(const Shape& shape, json::NodeId node) const;
   class Repeats;

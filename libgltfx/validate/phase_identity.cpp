@@ -32,13 +32,19 @@ bool looks_like_version_1(const json::Document& document) {
          std::any_of(kArrays.begin(), kArrays.end(), is_object);
 }
 
+// Exporters of that time wrote a number as often as a string.
+bool is_version_1(const json::Document& document, json::NodeId place, const std::string& version) {
+  if (place == json::kNoNode) return looks_like_version_1(document);
+  if (!document.is_number(place)) return version == "1.0" || version == "1.1";
+  const double number = document.number(place).value;
+  return number >= 1 && number < 2;
+}
+
 bool check_version_1(const Context& context, Collector& collector) {
   json::NodeId place = json::kNoNode;
   const std::string version = asset_version(context.document, place);
   const bool old_glb = context.container.glb_version == 1U;
-  const bool old_text = version == "1.0" || version == "1.1" ||
-                        (place == json::kNoNode && looks_like_version_1(context.document));
-  if (!old_glb && !old_text) return false;
+  if (!old_glb && !is_version_1(context.document, place, version)) return false;
   Finding finding;
   finding.code = "GLTF_VERSION_1";
   finding.message = "This is a glTF 1.0 asset; only glTF 2.0 can be checked.";

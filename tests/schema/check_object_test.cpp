@@ -45,7 +45,7 @@ TEST(MissingMember, MarksTheBraceOnlyAndSaysWhatToAdd) {
   EXPECT_EQ(found.pointer, "/accessors/0");
   EXPECT_EQ(found.marked, "{");
   EXPECT_EQ(found.message, "'type' is missing; it is required here.");
-  EXPECT_THAT(found.help, HasSubstr("'SCALAR'"));
+  EXPECT_THAT(found.help, HasSubstr(R"("SCALAR")"));
 }
 
 TEST(MissingMember, OfTheRootShowsASnippet) {

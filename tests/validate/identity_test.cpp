@@ -25,6 +25,15 @@ TEST(Identity, NamesVersion1WithoutAnAssetObject) {
             Lines{"GLTF_VERSION_1 "});
 }
 
+TEST(Identity, NamesVersion1WrittenAsANumber) {
+  for (const std::string version : {"1", "1.0", "1.1"}) {
+    EXPECT_EQ(test::verdict(R"({"asset": {"version": )" + version + R"(}, "nodes": {"a": {}}})"),
+              Lines{"GLTF_VERSION_1 "});
+  }
+  EXPECT_EQ(test::verdict(R"({"asset": {"version": 2.0}})"), Lines{"TYPE_MISMATCH /asset/version"});
+  EXPECT_EQ(test::verdict(R"({"asset": {"version": 0.9}})"), Lines{"TYPE_MISMATCH /asset/version"});
+}
+
 TEST(Identity, NamesTheDraftOf21AndChecksOn) {
   const Lines wanted{"GLTF_VERSION_2_1_DRAFT /asset/version", "UNEXPECTED_PROPERTY /a"};
   EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.1"}, "a": 1})"), wanted);

@@ -55,6 +55,8 @@ std::span<const Family> families() {
       interactivity_family(),
       name_registries_family(),
       extension_accessors_family(),
+      audio_family(),
+      xmp_family(),
       unused_objects_family(),  // behind all that find references
   };
   // clang-format on

@@ -60,5 +60,7 @@ const Family& single_root_family();
 const Family& interactivity_family();
 const Family& name_registries_family();
 const Family& extension_accessors_family();
+const Family& audio_family();
+const Family& xmp_family();
 
 }  // namespace gltfx::validate

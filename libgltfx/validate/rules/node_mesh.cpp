@@ -123,6 +123,8 @@ class NodeCheck {
   void report_override(const model::ParentOverride& found, const Path& parent) {
     // A child listed twice by one node is reported as a repeated element.
     if (found.parent == found.previous && !context_.khronos()) return;
+    // Nor is a loop two faults, one of which is that it meets the tree above it.
+    if (context_.graph.on_loop(found.child) && !context_.khronos()) return;
     const Path children(parent, "children");
     Finding finding = finding_on(
         context_, json::kNoNode, "NODE_PARENT_OVERRIDE",

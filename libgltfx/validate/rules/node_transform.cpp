@@ -111,7 +111,14 @@ void check_node(const Context& context, json::NodeId object, const Path& path) {
   check_matrix(context, model::read_node(context.asset, object), path);
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_node}};
+// Lights that surround the scene are turned as nodes are.
+void check_environment(const Context& context, json::NodeId object, const Path& path) {
+  const json::NodeId rotation = context.document.find(object, "rotation");
+  if (rotation != json::kNoNode) check_unit(context, rotation, path);
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_node},
+                                            {"EXT_lights_image_based.light", check_environment}};
 
 }  // namespace
 
