@@ -150,6 +150,8 @@ TEST(NumberArray, LengthAndElementsAreTold) {
   EXPECT_THAT(base("[0,0]"), ElementsAre("ARRAY_LENGTH_NOT_IN_LIST " + at));
   EXPECT_THAT(base("[0,0,0,0]"), ElementsAre("ARRAY_LENGTH_NOT_IN_LIST " + at));
   EXPECT_THAT(base("[]"), ElementsAre("EMPTY_ENTITY " + at));
+  // Of the wrong length it is another thing, and what its numbers may be is not known.
+  EXPECT_THAT(base("[255, -1, 0, 1]"), ElementsAre("ARRAY_LENGTH_NOT_IN_LIST " + at));
   EXPECT_THAT(base("[0, 1.0000001, -0.5]"),
               ElementsAre("VALUE_NOT_IN_RANGE " + at + "/1", "VALUE_NOT_IN_RANGE " + at + "/2"));
   EXPECT_THAT(base("[0, 1e-1, 1E1]"), ElementsAre("VALUE_NOT_IN_RANGE " + at + "/2"));

@@ -108,6 +108,15 @@ TEST(NodeMesh, NodeHasOneParent) {
   EXPECT_EQ(findings(R"("nodes": [{"children": [1, "x"]}, {"children": [2]}, {}])", code), Lines{});
 }
 
+TEST(NodeMesh, ALoopIsNoSecondParentAsWell) {
+  const std::vector<std::string_view> codes{"NODE_PARENT", "NODE_LOOP"};
+  const std::string nodes = R"("nodes": [{"children": [1]}, {"children": [2]}, {"children": [1]}])";
+  EXPECT_EQ(findings(nodes, codes), Lines{"NODE_LOOP /nodes/1 x2"});
+  EXPECT_EQ(findings(nodes, codes, Profile::khronos),
+            (Lines{"NODE_PARENT_OVERRIDE /nodes/2/children/0", "NODE_LOOP /nodes/1",
+                   "NODE_LOOP /nodes/2"}));
+}
+
 TEST(Scene, ListsRootsOnly) {
   const std::vector<std::string_view> code{"SCENE_"};
   EXPECT_EQ(findings(R"("scenes": [{"nodes": [0, 1]}], "nodes": [{"children": [1]}, {}])", code),
