@@ -308,6 +308,8 @@ void ObjectModel::arrive(Walk& walk) {
   target.type = property_type_from_name(walk.property->mutable_type);
   target.property = walk.pointer(walk.steps.size() - (walk.element ? 1 : 0));
   target.value = walk.element ? json::kNoNode : walk.node;
+  const schema::ShapeId shape = walk.property->shape;
+  target.numbers = items_of(shape) == schema::kNone ? shape : items_of(shape);
   if (schemas_.type(walk.owner).name == "node") arrive_at_node(walk);
   const bool runtime = target.type == PropertyType::number_array;
   if (walk.element) target.type = PropertyType::number;

@@ -50,6 +50,8 @@ struct PropertyTarget {
   /// The value in the text; json::kNoNode when the default is meant, and for elements.
   json::NodeId value = json::kNoNode;
   std::uint64_t length = 1;  ///< of a float[]: its elements
+  /// The shape of its numbers, with their limits; schema::kNone for other values.
+  schema::ShapeId numbers = schema::kNone;
   /// Why not, as a clause: "/materials/0 has no property 'roughnessFactor'". Empty when found.
   std::string reason;
   std::string nearest;  ///< the pointer with its wrong step mended, or empty

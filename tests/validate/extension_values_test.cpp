@@ -85,5 +85,44 @@ TEST(Instances, TranslationsAreFinite) {
       Lines{"ACCESSOR_INVALID_FLOAT /accessors/0"});
 }
 
+// What a pointer animates, with two keyframes.
+Lines pointed(const std::string& pointer, const std::string& type, const std::string& output,
+              const std::string& interpolation = "LINEAR") {
+  DataAsset asset;
+  asset.accessor("SCALAR", kFloat, 2, floats({0, 1}), R"(, "min": [0], "max": [1])");
+  const std::size_t count = output.size() / 4 / (type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4);
+  asset.accessor(type, kFloat, count, output);
+  const std::string text = asset.text(R"("extensionsUsed": ["KHR_animation_pointer"],
+    "materials": [{"emissiveFactor": [0, 0, 0], "alphaCutoff": 0.5}], "nodes": [{"rotation": [0, 0, 0, 1]}],
+    "animations": [{"channels": [{"sampler": 0, "target": {"path": "pointer",
+      "extensions": {"KHR_animation_pointer": {"pointer": ")" +
+                                      pointer + R"("}}}}],
+      "samplers": [{"input": 0, "output": 1, "interpolation": ")" +
+                                      interpolation + R"("}]}])");
+  return selected(text, {"ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE",
+                         "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION"});
+}
+
+TEST(PointedValues, StayWithinTheRangeOfTheirProperty) {
+  const Lines wrong{"ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE /animations/0/channels/0/sampler"};
+  const std::string cutoff = "/materials/0/alphaCutoff", glow = "/materials/0/emissiveFactor";
+  EXPECT_EQ(pointed(cutoff, "SCALAR", floats({0, 1})), Lines());
+  EXPECT_EQ(pointed(cutoff, "SCALAR", floats({0, -0.1F})), wrong);
+  EXPECT_EQ(pointed(glow, "VEC3", floats({0, 1, 0, 1, 0, 1})), Lines());
+  EXPECT_EQ(pointed(glow, "VEC3", floats({0, 1, 0, 1, 0, 1.5F})), wrong);
+  // Tangents of splines are no values.
+  EXPECT_EQ(pointed(cutoff, "SCALAR", floats({-9, 1, 9, 9, 0, -9}), "CUBICSPLINE"), Lines());
+  EXPECT_EQ(pointed(glow, "VEC3", floats({-9, -9, -9, 0, 1, 0, 9, 9, 9, 9, 9, 9, 1, 2, 1, 9, 9, 9}),
+                    "CUBICSPLINE"),
+            wrong);
+}
+
+TEST(PointedValues, RotationsAreUnitQuaternions) {
+  EXPECT_EQ(pointed("/nodes/0/rotation", "VEC4", floats({0, 0, 0, 1, 0, 1, 0, 0})), Lines());
+  EXPECT_EQ(pointed("/nodes/0/rotation", "VEC4", floats({0, 0, 0, 1, 0, 1, 0, 1})),
+            Lines{"ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION "
+                  "/animations/0/channels/0/sampler"});
+}
+
 }  // namespace
 }  // namespace gltfx::test

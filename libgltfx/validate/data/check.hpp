@@ -2,7 +2,9 @@
 /// What is asked of the elements of accessors, and from where.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -71,18 +73,35 @@ enum class CheckKind : std::uint8_t {
   splat_rotation,
   splat_scale,
   splat_opacity,
+  limits,  ///< of the property that is animated
+};
+
+/// What a number may be.
+struct Limits {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool above_least = false;  ///< not the least itself
+  bool below_most = false;   ///< likewise
+
+  bool any() const { return std::isfinite(least) || std::isfinite(most); }
+  bool exclude(double value) const {
+    return value < least || value > most || (above_least && value == least) ||
+           (below_most && value == most);
+  }
 };
 
 struct Check {
   CheckKind kind = CheckKind::finite;
   bool triangles = false;   ///< index: of a list of triangles
-  bool cubic = false;       ///< quaternion: only the middle one of three counts
-  std::int64_t most = 0;    ///< index: the last vertex; -1 without any
+  bool cubic = false;       ///< quaternion, limits: only the middle one of three counts
+  std::int64_t most = 0;    ///< index: the last vertex; -1 without any. limits: whose they are
   std::size_t same_as = 0;  ///< the first check of this accessor that asks the same; may be itself
   Place place;
   std::vector<double> bounds;  ///< minimum, maximum: as declared, one a component
-  double bound_slack = 0;      ///< what declared bounds may differ by, in components as stored
-  double length_slack = 0;     ///< what lengths may differ by beyond the usual
+  Limits limits;
+  std::uint64_t group = 1;  ///< limits: components of one of a cubic spline's three
+  double bound_slack = 0;   ///< what declared bounds may differ by, in components as stored
+  double length_slack = 0;  ///< what lengths may differ by beyond the usual
 };
 
 /// An accessor with its checks, in the order in which they are reported.

@@ -29,6 +29,7 @@ constexpr std::array<std::string_view, kFaultKinds> kCodes{
     "SPLAT_ROTATION_NON_UNIT",
     "SPLAT_SCALE_NEGATIVE",
     "SPLAT_OPACITY_OUT_OF_RANGE",
+    "ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE",
 };
 
 std::string place_text(const Looked& looked, const Fault& fault) {
@@ -65,6 +66,10 @@ std::string sentence(const Looked& looked, const Fault& fault) {
     case FaultKind::not_unit_instance:
     case FaultKind::not_unit_splat:
       return fmt::format("The quaternion of element {} has length {}, not 1.", element, value);
+    case FaultKind::out_of_limits:
+      return fmt::format("{} is {}; the property must be {} {}.", place_text(looked, fault), value,
+                         fault.value <= fault.other ? "above or at" : "below or at",
+                         value_text(fault.other));
     case FaultKind::negative_scale:
       return fmt::format("{} is {}, less than 0.", place_text(looked, fault), value);
     case FaultKind::bad_matrix:

@@ -26,8 +26,9 @@ enum class FaultKind : std::uint8_t {
   not_unit_splat,
   negative_scale,
   bad_opacity,
+  out_of_limits,
 };
-inline constexpr std::size_t kFaultKinds = 14;
+inline constexpr std::size_t kFaultKinds = 15;
 
 /// One component or element that is at fault.
 struct Fault {
@@ -82,6 +83,9 @@ class Evaluator {
         break;
       case CheckKind::splat_rotation:
         feed_quaternion(FaultKind::not_unit_splat, index, component, value, emit);
+        break;
+      case CheckKind::limits:
+        feed_limited(index, component, value, emit);
         break;
       case CheckKind::splat_scale:
         if (value < 0.0) emit(Fault{FaultKind::negative_scale, index, component, value});
@@ -138,6 +142,15 @@ class Evaluator {
     if (std::abs(length - 1.0) > kernels::kQuaternionTolerance + check_->length_slack) {
       emit(Fault{fault, index, component, length});
     }
+  }
+
+  template <typename Emit>
+  void feed_limited(std::uint64_t index, unsigned component, double value, Emit&& emit) {
+    if (check_->cubic && index / check_->group % 3 != 1) return;
+    if (!check_->limits.exclude(value)) return;
+    const bool low = value <= check_->limits.least;
+    emit(Fault{FaultKind::out_of_limits, index, component, value,
+               low ? check_->limits.least : check_->limits.most});
   }
 
   template <typename Emit>

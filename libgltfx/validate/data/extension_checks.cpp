@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "model/fields.hpp"
+
 namespace gltfx::validate {
 namespace {
 
@@ -18,6 +20,14 @@ constexpr Named kVertexValues[] = {
     {"KHR_gaussian_splatting:SCALE", CheckKind::splat_scale},
     {"KHR_gaussian_splatting:OPACITY", CheckKind::splat_opacity},
 };
+
+bool is_rotation(const model::PropertyTarget& target) {
+  return target.type == model::PropertyType::float4 && target.property.ends_with("/rotation");
+}
+
+bool is_numeric(model::PropertyType type) {
+  return type != model::PropertyType::none && type != model::PropertyType::boolean;
+}
 
 }  // namespace
 
@@ -33,6 +43,24 @@ std::optional<CheckKind> instance_value_check(std::string_view name, const model
   const bool quaternion = format.type == model::ElementType::vec4 && numbers;
   return name == "ROTATION" && quaternion ? std::optional(CheckKind::instance_rotation)
                                           : std::nullopt;
+}
+
+std::optional<Check> pointer_value_check(const Context& context, model::ObjectModel& model,
+                                         const model::AnimationChannel& channel) {
+  const json::NodeId object =
+      model::extension_object(context.document, channel.target, "KHR_animation_pointer");
+  if (object == json::kNoNode || context.khronos()) return std::nullopt;
+  const auto target = model.resolve(model::string_member(context.document, object, "pointer"));
+  if (target.status != model::PropertyTarget::Status::mutable_property) return std::nullopt;
+  Check check;
+  check.kind = CheckKind::quaternion;
+  if (is_rotation(target)) return check;
+  if (target.numbers == schema::kNone || !is_numeric(target.type)) return std::nullopt;
+  const schema::Shape& shape = context.schemas.shape(target.numbers);
+  check.kind = CheckKind::limits;
+  check.most = target.numbers;
+  check.limits = {shape.minimum, shape.maximum, shape.exclusive_minimum, shape.exclusive_maximum};
+  return check.limits.any() ? std::optional(check) : std::nullopt;
 }
 
 double length_of_steps(model::ComponentType type, unsigned components) {

@@ -42,6 +42,7 @@ class Scheduler {
  public:
   explicit Scheduler(const Context& context)
       : context_(context),
+        model_(context.asset, context.schemas),
         formats_(context),
         positions_(context.views.accessors.size(), kNowhere) {}
 
@@ -217,8 +218,11 @@ class Scheduler {
 
   void add_channel(ChannelIndex index, const model::AnimationChannel& channel,
                    const model::AnimationSampler& sampler) {
-    if (channel.path != model::AnimationPath::rotation || !sampler.output) return;
+    if (!sampler.output) return;
     const model::Format& format = accessor(*sampler.output).format;
+    if (channel.path != model::AnimationPath::rotation) {
+      return add_pointed(index, channel, sampler, format);
+    }
     const bool vector = format.type == ElementType::vec4;
     if (!vector && !(context_.khronos() && model::component_count(format.type) == 4)) return;
     Check check;
@@ -232,7 +236,23 @@ class Scheduler {
     add(*sampler.output, check);
   }
 
+  void add_pointed(ChannelIndex index, const model::AnimationChannel& channel,
+                   const model::AnimationSampler& sampler, const model::Format& format) {
+    auto check = pointer_value_check(context_, model_, channel);
+    if (!check || (check->kind == CheckKind::quaternion && format.type != ElementType::vec4))
+      return;
+    check->cubic = sampler.interpolation == model::Interpolation::cubic_spline;
+    check->group = model::component_count(format.type);
+    check->place = {Place::Kind::channel,
+                    index.animation,
+                    index.channel,
+                    {},
+                    context_.document.find(channel.object, "sampler")};
+    add(*sampler.output, *std::move(check));
+  }
+
   const Context& context_;
+  model::ObjectModel model_;
   AttributeFormats formats_;
   std::vector<Schedule> schedules_;
   std::vector<std::size_t> positions_;  // in schedules_, by accessor
