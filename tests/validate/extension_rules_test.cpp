@@ -100,6 +100,21 @@ TEST(Names, AreUniqueInTheirListOnly) {
             Lines{"NAME_REPEATED /extensions/AGI_articulations/articulations/1/name"});
 }
 
+TEST(Formats, ThatNothingHasLeaveTheirExtensionUnused) {
+  const auto used = [](const std::string& position, const std::string& morph) {
+    return findings(R"("extensionsUsed": ["KHR_mesh_quantization"],
+      "extensionsRequired": ["KHR_mesh_quantization"],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 1}]}]}],
+      "accessors": [{"type": "VEC3", "count": 3, )" +
+                        position + R"(}, {"type": "VEC3", "count": 3, )" + morph + "}]",
+                    {"EXTENSION_UNUSED"});
+  };
+  const std::string floats = R"("componentType": 5126)", shorts = R"("componentType": 5122)";
+  EXPECT_EQ(used(floats, floats), Lines{"EXTENSION_UNUSED /extensionsUsed/0"});
+  EXPECT_EQ(used(shorts, floats), Lines{});
+  EXPECT_EQ(used(floats, shorts), Lines{});
+}
+
 TEST(ExtensionRules, StaySilentInTheKhronosProfile) {
   EXPECT_EQ(findings(R"("extensionsUsed": ["MSFT_lod"], "nodes": [)" + level("0") + "]", {"LOD_"},
                      Profile::khronos),

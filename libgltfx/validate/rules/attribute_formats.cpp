@@ -197,16 +197,46 @@ const FormatList* AttributeFormats::find(const model::Attribute& attribute, bool
   return lookup(std::string(attribute.name.substr(0, digits)) + "n");
 }
 
+namespace {
+
+bool brings(const schema::Extension& extension, const model::Attribute& attribute, bool target,
+            const model::Format& format) {
+  const auto& all = target ? extension.morph_attributes : extension.vertex_attributes;
+  return std::any_of(all.begin(), all.end(), [&](const schema::AttributeFormat& each) {
+    return model::matches_semantic(each.semantic, attribute.name) &&
+           from_schema(each).allows(format);
+  });
+}
+
+}  // namespace
+
 std::string_view extension_that_allows(const schema::Set& schemas,
                                        const model::Attribute& attribute, bool target,
                                        const model::Format& format) {
   for (const schema::Extension& extension : schemas.extensions()) {
-    for (const auto& each : target ? extension.morph_attributes : extension.vertex_attributes) {
-      if (!model::matches_semantic(each.semantic, attribute.name)) continue;
-      if (from_schema(each).allows(format)) return extension.name;
-    }
+    if (brings(extension, attribute, target, format)) return extension.name;
   }
   return {};
+}
+
+bool uses_formats_of(const Context& context, const schema::Extension& extension) {
+  const auto any = [&](const std::vector<model::Attribute>& attributes, bool target) {
+    return std::any_of(attributes.begin(), attributes.end(), [&](const model::Attribute& each) {
+      return each.accessor &&
+             brings(extension, each, target, context.views.accessors[*each.accessor].format);
+    });
+  };
+  for (const json::NodeId mesh : context.asset.elements(model::RootArray::meshes)) {
+    for (const json::NodeId object : model::primitives(context.document, mesh)) {
+      if (object == json::kNoNode) continue;
+      const model::Primitive primitive = model::read_primitive(context.asset, object);
+      if (any(primitive.attributes, false)) return true;
+      for (const json::NodeId morph : primitive.targets) {
+        if (any(model::read_attributes(context.asset, morph), true)) return true;
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace gltfx::validate

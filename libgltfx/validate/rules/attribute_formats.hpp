@@ -52,4 +52,7 @@ std::string_view extension_that_allows(const schema::Set& schemas,
                                        const model::Attribute& attribute, bool target,
                                        const model::Format& format);
 
+/// Whether an attribute of the asset has one of the formats that the extension brings.
+bool uses_formats_of(const Context& context, const schema::Extension& extension);
+
 }  // namespace gltfx::validate

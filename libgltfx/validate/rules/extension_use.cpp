@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "validate/rules/attribute_formats.hpp"
 #include "validate/rules/families.hpp"
 
 namespace gltfx::validate {
@@ -165,8 +166,15 @@ void report_status(const Entry& entry, const schema::Extension& extension) {
   }
 }
 
+// An extension either has objects, or formats of attributes alone.
+bool is_unused(const Entry& entry, const schema::Extension& extension) {
+  if (!extension.homes.empty()) return entry.names.seen.count(extension.name) == 0;
+  const bool formats = !extension.vertex_attributes.empty() || !extension.morph_attributes.empty();
+  return formats && !uses_formats_of(entry.context, extension);
+}
+
 void report_use(const Entry& entry, const schema::Extension& extension) {
-  if (!extension.homes.empty() && entry.names.seen.count(extension.name) == 0) {
+  if (is_unused(entry, extension)) {
     entry.report("EXTENSION_UNUSED",
                  fmt::format("{} is declared but used nowhere.", extension.name));
   } else if (extension.must_be_required == schema::MustBeRequired::recommended &&
