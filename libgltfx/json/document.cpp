@@ -23,16 +23,27 @@ Members::Member Members::Iterator::operator*() const {
   return {at_, at_ + 1, document_->node(at_).next};
 }
 
+void Members::Iterator::skip_hidden() {
+  while (at_ != end_ && document_->node(at_).hidden) at_ = document_->next(at_ + 1);
+}
+
 Members::Iterator& Members::Iterator::operator++() {
   at_ = document_->next(at_ + 1);
+  skip_hidden();
   return *this;
 }
 
-Members::Iterator Members::begin() const { return {*document_, object_ + 1}; }
+Members::Iterator Members::begin() const {
+  const NodeId last = end().at_;
+  Iterator first(*document_, document_->node(object_).hidden ? last : object_ + 1, last);
+  first.skip_hidden();
+  return first;
+}
 
 Members::Iterator Members::end() const {
   const bool has_members = document_->is_object(object_);
-  return {*document_, has_members ? document_->next(object_) : object_ + 1};
+  const NodeId last = has_members ? document_->next(object_) : object_ + 1;
+  return {*document_, last, last};
 }
 
 Elements::Iterator& Elements::Iterator::operator++() {
@@ -100,11 +111,12 @@ NodeId Document::find(NodeId object, std::string_view name) const {
     const KeyId id = key_id(name);
     return id == kNoKey ? kNoNode : find(object, id);
   }
+  if (nodes[object].hidden) return kNoNode;
   NodeId found = kNoNode;
   for (NodeId key = object + 1; key < end; key = nodes[key + 1].next) {
     if (keys_.name(nodes[key].next) == name) found = key + 1;
   }
-  return found;
+  return found != kNoNode && nodes[found - 1].hidden ? kNoNode : found;
 }
 
 NodeId Document::find(NodeId object, KeyId name) const {
@@ -112,9 +124,20 @@ NodeId Document::find(NodeId object, KeyId name) const {
   if (object == kNoNode || !is_object(object)) return found;
   // The most called function of all: without the iterator, which lives in another file.
   const Node* const nodes = nodes_.data();
+  if (nodes[object].hidden) return found;
   const NodeId end = nodes[object].next;
   for (NodeId key = object + 1; key < end; key = nodes[key + 1].next) {
     if (nodes[key].next == name) found = key + 1;
+  }
+  return found != kNoNode && nodes[found - 1].hidden ? kNoNode : found;
+}
+
+NodeId Document::find_in_text(NodeId object, std::string_view name) const {
+  if (object == kNoNode || !is_object(object) || nodes_[object].hidden) return kNoNode;
+  const KeyId id = key_id(name);
+  NodeId found = kNoNode;
+  for (NodeId key = object + 1; key < nodes_[object].next; key = nodes_[key + 1].next) {
+    if (nodes_[key].next == id) found = key + 1;
   }
   return found;
 }

@@ -44,7 +44,8 @@ struct Node {
   std::uint32_t next = 0;   ///< node after this one's content; of a key: its KeyId
   Kind kind = Kind::null;
   bool escaped = false;  ///< string or key with a backslash in it
-  std::uint16_t reserved = 0;
+  bool hidden = false;   ///< a key whose member is out of sight, or an object whose members are
+  std::uint8_t reserved = 0;
 };
 static_assert(sizeof(Node) == 16);
 using NodeArray = std::vector<Node, PageAllocator<Node>>;
@@ -59,7 +60,8 @@ struct Number {
 
 class Document;
 
-/// Forward range over the members of an object, in the order of the text (repeats included).
+/// Forward range over the members of an object, in the order of the text (repeats included, hidden
+/// ones not).
 class Members {
  public:
   struct Member {
@@ -69,14 +71,18 @@ class Members {
   };
   class Iterator {
    public:
-    Iterator(const Document& document, NodeId at) : document_(&document), at_(at) {}
+    Iterator(const Document& document, NodeId at, NodeId end)
+        : document_(&document), at_(at), end_(end) {}
     Member operator*() const;
     Iterator& operator++();
     bool operator!=(const Iterator& other) const { return at_ != other.at_; }
 
    private:
+    friend class Members;
+    void skip_hidden();
     const Document* document_;
     NodeId at_;
+    NodeId end_;
   };
   Members(const Document& document, NodeId object) : document_(&document), object_(object) {}
   Iterator begin() const;
@@ -129,8 +135,9 @@ class NumberCursor {
   Number number_;
 };
 
-/// Immutable once built; any number of threads may read it. Owns its text.
-/// A default-constructed document has no nodes: check `empty()` before `root()`.
+/// Immutable once built, but for what hide() and strip() take out of sight; any number of threads
+/// may read it. Owns its text. A default-constructed document has no nodes: check `empty()` before
+/// `root()`.
 class Document {
  public:
   Document() = default;
@@ -169,6 +176,21 @@ class Document {
   /// Also kNoNode when `object` is no object or kNoNode itself.
   NodeId find(NodeId object, std::string_view name) const;
   NodeId find(NodeId object, KeyId name) const;
+  /// As find(), but hidden members are found as well.
+  NodeId find_in_text(NodeId object, std::string_view name) const;
+  bool holds(NodeId object, std::string_view name) const {
+    return find_in_text(object, name) != kNoNode;
+  }
+
+  /// Takes a member out of sight: find() and members() act as if it were not in the text. `value`
+  /// is the member's value.
+  void hide(NodeId value) { nodes_[value - 1].hidden = true; }
+  bool is_hidden(NodeId value) const { return nodes_[value - 1].hidden; }
+  /// Makes a value an object without members, whatever it is in the text.
+  void strip(NodeId value) {
+    nodes_[value].kind = Kind::object;
+    nodes_[value].hidden = true;
+  }
 
   /// Precondition: kind(id) == Kind::number.
   Number number(NodeId id) const;

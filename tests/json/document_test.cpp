@@ -22,6 +22,35 @@ TEST(Document, FindsMembersByName) {
   EXPECT_EQ(document.find(0, kNoKey), kNoNode);
 }
 
+TEST(Document, HiddenMembersAreFoundInTheTextOnly) {
+  Document document = parse(R"({"a": 1, "b": {"a": 2}, "a": 3, "c": 4})").document;
+  document.hide(document.find(0, "a"));
+  EXPECT_EQ(document.find(0, "a"), kNoNode) << "the earlier one does not come back";
+  EXPECT_EQ(document.find(0, document.key_id("a")), kNoNode);
+  EXPECT_EQ(document.raw(document.find_in_text(0, "a")), "3");
+  EXPECT_TRUE(document.holds(0, "a"));
+  EXPECT_FALSE(document.holds(0, "x"));
+  EXPECT_TRUE(document.is_hidden(document.find_in_text(0, "a")));
+  std::vector<std::string> left;
+  for (const auto member : document.members(0)) left.emplace_back(document.raw(member.value));
+  EXPECT_THAT(left, ::testing::ElementsAre("1", R"({"a": 2})", "4"));
+  document.hide(document.find(0, "c"));
+  EXPECT_EQ(document.object_size(0), 2u) << "nothing behind the last one either";
+}
+
+TEST(Document, StrippedValuesAreObjectsWithoutMembers) {
+  Document document = parse_clean(R"({"a": [{"b": 1}], "c": {"d": 1}, "e": 2})");
+  for (const char* const name : {"a", "c", "e"}) {
+    const NodeId value = document.find(0, name);
+    document.strip(value);
+    EXPECT_TRUE(document.is_object(value)) << name;
+    EXPECT_EQ(document.object_size(value), 0u) << name;
+    EXPECT_EQ(document.find(value, "d"), kNoNode) << name;
+    EXPECT_FALSE(document.holds(value, "d")) << name;
+  }
+  EXPECT_EQ(document.object_size(0), 3u) << "they stay in their place";
+}
+
 TEST(Document, CountsMembersAndElements) {
   const Document document = parse_clean(R"([{}, {"a": {"b": 1}, "c": 2}, [], [1], [[1, 2], "x"]])");
   std::vector<std::size_t> sizes;
