@@ -113,11 +113,6 @@ SparsePart read_part(const Asset& asset, json::NodeId sparse, std::string_view m
   return part;
 }
 
-bool sparse_index_type(ComponentType type) {
-  return type == ComponentType::uint8 || type == ComponentType::uint16 ||
-         type == ComponentType::uint32;
-}
-
 }  // namespace
 
 std::string_view element_type_name(ElementType type) { return row(type).name; }
@@ -229,6 +224,11 @@ std::vector<Accessor> read_accessors(const Asset& asset) {
   return accessors;
 }
 
+bool can_index_elements(ComponentType type) {
+  return type == ComponentType::uint8 || type == ComponentType::uint16 ||
+         type == ComponentType::uint32;
+}
+
 std::optional<Sparse> read_sparse(const Asset& asset, const Accessor& accessor) {
   if (accessor.sparse == json::kNoNode) return std::nullopt;
   const json::Document& document = asset.document();
@@ -242,9 +242,8 @@ std::optional<Sparse> read_sparse(const Asset& asset, const Accessor& accessor) 
     sparse.indices.format = {ElementType::scalar, read_component(document, type), false};
   }
   sparse.values.format = accessor.format;
-  const bool complete = sparse.count && sparse.indices.node != json::kNoNode &&
-                        sparse.values.node != json::kNoNode &&
-                        sparse_index_type(sparse.indices.format.component);
+  const bool complete =
+      sparse.count && sparse.indices.node != json::kNoNode && sparse.values.node != json::kNoNode;
   return complete ? std::optional(sparse) : std::nullopt;
 }
 

@@ -106,6 +106,9 @@ struct Sparse {
   SparsePart indices, values;
 };
 
+/// Whether indices of sparse accessors may have that type.
+bool can_index_elements(ComponentType type);
+
 /// The sparse object of an accessor, or nothing when it has none or one that lacks a part.
 std::optional<Sparse> read_sparse(const Asset& asset, const Accessor& accessor);
 

@@ -64,7 +64,8 @@ std::optional<PackedNumbers> sparse_indices(const Asset& asset, const Views& vie
                                             const ResourceData& resources, const Sparse& sparse) {
   const SparsePart& part = sparse.indices;
   const auto offset = start_of(asset.document(), part.node, part.byte_offset);
-  if (!part.buffer_view || !offset) return std::nullopt;
+  if (!part.buffer_view || !offset || !can_index_elements(part.format.component))
+    return std::nullopt;
   const unsigned size = component_size(part.format.component);
   // As a view of any length: that the indices lie inside it is another check.
   BufferView view = views.buffer_views[*part.buffer_view];

@@ -74,7 +74,9 @@ AssetInfo asset_info(const Asset& asset, const Views& views) {
   const json::NodeId header = object_member(document, document.root(), "asset");
   info.version = string_member(document, header, "version");
   info.min_version = string_member(document, header, "minVersion");
-  info.generator = string_member(document, header, "generator");
+  const json::NodeId generator = document.find(header, "generator");
+  if (generator != json::kNoNode && document.is_string(generator))
+    info.generator = document.string(generator);
   info.extensions_used = string_list(document, "extensionsUsed");
   info.extensions_required = string_list(document, "extensionsRequired");
   info.animation_count = asset.count(RootArray::animations);

@@ -57,6 +57,16 @@ Skin read_skin(const Asset& asset, json::NodeId object) {
   return skin;
 }
 
+std::span<const NodeIndex> joints_of_last_root(const std::vector<NodeIndex>& joints,
+                                               const SceneGraph& graph) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const bool apart = i > first && graph.component(joints[i]) != graph.component(joints[first]);
+    if (apart) first = i + 1;
+  }
+  return std::span(joints).subspan(std::min(first, joints.size()));
+}
+
 std::size_t joint_sets(const Primitive& primitive) {
   const std::size_t joints = continuous_sets(primitive.attributes, SemanticKind::joints);
   const std::size_t weights = continuous_sets(primitive.attributes, SemanticKind::weights);

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "model/mesh.hpp"
 #include "model/node.hpp"
+#include "model/scene_graph.hpp"
 
 namespace gltfx::model {
 
@@ -24,6 +26,11 @@ struct Skin {
 };
 
 Skin read_skin(const Asset& asset, json::NodeId object);
+
+/// The joints whose common root the Khronos validator knows in the end: it begins anew with the
+/// joint behind one that has no root in common with those before. Empty when that was the last.
+std::span<const NodeIndex> joints_of_last_root(const std::vector<NodeIndex>& joints,
+                                               const SceneGraph& graph);
 
 /// How many sets of four joints (JOINTS_0, JOINTS_1, ...) a primitive binds its vertices to. 0 when
 /// the sets have gaps or do not pair with WEIGHTS_n: that is reported where it stands.

@@ -34,6 +34,7 @@ template <typename Kind>
 struct FirstUse {
   Kind kind = Kind::none;
   json::NodeId place = json::kNoNode;  ///< the index that uses it; kNoNode: a view's own `target`
+  bool used = false;                   ///< by an index, whatever for
 };
 
 /// First uses by index, as core members make them, in the order images, sparse accessors come

@@ -60,7 +60,7 @@ void write_asset_info(json::Writer& writer, const AssetInfo& info) {
   writer.begin_object();
   write_if_any(writer, "version", info.version);
   write_if_any(writer, "minVersion", info.min_version);
-  write_if_any(writer, "generator", info.generator);
+  if (info.generator) writer.member("generator", *info.generator);
   write_if_any(writer, "extensionsUsed", info.extensions_used);
   write_if_any(writer, "extensionsRequired", info.extensions_required);
   write_resources(writer, info.resources);

@@ -22,8 +22,47 @@ enum class Scope : std::uint8_t {
   khronos,  ///< only those that validator knows and that are declared; its severities and order
 };
 
+/// What a walk is after.
+enum class Part : std::uint8_t {
+  all,
+  form,        ///< all but references between objects; those of the root object itself are form
+  references,  ///< indices and what they lead to; findings on form go to the sink all the same
+};
+
+/// What becomes of a member.
+enum class Reading : std::uint8_t {
+  judge,  ///< the walk looks at it
+  keep,   ///< it does not
+  drop,   ///< nor does anybody else: the member is hidden
+};
+
+/// What a reader does on its way through the members of an object, in their order. Called by walks
+/// of Scope::khronos. Paths are only valid during the call.
+class MemberVisitor {
+ public:
+  virtual ~MemberVisitor() = default;
+  /// Before a member that is there.
+  virtual Reading before(const ObjectType& type, std::string_view member, json::NodeId object,
+                         json::NodeId value, const Path& object_path) = 0;
+  /// Behind the place of a member, whether it is there or not.
+  virtual void behind(const ObjectType& type, std::string_view member, json::NodeId object,
+                      const Path& object_path) = 0;
+  /// Before a member of an object that is a map of names.
+  virtual void entry(std::string_view name, json::NodeId value, const Path& map_path) = 0;
+
+ protected:
+  MemberVisitor() = default;
+  MemberVisitor(const MemberVisitor&) = default;
+  MemberVisitor& operator=(const MemberVisitor&) = default;
+};
+
 struct CheckOptions {
   Scope scope = Scope::all;
+  Part part = Part::all;
+  /// Scope::khronos: the document that is checked, in which the walk hides members with a broken
+  /// value, for they count as absent. Null leaves it as it is.
+  json::Document* shown = nullptr;
+  MemberVisitor* members = nullptr;  ///< Scope::khronos
 };
 
 /// A texture slot that is filled.

@@ -75,12 +75,15 @@ void Walker::push(ShapeId shape, json::NodeId node, const Path& path, Mode mode,
   frame->pending = static_cast<std::uint32_t>(pending_.size());
   frame->mode = mode;
   frame->stage = Stage::enter;
+  frame->told = 0;
   frame->further = further;
+  frame->unset = false;
   frame->constrained = false;
   top_ = frame;
 }
 
 void Walker::pop() {
+  if (top_->unset && !top_->further) lose(*top_);
   members_.resize(top_->scratch);
   pending_.resize(top_->pending);
   top_ = top_->parent;
@@ -106,6 +109,20 @@ void Walker::report(const Path& path, std::string_view code, Span span, std::str
   finding.help = std::move(help);
   finding.span = span;
   schema_sink_.report(path, std::move(finding));
+}
+
+void Walker::drop(json::NodeId value) {
+  if (options_.shown != nullptr) options_.shown->hide(value);
+}
+
+// A container that counts as absent takes the array around it along.
+void Walker::lose(const Frame& frame) {
+  if (frame.parent == nullptr) return;
+  if (frame.parent->mode == Mode::array) {
+    frame.parent->unset = true;
+  } else {
+    drop(frame.node);
+  }
 }
 
 // "did you mean 'x'?", or nothing.

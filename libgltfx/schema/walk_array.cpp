@@ -76,7 +76,7 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
     wrong_length = size < shape.min_items || size > shape.max_items;
     if (wrong_length) count_items(shape, size, {node}, path_of(node, step));
   }
-  if (wrong_length && is_vector(shape)) return;
+  if (wrong_length && (khronos() || is_vector(shape))) return;
   if (shape.items != kNone) {
     const ShapePlan& items = tables_.shapes[shape.items];
     const bool in_range =
@@ -179,7 +179,8 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
       const ShapePlan& plan = tables_.shapes[items];
       if (!(number >= plan.low && number <= plan.high && std::isfinite(number)))
         judge(items, value, {path, index});
-    } else if (items != kNone && !bad_element(items, value, path, index, told)) {
+    } else if (items != kNone) {
+      if (bad_element(items, value, path, index, told)) continue;
       judge(items, value, {path, index});
     }
     if (shape.unique_items && !seen.insert(number)) {
@@ -190,6 +191,7 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
 }
 
 void Walker::count_items(const Shape& shape, std::uint64_t size, Value value, const Path& path) {
+  unset_ = true;
   if (size == 0) {
     report(path, "EMPTY_ENTITY", values_.span(value),
            name_of(path) + " is an empty array; it must have " +
@@ -207,15 +209,19 @@ void Walker::count_items(const Shape& shape, std::uint64_t size, Value value, co
 
 void Walker::array_step(Frame& frame) {
   const Shape& shape = set_.shape(frame.shape);
+  unset_ = false;
   if (frame.stage == Stage::enter) {
     frame.stage = Stage::properties;
     if (counts(shape)) {
       const std::uint64_t size = count_elements(shape, frame.node);
       if (size < shape.min_items || size > shape.max_items) {
         count_items(shape, document_.array_size(frame.node), {frame.node}, frame.path);
+        if (khronos()) frame.at = document_.next(frame.node);
       }
     }
     if (shape.unique_items) unique_items(frame);
+    if (khronos() && elements_at_fault(frame)) frame.at = document_.next(frame.node);
+    frame.unset = unset_;
   }
   const json::NodeId end = document_.next(frame.node);
   bool told = false;
@@ -225,14 +231,33 @@ void Walker::array_step(Frame& frame) {
     frame.at = document_.next(element);
     const bool plain =
         tables_.shapes[shape.items].plan == Plan::object && document_.is_object(element);
-    if (!plain && bad_element(shape.items, {element}, frame.path, index, told)) continue;
-    if (value(shape.items, element, {Step::Kind::element, index})) return;
+    const bool bad = !plain && bad_element(shape.items, {element}, frame.path, index, told);
+    const bool pushed = !bad && value(shape.items, element, {Step::Kind::element, index});
+    frame.unset = frame.unset || unset_;
+    if (pushed) return;
   }
   if (!frame.constrained) {
     frame.constrained = true;
     constraints(frame);
   }
   if (!pending_shapes(frame)) pop();
+}
+
+// A list of described objects in which something is no object is not looked into any further by the
+// Khronos validator.
+bool Walker::elements_at_fault(Frame& frame) {
+  const ShapeId items = set_.shape(frame.shape).items;
+  const bool in_root = frame.parent != nullptr && frame.parent->parent == nullptr;
+  if (items == kNone || in_root || tables_.shapes[items].plan != Plan::object) return false;
+  if (tables_.shapes[items].type == kNone) return false;
+  bool fault = false, told = false;
+  std::uint64_t index = 0;
+  for (const json::NodeId element : document_.elements(frame.node)) {
+    const std::uint64_t at = index++;
+    if (document_.is_object(element)) continue;
+    fault = bad_element(items, {element}, frame.path, at, told) || fault;
+  }
+  return fault;
 }
 
 // Elements, as far as they have to be counted to know whether there are too few or too many.
@@ -245,11 +270,17 @@ std::uint64_t Walker::count_elements(const Shape& shape, json::NodeId node) cons
   return count;
 }
 
-// Elements that are equal as text: strings with escapes are compared unescaped.
+// Elements that are equal as text: strings with escapes are compared unescaped. Those of a wrong
+// type are told as such.
 void Walker::unique_items(const Frame& frame) {
+  const ShapeId items = set_.shape(frame.shape).items;
   std::unordered_set<std::string> seen;
   std::uint64_t index = 0;
   for (const json::NodeId element : document_.elements(frame.node)) {
+    if (items != kNone && !values_.has_type({element}, set_.shape(items).types)) {
+      ++index;
+      continue;
+    }
     std::string content(document_.raw(element));
     if (document_.is_string(element))
       content.replace(1, std::string::npos, document_.string(element));
@@ -261,19 +292,24 @@ void Walker::unique_items(const Frame& frame) {
   }
 }
 
+// A value that should be an index, but is none.
+bool Walker::bad_index(ShapeId id, Value value, const Path& path) {
+  if (id == kNone) return false;
+  const Shape& shape = set_.shape(id);
+  if (!shape.ref || shape.types != kInteger) return false;
+  if (values_.has_type(value, kInteger) && values_.number(value).value >= 0) return false;
+  lose_reference(id);
+  report(path, "INVALID_INDEX", values_.span(value),
+         name_of(path) + " is " + shown(values_, value) + "; it must be an index, counted from 0.");
+  return true;
+}
+
 // An element of the wrong type, told in the way of its kind of array: numbers, flags and objects at
 // the array, where one is enough; indices, strings and arrays at the element.
 bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index,
                          bool& told) {
+  if (bad_index(items, value, {array, index})) return true;
   const Shape& shape = set_.shape(items);
-  if (shape.ref && shape.types == kInteger) {
-    if (values_.has_type(value, kInteger) && values_.number(value).value >= 0) return false;
-    lose_reference(items);
-    report({array, index}, "INVALID_INDEX", values_.span(value),
-           name_of({array, index}) + " is " + shown(values_, value) +
-               "; it must be an index, counted from 0.");
-    return true;
-  }
   if (values_.has_type(value, shape.types)) return false;
   const bool is_root_array =
       array.parent() != nullptr && array.parent()->parent() == nullptr && !array.is_index();
@@ -284,9 +320,10 @@ bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uin
   if (shape.types == kObject && is_root_array) {
     report({array, index}, "TYPE_MISMATCH", values_.span(value), message, help);
   } else if (at_element) {
+    unset_ = true;
     report({array, index}, "ARRAY_TYPE_MISMATCH", values_.span(value), message, help);
   } else if (khronos() || !told) {
-    told = true;
+    told = unset_ = true;
     report(array, "ARRAY_TYPE_MISMATCH", values_.span(value), message, help);
   }
   return true;

@@ -123,7 +123,9 @@ void Walker::dependencies(const Frame& frame) {
   const std::vector<Property>& properties = set_.type(frame.type).properties;
   for (const DependencyPlan& plan : tables_.types[frame.type].dependencies) {
     const json::NodeId member = members_[frame.scratch + plan.property];
-    if (member == json::kNoNode || members_[frame.scratch + plan.needed] != json::kNoNode) continue;
+    const json::NodeId needed = members_[frame.scratch + plan.needed];
+    if (member == json::kNoNode || is_hidden(member)) continue;
+    if (needed != json::kNoNode && !is_hidden(needed)) continue;
     const std::string name = quoted(properties[plan.property].name);
     const std::string other = quoted(properties[plan.needed].name);
     report({frame.path, key_of(member)}, "UNSATISFIED_DEPENDENCY", document_.span(member - 1),

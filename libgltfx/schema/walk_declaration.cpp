@@ -11,7 +11,11 @@ void Walker::read_declarations() {
                         std::vector<std::string>& list) {
     const json::NodeId node = document_.find(document_.root(), member);
     if (node == json::kNoNode) return;
-    for (const json::NodeId element : document_.elements(node)) {
+    const auto elements = document_.elements(node);
+    bool only_strings = true;
+    for (const json::NodeId element : elements) only_strings &= document_.is_string(element);
+    if (khronos() && !only_strings) return;
+    for (const json::NodeId element : elements) {
       if (!document_.is_string(element)) continue;
       std::string name = document_.string(element);
       if (names.insert(name).second) list.push_back(std::move(name));

@@ -17,6 +17,7 @@ bool Walker::push_extensions(Frame& host) {
     report(path, "TYPE_MISMATCH", document_.span(node),
            "'extensions' is " + shown(values_, {node}) + "; it must be an object.",
            document_.is_array(node) ? "write { \"KHR_…\": { … } }" : "");
+    drop(node);
     return false;
   }
   push(kNone, node, path, Mode::extensions, false);
@@ -30,6 +31,7 @@ void Walker::extensions_step(Frame& frame) {
     frame.stage = Stage::properties;
     frame.siblings.clear();
     for (json::NodeId at = frame.node + 1; at < end; at = document_.next(at + 1)) {
+      if (document_.node(at).hidden) continue;
       const ExtensionId id = names_.extension(document_.node(at).next);
       const auto& known = frame.siblings;
       if (id != kNone && std::find(known.begin(), known.end(), id) == known.end())
@@ -40,6 +42,7 @@ void Walker::extensions_step(Frame& frame) {
     const json::KeyId key = document_.node(frame.at).next;
     const json::NodeId node = frame.at + 1;
     frame.at = document_.next(node);
+    if (is_hidden(node)) continue;
     if (extension_member(frame, key, node)) return;
   }
   pop();
@@ -62,7 +65,9 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
     report(path, "TYPE_MISMATCH", document_.span(node),
            quoted(name) + " is " + shown(values_, {node}) + "; an extension must be an object.",
            "write { }");
-    return false;
+    // For the Khronos validator it has no members, which may be another fault.
+    if (options_.shown == nullptr) return false;
+    options_.shown->strip(node);
   }
   const ExtensionId id = names_.extension(key);
   if (!is_declared(key)) {
@@ -72,7 +77,10 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
   }
   if (!looks_into(id, name)) return false;
   const ShapeId shape = home(frame, id, path, node);
-  if (shape == kNone) return false;
+  if (shape == kNone) {
+    drop(node);
+    return false;
+  }
   neighbours(frame, id, path, node);
   if (!tables_.shapes[shape].members) return false;
   push(shape, node, path, Mode::object, false);
@@ -178,10 +186,12 @@ bool Walker::has_effect(const Frame& frame, const RelationPlan& relation) const 
 
 void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
   std::vector<std::string> others;
-  for (const auto& member : document_.members(frame.node)) {
-    const ExtensionId other = names_.extension(member.key_id);
+  const json::NodeId end = document_.next(frame.node);
+  for (json::NodeId at = frame.node + 1; at < end; at = document_.next(at + 1)) {
+    const json::KeyId key = document_.node(at).next;
+    const ExtensionId other = names_.extension(key);
     const bool told = !khronos() && other != kNone && (excludes(id, other) || excludes(other, id));
-    if (other != id && !told) others.push_back(quoted(document_.key(member.key_id)));
+    if (other != id && !told) others.push_back(quoted(document_.key(key)));
   }
   if (others.empty()) return;
   report(path, "MULTIPLE_EXTENSIONS", document_.span(node - 1),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects: their members in the order of the type's properties.
 #include <algorithm>
+#include <utility>
 
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
@@ -24,13 +25,7 @@ void Walker::object_step(Frame& frame) {
   switch (frame.stage) {
     case Stage::enter:
       enter_object(frame);
-      frame.stage = Stage::early_extensions;
-      [[fallthrough]];
-    case Stage::early_extensions:
       frame.stage = Stage::properties;
-      if (frame.type != kNone && tables_.types[frame.type].extensions_first &&
-          push_extensions(frame))
-        return;
       [[fallthrough]];
     case Stage::properties:
       if (properties(frame)) return;
@@ -51,7 +46,9 @@ void Walker::object_step(Frame& frame) {
 
 void Walker::enter_object(Frame& frame) {
   const Shape& shape = set_.shape(frame.shape);
-  if (shape.min_properties != 0 || shape.max_properties != UINT64_MAX) count_members(frame);
+  if (shape.min_properties != 0 || shape.max_properties != UINT64_MAX) {
+    if (!count_members(frame) && khronos() && !frame.further) lose(frame);
+  }
   gather(frame);
   if (shape.property_names != kNone) member_names(frame);
   const bool has_others = shape.values != kNone || !shape.pattern_properties.empty();
@@ -63,13 +60,14 @@ void Walker::gather(Frame& frame) {
   const bool typed = frame.type != kNone;
   const TypePlan& plan = typed ? tables_.types[frame.type] : no_type();
   members_.resize(frame.scratch + plan.properties.size(), json::kNoNode);
-  if (!typed) return;
+  if (!typed || document_.node(frame.node).hidden) return;
   json::NodeId* const slots = members_.data() + frame.scratch;
   const json::NodeId end = document_.next(frame.node);
   for (json::NodeId at = frame.node + 1; at < end;) {
     const json::KeyId key = document_.node(at).next;
     const json::NodeId value = at + 1;
     at = document_.next(value);
+    if (is_hidden(value)) continue;
     const Symbol symbol = names_.symbol(key);
     const TypePlan::Entry* entry = symbol == kNone ? nullptr : plan.find(symbol);
     if (symbol == Set::WalkTables::kExtensions) frame.extensions = value;
@@ -126,6 +124,8 @@ bool Walker::properties(Frame& frame) {
   while (true) {
     const std::uint32_t stop = frame.constrained ? count : plan.constraints_at;
     while (frame.index < stop) {
+      behind(frame);
+      if (frame.index == plan.extensions_at && push_extensions(frame)) return true;
       if (plan.is_root && !frame.further && root_property(frame)) return true;
       const std::uint32_t index = frame.index++;
       const json::NodeId node = members_[frame.scratch + index];
@@ -135,6 +135,7 @@ bool Walker::properties(Frame& frame) {
         missing(frame, index);
       }
     }
+    behind(frame);
     if (frame.constrained) return false;
     frame.constrained = true;
     constraints(frame);
@@ -168,8 +169,32 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
   }
   if (plan.shape == kNone) return false;
   if (plan.slot) record_slot(frame, index, node);
-  if (plan.required && khronos() && document_.kind(node) == json::Kind::null) missing(frame, index);
+  if (khronos()) return khronos_property(frame, index, node);
   return value(plan.shape, node, {Step::Kind::member});
+}
+
+bool Walker::khronos_property(Frame& frame, std::uint32_t index, json::NodeId node) {
+  const PropertyPlan& plan = tables_.types[frame.type].properties[index];
+  if (options_.members != nullptr) {
+    const ObjectType& type = set_.type(frame.type);
+    const Reading reading =
+        options_.members->before(type, type.properties[index].name, frame.node, node, frame.path);
+    if (reading == Reading::drop) drop(node);
+    if (reading != Reading::judge) return false;
+  }
+  unset_ = false;
+  const bool pushed = value(plan.shape, node, {Step::Kind::member});
+  if (plan.required && document_.kind(node) == json::Kind::null) missing(frame, index);
+  if (std::exchange(unset_, false)) drop(node);
+  return pushed;
+}
+
+void Walker::behind(Frame& frame) {
+  if (options_.members == nullptr || frame.type == kNone || frame.further) return;
+  const ObjectType& type = set_.type(frame.type);
+  for (; frame.told < frame.index; ++frame.told) {
+    options_.members->behind(type, type.properties[frame.told].name, frame.node, frame.path);
+  }
 }
 
 bool Walker::follows_earlier_draft(const Frame& frame) const {
@@ -184,6 +209,10 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
   const Property& property = type.properties[index];
   // Of a further shape the property may be described by the object's own type.
   const Property* described = &property;
+  // For the Khronos validator null lacks a value, while another broken one has been told.
+  const json::NodeId hidden = document_.find_in_text(frame.node, property.name);
+  if (frame.further && hidden != json::kNoNode && document_.kind(hidden) != json::Kind::null)
+    return;
   if (property.shape == kNone && frame.further && frame.parent != nullptr) {
     const Property* own = set_.find_property(frame.parent->type, property.name);
     if (own != nullptr) described = own;
@@ -209,14 +238,28 @@ bool Walker::others(Frame& frame) {
     const json::KeyId key = document_.node(frame.at).next;
     const json::NodeId node = frame.at + 1;
     frame.at = document_.next(node);
+    if (is_hidden(node)) continue;
     const Symbol symbol = names_.symbol(key);
     if (frame.type != kNone) {
       if (symbol <= Set::WalkTables::kExtras) continue;
       if (symbol != kNone && tables_.types[frame.type].find(symbol) != nullptr) continue;
     }
-    if (value(other_shape(frame, document_.key(key)), node, {Step::Kind::member})) return true;
+    const ShapeId shape = other_shape(frame, document_.key(key));
+    if (khronos() && frame.type == kNone) {
+      if (entry(frame, shape, key, node)) return true;
+    } else if (value(shape, node, {Step::Kind::member})) {
+      return true;
+    }
   }
   return false;
+}
+
+// A member of a map in Scope::khronos: an index that is none stays in it.
+bool Walker::entry(const Frame& frame, ShapeId shape, json::KeyId key, json::NodeId node) {
+  const std::string_view name = document_.key(key);
+  if (options_.members != nullptr) options_.members->entry(name, node, frame.path);
+  if (bad_index(shape, {node}, {frame.path, name})) return false;
+  return value(shape, node, {Step::Kind::member});
 }
 
 ShapeId Walker::other_shape(const Frame& frame, std::string_view name) const {
@@ -227,18 +270,19 @@ ShapeId Walker::other_shape(const Frame& frame, std::string_view name) const {
   return shape.values;
 }
 
-void Walker::count_members(const Frame& frame) {
+bool Walker::count_members(const Frame& frame) {
   const Shape& shape = set_.shape(frame.shape);
   const std::size_t count = document_.object_size(frame.node);
-  if (count >= shape.min_properties && count <= shape.max_properties) return;
+  if (count >= shape.min_properties && count <= shape.max_properties) return true;
   if (count == 0) {
     report(frame.path, "EMPTY_ENTITY", document_.span(frame.node),
            name_of(frame.path) + " is empty; it must have at least one member.");
-    return;
+    return false;
   }
   report(frame.path, "PROPERTY_COUNT_NOT_IN_RANGE", opening(frame.node),
          name_of(frame.path) + " has " + std::to_string(count) + " members; it must have " +
              count_phrase(shape.min_properties, shape.max_properties, "member", "members") + ".");
+  return false;
 }
 
 void Walker::member_names(const Frame& frame) {

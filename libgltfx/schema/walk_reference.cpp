@@ -46,6 +46,8 @@ bool Walker::lose_reference(ShapeId shape) {
 void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& path) {
   const std::uint32_t target = tables_.shapes[shape].target;
   const TargetPlan& plan = tables_.targets[target];
+  const bool of_root = top_ != nullptr && top_->parent == nullptr;
+  if (options_.part == (of_root ? Part::references : Part::form)) return;
   Targets::Array* array = array_of(plan, target);
   if (array != nullptr && index < array->size && !(khronos() && array->is_hole(index))) {
     if (index < array->used.size()) array->used.mark(index);
@@ -64,8 +66,9 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
     message +=
         array->size == 1 ? "there is only 1." : "there are " + std::to_string(array->size) + ".";
   }
-  reference_sink_.report(
-      path, {"UNRESOLVED_REFERENCE", std::move(message), {}, values_.span(value), std::nullopt});
+  Sink& sink = options_.part == Part::form ? schema_sink_ : reference_sink_;
+  sink.report(path,
+              {"UNRESOLVED_REFERENCE", std::move(message), {}, values_.span(value), std::nullopt});
 }
 
 void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const Path& path) {

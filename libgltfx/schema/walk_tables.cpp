@@ -114,7 +114,7 @@ class Maker {
   TypePlan object_type(const ObjectType& type) {
     TypePlan plan;
     plan.is_root = type.name == "glTF";
-    plan.extensions_first = ends_with(type.name, "extureInfo");
+    plan.extensions_at = extensions_place(type);
     std::size_t names = 0;
     for (const Property& property : type.properties) {
       const bool slot = property.shape != kNone && set_.shape(property.shape).slot;
@@ -124,6 +124,7 @@ class Maker {
     }
     plan.constraints_at = static_cast<std::uint32_t>(type.properties.size());
     if (!type.properties.empty() && type.properties.back().name == "name") --plan.constraints_at;
+    if (set_.shape(type.shape).not_shape != kNone) plan.constraints_at = 0;
     if (plan.is_root) root_places(type, plan);
     dependencies(type, plan);
     std::size_t capacity = 4;
@@ -137,6 +138,13 @@ class Maker {
         insert(plan, symbol(alias), i, true);
     }
     return plan;
+  }
+
+  // The order in which the Khronos validator reads these types.
+  static std::uint32_t extensions_place(const ObjectType& type) {
+    if (ends_with(type.name, "extureInfo") || type.name == "animation.channel.target") return 0;
+    const bool before_name = type.name == "material" && type.properties.back().name == "name";
+    return before_name ? static_cast<std::uint32_t>(type.properties.size() - 1) : kNone;
   }
 
   void dependencies(const ObjectType& type, TypePlan& plan) const {

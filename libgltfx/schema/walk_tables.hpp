@@ -71,8 +71,9 @@ struct TypePlan {
   std::vector<PropertyPlan> properties;
   std::vector<DependencyPlan> dependencies;
   std::uint32_t constraints_at =
-      0;                          ///< what concerns several members is judged before this property
-  bool extensions_first = false;  ///< texture slots
+      0;  ///< what concerns several members is judged before this property
+  /// Extensions are judged before this property, or behind all of them.
+  std::uint32_t extensions_at = kNone;
   bool is_root = false;
   std::uint32_t declarations_at =
       kNone;  ///< root: extensions' declarations are judged before this property

@@ -144,6 +144,7 @@ bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (values_.has_type(value, shape.types)) return true;
   if (shape.ref) lose_reference(id);
+  unset_ = true;
   report(path, "TYPE_MISMATCH", values_.span(value),
          name_of(path) + " is " + shown(values_, value) + "; it must be " +
              type_phrase(shape.types) + ".",
@@ -162,6 +163,8 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
     std::vector<std::string_view> known;
     for (const Literal& literal : shape.literals) known.push_back(literal.string);
     help = did_you_mean(text, known);
+  } else {
+    unset_ = true;
   }
   report(
       path, "VALUE_NOT_IN_LIST", values_.span(value),
@@ -186,6 +189,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   const bool is_reference = shape.ref.has_value() && values_.has_type(value, kInteger);
   if (is_reference && number < 0) {
     lose_reference(id);
+    unset_ = true;
     report(path, "INVALID_INDEX", values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; an index counts from 0.");
     return;
@@ -194,13 +198,15 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   const bool high = number > shape.maximum || (shape.exclusive_maximum && number == shape.maximum);
   if (low || high || !std::isfinite(number)) {
     const std::string range = range_phrase(shape);
+    unset_ = true;
     report(path, "VALUE_NOT_IN_RANGE", values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be " +
                (range.empty() ? "a finite number" : range) + ".",
            range_help(shape, number, path));
     return;
   }
-  if (shape.multiple_of != 0 && !is_multiple(number, shape.multiple_of)) {
+  // A rule tells the Khronos validator's only one, for it comes behind other members.
+  if (shape.multiple_of != 0 && !khronos() && !is_multiple(number, shape.multiple_of)) {
     report(path, "VALUE_MULTIPLE_OF", values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a multiple of " +
                number_text(shape.multiple_of) + ".");
@@ -221,11 +227,13 @@ void Walker::judge_text(ShapeId id, Value value, const Path& path) {
     }
   }
   if (shape.pattern != kNone && !set_.matches(shape.pattern, text)) {
+    unset_ = true;
     report(path, "PATTERN_MISMATCH", values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must match " +
                std::string(set_.pattern_text(shape.pattern)) + ".");
   }
   if (shape.format == "json-pointer" && !is_json_pointer(text)) {
+    unset_ = true;
     report(path, "PATTERN_MISMATCH", values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a JSON pointer.",
            "a pointer begins with '/', and '~' in a name is written ~0");

@@ -27,14 +27,7 @@ class Walker {
 
  private:
   /// Where the walk of an object stands.
-  enum class Stage : std::uint8_t {
-    enter,
-    early_extensions,
-    properties,
-    others,
-    extensions,
-    leave
-  };
+  enum class Stage : std::uint8_t { enter, properties, others, extensions, leave };
   enum class Mode : std::uint8_t { object, array, extensions };
 
   /// A container that is being walked. Frames are kept and used again.
@@ -51,10 +44,12 @@ class Walker {
     std::uint32_t index = 0;    ///< of the next property or element
     std::uint32_t scratch = 0;  ///< where its members begin in members_
     std::uint32_t pending = 0;  ///< size of pending_ when it was entered
+    std::uint32_t told = 0;     ///< properties that MemberVisitor::behind() was called for
     Mode mode = Mode::object;
     Stage stage = Stage::enter;
     bool further = false;  ///< another shape for a value that has been walked already
     bool constrained = false;
+    bool unset = false;  ///< an array that counts as absent
     std::vector<ExtensionId>
         siblings;  ///< Mode::extensions: those the Set knows, in document order
   };
@@ -83,12 +78,15 @@ class Walker {
   bool root_property(Frame& frame);
   bool pending_shapes(Frame& frame);
   bool property(Frame& frame, std::uint32_t index, json::NodeId value);
+  bool khronos_property(Frame& frame, std::uint32_t index, json::NodeId value);
+  void behind(Frame& frame);
   bool follows_earlier_draft(const Frame& frame) const;
   void missing(Frame& frame, std::uint32_t index);
   void renamed(const Frame& frame, const Property& property, json::NodeId value);
   bool others(Frame& frame);
   ShapeId other_shape(const Frame& frame, std::string_view name) const;
-  void count_members(const Frame& frame);
+  bool entry(const Frame& frame, ShapeId shape, json::KeyId key, json::NodeId value);
+  bool count_members(const Frame& frame);
   void member_names(const Frame& frame);
   void member_name(const Frame& frame, const Shape& shape, json::NodeId value);
   void leave(Frame& frame);
@@ -119,7 +117,9 @@ class Walker {
   void array_step(Frame& frame);
   void count_items(const Shape& shape, std::uint64_t size, Value value, const Path& path);
   void unique_items(const Frame& frame);
+  bool bad_index(ShapeId shape, Value value, const Path& path);
   bool bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index, bool& told);
+  bool elements_at_fault(Frame& frame);
 
   // walk_reference.cpp
   bool lose_reference(ShapeId shape);
@@ -164,6 +164,9 @@ class Walker {
   bool is_required(std::string_view name) const { return required_.count(std::string(name)) != 0; }
 
   bool khronos() const { return options_.scope == Scope::khronos; }
+  bool is_hidden(json::NodeId value) const { return document_.is_hidden(value); }
+  void drop(json::NodeId value);
+  void lose(const Frame& frame);
   void report(const Path& path, std::string_view code, Span span, std::string message,
               std::string help = {});
   Span opening(json::NodeId object) const;
@@ -191,6 +194,7 @@ class Walker {
   std::uint32_t stamp_ = 0;
   enum class Declared : std::uint8_t { unseen, no, yes };
   std::vector<Declared> declared_;  ///< by KeyId
+  bool unset_ = false;              ///< the value just judged counts as absent
   int suggestions_left_ = 2000;     ///< each one costs microseconds; hostile files have millions
 };
 

@@ -19,6 +19,7 @@
 #include "model/views.hpp"
 #include "schema/check.hpp"
 #include "schema/set.hpp"
+#include "validate/link_order.hpp"
 
 namespace gltfx::validate {
 
@@ -39,6 +40,8 @@ struct Context {
   model::Views views{};
   /// Who is whose parent. Likewise.
   model::SceneGraph graph{};
+  /// khronos profile: behind `link_sink`, with the broken references that are yet to be reported.
+  LinkOrder* order = nullptr;
 
   bool khronos() const { return options.profile == Profile::khronos; }
 };
@@ -54,7 +57,23 @@ using LinkRule = void (*)(const Context& context);
 struct ObjectRuleEntry {
   std::string_view type;  ///< object type name: "node", "mesh.primitive"
   ObjectRule rule;
+  /// khronos profile: the member behind whose place the rule runs, which is where that validator
+  /// has the check; empty: behind all members, as in the other profiles.
+  std::string_view behind = {};
 };
+
+/// khronos profile: what that validator makes of a member before its form is judged. Findings go to
+/// `schema_sink`.
+using MemberRule = schema::Reading (*)(const Context& context, json::NodeId object,
+                                       json::NodeId value, const Path& object_path);
+struct MemberRuleEntry {
+  std::string_view type, member;
+  MemberRule rule;
+};
+
+/// khronos profile: a rule about one member of an object that maps names to indices.
+using MapRule = void (*)(const Context& context, std::string_view name, json::NodeId value,
+                         const Path& map_path);
 
 /// What a file of rules/ contributes: its table first, then what runs. Object rules of one type run
 /// in the order of the families, link rules in the order of `families()`.
@@ -63,6 +82,8 @@ struct Family {
   std::span<const RuleDescription> rules;
   std::span<const ObjectRuleEntry> object_rules;
   std::span<const LinkRule> link_rules;
+  std::span<const MemberRuleEntry> member_rules = {};
+  std::span<const MapRule> map_rules = {};
 };
 
 /// All families, in the order their link rules run. One line a file in rules/families.cpp.

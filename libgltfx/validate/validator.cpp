@@ -2,6 +2,7 @@
 #include "validate/validator.hpp"
 
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -12,20 +13,21 @@
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
 #include "validate/data/decode_views.hpp"
+#include "validate/khronos_view.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
 namespace {
 
 // Object rules by type, so that the walk asks once per object.
-using ObjectRules = std::unordered_map<std::string_view, std::vector<ObjectRule>>;
+using ObjectRules = std::unordered_map<std::string_view, std::vector<ObjectRuleEntry>>;
 
 const ObjectRules& object_rules() {
   static const ObjectRules table = [] {
     ObjectRules rules;
     for (const Family& family : families()) {
       for (const ObjectRuleEntry& entry : family.object_rules) {
-        rules[entry.type].push_back(entry.rule);
+        rules[entry.type].push_back(entry);
       }
     }
     return rules;
@@ -54,17 +56,18 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
 }
 
 // Phase 3: the schema walk with object rules at its heels.
-schema::CheckResult check_objects(const Context& context) {
-  schema::CheckOptions walk;
-  walk.scope = context.khronos() ? schema::Scope::khronos : schema::Scope::all;
+schema::CheckResult check_objects(Context& context, json::Document& document) {
   const ObjectRules& rules = object_rules();
   const auto visit = [&](const schema::ObjectType& type, json::NodeId object, const Path& path) {
     const auto found = rules.find(type.name);
     if (found == rules.end()) return;
-    for (const ObjectRule rule : found->second) rule(context, object, path);
+    for (const ObjectRuleEntry& entry : found->second) {
+      if (!context.khronos() || entry.behind.empty()) entry.rule(context, object, path);
+    }
   };
-  return schema::check(context.document, context.schemas, walk, context.schema_sink,
-                       context.link_sink, visit);
+  if (context.order != nullptr) return check_as_khronos(context, document, *context.order, visit);
+  return schema::check(document, context.schemas, {}, context.schema_sink, context.link_sink,
+                       visit);
 }
 
 // Phase 4.
@@ -75,14 +78,15 @@ void check_links(const Context& context) {
 }
 
 // Phases 3 to 7. Each phase reports to a sink of its own, so that two of them can run at once:
-// what they share is only read.
-void check_document(Context& context, Collector& collector, FileReport& report) {
+// what they share is only read. The khronos profile hides members of the document in phase 3.
+void check_document(Context& context, json::Document& document, Collector& collector,
+                    FileReport& report) {
   const unsigned jobs = jobs_for(context);
   schema::CheckResult checked;
   model::Views views;
   model::SceneGraph graph;
   run_both(
-      jobs, [&] { checked = check_objects(context); },
+      context.khronos() ? 1 : jobs, [&] { checked = check_objects(context, document); },
       [&] {
         views = model::Views(context.asset);
         graph = model::SceneGraph(context.asset, views.nodes);
@@ -108,6 +112,10 @@ FileReport validate(const container::Container& container, const std::string& na
   if (has_text && parse_document(container, options, collector, document)) {
     const auto set = options.schemas ? options.schemas : schema::builtin_set();
     const model::Asset asset(document);
+    Sink& links = collector.sink(Phase::reference);
+    const bool khronos = options.profile == Profile::khronos;
+    std::optional<LinkOrder> order;
+    if (khronos) order.emplace(links);
     Context context{container,
                     resolver,
                     document,
@@ -116,8 +124,9 @@ FileReport validate(const container::Container& container, const std::string& na
                     options,
                     {},
                     collector.sink(Phase::schema),
-                    collector.sink(Phase::reference)};
-    if (check_identity(context, collector)) check_document(context, collector, report);
+                    khronos ? *order : links};
+    if (khronos) context.order = &*order;
+    if (check_identity(context, collector)) check_document(context, document, collector, report);
   }
   report.mime_type = mime_type(container, document);
   collector.finish(report, document, container.json_offset);

@@ -88,7 +88,6 @@ TEST(Sparse, NeedsAllItsParts) {
     {"count": 4, "componentType": 5126, "type": "VEC3", "sparse": {"count": 2,
      "indices": {"bufferView": 0, "componentType": 5123, "byteOffset": 4}, "values": {"bufferView": 0}}},
     {"sparse": {"count": 0, "indices": {"componentType": 5123}, "values": {}}},
-    {"sparse": {"count": 1, "indices": {"componentType": 5126}, "values": {}}},
     {"sparse": {"count": 1, "indices": {"componentType": 5121}}}]})");
   const auto accessors = read_accessors(text.asset);
   const auto sparse = read_sparse(text.asset, accessors[0]);

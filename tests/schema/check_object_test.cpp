@@ -91,9 +91,19 @@ TEST(Order, TextureSlotsReadTheirExtensionsFirst) {
 
 TEST(Order, OtherObjectsReadThemLast) {
   EXPECT_THAT(
+      verdict(asset(
+          R"("accessors": [{"extras": 1, "extensions": {"A_b": 3}, "name": 4, "componentType": 5126,
+            "type": "VEC3", "count": 0}])")),
+      ElementsAre("VALUE_NOT_IN_RANGE /accessors/0/count", "TYPE_MISMATCH /accessors/0/name",
+                  "TYPE_MISMATCH /accessors/0/extensions/A_b",
+                  "NON_OBJECT_EXTRAS /accessors/0/extras"));
+}
+
+TEST(Order, MaterialsReadThemBeforeTheirName) {
+  EXPECT_THAT(
       verdict(material(R"("extras": 1, "extensions": {"A_b": 3}, "name": 4, "alphaCutoff": -1)")),
-      ElementsAre("VALUE_NOT_IN_RANGE /materials/0/alphaCutoff", "TYPE_MISMATCH /materials/0/name",
-                  "TYPE_MISMATCH /materials/0/extensions/A_b",
+      ElementsAre("VALUE_NOT_IN_RANGE /materials/0/alphaCutoff",
+                  "TYPE_MISMATCH /materials/0/extensions/A_b", "TYPE_MISMATCH /materials/0/name",
                   "NON_OBJECT_EXTRAS /materials/0/extras"));
 }
 

@@ -111,8 +111,10 @@ TEST(Animation, KhronosPointersStrayBehindAChannelWithoutSampler) {
                               kRest;
   const std::vector<std::string_view> code{"UNUSED_OBJECT /animations"};
   EXPECT_EQ(findings(members, code), Lines{"UNUSED_OBJECT /animations/0/samplers/0"});
-  EXPECT_EQ(findings(members, code, Profile::khronos),
-            Lines{"UNUSED_OBJECT /animations/0/channels/0/samplers/0"});
+  const Lines astray = findings(members, code, Profile::khronos);
+  ASSERT_EQ(astray.size(), 14U);
+  EXPECT_EQ(astray[0], "UNUSED_OBJECT /animations/0/channels/0/samplers/0");
+  EXPECT_EQ(astray[1], "UNUSED_OBJECT /animations/0/accessors/2") << "what follows strays, too";
 }
 
 std::string pointer_channel(const std::string& pointer, int index = 0) {

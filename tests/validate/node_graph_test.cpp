@@ -35,10 +35,14 @@ TEST(NodeGraph, WhatLeadsNowhereIsReportedOnce) {
             Lines{"NODE_EMPTY /nodes/0"});
 }
 
-TEST(NodeGraph, UndeclaredExtensionDoesNotExistForKhronos) {
+TEST(NodeGraph, AnyExtensionFillsANodeButForKhronosOneThatIsNotAtHomeThere) {
   const std::string nodes = R"("nodes": [{"extensions": {"X_y": {}}}])";
   EXPECT_EQ(graph(nodes, {"NODE_EMPTY"}), Lines{});
-  EXPECT_EQ(graph(nodes, {"NODE_EMPTY"}, Profile::khronos), Lines{"NODE_EMPTY /nodes/0"});
+  EXPECT_EQ(graph(nodes, {"NODE_EMPTY"}, Profile::khronos), Lines{});
+  const std::string lost = R"("extensionsUsed": ["KHR_materials_unlit"],
+    "nodes": [{"extensions": {"KHR_materials_unlit": {}}}])";
+  EXPECT_EQ(graph(lost, {"NODE_EMPTY"}), Lines{});
+  EXPECT_EQ(graph(lost, {"NODE_EMPTY"}, Profile::khronos), Lines{"NODE_EMPTY /nodes/0"});
 }
 
 TEST(NodeGraph, LoopsAreTheNodesOnThem) {

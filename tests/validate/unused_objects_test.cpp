@@ -26,9 +26,11 @@ TEST(UnusedObjects, ScenesAndAnimationsAreNeverUnused) {
 
 TEST(UnusedObjects, NodesAreUsedByScenesParentsSkinsAndAnimations) {
   const std::string rest = R"(, "scenes": [{"nodes": [0]}], "skins": [{"joints": [2]}],
-    "animations": [{"channels": [{"target": {"node": 3}}]}])";
-  EXPECT_EQ(unused(R"("nodes": [{"children": [1], "skin": 0}, {}, {}, {}, {}])" + rest),
-            Lines{"/nodes/4"});
+    "animations": [{"channels": [{"sampler": 0, "target": {"node": 3}}])";
+  const std::string nodes = R"("nodes": [{"children": [1], "skin": 0}, {}, {}, {}, {}])";
+  EXPECT_EQ(unused(nodes + rest + R"(, "samplers": [{}]}])"), Lines{"/nodes/4"});
+  EXPECT_EQ(unused(nodes + rest + "}]"), (Lines{"/nodes/3", "/nodes/4"}))
+      << "an animation without samplers is not followed";
 }
 
 TEST(UnusedObjects, TheRootOfASkeletonIsUsedButNotForTheKhronosProfile) {

@@ -37,7 +37,8 @@ struct ResourceInfo {
 
 /// Facts about an asset, as the Khronos report's `info` block has them.
 struct AssetInfo {
-  std::string version, min_version, generator;
+  std::string version, min_version;
+  std::optional<std::string> generator;
   std::vector<std::string> extensions_used, extensions_required;
   std::vector<ResourceInfo> resources;
   std::uint64_t animation_count = 0, material_count = 0, draw_call_count = 0;

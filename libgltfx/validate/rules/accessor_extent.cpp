@@ -8,7 +8,8 @@
 namespace gltfx::validate {
 namespace {
 
-void check_alignment(const Context& context, const Extent& extent, const Path& path) {
+void check_alignment(const Context& context, const Extent& extent, bool with_view,
+                     const Path& path) {
   const std::uint64_t offset = extent.byte_offset.value_or(0);
   const bool aligned = offset % extent.component_size == 0;
   if (!aligned) {
@@ -18,7 +19,7 @@ void check_alignment(const Context& context, const Extent& extent, const Path& p
                               extent.component_size));
   }
   // Where the accessor's own offset is at fault, the sum says nothing new.
-  if (!aligned && !context.khronos()) return;
+  if (!with_view || (!aligned && !context.khronos())) return;
   const std::uint64_t view_offset = context.views.buffer_views[extent.view].byte_offset.value_or(0);
   const Checked total = checked_add(view_offset, offset);
   if (!total || *total % extent.component_size == 0) return;
@@ -32,11 +33,19 @@ void check_alignment(const Context& context, const Extent& extent, const Path& p
 
 }  // namespace
 
+bool is_measurable(const Context& context, const model::Accessor& accessor) {
+  if (!context.khronos()) return accessor.count && accessor.format.known();
+  return accessor.count && accessor.format.component != model::ComponentType::none &&
+         context.document.find(accessor.node, "type") != json::kNoNode;
+}
+
 void check_extent(const Context& context, const Extent& extent, const Path& path) {
-  const bool has_offset = context.document.find(extent.object, "byteOffset") != json::kNoNode;
+  const bool has_offset = context.document.holds(extent.object, "byteOffset");
   if (has_offset && !extent.byte_offset) return;
-  check_alignment(context, extent, path);
   const auto& view = context.views.buffer_views[extent.view];
+  const bool starts = view.byte_offset || !context.document.holds(view.node, "byteOffset");
+  check_alignment(context, extent, starts || !context.khronos(), path);
+  if (!starts && context.khronos()) return;
   if (!view.byte_length && !context.khronos()) return;
   const std::uint64_t offset = extent.byte_offset.value_or(0);
   const std::uint64_t length = extent.length.value_or(UINT64_MAX);

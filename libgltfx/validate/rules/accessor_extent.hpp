@@ -10,6 +10,10 @@
 
 namespace gltfx::validate {
 
+/// Whether an accessor says enough to know where its elements lie. The Khronos validator takes a
+/// type that glTF does not have for one without components.
+bool is_measurable(const Context& context, const model::Accessor& accessor);
+
 /// Numbers in a buffer view, as an accessor or a part of a sparse accessor has them.
 struct Extent {
   json::NodeId object = json::kNoNode;       ///< the one with `byteOffset`

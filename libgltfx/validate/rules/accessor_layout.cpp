@@ -87,13 +87,13 @@ constexpr RuleDescription kRules[] = {
      kGood, Fix::none, true},
 };
 
-// Components that only extensions bring are unknown to the Khronos validator.
-bool measurable(const Context& context, const model::Accessor& accessor) {
-  return accessor.count && accessor.format.known() &&
-         (!context.khronos() || model::is_core_component(accessor.format.component));
+Checked length_of(const model::Accessor& accessor, std::uint64_t stride) {
+  const Checked before_last = checked_mul(*accessor.count - 1, stride);
+  return before_last ? checked_add(*before_last, model::element_size(accessor.format)) : Checked();
 }
 
 void check_base(const Context& context, const model::Accessor& accessor, const Path& path) {
+  report_references(context, context.document.find(accessor.node, "bufferView"));
   const model::BufferView* view = context.views.view_of(accessor);
   if (view == nullptr) return;
   const std::uint64_t size = model::element_size(accessor.format);
@@ -109,15 +109,16 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
   const std::uint64_t stride = view->byte_stride.value_or(model::packed_stride(accessor.format));
   check_extent(context,
                {accessor.node, *accessor.buffer_view, accessor.byte_offset,
-                model::component_size(accessor.format.component), accessor.span_size(stride)},
+                model::component_size(accessor.format.component), length_of(accessor, stride)},
                path);
 }
 
 // Indices and values of a sparse accessor lie side by side, matrices without padding.
 void check_part(const Context& context, const model::SparsePart& part, std::uint64_t count,
                 const Path& path) {
-  if (!part.buffer_view) return;
   const json::NodeId place = context.document.find(part.node, "bufferView");
+  report_references(context, place);
+  if (!part.buffer_view) return;
   report_view_use(context, *part.buffer_view, model::ViewUse::other, place,
                   Path(path, "bufferView"));
   if (context.views.buffer_views[*part.buffer_view].byte_stride) {
@@ -139,6 +140,7 @@ void check_part(const Context& context, const model::SparsePart& part, std::uint
 void check_sparse(const Context& context, const model::Accessor& accessor, const Path& path) {
   const auto sparse = model::read_sparse(context.asset, accessor);
   if (!sparse) return;
+  if (!context.khronos() && !model::can_index_elements(sparse->indices.format.component)) return;
   const Path at(path, "sparse");
   if (*sparse->count > *accessor.count) {
     report_member(context.link_sink, context, at, accessor.sparse, "count",
@@ -155,7 +157,7 @@ void check_accessors(const Context& context) {
   const Path array(root, "accessors");
   const auto& accessors = context.views.accessors;
   for (std::size_t i = 0; i < accessors.size(); ++i) {
-    if (!measurable(context, accessors[i])) continue;
+    if (!is_measurable(context, accessors[i])) continue;
     const Path path(array, static_cast<std::uint64_t>(i));
     check_base(context, accessors[i], path);
     check_sparse(context, accessors[i], path);

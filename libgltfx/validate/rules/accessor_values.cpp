@@ -86,6 +86,16 @@ void check_bound_values(const Context& context, const model::Accessor& accessor,
 }
 
 // The schema bounds the length by 1 and 16; the type says which it is.
+void report_bound_length(const Context& context, const model::Accessor& accessor,
+                         json::NodeId array, std::size_t size, const Path& path) {
+  const unsigned components = model::component_count(accessor.format.type);
+  context.schema_sink.report(
+      path, finding_on(context, array, "ARRAY_LENGTH_NOT_IN_LIST",
+                       fmt::format("A bound of {} elements has {} number{}, not {}.",
+                                   model::element_type_name(accessor.format.type), components,
+                                   components == 1 ? "" : "s", size)));
+}
+
 void check_bound(const Context& context, const model::Accessor& accessor, json::NodeId array,
                  const Path& path) {
   if (array == json::kNoNode) return;
@@ -96,11 +106,7 @@ void check_bound(const Context& context, const model::Accessor& accessor, json::
     check_bound_values(context, accessor, array, path);
     return;
   }
-  context.schema_sink.report(
-      path, finding_on(context, array, "ARRAY_LENGTH_NOT_IN_LIST",
-                       fmt::format("A bound of {} elements has {} number{}, not {}.",
-                                   model::element_type_name(accessor.format.type), components,
-                                   components == 1 ? "" : "s", size)));
+  report_bound_length(context, accessor, array, size, path);
 }
 
 void check_normalized(const Context& context, const model::Accessor& accessor, const Path& path) {
@@ -126,7 +132,7 @@ void check_matrix_offset(const Context& context, const model::Accessor& accessor
 
 void check_accessor(const Context& context, json::NodeId object, const Path& path) {
   const model::Accessor accessor = model::read_accessor(context.asset, object);
-  if (accessor.format.known()) {
+  if (accessor.format.known() && !context.khronos()) {
     check_bound(context, accessor, accessor.min, Path(path, "min"));
     check_bound(context, accessor, accessor.max, Path(path, "max"));
   }
@@ -134,12 +140,82 @@ void check_accessor(const Context& context, json::NodeId object, const Path& pat
   check_matrix_offset(context, accessor, path);
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"accessor", check_accessor}};
+// --- As the Khronos validator reads them ---
+
+schema::Reading read_offset(const Context& context, json::NodeId object, json::NodeId value,
+                            const Path& path) {
+  if (context.document.find(object, "bufferView") != json::kNoNode) return schema::Reading::judge;
+  context.schema_sink.report(
+      Path(path, "byteOffset"),
+      finding_on(context, value, "UNSATISFIED_DEPENDENCY", "'byteOffset' needs 'bufferView'."));
+  return schema::Reading::drop;
+}
+
+// Integers: whatever is none, or none of the type's, makes the bound void.
+schema::Reading read_integers(const Context& context, const model::Accessor& accessor,
+                              json::NodeId array, const Path& path) {
+  const json::Document& document = context.document;
+  const model::ValueRange range = model::value_range(accessor.format.component);
+  bool sound = true;
+  const auto check = [&](bool whole, double value, Span span) {
+    if (whole && range.contains(value)) return;
+    sound = false;
+    Finding finding =
+        finding_on(context, array, whole ? "INVALID_GL_VALUE" : "ARRAY_TYPE_MISMATCH",
+                   fmt::format("A bound of components of type {} has other values.",
+                               model::component_type_name(accessor.format.component)));
+    finding.span = span;
+    context.schema_sink.report(path, std::move(finding));
+  };
+  const auto check_number = [&](const json::Number& number) {
+    const bool whole = std::isfinite(number.value) && number.value == std::trunc(number.value);
+    check(whole, number.value, number.span);
+  };
+  if (document.kind(array) == json::Kind::number_array) {
+    for (json::NumberCursor at(document, array); at.valid(); at.advance())
+      check_number(at.number());
+  } else {
+    for (const json::NodeId element : document.elements(array)) {
+      document.is_number(element) ? check_number(document.number(element))
+                                  : check(false, 0, document.span(element));
+    }
+  }
+  return sound ? schema::Reading::keep : schema::Reading::drop;
+}
+
+schema::Reading read_bound(const Context& context, json::NodeId object, json::NodeId value,
+                           const Path& path) {
+  const model::Accessor accessor = model::read_accessor(context.asset, object);
+  if (!accessor.format.known()) return schema::Reading::drop;
+  if (!context.document.is_array(value)) return schema::Reading::judge;
+  const std::size_t size = context.document.array_size(value);
+  const bool integer = model::is_integer(accessor.format.component);
+  if (size == model::component_count(accessor.format.type)) {
+    return integer ? read_integers(context, accessor, value, path) : schema::Reading::judge;
+  }
+  if (size == 0 && !integer) return schema::Reading::judge;
+  report_bound_length(context, accessor, value, size, path);
+  return schema::Reading::drop;
+}
+
+schema::Reading read_min(const Context& context, json::NodeId object, json::NodeId value,
+                         const Path& path) {
+  return read_bound(context, object, value, Path(path, "min"));
+}
+schema::Reading read_max(const Context& context, json::NodeId object, json::NodeId value,
+                         const Path& path) {
+  return read_bound(context, object, value, Path(path, "max"));
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {{"accessor", check_accessor, "sparse"}};
+constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
+                                            {"accessor", "min", read_min},
+                                            {"accessor", "max", read_max}};
 
 }  // namespace
 
 const Family& accessor_values_family() {
-  static const Family family{"accessor_values", kRules, kObjectRules, {}};
+  static const Family family{"accessor_values", kRules, kObjectRules, {}, kMemberRules};
   return family;
 }
 

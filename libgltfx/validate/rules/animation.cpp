@@ -10,9 +10,12 @@
 #include "model/fields.hpp"
 #include "model/skin.hpp"
 #include "validate/rules/animation_output.hpp"
+#include "validate/rules/animation_paths.hpp"
 #include "validate/rules/animation_table.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/same_targets.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -29,57 +32,43 @@ class AnimationCheck {
       : context_(context), deformations_(model::read_deformations(context.views.meshes)) {}
 
   void run() {
-    const Path root;
-    const Path list(root, "animations");
+    AnimationPaths paths;
     const auto& objects = context_.asset.elements(model::RootArray::animations);
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (objects[i] == json::kNoNode) continue;
-      check(model::read_animation(context_.asset, objects[i]), Path(list, i));
+      paths.push(std::uint64_t{i});
+      check(model::read_animation(context_.asset, objects[i]), paths);
+      paths.pop();
     }
   }
 
  private:
-  void check(const model::Animation& animation, const Path& path) {
-    const Path samplers(path, "samplers");
+  void check(const model::Animation& animation, AnimationPaths& paths) {
+    if (!is_linked(context_, animation)) return;
+    const Path samplers(paths.path(), "samplers");
     for (std::size_t i = 0; i < animation.samplers.size(); ++i) {
       check_sampler(animation.samplers[i], Path(samplers, i));
     }
-    const auto later = later_channels(animation);
     std::vector<std::uint8_t> used(animation.samplers.size(), 0);
-    const Path channels(path, "channels");
-    Stray stray(channels);
+    SameTargets same(context_, animation);
+    paths.push("channels");
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const AnimationChannel& channel = animation.channels[i];
-      const Path at(stray.path(), i);
+      const Path at(paths.path(), i);
       check_target(channel, at);
+      report_references(context_, context_.document.find(channel.object, "sampler"));
       if (channel.sampler) {
         used[*channel.sampler] = 1;
         check_output(channel, animation.samplers[*channel.sampler], at);
       }
-      if (later[i] != 0) report_duplicate(channel, later[i], at);
-      if (context_.khronos() && !has_sampler_index(channel)) stray.keep(i);
+      const bool goes_on = !context_.khronos() || has_sampler_index(context_, channel);
+      if (!goes_on) paths.push(std::uint64_t{i});
+      for (const std::size_t later : same.behind(i)) {
+        if (goes_on) report_duplicate(channel, later, at);
+      }
     }
-    report_unused(animation, used, Path(*stray.path().parent(), "samplers"));
-  }
-
-  // Behind a channel without a sampler index the Khronos validator goes on as if it were still in
-  // it, so that pointers carry its place along. Some levels of that are enough.
-  class Stray {
-   public:
-    explicit Stray(const Path& channels) : last_(&channels) {}
-    const Path& path() const { return *last_; }
-    void keep(std::size_t channel) {
-      if (steps_.size() < kMost) last_ = &steps_.emplace_back(*last_, channel);
-    }
-
-   private:
-    static constexpr std::size_t kMost = 32;
-    std::deque<Path> steps_;
-    const Path* last_;
-  };
-
-  bool has_sampler_index(const AnimationChannel& channel) const {
-    return model::unsigned_member(context_.document, channel.object, "sampler").has_value();
+    paths.pop();
+    report_unused(animation, used, Path(paths.path(), "samplers"));
   }
 
   void report_unused(const model::Animation& animation, const std::vector<std::uint8_t>& used,
@@ -103,16 +92,30 @@ class AnimationCheck {
   }
 
   void check_sampler(const AnimationSampler& sampler, const Path& path) {
-    if (sampler.input) {
-      check_times(sampler, context_.views.accessors[*sampler.input], path);
-      check_stride(sampler, *sampler.input, "input", path);
+    check_use(sampler, sampler.input, "input", model::AccessorUse::animation_input, path);
+    if (sampler.input) check_times(sampler, context_.views.accessors[*sampler.input], path);
+    check_use(sampler, sampler.output, "output", model::AccessorUse::animation_output, path);
+    if (!sampler.output || !context_.khronos()) return;
+    // That validator counts the view of the output twice.
+    const auto view = context_.views.accessors[*sampler.output].buffer_view;
+    if (view) {
+      report_view_use(context_, *view, model::ViewUse::other,
+                      context_.document.find(sampler.object, "output"), Path(path, "output"));
     }
-    if (sampler.output) check_stride(sampler, *sampler.output, "output", path);
+  }
+
+  void check_use(const AnimationSampler& sampler, std::optional<std::uint32_t> accessor,
+                 std::string_view member, model::AccessorUse use, const Path& path) {
+    const json::NodeId place = context_.document.find(sampler.object, member);
+    report_references(context_, place);
+    if (!accessor) return;
+    report_use(context_, *accessor, use, place, Path(path, member));
+    check_stride(sampler, *accessor, member, path);
   }
 
   void check_times(const AnimationSampler& sampler, const model::Accessor& times,
                    const Path& path) {
-    if (times.format.known() && times.format != kTimes) {
+    if ((times.format.known() || context_.khronos()) && times.format != kTimes) {
       report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT",
                 fmt::format("Accessor {} with the times is {} instead of {}.", *sampler.input,
                             format_text(times.format), format_text(kTimes)));
@@ -122,7 +125,8 @@ class AnimationCheck {
                 fmt::format("Accessor {} with the times has no {}.", *sampler.input,
                             times.min == json::kNoNode ? "min" : "max"));
     }
-    if (sampler.interpolation == model::Interpolation::cubic_spline && times.count == 1U) {
+    const bool few = context_.khronos() ? times.count.value_or(0) < 2 : times.count == 1U;
+    if (sampler.interpolation == model::Interpolation::cubic_spline && few) {
       report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_TOO_FEW_ELEMENTS",
                 "A CUBICSPLINE has one keyframe; a curve needs two.");
     }
@@ -138,29 +142,13 @@ class AnimationCheck {
                           *accessor.buffer_view));
   }
 
-  // For each channel the next one with the same target; 0: none.
-  static std::vector<std::size_t> later_channels(const model::Animation& animation) {
-    std::vector<std::size_t> later(animation.channels.size(), 0);
-    std::unordered_map<std::uint64_t, std::size_t> known;
-    for (std::size_t i = animation.channels.size(); i-- > 0;) {
-      const AnimationChannel& channel = animation.channels[i];
-      if (!channel.node || model::animation_path_name(channel.path).empty()) continue;
-      const std::uint64_t target =
-          std::uint64_t{*channel.node} << 8 | static_cast<std::uint64_t>(channel.path);
-      std::size_t& last = known[target];
-      later[i] = last;
-      last = i;
-    }
-    return later;
-  }
-
   void report_duplicate(const AnimationChannel& channel, std::size_t later, const Path& path) {
     report(Path(path, "target"), channel.target, "ANIMATION_DUPLICATE_TARGETS",
-           fmt::format("Channel {} moves the {} of node {}, too.", later,
-                       model::animation_path_name(channel.path), *channel.node));
+           fmt::format("Channel {} moves the same property, too.", later));
   }
 
   void check_target(const AnimationChannel& channel, const Path& path) {
+    report_references(context_, context_.document.find(channel.target, "node"));
     if (!channel.node) return;
     const Path at(path, "target");
     const model::Node& node = context_.views.nodes[*channel.node];
@@ -202,7 +190,9 @@ class AnimationCheck {
   void check_output(const AnimationChannel& channel, const AnimationSampler& sampler,
                     const Path& path) {
     if (!sampler.output || model::animation_path_name(channel.path).empty()) return;
-    if (!fits_path(channel.path, context_.views.accessors[*sampler.output].format)) {
+    const model::Format& format = context_.views.accessors[*sampler.output].format;
+    const bool judged = format.known() || context_.khronos();
+    if (judged && !fits_path(channel.path, format)) {
       report_output_format(context_, sampler, model::animation_path_name(channel.path),
                            path_formats_text(channel.path), channel.object, path);
     }

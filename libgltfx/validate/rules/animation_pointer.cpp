@@ -12,6 +12,7 @@
 #include "model/fields.hpp"
 #include "model/object_model.hpp"
 #include "validate/rules/animation_output.hpp"
+#include "validate/rules/animation_paths.hpp"
 #include "validate/rules/animation_pointer_table.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
@@ -120,7 +121,7 @@ class PointerCheck {
       const Path target(at, "target");
       const Path extensions(target, "extensions");
       const Path place(extensions, kExtension);
-      check_target(channel, extension, place);
+      check_target(channel, is_linked(context_, animation), extension, place);
       if (!context_.khronos()) check_pointer(animation, i, extension, place, at, claims);
     }
   }
@@ -148,19 +149,22 @@ class PointerCheck {
            fmt::format("The path is 'pointer', but there is no {} with the pointer.", kExtension));
   }
 
-  void check_target(const AnimationChannel& channel, json::NodeId extension, const Path& place) {
+  void check_target(const AnimationChannel& channel, bool linked, json::NodeId extension,
+                    const Path& place) {
     if (context_.khronos()) {
       report(place, extension, "INCOMPLETE_EXTENSION_SUPPORT",
              "In this profile the pointer is not resolved: what it names may be wrong.");
     }
     const json::NodeId node = context_.document.find(channel.target, "node");
-    if (node != json::kNoNode && context_.document.unsigned_integer(node)) {
+    const bool given = node != json::kNoNode && context_.document.unsigned_integer(node);
+    if (context_.khronos() ? linked && channel.node : given) {
       report(place, node, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE",
              "The target has a node beside the pointer.");
     }
     const json::NodeId path = context_.document.find(channel.target, "path");
-    if (path == json::kNoNode || !context_.document.is_string(path)) return;
-    const std::string name = context_.document.string(path);
+    const bool text = path != json::kNoNode && context_.document.is_string(path);
+    if (!text && !context_.khronos()) return;
+    const std::string name = text ? context_.document.string(path) : std::string();
     if (name == kPath) return;
     report(place, path, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH",
            fmt::format("The path is {} instead of 'pointer'.", gltfx::quoted(name)));

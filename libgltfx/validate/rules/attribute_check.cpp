@@ -93,12 +93,6 @@ void report(const MeshState& state, const AttributeUse& use, const Path& path,
 // The Khronos validator forgets bounds that have a fault; a fault of theirs is reported already.
 bool has_bounds(const Context& context, const model::Accessor& accessor) {
   const json::Document& document = context.document;
-  if (context.khronos()) {
-    if (!accessor.format.known() || !model::is_core_component(accessor.format.component))
-      return false;
-    return model::is_sound_bound(document, accessor.format, accessor.min) &&
-           model::is_sound_bound(document, accessor.format, accessor.max);
-  }
   return document.find(accessor.node, "min") != json::kNoNode &&
          document.find(accessor.node, "max") != json::kNoNode;
 }

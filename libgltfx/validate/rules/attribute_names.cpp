@@ -63,23 +63,34 @@ bool is_extension_attribute(const Context& context, std::string_view name, bool 
   });
 }
 
+void check_name(const Context& context, std::string_view name, json::NodeId value, bool target,
+                const Path& path) {
+  const SemanticKind kind = model::parse_semantic(name).kind;
+  const bool skinning = kind == SemanticKind::joints || kind == SemanticKind::weights;
+  const bool good = kind == SemanticKind::extension
+                        ? is_extension_attribute(context, name, target)
+                        : kind != SemanticKind::invalid && !(target && skinning);
+  if (good) return;
+  context.schema_sink.report(
+      Path(path, name),
+      finding_on(context, value, "MESH_PRIMITIVE_INVALID_ATTRIBUTE",
+                 target && skinning ? fmt::format("{} cannot be morphed.", quoted(name))
+                                    : fmt::format("{} is no attribute of glTF.", quoted(name)),
+                 target && skinning ? std::string() : suggestion(name)));
+}
+
 void check_names(const Context& context, const std::vector<Attribute>& attributes, bool target,
                  const Path& path) {
+  if (context.khronos()) return;  // told name by name
   for (const Attribute& attribute : attributes) {
-    const SemanticKind kind = attribute.semantic.kind;
-    const bool skinning = kind == SemanticKind::joints || kind == SemanticKind::weights;
-    const bool good = kind == SemanticKind::extension
-                          ? is_extension_attribute(context, attribute.name, target)
-                          : kind != SemanticKind::invalid && !(target && skinning);
-    if (good) continue;
-    context.schema_sink.report(
-        Path(path, attribute.name),
-        finding_on(context, attribute.value, "MESH_PRIMITIVE_INVALID_ATTRIBUTE",
-                   target && skinning
-                       ? fmt::format("{} cannot be morphed.", quoted(attribute.name))
-                       : fmt::format("{} is no attribute of glTF.", quoted(attribute.name)),
-                   target && skinning ? std::string() : suggestion(attribute.name)));
+    check_name(context, attribute.name, attribute.value, target, path);
   }
+}
+
+// The maps that validator looks into are `attributes` and the elements of `targets`.
+void check_entry(const Context& context, std::string_view name, json::NodeId value,
+                 const Path& map) {
+  check_name(context, name, value, map.is_index(), map);
 }
 
 // An extension that may be left out cannot be what brings the positions.
@@ -158,12 +169,14 @@ void check_primitive(const Context& context, json::NodeId object, const Path& pa
   }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"mesh.primitive", check_primitive}};
+constexpr ObjectRuleEntry kObjectRules[] = {{"mesh.primitive", check_primitive, "attributes"}};
+constexpr MapRule kMapRules[] = {check_entry};
 
 }  // namespace
 
 const Family& attribute_names_family() {
-  static const Family family{"attribute_names", attribute_name_rules(), kObjectRules, {}};
+  static const Family family{"attribute_names", attribute_name_rules(), kObjectRules, {}, {},
+                             kMapRules};
   return family;
 }
 

@@ -73,6 +73,10 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
                   fmt::format("The stride of {} bytes is larger than the view, which has {}.",
                               *view.byte_stride, *view.byte_length));
   }
+  if (context.khronos() && *view.byte_stride % 4 != 0) {
+    report_member(context.schema_sink, context, path, object, "byteStride", "VALUE_MULTIPLE_OF",
+                  fmt::format("The stride of {} bytes is no multiple of 4.", *view.byte_stride));
+  }
   if (view.target == model::ViewTarget::indices) {
     report_member(context.schema_sink, context, path, object, "byteStride",
                   "BUFFER_VIEW_INVALID_BYTE_STRIDE",
@@ -80,19 +84,31 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
   }
 }
 
+// Of a broken number the Khronos validator makes -1.
+bool fits_khronos(const Context& context, const model::BufferView& view, std::uint64_t size,
+                  bool& begins_outside) {
+  const bool broken = !view.byte_offset && context.document.holds(view.node, "byteOffset");
+  const std::uint64_t less = (broken ? 1U : 0U) + (view.byte_length ? 0U : 1U);
+  const Checked end = checked_add(view.byte_offset.value_or(0), view.byte_length.value_or(0));
+  begins_outside = view.byte_offset.value_or(0) >= size;
+  return !begins_outside && end && *end <= size + less;
+}
+
 void check_extent(const Context& context, const model::BufferView& view, const Path& path) {
-  if (!view.buffer || !view.byte_length) return;
+  if (!view.buffer || (!view.byte_length && !context.khronos())) return;
   const json::NodeId buffer = context.asset.elements(model::RootArray::buffers)[*view.buffer];
   const auto size = model::unsigned_member(context.document, buffer, "byteLength");
   if (!size || *size == 0) return;
   const std::uint64_t offset = view.byte_offset.value_or(0);
-  if (fits(offset, *view.byte_length, *size)) return;
-  const bool begins_outside = view.byte_offset && offset >= *size;
+  bool begins_outside = view.byte_offset && offset >= *size;
+  if (context.khronos() ? fits_khronos(context, view, *size, begins_outside)
+                        : fits(offset, *view.byte_length, *size))
+    return;
   report_member(
       context.link_sink, context, path, view.node, begins_outside ? "byteOffset" : "byteLength",
       "BUFFER_VIEW_TOO_LONG",
       fmt::format("The view takes {} bytes from byte {} on, but buffer {} declares only {}.",
-                  *view.byte_length, offset, *view.buffer, *size));
+                  view.byte_length.value_or(0), offset, *view.buffer, *size));
 }
 
 void check_extents(const Context& context) {
@@ -100,11 +116,12 @@ void check_extents(const Context& context) {
   const Path array(root, "bufferViews");
   const auto& views = context.views.buffer_views;
   for (std::size_t i = 0; i < views.size(); ++i) {
+    report_references(context, views[i].node);
     check_extent(context, views[i], Path(array, static_cast<std::uint64_t>(i)));
   }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride}};
+constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
 constexpr LinkRule kLinkRules[] = {check_extents};
 
 }  // namespace

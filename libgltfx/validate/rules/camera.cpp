@@ -86,7 +86,7 @@ void check_orthographic(const Context& context, json::NodeId object, const Path&
   }
 }
 
-void check_perspective(const Context& context, json::NodeId object, const Path& path) {
+void check_angle(const Context& context, json::NodeId object, const Path& path) {
   const auto angle = positive(context, object, "yfov");
   if (angle && *angle >= std::numbers::pi) {
     const bool degrees = *angle > 6.3 && *angle < 180;
@@ -98,24 +98,58 @@ void check_perspective(const Context& context, json::NodeId object, const Path& 
                                          number_text(*angle), *angle * std::numbers::pi / 180)
                            : std::string()));
   }
+}
+
+void check_near_and_far(const Context& context, json::NodeId object, const Path& path) {
   check_planes(context, object, path, false);
 }
 
 void check_camera(const Context& context, json::NodeId camera, const Path& path) {
+  if (context.khronos()) return;  // projections are judged on the way
   // Only the projection that `type` names is in force.
   const std::string type = model::string_member(context.document, camera, "type");
   const json::NodeId projection = model::object_member(context.document, camera, type);
   if (projection == json::kNoNode) return;
   if (type == "orthographic") check_orthographic(context, projection, Path(path, type));
-  if (type == "perspective") check_perspective(context, projection, Path(path, type));
+  if (type == "perspective") {
+    check_angle(context, projection, Path(path, type));
+    check_near_and_far(context, projection, Path(path, type));
+  }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"camera", check_camera}};
+// --- As the Khronos validator reads them ---
+
+template <ObjectRule Rule>
+void only_khronos(const Context& context, json::NodeId object, const Path& path) {
+  if (context.khronos()) Rule(context, object, path);
+}
+
+schema::Reading read_projection(const Context& context, json::NodeId camera,
+                                std::string_view name) {
+  const bool named = model::string_member(context.document, camera, "type") == name;
+  return named ? schema::Reading::judge : schema::Reading::drop;
+}
+schema::Reading read_orthographic(const Context& context, json::NodeId camera, json::NodeId,
+                                  const Path&) {
+  return read_projection(context, camera, "orthographic");
+}
+schema::Reading read_perspective(const Context& context, json::NodeId camera, json::NodeId,
+                                 const Path&) {
+  return read_projection(context, camera, "perspective");
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {
+    {"camera", check_camera},
+    {"camera.orthographic", only_khronos<check_orthographic>, "znear"},
+    {"camera.perspective", only_khronos<check_angle>, "yfov"},
+    {"camera.perspective", only_khronos<check_near_and_far>, "znear"}};
+constexpr MemberRuleEntry kMemberRules[] = {{"camera", "orthographic", read_orthographic},
+                                            {"camera", "perspective", read_perspective}};
 
 }  // namespace
 
 const Family& camera_family() {
-  static const Family family{"camera", kRules, kObjectRules, {}};
+  static const Family family{"camera", kRules, kObjectRules, {}, kMemberRules};
   return family;
 }
 

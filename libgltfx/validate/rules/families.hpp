@@ -37,7 +37,6 @@ const Family& mesh_family();
 const Family& mesh_primitive_family();
 const Family& primitive_material_family();
 const Family& use_family();
-const Family& animation_use_family();
 const Family& unused_objects_family();
 
 // Cameras, the scene graph, skins, animations.
@@ -47,6 +46,7 @@ const Family& node_mesh_family();
 const Family& skin_family();
 const Family& animation_family();
 const Family& animation_pointer_family();
+const Family& animation_paths_family();
 const Family& scene_family();
 const Family& node_graph_family();
 

@@ -31,6 +31,14 @@ void report_member(Sink& sink, const Context& context, const Path& path, json::N
                                              std::move(message), std::move(help)));
 }
 
+void report_references(const Context& context, json::NodeId value) {
+  if (value != json::kNoNode) report_references(context, context.document.span(value));
+}
+
+void report_references(const Context& context, Span place) {
+  if (context.order != nullptr) context.order->release(place);
+}
+
 bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,
                           const Path& path) {
   const json::Document& document = context.document;

@@ -20,6 +20,12 @@ void report_member(Sink& sink, const Context& context, const Path& path, json::N
                    std::string_view member, std::string_view code, std::string message,
                    std::string help = {});
 
+/// khronos profile: reports the broken references inside `value` that have not been, at the point
+/// where that validator comes to them. Elsewhere the walk has reported them. Nothing for
+/// json::kNoNode.
+void report_references(const Context& context, json::NodeId value);
+void report_references(const Context& context, Span place);
+
 /// Reports UNSATISFIED_DEPENDENCY when the root object lacks the object of an extension that
 /// `object` needs. True when it is there.
 bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,

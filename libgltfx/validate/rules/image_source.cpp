@@ -37,10 +37,11 @@ constexpr RuleDescription kRules[] = {
 };
 
 void check_image(const Context& context, json::NodeId image, const Path& path) {
-  const auto view = context.asset.index(image, "bufferView", model::RootArray::buffer_views);
-  if (!view) return;
   const Path at(path, "bufferView");
   const json::NodeId place = context.document.find(image, "bufferView");
+  report_references(context, place);
+  const auto view = context.asset.index(image, "bufferView", model::RootArray::buffer_views);
+  if (!view) return;
   report_view_use(context, *view, model::ViewUse::image, place, at);
   if (!context.views.buffer_views[*view].byte_stride) return;
   context.link_sink.report(
@@ -57,7 +58,18 @@ void check_images(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_images};
+// Textures first, then their extensions.
+void check_textures(const Context& context) {
+  if (!context.khronos()) return;
+  const auto& textures = context.asset.elements(model::RootArray::textures);
+  for (const json::NodeId texture : textures) {
+    report_references(context, context.document.find(texture, "source"));
+    report_references(context, context.document.find(texture, "sampler"));
+  }
+  report_references(context, context.document.find(context.document.root(), "textures"));
+}
+
+constexpr LinkRule kLinkRules[] = {check_images, check_textures};
 
 }  // namespace
 

@@ -39,7 +39,7 @@ constexpr RuleDescription kRules[] = {
 // An angle of a cone, `otherwise` when it is absent, nothing when it is wrong (and reported).
 std::optional<double> angle(const json::Document& document, json::NodeId spot,
                             std::string_view member, double otherwise) {
-  if (document.find(spot, member) == json::kNoNode) return otherwise;
+  if (!document.holds(spot, member)) return otherwise;
   constexpr double kHalfPi = 1.5707963267948966;
   const auto value = model::number_member(document, spot, member);
   return value && *value >= 0 && *value <= kHalfPi ? value : std::nullopt;
@@ -59,7 +59,7 @@ void check_cone(const Context& context, json::NodeId spot, const Path& path) {
 
 void report_extra(const Context& context, json::NodeId light, const Path& path,
                   std::string_view member, const std::string& type) {
-  if (context.document.find(light, member) == json::kNoNode) return;
+  if (!context.document.holds(light, member)) return;
   report_member(context.schema_sink, context, path, light, member, "EXTRA_PROPERTY",
                 fmt::format("A light of type {} has no {}.", gltfx::quoted(type), member));
 }
@@ -72,7 +72,17 @@ void check_light(const Context& context, json::NodeId light, const Path& path) {
   } else if (type == "point" || type == "directional" || context.khronos()) {
     report_extra(context, light, path, "spot", type);
   }
-  if (type == "directional") report_extra(context, light, path, "range", type);
+}
+
+void check_range(const Context& context, json::NodeId light, const Path& path) {
+  const std::string type = model::string_member(context.document, light, "type");
+  const bool ranged = context.document.find(light, "range") != json::kNoNode;
+  if (type == "directional" && ranged) report_extra(context, light, path, "range", type);
+}
+
+schema::Reading read_spot(const Context& context, json::NodeId light, json::NodeId, const Path&) {
+  const bool spot = model::string_member(context.document, light, "type") == "spot";
+  return spot ? schema::Reading::judge : schema::Reading::keep;
 }
 
 // Lights on nodes of an asset that has none. In other profiles the index is reported.
@@ -87,17 +97,20 @@ void check_lights_exist(const Context& context) {
     if (light == json::kNoNode) continue;
     const Path node(array, static_cast<std::uint64_t>(i));
     const Path extensions(node, "extensions");
-    if (check_root_extension(context, kExtension, light, Path(extensions, kExtension))) return;
+    if (check_root_extension(context, kExtension, light, Path(extensions, kExtension)))
+      report_references(context, light);
   }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"KHR_lights_punctual.light", check_light}};
+constexpr ObjectRuleEntry kObjectRules[] = {{"KHR_lights_punctual.light", check_light, "spot"},
+                                            {"KHR_lights_punctual.light", check_range, "range"}};
+constexpr MemberRuleEntry kMemberRules[] = {{"KHR_lights_punctual.light", "spot", read_spot}};
 constexpr LinkRule kLinkRules[] = {check_lights_exist};
 
 }  // namespace
 
 const Family& lights_punctual_family() {
-  static const Family family{"lights_punctual", kRules, kObjectRules, kLinkRules};
+  static const Family family{"lights_punctual", kRules, kObjectRules, kLinkRules, kMemberRules};
   return family;
 }
 

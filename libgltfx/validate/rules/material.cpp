@@ -34,19 +34,20 @@ bool is_known_mode(const std::string& mode) {
 void check_alpha_cutoff(const Context& context, json::NodeId material, const Path& path) {
   const json::Document& document = context.document;
   const json::NodeId cutoff = document.find(material, "alphaCutoff");
-  if (cutoff == json::kNoNode || !document.is_number(cutoff)) return;
+  const bool given = cutoff != json::kNoNode && document.is_number(cutoff);
+  if (!given && !(context.khronos() && document.holds(material, "alphaCutoff"))) return;
   const std::string mode = model::string_member(document, material, "alphaMode");
   if (mode == "MASK") return;
   // A wrong mode or a wrong cutoff has been reported; which of the two was meant is not known.
-  const bool sound = is_known_mode(mode) && document.number(cutoff).value >= 0;
-  if (!sound && !context.khronos()) return;
+  const auto sound = [&] { return is_known_mode(mode) && document.number(cutoff).value >= 0; };
+  if (!context.khronos() && !sound()) return;
   report_member(context.schema_sink, context, path, material, "alphaCutoff",
                 "MATERIAL_ALPHA_CUTOFF_INVALID_MODE",
                 fmt::format("alphaCutoff has no effect while alphaMode is {}.",
                             mode.empty() ? "'OPAQUE' (the default)" : gltfx::quoted(mode)));
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"material", check_alpha_cutoff}};
+constexpr ObjectRuleEntry kObjectRules[] = {{"material", check_alpha_cutoff, "alphaCutoff"}};
 
 }  // namespace
 

@@ -34,20 +34,28 @@ struct Subject {
 
 // --- Textures that share a tangent space with the normal texture ---
 
-std::uint64_t texcoord(const json::Document& document, json::NodeId texture) {
-  return model::unsigned_member(document, texture, "texCoord").value_or(0);
+// A set that is no number is none.
+std::optional<std::uint64_t> texcoord(const json::Document& document, json::NodeId texture) {
+  if (!document.holds(texture, "texCoord")) return 0;
+  return model::unsigned_member(document, texture, "texCoord");
+}
+
+std::string texcoord_text(std::optional<std::uint64_t> set) {
+  return set ? fmt::format("TEXCOORD_{}", *set) : std::string("none");
 }
 
 void check_shared_texcoord(const Subject& subject, std::string_view member, std::string_view code) {
-  const json::Document& document = subject.context.document;
+  const Context& context = subject.context;
+  const json::Document& document = context.document;
   const json::NodeId normal = object_member(document, subject.material, "normalTexture");
   const json::NodeId texture = object_member(document, subject.object, member);
   if (normal == json::kNoNode || texture == json::kNoNode) return;
-  if (texcoord(document, normal) == texcoord(document, texture)) return;
-  report_member(subject.context.link_sink, subject.context, subject.path, subject.object, member,
-                code,
-                fmt::format("{} reads TEXCOORD_{}, but normalTexture reads TEXCOORD_{}.", member,
-                            texcoord(document, texture), texcoord(document, normal)));
+  const auto wanted = texcoord(document, normal);
+  const auto found = texcoord(document, texture);
+  if (found == wanted || (!context.khronos() && !(found && wanted))) return;
+  report_member(context.link_sink, context, subject.path, subject.object, member, code,
+                fmt::format("{} reads {}, but normalTexture reads {}.", member,
+                            texcoord_text(found), texcoord_text(wanted)));
 }
 
 void check_anisotropy(const Subject& subject) {
@@ -72,8 +80,9 @@ void check_dispersion(const Subject& subject) {
                  "The dispersion has no effect: the material has no KHR_materials_volume.");
 }
 
-bool is_black(const json::Document& document, json::NodeId factor) {
-  if (factor == json::kNoNode) return true;
+bool is_black(const json::Document& document, json::NodeId material) {
+  const json::NodeId factor = document.find(material, "emissiveFactor");
+  if (factor == json::kNoNode) return !document.holds(material, "emissiveFactor");
   if (document.kind(factor) != json::Kind::number_array) return false;
   std::size_t zeros = 0;
   for (json::NumberCursor at(document, factor); at.valid(); at.advance()) {
@@ -87,8 +96,8 @@ void check_emissive_strength(const Subject& subject) {
   const json::Document& document = subject.context.document;
   const auto strength = number_member(document, subject.object, "emissiveStrength");
   if (!strength || *strength < 0 || *strength == 1) return;
+  if (!is_black(document, subject.material)) return;
   const json::NodeId factor = document.find(subject.material, "emissiveFactor");
-  if (!is_black(document, factor)) return;
   subject.report("KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR",
                  fmt::format("emissiveStrength {} multiplies an emissiveFactor that is {}.",
                              number_text(*strength),
@@ -144,7 +153,7 @@ void check_volume(const Subject& subject) {
 void check_iridescence(const Context& context, json::NodeId object, const Path& path) {
   const json::Document& document = context.document;
   const auto thickness = [&](std::string_view member, double otherwise) {
-    if (document.find(object, member) == json::kNoNode) return std::optional(otherwise);
+    if (!document.holds(object, member)) return std::optional(otherwise);
     const auto value = number_member(document, object, member);
     return value && *value >= 0 ? value : std::nullopt;
   };
@@ -190,9 +199,20 @@ void check_material(const Context& context, const ActiveExtensions& active, json
     const std::string_view name = document.key(member.key_id);
     const auto check = std::find_if(kChecks.begin(), kChecks.end(),
                                     [&](const Check& each) { return each.extension == name; });
+    report_references(context, member.value);
     if (check == kChecks.end() || !document.is_object(member.value)) continue;
     if (active.contains(name)) {
       check->run({context, material, member.value, Path(at, name)});
+    }
+  }
+}
+
+void report_core_textures(const Context& context, const std::vector<json::NodeId>& materials) {
+  constexpr std::array<std::string_view, 4> kTextures{"pbrMetallicRoughness", "normalTexture",
+                                                      "occlusionTexture", "emissiveTexture"};
+  for (const json::NodeId material : materials) {
+    for (const std::string_view member : kTextures) {
+      report_references(context, context.document.find(material, member));
     }
   }
 }
@@ -202,6 +222,7 @@ void check_materials(const Context& context) {
   const Path root;
   const Path array(root, "materials");
   const auto& materials = context.asset.elements(model::RootArray::materials);
+  report_core_textures(context, materials);
   for (std::size_t i = 0; i < materials.size(); ++i) {
     if (materials[i] == json::kNoNode) continue;
     check_material(context, active, materials[i], Path(array, static_cast<std::uint64_t>(i)));

@@ -81,7 +81,7 @@ void check_mesh(const Context& context, json::NodeId mesh, const Path& path) {
                             count == 1 ? "" : "s", targets_text(expected)));
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"mesh", check_mesh}};
+constexpr ObjectRuleEntry kObjectRules[] = {{"mesh", check_mesh, "primitives"}};
 
 }  // namespace
 

@@ -45,6 +45,7 @@ void check_attributes(MeshState& state, const Primitive& primitive, const Path& 
   const Context& context = state.context;
   std::optional<std::uint64_t> count;
   for (const Attribute& attribute : primitive.attributes) {
+    report_references(context, attribute.value);
     if (!is_usable(context, attribute)) continue;
     const Path at(path, attribute.name);
     const AttributeUse use{attribute, accessor_of(context, attribute), false};
@@ -82,6 +83,7 @@ bool is_index_format(const model::Format& format) {
 }
 
 void check_indices(const Context& context, const Primitive& primitive, const Path& path) {
+  report_references(context, primitive.indices_node);
   if (!primitive.indices) return;
   const Path at(path, "indices");
   const json::NodeId place = primitive.indices_node;
@@ -210,6 +212,7 @@ void check_targets(MeshState& state, const Primitive& primitive, const Path& pat
   for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
     const Path target(array, static_cast<std::uint64_t>(i));
     for (const Attribute& attribute : model::read_attributes(context.asset, primitive.targets[i])) {
+      report_references(context, attribute.value);
       if (!is_usable(context, attribute) || !can_be_morphed(context, attribute)) continue;
       const Path at(target, attribute.name);
       report_use(context, *attribute.accessor, model::AccessorUse::vertex_attribute,
@@ -225,10 +228,13 @@ void check_targets(MeshState& state, const Primitive& primitive, const Path& pat
 // --- All primitives ---
 
 void check_primitive(MeshState& state, const Primitive& primitive, const Path& path) {
+  MaterialCheck materials(state, primitive, path);
+  if (state.context.khronos()) materials.check_variants();
   check_attributes(state, primitive, Path(path, "attributes"));
   check_indices(state.context, primitive, path);
   check_mode(state.context, primitive, path);
-  check_material(state, primitive, path);
+  if (!state.context.khronos()) materials.check_variants();
+  materials.check_material();
   check_targets(state, primitive, path);
 }
 

@@ -9,6 +9,7 @@
 #include "validate/rules/active_extensions.hpp"
 #include "validate/rules/attribute_formats.hpp"
 #include "validate/rules/material_needs.hpp"
+#include "validate/rules/texcoord_sets.hpp"
 
 namespace gltfx::validate {
 
@@ -42,7 +43,24 @@ void check_attribute(MeshState& state, const AttributeUse& use, const Path& path
 /// Reports an attribute that shares a view without byteStride with another one.
 void check_shared_view(MeshState& state, const AttributeUse& use, const Path& path);
 
-/// Reports what the material of a primitive asks of its attributes.
-void check_material(const MeshState& state, const model::Primitive& primitive, const Path& path);
+/// Reports what the materials of a primitive ask of its attributes.
+class MaterialCheck {
+ public:
+  /// Keeps references to all three.
+  MaterialCheck(const MeshState& state, const model::Primitive& primitive, const Path& path)
+      : state_(state), primitive_(primitive), path_(path), texcoords_(state.context, primitive) {}
+
+  /// Those of its variants. To be called before check_material().
+  void check_variants();
+  /// Its own, and what none of all them reads.
+  void check_material();
+
+ private:
+  const MeshState& state_;
+  const model::Primitive& primitive_;
+  const Path& path_;
+  TexCoords texcoords_;
+  bool tangent_space_ = false;  ///< some material needs one
+};
 
 }  // namespace gltfx::validate

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene graph as a whole: loops, nodes for nothing, skinned meshes in the wrong place.
-#include <unordered_set>
-
 #include <fmt/format.h>
 
 #include "model/node.hpp"
@@ -22,10 +20,6 @@ class GraphCheck {
  public:
   explicit GraphCheck(const Context& context)
       : context_(context), graph_(context.graph), nodes_(context.views.nodes) {
-    if (context.khronos()) {
-      declared_.insert(context.checked.extensions_used.begin(),
-                       context.checked.extensions_used.end());
-    }
     read_skins();
   }
 
@@ -39,7 +33,7 @@ class GraphCheck {
       const Path path(list, i);
       check_empty(node, index, path);
       check_loop(index, path);
-      if (node.skin && node.mesh) check_skinned(node, index, path);
+      if (node.skin && (node.mesh || context_.khronos())) check_skinned(node, index, path);
     }
   }
 
@@ -64,7 +58,9 @@ class GraphCheck {
   }
 
   // The root above all joints, when there is one.
-  NodeIndex top_root(const std::vector<NodeIndex>& joints) const {
+  NodeIndex top_root(const std::vector<NodeIndex>& all) const {
+    const auto joints =
+        context_.khronos() ? model::joints_of_last_root(all, graph_) : std::span(all);
     if (joints.empty()) return kNoNodeIndex;
     const NodeIndex root = graph_.root(joints.front());
     for (const NodeIndex joint : joints) {
@@ -76,13 +72,7 @@ class GraphCheck {
   bool has_extension(const model::Node& node) const {
     const json::Document& document = context_.document;
     if (node.extensions == json::kNoNode || !document.is_object(node.extensions)) return false;
-    for (const auto member : document.members(node.extensions)) {
-      // An extension that is not declared does not exist.
-      if (!context_.khronos() || declared_.find(document.key(member.key_id)) != declared_.end()) {
-        return true;
-      }
-    }
-    return false;
+    return document.object_size(node.extensions) != 0;
   }
 
   bool has_extras(const model::Node& node) const {
@@ -176,7 +166,6 @@ class GraphCheck {
   const Context& context_;
   const model::SceneGraph& graph_;
   const std::vector<model::Node>& nodes_;
-  std::unordered_set<std::string_view> declared_;
   std::vector<NodeIndex> skins_;  ///< root above all joints, by skin
   std::vector<std::uint8_t> is_joint_;
   std::vector<std::uint8_t> moved_;  ///< the node or one above it has a transform

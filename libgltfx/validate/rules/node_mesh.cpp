@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes and what hangs on them: morph weights, skins, children (specification sections 3.5 and
 // 3.7.4).
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "model/node.hpp"
@@ -76,8 +78,19 @@ class NodeCheck {
     auto next = overrides.begin();
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const Path path(list, i);
-      if (nodes[i].object != json::kNoNode) check(nodes[i], path);
-      for (; next != overrides.end() && next->parent == i; ++next) report_override(*next, path);
+      if (nodes[i].object == json::kNoNode) continue;
+      const model::Node& node = nodes[i];
+      for (const json::NodeId value : {node.camera_value, node.skin_value, node.mesh_value}) {
+        report_references(context_, value);
+      }
+      check(node, path);
+      std::uint32_t told = 0;  // references before this place in the text
+      for (; next != overrides.end() && next->parent == i; ++next) {
+        if (told == 0) told = context_.document.span(node.children).begin;
+        report_references(context_, Span{std::exchange(told, next->span.begin), next->span.begin});
+        report_override(*next, path);
+      }
+      report_references(context_, node.children);
     }
   }
 

@@ -104,21 +104,20 @@ void check_matrix(const Context& context, const model::Node& node, const Path& p
                                             fmt::format("The matrix {}.", reason)));
 }
 
-void check_node(const Context& context, json::NodeId object, const Path& path) {
+// Nodes are turned like this, and so are lights that surround the scene.
+void check_rotation(const Context& context, json::NodeId object, const Path& path) {
   const json::NodeId rotation = context.document.find(object, "rotation");
   if (rotation != json::kNoNode) check_unit(context, rotation, path);
+}
+
+void check_node(const Context& context, json::NodeId object, const Path& path) {
   if (context.document.find(object, "matrix") == json::kNoNode) return;
   check_matrix(context, model::read_node(context.asset, object), path);
 }
 
-// Lights that surround the scene are turned as nodes are.
-void check_environment(const Context& context, json::NodeId object, const Path& path) {
-  const json::NodeId rotation = context.document.find(object, "rotation");
-  if (rotation != json::kNoNode) check_unit(context, rotation, path);
-}
-
-constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_node},
-                                            {"EXT_lights_image_based.light", check_environment}};
+constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_rotation, "rotation"},
+                                            {"node", check_node},
+                                            {"EXT_lights_image_based.light", check_rotation}};
 
 }  // namespace
 

@@ -22,46 +22,6 @@ using model::Attribute;
 using model::Primitive;
 using model::SemanticKind;
 
-// The texture coordinates of a primitive, and which of them some material reads.
-class TexCoords {
- public:
-  TexCoords(const Context& context, const Primitive& primitive) : khronos_(context.khronos()) {
-    std::uint64_t highest = 0;
-    for (const Attribute& attribute : primitive.attributes) {
-      if (attribute.semantic.kind != SemanticKind::texcoord) continue;
-      sets_.push_back({&attribute, false});
-      highest = std::max(highest, attribute.semantic.set);
-    }
-    std::sort(sets_.begin(), sets_.end(), [](const Set& a, const Set& b) {
-      return a.attribute->semantic.set < b.attribute->semantic.set;
-    });
-    // The Khronos validator counts sets that have a gap as none.
-    if (khronos_ && !sets_.empty() && highest != sets_.size() - 1) sets_.clear();
-  }
-
-  struct Set {
-    const Attribute* attribute;
-    bool used;
-  };
-
-  // Marks a set as read; false when the primitive does not have it.
-  bool use(std::uint64_t set) {
-    const auto at = std::lower_bound(sets_.begin(), sets_.end(), set,
-                                     [](const Set& each, std::uint64_t wanted) {
-                                       return each.attribute->semantic.set < wanted;
-                                     });
-    if (at == sets_.end() || at->attribute->semantic.set != set) return false;
-    at->used = true;
-    return true;
-  }
-
-  const std::vector<Set>& sets() const { return sets_; }
-
- private:
-  bool khronos_;
-  std::vector<Set> sets_;  // by number
-};
-
 // One material on one primitive: the default one or that of a variant.
 struct Wearing {
   const MeshState& state;
@@ -102,25 +62,6 @@ void check_tangent_space(const Wearing& wearing, const MaterialNeed& need) {
   }
 }
 
-void check_variants(const MeshState& state, const Primitive& primitive, const Path& path,
-                    TexCoords& texcoords, bool& tangent_space) {
-  const Context& context = state.context;
-  SeenVariants seen;
-  for_each_mapping(
-      context, state.active, primitive.node, path,
-      [&](json::NodeId mapping, std::uint64_t index, const Path& at) {
-        if (!check_variants_exist(context, mapping, at)) return;
-        check_unique_variants(context, mapping, index, at, seen);
-        const auto material = context.asset.index(mapping, "material", model::RootArray::materials);
-        if (!material) return;
-        const MaterialNeed& need = state.materials.of(*material);
-        const Path place(at, "material");
-        check_texcoords({state, primitive, context.document.find(mapping, "material"), place}, need,
-                        texcoords);
-        tangent_space = tangent_space || need.tangent_space;
-      });
-}
-
 // Without NORMAL the tangents are ignored anyway, which is reported.
 void check_unused_tangent(const Context& context, const Primitive& primitive, const Path& path) {
   const Attribute* tangent = primitive.find(SemanticKind::tangent);
@@ -144,24 +85,41 @@ void check_unused_texcoords(const Context& context, const TexCoords& texcoords, 
 
 }  // namespace
 
-void check_material(const MeshState& state, const Primitive& primitive, const Path& path) {
-  const Context& context = state.context;
-  TexCoords texcoords(context, primitive);
-  bool tangent_space = false;
-  check_variants(state, primitive, path, texcoords, tangent_space);
-  // A quirk that parity needs: tangents that only a variant's material uses count as unused.
-  if (context.khronos()) tangent_space = false;
-  if (primitive.material) {
-    const MaterialNeed& need = state.materials.of(*primitive.material);
-    const Path at(path, "material");
-    const Wearing wearing{state, primitive, primitive.material_node, at};
+void MaterialCheck::check_variants() {
+  const Context& context = state_.context;
+  SeenVariants seen;
+  for_each_mapping(context, state_.active, primitive_.node, path_,
+                   [&](json::NodeId mapping, std::uint64_t index, const Path& at) {
+                     if (!check_variants_exist(context, mapping, at)) return;
+                     check_unique_variants(context, mapping, index, at, seen);
+                     const json::NodeId value = context.document.find(mapping, "material");
+                     report_references(context, value);
+                     const auto material =
+                         context.asset.index(mapping, "material", model::RootArray::materials);
+                     if (!material) return;
+                     const MaterialNeed& need = state_.materials.of(*material);
+                     const Path place(at, "material");
+                     check_texcoords({state_, primitive_, value, place}, need, texcoords_);
+                     // A quirk that parity needs: tangents that only a variant's material uses
+                     // count as unused.
+                     tangent_space_ = tangent_space_ || (need.tangent_space && !context.khronos());
+                   });
+}
+
+void MaterialCheck::check_material() {
+  const Context& context = state_.context;
+  report_references(context, primitive_.material_node);
+  if (primitive_.material) {
+    const MaterialNeed& need = state_.materials.of(*primitive_.material);
+    const Path at(path_, "material");
+    const Wearing wearing{state_, primitive_, primitive_.material_node, at};
     check_tangent_space(wearing, need);
-    check_texcoords(wearing, need, texcoords);
-    tangent_space = tangent_space || need.tangent_space;
+    check_texcoords(wearing, need, texcoords_);
+    tangent_space_ = tangent_space_ || need.tangent_space;
   }
-  const Path attributes(path, "attributes");
-  if (!tangent_space) check_unused_tangent(context, primitive, attributes);
-  check_unused_texcoords(context, texcoords, attributes);
+  const Path attributes(path_, "attributes");
+  if (!tangent_space_) check_unused_tangent(context, primitive_, attributes);
+  check_unused_texcoords(context, texcoords_, attributes);
 }
 
 const Family& primitive_material_family() {

@@ -26,6 +26,7 @@ constexpr RuleDescription kRules[] = {
 void check_scene(const Context& context, json::NodeId scene, const Path& path) {
   const Path list(path, "nodes");
   const auto check = [&](std::uint64_t position, std::optional<std::uint32_t> node, Span span) {
+    report_references(context, span);
     if (!node || context.graph.is_root(*node)) return;
     Finding finding = finding_on(
         context, json::kNoNode, "SCENE_NON_ROOT_NODE",

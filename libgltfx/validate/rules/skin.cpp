@@ -9,6 +9,7 @@
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/skin_table.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -32,11 +33,13 @@ class SkinCheck {
 
  private:
   void check(const model::Skin& skin, const Path& path) {
+    report_references(context_, skin.joints);
     const bool common = have_common_root(skin.joint_nodes);
     if (!common && may_judge_joints(skin)) {
       report(path, "joints", skin.joints, "SKIN_NO_COMMON_ROOT", joints_apart(skin));
     }
     check_matrices(skin, path);
+    report_references(context_, skin.skeleton_value);
     if (skin.skeleton && (common || context_.khronos())) check_skeleton(skin, path);
   }
 
@@ -46,6 +49,7 @@ class SkinCheck {
   }
 
   bool have_common_root(const std::vector<model::NodeIndex>& joints) const {
+    if (context_.khronos()) return !model::joints_of_last_root(joints, context_.graph).empty();
     for (const model::NodeIndex joint : joints) {
       if (context_.graph.component(joint) != context_.graph.component(joints.front())) return false;
     }
@@ -64,9 +68,12 @@ class SkinCheck {
   }
 
   void check_matrices(const model::Skin& skin, const Path& path) {
-    if (!skin.inverse_bind_matrices) return;
     constexpr std::string_view kMember = "inverseBindMatrices";
     const json::NodeId place = skin.inverse_bind_matrices_value;
+    report_references(context_, place);
+    if (!skin.inverse_bind_matrices) return;
+    report_use(context_, *skin.inverse_bind_matrices, model::AccessorUse::inverse_bind_matrices,
+               place, Path(path, kMember));
     const model::Accessor& accessor = context_.views.accessors[*skin.inverse_bind_matrices];
     const model::BufferView* view = context_.views.view_of(accessor);
     if (view != nullptr && view->byte_stride) {
@@ -74,21 +81,29 @@ class SkinCheck {
              fmt::format("Buffer view {} of the inverse bind matrices has a byteStride.",
                          *accessor.buffer_view));
     }
-    if (accessor.format.known() && accessor.format != kInverseBindMatrix) {
+    if ((accessor.format.known() || context_.khronos()) && accessor.format != kInverseBindMatrix) {
       report(path, kMember, place, "SKIN_IBM_INVALID_FORMAT",
              fmt::format("Accessor {} is {} instead of {}.", *skin.inverse_bind_matrices,
                          format_text(accessor.format), format_text(kInverseBindMatrix)));
     }
-    if (accessor.count && *accessor.count < skin.joint_count) {
+    if (!accessor.count && !context_.khronos()) return;
+    if (accessor.count.value_or(0) < skin.joint_count) {
       report(path, kMember, place, "INVALID_IBM_ACCESSOR_COUNT",
-             fmt::format("There are {} inverse bind matrices for {} joints.", *accessor.count,
-                         skin.joint_count));
+             fmt::format("There are {} inverse bind matrices for {} joints.",
+                         accessor.count.value_or(0), skin.joint_count));
     }
   }
 
   void check_skeleton(const model::Skin& skin, const Path& path) {
     const model::NodeIndex root = *skin.skeleton;
-    for (const model::NodeIndex joint : skin.joint_nodes) {
+    const bool khronos = context_.khronos();
+    const auto joints = khronos ? model::joints_of_last_root(skin.joint_nodes, context_.graph)
+                                : std::span(skin.joint_nodes);
+    if (khronos && joints.empty()) {
+      report(path, "skeleton", skin.skeleton_value, "SKIN_SKELETON_INVALID",
+             fmt::format("Node {} is above no joints that have a common root.", root));
+    }
+    for (const model::NodeIndex joint : joints) {
       // Above and below mean nothing on a loop, which is reported as one.
       if (context_.graph.root(joint) == model::kNoNodeIndex) return;
       if (ancestry_.is_ancestor_or_self(root, joint)) continue;

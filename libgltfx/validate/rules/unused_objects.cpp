@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/rules/accessor_extent.hpp"
 #include "validate/rules/active_extensions.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
@@ -75,6 +76,7 @@ void mark_nodes(const Context& context, json::NodeId object, std::string_view me
 void mark_animated(const Context& context, json::NodeId animation, std::vector<bool>& used) {
   const json::NodeId channels = context.document.find(animation, "channels");
   if (channels == json::kNoNode || context.document.kind(channels) != json::Kind::array) return;
+  if (context.document.find(animation, "samplers") == json::kNoNode) return;
   for (const json::NodeId channel : context.document.elements(channels)) {
     const json::NodeId target = model::object_member(context.document, channel, "target");
     const auto node = context.asset.index(target, "node", RootArray::nodes);
@@ -100,6 +102,19 @@ std::vector<bool> nodes_khronos_counts_as_used(const Context& context) {
   return used;
 }
 
+// Nor does it follow accessors that lack what it takes to measure them.
+std::vector<bool> views_khronos_counts_as_used(const Context& context) {
+  std::vector<bool> used(context.views.buffer_views.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    used[i] = context.views.usage.view(static_cast<std::uint32_t>(i)).used;
+  }
+  for (const model::Accessor& accessor : context.views.accessors) {
+    if (accessor.buffer_view && is_measurable(context, accessor))
+      used[*accessor.buffer_view] = true;
+  }
+  return used;
+}
+
 void report_unused(const Context& context, const Path& path, json::NodeId object) {
   const std::string name = context.asset.name(object);
   context.link_sink.report(
@@ -111,9 +126,11 @@ void report_unused(const Context& context, const Path& path, json::NodeId object
 void check_array(const Context& context, RootArray array) {
   const std::string_view name = model::root_array_name(array);
   const schema::TargetArray* target = context.checked.target(fmt::format("/{}", name));
-  const bool own_count = context.khronos() && array == RootArray::nodes;
-  const std::vector<bool> used =
-      own_count ? nodes_khronos_counts_as_used(context) : std::vector<bool>();
+  const bool nodes = array == RootArray::nodes;
+  const bool own_count = context.khronos() && (nodes || array == RootArray::buffer_views);
+  const std::vector<bool> used = !own_count ? std::vector<bool>()
+                                 : nodes    ? nodes_khronos_counts_as_used(context)
+                                            : views_khronos_counts_as_used(context);
   const Path root;
   const Path path(root, name);
   const auto& objects = context.asset.elements(array);
@@ -130,6 +147,7 @@ void check_extension_array(const Context& context, const ActiveExtensions& activ
   const auto steps = split_pointer(target.pointer);
   if (!steps || steps->size() != 3 || steps->front() != "extensions") return;
   if (!active.contains((*steps)[1])) return;
+  if (context.order != nullptr) context.order->report_from_root();
   if (context.document.kind(target.node) != json::Kind::array) return;
   const Path root;
   const Path extensions(root, (*steps)[0]);
@@ -161,17 +179,20 @@ void check_mesh_weights(const Context& context) {
   struct Uses {
     bool any = false, with_own_weights = true;
   };
-  std::vector<Uses> uses(context.asset.count(RootArray::meshes));
+  const auto& meshes = context.asset.elements(RootArray::meshes);
+  std::vector<Uses> uses(meshes.size());
   for (const json::NodeId node : context.asset.elements(RootArray::nodes)) {
     const auto mesh = context.asset.index(node, "mesh", RootArray::meshes);
     if (!mesh) continue;
     uses[*mesh].any = true;
+    // The Khronos validator only looks at the weights of nodes whose mesh has primitives.
+    const bool bare = context.document.find(meshes[*mesh], "primitives") == json::kNoNode;
+    if (bare && context.khronos()) continue;
     if (context.document.find(node, "weights") == json::kNoNode)
       uses[*mesh].with_own_weights = false;
   }
   const Path root;
   const Path array(root, "meshes");
-  const auto& meshes = context.asset.elements(RootArray::meshes);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (!uses[i].any || !uses[i].with_own_weights) continue;
     if (context.document.find(meshes[i], "weights") == json::kNoNode) continue;

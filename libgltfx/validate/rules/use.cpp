@@ -56,64 +56,6 @@ constexpr RuleDescription kRules[] = {
      kGood, Fix::none, true},
 };
 
-void check_skins(const Context& context) {
-  const Path root;
-  const Path array(root, "skins");
-  const auto& skins = context.asset.elements(model::RootArray::skins);
-  for (std::size_t i = 0; i < skins.size(); ++i) {
-    const auto matrices =
-        context.asset.index(skins[i], "inverseBindMatrices", model::RootArray::accessors);
-    if (!matrices) continue;
-    const Path skin(array, static_cast<std::uint64_t>(i));
-    report_use(context, *matrices, model::AccessorUse::inverse_bind_matrices,
-               context.document.find(skins[i], "inverseBindMatrices"),
-               Path(skin, "inverseBindMatrices"));
-  }
-}
-
-// The Khronos validator counts the view of an animation's output twice.
-void report_output_again(const Context& context, json::NodeId sampler, const Path& path) {
-  const auto accessor = context.asset.index(sampler, "output", model::RootArray::accessors);
-  if (!accessor) return;
-  const auto view = context.views.accessors[*accessor].buffer_view;
-  if (!view) return;
-  report_view_use(context, *view, model::ViewUse::other, context.document.find(sampler, "output"),
-                  Path(path, "output"));
-}
-
-void check_sampler(const Context& context, json::NodeId sampler, const Path& path) {
-  using model::AccessorUse;
-  const auto check = [&](std::string_view member, AccessorUse use) {
-    const auto accessor = context.asset.index(sampler, member, model::RootArray::accessors);
-    if (!accessor) return;
-    const json::NodeId place = context.document.find(sampler, member);
-    report_use(context, *accessor, use, place, Path(path, member));
-  };
-  check("input", AccessorUse::animation_input);
-  check("output", AccessorUse::animation_output);
-  if (context.khronos()) report_output_again(context, sampler, path);
-}
-
-void check_animations(const Context& context) {
-  const Path root;
-  const Path array(root, "animations");
-  const auto& animations = context.asset.elements(model::RootArray::animations);
-  for (std::size_t i = 0; i < animations.size(); ++i) {
-    const json::NodeId samplers = context.document.find(animations[i], "samplers");
-    if (samplers == json::kNoNode || context.document.kind(samplers) != json::Kind::array) continue;
-    const Path animation(array, static_cast<std::uint64_t>(i));
-    const Path at(animation, "samplers");
-    std::uint64_t index = 0;
-    for (const json::NodeId sampler : context.document.elements(samplers)) {
-      check_sampler(context, sampler, Path(at, index++));
-    }
-  }
-}
-
-// Two families, so that uses are reported just before what else is said of skins and animations.
-constexpr LinkRule kSkinRules[] = {check_skins};
-constexpr LinkRule kAnimationRules[] = {check_animations};
-
 }  // namespace
 
 void report_view_use(const Context& context, std::uint32_t view, model::ViewUse kind,
@@ -156,12 +98,7 @@ void report_use(const Context& context, std::uint32_t accessor, model::AccessorU
 }
 
 const Family& use_family() {
-  static const Family family{"use", kRules, {}, kSkinRules};
-  return family;
-}
-
-const Family& animation_use_family() {
-  static const Family family{"animation_use", {}, {}, kAnimationRules};
+  static const Family family{"use", kRules, {}, {}};
   return family;
 }
 

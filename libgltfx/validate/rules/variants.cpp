@@ -57,19 +57,31 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
                            const Path& path, SeenVariants& seen) {
   const json::Document& document = context.document;
   const json::NodeId variants = document.find(mapping, "variants");
-  if (variants == json::kNoNode || document.kind(variants) != json::Kind::number_array) return;
+  if (variants == json::kNoNode) return;
   const Path array(path, "variants");
-  std::uint64_t element = 0;
-  for (json::NumberCursor at(document, variants); at.valid(); at.advance(), ++element) {
-    if (!at.number().is_integer() || at.number().value < 0) continue;
-    const auto variant = static_cast<std::uint64_t>(at.number().value);
+  const auto check = [&](const json::Number& number, std::uint64_t element) {
+    if (!number.is_integer() || number.value < 0) return;
+    const auto variant = static_cast<std::uint64_t>(number.value);
     const auto [first, is_new] = seen.emplace(variant, index);
-    if (is_new || (first->second == index && !context.khronos())) continue;
-    Finding finding = finding_on(
-        context, variants, "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT",
-        fmt::format("Variant {} already has the material of mapping {}.", variant, first->second));
-    finding.span = at.number().span;
-    context.link_sink.report(Path(array, element), std::move(finding));
+    if (!is_new && (first->second != index || context.khronos())) {
+      Finding finding = finding_on(context, variants, "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT",
+                                   fmt::format("Variant {} already has the material of mapping {}.",
+                                               variant, first->second));
+      finding.span = number.span;
+      context.link_sink.report(Path(array, element), std::move(finding));
+    }
+    report_references(context, number.span);
+  };
+  std::uint64_t element = 0;
+  if (document.kind(variants) == json::Kind::number_array) {
+    for (json::NumberCursor at(document, variants); at.valid(); at.advance()) {
+      check(at.number(), element++);
+    }
+    return;
+  }
+  for (const json::NodeId value : document.elements(variants)) {
+    if (document.is_number(value)) check(document.number(value), element);
+    ++element;
   }
 }
 

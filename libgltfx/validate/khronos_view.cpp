@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/khronos_view.hpp"
+
+#include <initializer_list>
+#include <unordered_map>
+#include <vector>
+
+#include "model/accessor.hpp"
+#include "model/fields.hpp"
+#include "model/mesh.hpp"
+#include "validate/rules/variants.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::RootArray;
+
+// The rules of members, by the name of their object's type.
+struct Rules {
+  std::unordered_map<std::string_view, std::vector<MemberRuleEntry>> before;
+  std::unordered_map<std::string_view, std::vector<ObjectRuleEntry>> behind;
+  std::vector<MapRule> entries;
+};
+
+const Rules& rules() {
+  static const Rules table = [] {
+    Rules all;
+    for (const Family& family : families()) {
+      for (const MemberRuleEntry& entry : family.member_rules) {
+        all.before[entry.type].push_back(entry);
+      }
+      for (const ObjectRuleEntry& entry : family.object_rules) {
+        if (!entry.behind.empty()) all.behind[entry.type].push_back(entry);
+      }
+      all.entries.insert(all.entries.end(), family.map_rules.begin(), family.map_rules.end());
+    }
+    return all;
+  }();
+  return table;
+}
+
+class Reader final : public schema::MemberVisitor {
+ public:
+  explicit Reader(const Context& context) : context_(context) {}
+
+  schema::Reading before(const schema::ObjectType& type, std::string_view member,
+                         json::NodeId object, json::NodeId value, const Path& path) override {
+    const auto found = rules().before.find(type.name);
+    if (found == rules().before.end()) return schema::Reading::judge;
+    for (const MemberRuleEntry& entry : found->second) {
+      if (entry.member == member) return entry.rule(context_, object, value, path);
+    }
+    return schema::Reading::judge;
+  }
+
+  void behind(const schema::ObjectType& type, std::string_view member, json::NodeId object,
+              const Path& path) override {
+    const auto found = rules().behind.find(type.name);
+    if (found == rules().behind.end()) return;
+    for (const ObjectRuleEntry& entry : found->second) {
+      if (entry.behind == member) entry.rule(context_, object, path);
+    }
+  }
+
+  void entry(std::string_view name, json::NodeId value, const Path& map) override {
+    for (const MapRule rule : rules().entries) rule(context_, name, value, map);
+  }
+
+ private:
+  const Context& context_;
+};
+
+class NoSink final : public Sink {
+ public:
+  void report(const Path&, Finding) override {}
+};
+
+// --- What is not linked ---
+
+class Unlinking {
+ public:
+  Unlinking(const Context& context, json::Document& document)
+      : asset_(context.asset), document_(document) {}
+
+  void run() {
+    for (const json::NodeId accessor : asset_.elements(RootArray::accessors)) cut_sparse(accessor);
+    for (const json::NodeId animation : asset_.elements(RootArray::animations)) {
+      // Extensions of its channels are linked all the same.
+      if (!has(animation, {"channels", "samplers"})) hide(animation, {"samplers"});
+    }
+    const json::NodeId variants =
+        model::extension_object(document_, document_.root(), kVariantsExtension);
+    if (variants != json::kNoNode) return;
+    for (const json::NodeId mesh : asset_.elements(RootArray::meshes)) {
+      for (const json::NodeId primitive : model::primitives(document_, mesh))
+        cut_variants(primitive);
+    }
+  }
+
+ private:
+  using Names = std::initializer_list<std::string_view>;
+
+  bool has(json::NodeId object, Names names) const {
+    for (const std::string_view name : names) {
+      if (document_.find(object, name) == json::kNoNode) return false;
+    }
+    return true;
+  }
+
+  void hide(json::NodeId object, Names names) {
+    for (const std::string_view name : names) {
+      const json::NodeId value = document_.find(object, name);
+      if (value != json::kNoNode) document_.hide(value);
+    }
+  }
+
+  void cut_sparse(json::NodeId accessor) {
+    const json::NodeId sparse = document_.find(accessor, "sparse");
+    const bool whole = has(accessor, {"componentType", "count", "type"}) &&
+                       has(sparse, {"count", "indices", "values"});
+    if (!whole) hide(accessor, {"sparse"});
+  }
+
+  void cut_variants(json::NodeId primitive) {
+    const json::NodeId object = model::extension_object(document_, primitive, kVariantsExtension);
+    const json::NodeId mappings = document_.find(object, "mappings");
+    if (mappings == json::kNoNode) return;
+    for (const json::NodeId mapping : document_.elements(mappings)) {
+      hide(mapping, {"material", "variants"});
+    }
+  }
+
+  const model::Asset& asset_;
+  json::Document& document_;
+};
+
+}  // namespace
+
+schema::CheckResult check_as_khronos(Context& context, json::Document& document, LinkOrder& order,
+                                     const schema::ObjectVisitor& visitor) {
+  Reader reader(context);
+  NoSink none;
+  schema::CheckOptions form;
+  form.scope = schema::Scope::khronos;
+  form.part = schema::Part::form;
+  form.shown = &document;
+  form.members = &reader;
+  schema::CheckResult result =
+      schema::check(document, context.schemas, form, context.schema_sink, none, visitor);
+  if (result.stopped_at_asset || !document.is_object(document.root())) return result;
+  Unlinking(context, document).run();
+  schema::CheckOptions references;
+  references.scope = schema::Scope::khronos;
+  references.part = schema::Part::references;
+  return schema::check(document, context.schemas, references, none, order.held());
+}
+
+}  // namespace gltfx::validate

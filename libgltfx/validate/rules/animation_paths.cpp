@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/rules/animation_paths.hpp"
+
+#include "model/fields.hpp"
+#include "validate/rules/families.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Steps that are left over when all animations are done stay in front of what comes behind them.
+void leave_animations(const Context& context) {
+  if (context.order == nullptr) return;
+  AnimationPaths paths;
+  const auto& objects = context.asset.elements(model::RootArray::animations);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i] == json::kNoNode) continue;
+    const model::Animation animation = model::read_animation(context.asset, objects[i]);
+    if (!is_linked(context, animation)) continue;
+    paths.push(static_cast<std::uint64_t>(i));
+    paths.push("channels");
+    for (std::size_t c = 0; c < animation.channels.size(); ++c) {
+      if (!has_sampler_index(context, animation.channels[c])) paths.push(std::uint64_t{c});
+    }
+    paths.pop();
+    paths.pop();
+  }
+  paths.pop();
+  if (paths.path().parent() != nullptr) context.order->report_below(paths.path());
+}
+
+constexpr LinkRule kLinkRules[] = {leave_animations};
+
+}  // namespace
+
+bool has_sampler_index(const Context& context, const model::AnimationChannel& channel) {
+  return model::unsigned_member(context.document, channel.object, "sampler").has_value();
+}
+
+bool is_linked(const Context& context, const model::Animation& animation) {
+  return !context.khronos() || (!animation.channels.empty() && !animation.samplers.empty());
+}
+
+const Family& animation_paths_family() {
+  static const Family family{"animation_paths", {}, {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
