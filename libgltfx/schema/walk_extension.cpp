@@ -37,6 +37,7 @@ void Walker::extensions_step(Frame& frame) {
       if (id != kNone && std::find(known.begin(), known.end(), id) == known.end())
         frame.siblings.push_back(id);
     }
+    frame.judged.assign(frame.siblings.size(), false);
   }
   while (frame.at < end) {
     const json::KeyId key = document_.node(frame.at).next;
@@ -103,7 +104,11 @@ ShapeId Walker::home(const Frame& frame, ExtensionId id, const Path& path, json:
   return kNone;
 }
 
-void Walker::neighbours(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+void Walker::neighbours(Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+  const auto sibling = std::find(frame.siblings.begin(), frame.siblings.end(), id);
+  const auto at = static_cast<std::size_t>(sibling - frame.siblings.begin());
+  if (frame.judged[at]) return;
+  frame.judged[at] = true;
   if (!khronos()) {
     exclusions(frame, id, path, node);
     companions(frame, id, path, node);

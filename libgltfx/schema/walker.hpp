@@ -51,7 +51,8 @@ class Walker {
     bool constrained = false;
     bool unset = false;  ///< an array that counts as absent
     std::vector<ExtensionId>
-        siblings;  ///< Mode::extensions: those the Set knows, in document order
+        siblings;              ///< Mode::extensions: those the Set knows, in document order
+    std::vector<bool> judged;  ///< by sibling: it was seen in its company; repeats are not again
   };
 
   /// How a value hangs below the current frame.
@@ -145,7 +146,7 @@ class Walker {
   void extensions_step(Frame& frame);
   bool extension_member(Frame& frame, json::KeyId key, json::NodeId value);
   ShapeId home(const Frame& host, ExtensionId extension, const Path& path, json::NodeId value);
-  void neighbours(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
+  void neighbours(Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
   void exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
   void companions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
   void standalone(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);

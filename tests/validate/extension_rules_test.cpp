@@ -121,5 +121,19 @@ TEST(ExtensionRules, StaySilentInTheKhronosProfile) {
             Lines{});
 }
 
+TEST(Extensions, RepeatsAreSeenInTheirCompanyOnce) {
+  std::string members = R"("KHR_materials_ior": {})";
+  for (int i = 0; i < 20000; ++i) members += R"(, "KHR_materials_unlit": {})";
+  EXPECT_EQ(
+      verdict(R"({"asset": {"version": "2.0"},
+    "extensionsUsed": ["KHR_materials_ior", "KHR_materials_unlit"],
+    "materials": [{"extensions": {)" +
+                  members + "}}]}",
+              Profile::khronos),
+      (std::vector<std::string>{"MULTIPLE_EXTENSIONS /materials/0/extensions/KHR_materials_unlit",
+                                "UNUSED_OBJECT /materials/0"}))
+      << "and many take linear time";
+}
+
 }  // namespace
 }  // namespace gltfx::test
