@@ -142,6 +142,11 @@ NodeId Document::find_in_text(NodeId object, std::string_view name) const {
   return found;
 }
 
+bool Document::has_value(NodeId object, std::string_view name) const {
+  const NodeId value = find_in_text(object, name);
+  return value != kNoNode && !(is_hidden(value) && kind(value) == Kind::null);
+}
+
 Number Document::number(NodeId id) const { return {span(id), number_value(raw(id))}; }
 
 std::optional<std::uint64_t> Document::unsigned_integer(NodeId id) const {

@@ -181,6 +181,8 @@ class Document {
   bool holds(NodeId object, std::string_view name) const {
     return find_in_text(object, name) != kNoNode;
   }
+  /// As holds(), but a hidden null says no more than no member at all.
+  bool has_value(NodeId object, std::string_view name) const;
 
   /// Takes a member out of sight: find() and members() act as if it were not in the text. `value`
   /// is the member's value.

@@ -24,7 +24,7 @@ std::vector<json::NodeId> objects_of(const json::Document& document, json::NodeI
 }
 
 Interpolation read_interpolation(const json::Document& document, json::NodeId sampler) {
-  if (!document.holds(sampler, "interpolation")) return Interpolation::linear;
+  if (!document.has_value(sampler, "interpolation")) return Interpolation::linear;
   const std::string name = string_member(document, sampler, "interpolation");
   const auto* const found = std::find(kInterpolations.begin(), kInterpolations.end(), name);
   return static_cast<Interpolation>(found - kInterpolations.begin());

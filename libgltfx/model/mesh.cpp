@@ -89,7 +89,7 @@ Primitive read_primitive(const Asset& asset, json::NodeId object) {
   primitive.indices = index_at(asset, primitive.indices_node, RootArray::accessors);
   primitive.material = index_at(asset, primitive.material_node, RootArray::materials);
   if (mode == json::kNoNode) {
-    if (document.holds(object, "mode")) primitive.mode.reset();
+    if (document.has_value(object, "mode")) primitive.mode.reset();
   } else {
     const auto number = document.unsigned_integer(mode);
     const bool valid = number && *number < kModes.size();

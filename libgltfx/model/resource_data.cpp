@@ -8,7 +8,7 @@ namespace gltfx::model {
 std::optional<std::uint64_t> start_of(const json::Document& document, json::NodeId object,
                                       const std::optional<std::uint64_t>& byte_offset) {
   if (byte_offset) return byte_offset;
-  if (document.holds(object, "byteOffset")) return std::nullopt;
+  if (document.has_value(object, "byteOffset")) return std::nullopt;
   return 0;
 }
 

@@ -74,7 +74,7 @@ std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index) {
   resource.info.mime_type = "application/gltf-buffer";
   const auto declared = model::unsigned_member(document, resource.object, "byteLength");
   if (!declared || *declared == 0) return std::nullopt;
-  const bool has_uri = document.find(resource.object, "uri") != json::kNoNode;
+  const bool has_uri = document.holds(resource.object, "uri");
   const container::Container& container = resource.context.container;
   const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;
   if (glb && !container.bin && is_fallback(resource.context, resource.object)) return std::nullopt;

@@ -30,12 +30,21 @@ TEST(Document, HiddenMembersAreFoundInTheTextOnly) {
   EXPECT_EQ(document.raw(document.find_in_text(0, "a")), "3");
   EXPECT_TRUE(document.holds(0, "a"));
   EXPECT_FALSE(document.holds(0, "x"));
+  EXPECT_TRUE(document.has_value(0, "a"));
   EXPECT_TRUE(document.is_hidden(document.find_in_text(0, "a")));
   std::vector<std::string> left;
   for (const auto member : document.members(0)) left.emplace_back(document.raw(member.value));
   EXPECT_THAT(left, ::testing::ElementsAre("1", R"({"a": 2})", "4"));
   document.hide(document.find(0, "c"));
   EXPECT_EQ(document.object_size(0), 2u) << "nothing behind the last one either";
+}
+
+TEST(Document, AHiddenNullIsNoValue) {
+  Document document = parse_clean(R"({"a": null})");
+  EXPECT_TRUE(document.has_value(0, "a"));
+  document.hide(document.find(0, "a"));
+  EXPECT_FALSE(document.has_value(0, "a"));
+  EXPECT_TRUE(document.holds(0, "a"));
 }
 
 TEST(Document, StrippedValuesAreObjectsWithoutMembers) {

@@ -62,6 +62,27 @@ TEST(KhronosMember, OneOfTwoThatCannotBeReadIsNone) {
              "UNUSED_OBJECT /images/1"}));
 }
 
+TEST(KhronosMember, NullLeavesTheDefault) {
+  EXPECT_EQ(
+      khronos(R"("accessors": [{"bufferView": 0, "byteOffset": null, "componentType": 5126,
+    "type": "SCALAR", "count": 2}], "bufferViews": [{"buffer": 0,
+    "byteOffset": null, "byteLength": 6}], "buffers": [{"byteLength": 4}],
+    "materials": [{"alphaMode": null, "alphaCutoff": null}],
+    "meshes": [{"primitives": [{"mode": null, "attributes": {"POSITION": 0}}]}])"),
+      (Lines{"TYPE_MISMATCH /accessors/0/byteOffset", "TYPE_MISMATCH /bufferViews/0/byteOffset",
+             "TYPE_MISMATCH /materials/0/alphaMode", "TYPE_MISMATCH /materials/0/alphaCutoff",
+             "MATERIAL_ALPHA_CUTOFF_INVALID_MODE /materials/0/alphaCutoff",
+             "TYPE_MISMATCH /meshes/0/primitives/0/mode",
+             "BUFFER_VIEW_TOO_LONG /bufferViews/0/byteLength", "ACCESSOR_TOO_LONG /accessors/0",
+             "BUFFER_VIEW_TARGET_MISSING /meshes/0/primitives/0/attributes/POSITION",
+             "MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS "
+             "/meshes/0/primitives/0/attributes/POSITION",
+             "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT "
+             "/meshes/0/primitives/0/attributes/POSITION",
+             "MESH_PRIMITIVE_INCOMPATIBLE_MODE /meshes/0/primitives/0",
+             "UNUSED_OBJECT /materials/0", "UNUSED_OBJECT /meshes/0"}));
+}
+
 TEST(KhronosList, WithSomethingElseInItIsNotReadAtAll) {
   EXPECT_EQ(khronos(R"("meshes": [{"primitives": [3, {"attributes": 3}]}],
     "animations": [{"channels": [{"sampler": "a"}, null], "samplers": [{}]}])"),

@@ -40,10 +40,10 @@ bool is_measurable(const Context& context, const model::Accessor& accessor) {
 }
 
 void check_extent(const Context& context, const Extent& extent, const Path& path) {
-  const bool has_offset = context.document.holds(extent.object, "byteOffset");
+  const bool has_offset = context.document.has_value(extent.object, "byteOffset");
   if (has_offset && !extent.byte_offset) return;
   const auto& view = context.views.buffer_views[extent.view];
-  const bool starts = view.byte_offset || !context.document.holds(view.node, "byteOffset");
+  const bool starts = view.byte_offset || !context.document.has_value(view.node, "byteOffset");
   check_alignment(context, extent, starts || !context.khronos(), path);
   if (!starts && context.khronos()) return;
   if (!view.byte_length && !context.khronos()) return;

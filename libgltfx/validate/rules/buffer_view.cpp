@@ -87,7 +87,7 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
 // Of a broken number the Khronos validator makes -1.
 bool fits_khronos(const Context& context, const model::BufferView& view, std::uint64_t size,
                   bool& begins_outside) {
-  const bool broken = !view.byte_offset && context.document.holds(view.node, "byteOffset");
+  const bool broken = !view.byte_offset && context.document.has_value(view.node, "byteOffset");
   const std::uint64_t less = (broken ? 1U : 0U) + (view.byte_length ? 0U : 1U);
   const Checked end = checked_add(view.byte_offset.value_or(0), view.byte_length.value_or(0));
   begins_outside = view.byte_offset.value_or(0) >= size;

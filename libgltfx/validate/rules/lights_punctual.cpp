@@ -39,7 +39,7 @@ constexpr RuleDescription kRules[] = {
 // An angle of a cone, `otherwise` when it is absent, nothing when it is wrong (and reported).
 std::optional<double> angle(const json::Document& document, json::NodeId spot,
                             std::string_view member, double otherwise) {
-  if (!document.holds(spot, member)) return otherwise;
+  if (!document.has_value(spot, member)) return otherwise;
   constexpr double kHalfPi = 1.5707963267948966;
   const auto value = model::number_member(document, spot, member);
   return value && *value >= 0 && *value <= kHalfPi ? value : std::nullopt;

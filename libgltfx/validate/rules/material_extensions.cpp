@@ -36,7 +36,7 @@ struct Subject {
 
 // A set that is no number is none.
 std::optional<std::uint64_t> texcoord(const json::Document& document, json::NodeId texture) {
-  if (!document.holds(texture, "texCoord")) return 0;
+  if (!document.has_value(texture, "texCoord")) return 0;
   return model::unsigned_member(document, texture, "texCoord");
 }
 
@@ -82,7 +82,7 @@ void check_dispersion(const Subject& subject) {
 
 bool is_black(const json::Document& document, json::NodeId material) {
   const json::NodeId factor = document.find(material, "emissiveFactor");
-  if (factor == json::kNoNode) return !document.holds(material, "emissiveFactor");
+  if (factor == json::kNoNode) return !document.has_value(material, "emissiveFactor");
   if (document.kind(factor) != json::Kind::number_array) return false;
   std::size_t zeros = 0;
   for (json::NumberCursor at(document, factor); at.valid(); at.advance()) {
@@ -153,7 +153,7 @@ void check_volume(const Subject& subject) {
 void check_iridescence(const Context& context, json::NodeId object, const Path& path) {
   const json::Document& document = context.document;
   const auto thickness = [&](std::string_view member, double otherwise) {
-    if (!document.holds(object, member)) return std::optional(otherwise);
+    if (!document.has_value(object, member)) return std::optional(otherwise);
     const auto value = number_member(document, object, member);
     return value && *value >= 0 ? value : std::nullopt;
   };
@@ -163,7 +163,7 @@ void check_iridescence(const Context& context, json::NodeId object, const Path& 
   const std::string_view texture = "iridescenceThicknessTexture";
   const std::string_view minimum = "iridescenceThicknessMinimum";
   if (object_member(document, object, texture) == json::kNoNode) {
-    if (document.find(object, minimum) == json::kNoNode) return;
+    if (!document.holds(object, minimum)) return;
     report_member(context.schema_sink, context, path, object, minimum,
                   "KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE",
                   "The minimum thickness has no effect without a thickness texture.");

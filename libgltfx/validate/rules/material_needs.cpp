@@ -47,7 +47,7 @@ void MaterialNeeds::add(const Context& context, const ActiveExtensions& active,
 
   const json::Document& document = context.document;
   const auto set = model::unsigned_member(document, use.texture_info, "texCoord");
-  const bool sound = set || !document.holds(use.texture_info, "texCoord");
+  const bool sound = set || !document.has_value(use.texture_info, "texCoord");
   if (sound) need.texcoords.push_back({use.pointer, set.value_or(0)});
   const json::NodeId extensions = model::object_member(document, use.texture_info, "extensions");
   if (extensions == json::kNoNode) return;
