@@ -100,6 +100,9 @@ struct Image {
   std::uint32_t bits = 8;                         ///< per channel: 8 or 16
   std::array<ChannelStatistics, 4> statistics{};  ///< of the first `channels`
   bool grey = true;                               ///< the colour channels are equal in all texels
+  /// What the decoder complained of although it went on, such as an end that came too early; else
+  /// empty. One line of the decoder's own words.
+  std::string doubt;
   NormalStatistics normals;  ///< where they were asked for and there are three channels
   /// Rows from the top, packed, `channels` numbers a texel in the machine's byte order; empty
   /// unless asked for.

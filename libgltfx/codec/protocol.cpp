@@ -118,6 +118,7 @@ Frame write_image(const Image& image) {
   for (const ChannelStatistics& channel : image.statistics) write(out, channel);
   out.number(static_cast<std::uint8_t>(image.grey));
   write(out, image.normals);
+  out.text(std::string_view(image.doubt).substr(0, kMostMessageBytes));
   return out.take();
 }
 
@@ -132,6 +133,7 @@ Image read_image(FieldReader& in) {
   for (ChannelStatistics& channel : image.statistics) channel = read_channel(in, image);
   image.grey = in.flag();
   image.normals = read_normals(in, image);
+  image.doubt = in.text(kMostMessageBytes);
   in.require(result_size(image).has_value());
   return image;
 }

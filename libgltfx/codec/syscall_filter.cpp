@@ -27,7 +27,8 @@ constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
 constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 #endif
 
-// No open, no stat, no exec, no socket, no fork, no signal to others.
+// No open, no stat, no exec, no socket, no fork, no signal to others. Threads that libraries
+// started before may still be on their way into life.
 constexpr std::uint32_t kAllowed[] = {
     SYS_recvmsg,
     SYS_sendmsg,
@@ -61,6 +62,9 @@ constexpr std::uint32_t kAllowed[] = {
     SYS_clock_nanosleep,
     SYS_nanosleep,
     SYS_tgkill,
+    SYS_rseq,
+    SYS_set_robust_list,
+    SYS_writev,
 #if defined(__x86_64__)
     SYS_time,
     SYS_getrlimit,

@@ -41,6 +41,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"fmt/", {"libgltfx/", "tools/gltfx/"}},
     {"draco/", {"tools/gltfx_codec/draco_"}},
     {"OpenImageIO/", {"tools/gltfx_codec/image_"}},
+    {"webp/", {"tools/gltfx_codec/webp_"}},
 };
 
 const std::vector<std::string_view> kSystemHeaders{
