@@ -9,6 +9,7 @@
 #include <draco/attributes/attribute_quantization_transform.h>
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
 #include <draco/compression/mesh/mesh_sequential_decoder.h>
+#include <draco/core/varint_decoding.h>
 
 #include "codec/server.hpp"
 
@@ -96,6 +97,22 @@ std::unique_ptr<draco::MeshDecoder> decoder_for(const draco::DracoHeader& header
   return nullptr;
 }
 
+// The least memory that the sizes at the head of a bitstream ask for. The decoder makes room for
+// them before it looks whether so much can come.
+std::uint64_t promised_bytes(draco::DecoderBuffer& buffer, const draco::DracoHeader& header) {
+  constexpr int kVersion = 2;  // before, sizes were written in another way
+  if (header.version_major < kVersion || (header.flags & METADATA_FLAG_MASK) != 0) return 0;
+  std::uint32_t points = 0;
+  std::uint32_t faces = 0;
+  std::uint8_t traversal = 0;
+  const bool edgebreaker = header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING;
+  if (edgebreaker && !buffer.Decode(&traversal)) return 0;
+  std::uint32_t& first = edgebreaker ? points : faces;
+  std::uint32_t& second = edgebreaker ? faces : points;
+  if (!draco::DecodeVarint(&first, &buffer) || !draco::DecodeVarint(&second, &buffer)) return 0;
+  return (std::uint64_t{points} + faces) * 12;
+}
+
 Answer write_result(draco::MeshDecoder& decoder, const draco::Mesh& decoded, Output& output) {
   DracoMesh mesh;
   mesh.points = decoded.num_points();
@@ -124,7 +141,7 @@ Answer write_result(draco::MeshDecoder& decoder, const draco::Mesh& decoded, Out
   return sound ? Answer(std::move(mesh)) : Answer(malformed("The attributes have no values."));
 }
 
-Answer decode(const Job&, std::span<const std::byte> bytes, Output& output) {
+Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   draco::DracoHeader header;
@@ -133,6 +150,9 @@ Answer decode(const Job&, std::span<const std::byte> bytes, Output& output) {
   if (!read.ok()) return malformed(read.error_msg_string());
   if (header.encoder_type != draco::TRIANGULAR_MESH) {
     return malformed("It is no mesh but a point cloud.");
+  }
+  if (promised_bytes(ahead, header) > job.memory_bytes) {
+    return Fault{FaultKind::out_of_memory, "The mesh takes more memory than it may."};
   }
   const auto decoder = decoder_for(header);
   if (decoder == nullptr) return malformed("The way it is encoded is unknown.");

@@ -63,6 +63,8 @@ struct Check {
   std::size_t same_as = 0;  ///< the first check of this accessor that asks the same; may be itself
   Place place;
   std::vector<double> bounds;  ///< minimum, maximum: as declared, one a component
+  double bound_slack = 0;      ///< what declared bounds may differ by, in components as stored
+  double length_slack = 0;     ///< what lengths may differ by beyond the usual
 };
 
 /// An accessor with its checks, in the order in which they are reported.

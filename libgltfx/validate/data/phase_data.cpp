@@ -40,6 +40,7 @@ bool Budget::take(std::uint64_t count, std::uint64_t each) {
 
 void check_data(const Context& context, const model::ResourceData& resources, Sink& sink) {
   DataPhase phase{context, resources, sink, Budget(resources)};
+  decode_geometry(phase);
   check_sparse_indices(phase);
   check_elements(phase);
   check_influences(phase);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/data/scan.hpp"
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -59,8 +60,10 @@ class Running {
     if (check_.kind != CheckKind::minimum && check_.kind != CheckKind::maximum) return;
     for (unsigned i = 0; i < data_.components(); ++i) {
       const auto actual = static_cast<double>(extremes_.of(i));
-      if (actual != check_.bounds[i]) {
-        outcome_.bounds.push_back({i, check_.bounds[i], actual, 0});
+      const double declared = check_.bounds[i];
+      // What is no number is not near to anything.
+      if (actual != declared && !(std::abs(actual - declared) <= check_.bound_slack)) {
+        outcome_.bounds.push_back({i, declared, actual, 0});
       }
     }
     if (!outcome_.bounds.empty()) count_outside();
@@ -74,7 +77,7 @@ class Running {
         return note(FaultKind::invalid_float, kernels::count_non_finite(values, count), values,
                     count);
       case CheckKind::clamped:
-        return note(FaultKind::not_clamped, kernels::count_unclamped(values, count), values, count);
+        return note_unclamped(kernels::count_unclamped(values, count), values, count);
       case CheckKind::unit_vector:
         return note_units(kernels::count_non_unit<3>(values, elements), 0, values, count);
       default:
@@ -83,9 +86,17 @@ class Running {
     }
   }
 
+  void note_unclamped(std::size_t faults, const float* values, std::size_t count) {
+    if (faults != 0 && check_.bound_slack != 0) return look_closer(values, count);
+    note(FaultKind::not_clamped, faults, values, count);
+  }
+
   void note_units(const kernels::UnitCount& units, std::size_t signs, const float* values,
                   std::size_t count) {
-    if (units.uncertain != 0) return look_closer(values, count);
+    const bool faults = units.faults != 0 || signs != 0;
+    if (units.uncertain != 0 || (faults && check_.length_slack != 0)) {
+      return look_closer(values, count);
+    }
     note(FaultKind::not_unit, units.faults, values, count);
     note(FaultKind::bad_sign, signs, values, count);
   }

@@ -19,6 +19,7 @@ std::span<const Family> families() {
       resource_family(),
       image_data_family(),
       accessor_data_family(),
+      draco_data_family(),
       animation_data_family(),
       skinning_data_family(),
       asset_root_family(),

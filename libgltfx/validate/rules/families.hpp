@@ -17,6 +17,7 @@ const Family& identity_family();
 const Family& resource_family();
 const Family& image_data_family();
 const Family& accessor_data_family();
+const Family& draco_data_family();
 const Family& animation_data_family();
 const Family& skinning_data_family();
 
