@@ -51,8 +51,8 @@ class AccessorData {
                                             container::Bytes bytes, double step);
 
   const Format& format() const { return format_; }
-  /// How far the values may be from those that were meant: twice half a step of quantisation.
-  double step() const { return step_; }
+  /// Of packed() elements their step; nothing for those that lie in a buffer.
+  const std::optional<double>& step() const { return step_; }
   std::uint64_t count() const { return count_; }
   unsigned components() const { return components_; }
   /// All but the sparse elements are zeros that take no bytes: the count is not bounded by any.
@@ -103,7 +103,7 @@ class AccessorData {
   std::uint64_t column_stride_ = 0;
   container::Bytes base_;
   std::uint64_t stride_ = 0;
-  double step_ = 0;
+  std::optional<double> step_;
   std::uint64_t sparse_count_ = 0;
   PackedNumbers sparse_indices_;
   container::Bytes sparse_values_;

@@ -203,6 +203,18 @@ TEST(Draco, BoundsAreThoseOfTheDecodedValues) {
                                  "ACCESSOR_MAX_MISMATCH /accessors/0/max/2"}));
 }
 
+TEST(Draco, BoundsOfExactValuesMayBeALittleTooWide) {
+  Compressed asset = square();
+  const std::string begin = R"({"componentType": 5126, "type": "VEC3", "count": 4, "min": )";
+  asset.accessors = begin + R"([-0.0078, 0, 0], "max": [1, 1.0078, 0]})";
+  EXPECT_EQ(found(asset), Lines{});
+  asset.accessors = begin + R"([0.0039, -0.0081, 0], "max": [1, 0.9961, 0]})";
+  EXPECT_EQ(found(asset), (Lines{"ACCESSOR_MIN_MISMATCH /accessors/0/min/0 x2",
+                                 "ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND /accessors/0/min/0",
+                                 "ACCESSOR_MAX_MISMATCH /accessors/0/max/1",
+                                 "ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND /accessors/0/max/1"}));
+}
+
 TEST(Draco, BoundsMayBeAStepOfQuantisationOff) {
   DracoSource source = draco_grid(20);
   source.attributes[0].bits = 6;  // a step is 1/63

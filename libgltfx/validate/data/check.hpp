@@ -64,6 +64,7 @@ struct Check {
   Place place;
   std::vector<double> bounds;  ///< minimum, maximum: as declared, one a component
   double bound_slack = 0;      ///< what declared bounds may differ by, in components as stored
+  double bound_widening = 0;   ///< how far declared bounds may lie outside, beyond that
   double length_slack = 0;     ///< what lengths may differ by beyond the usual
 };
 

@@ -194,7 +194,7 @@ class InfluencePhase {
   static double weight_step(const std::vector<InfluenceSet>& sets) {
     double step = 0;
     for (const InfluenceSet& set : sets) {
-      if (set.weights != nullptr) step = std::max(step, set.weights->step());
+      if (set.weights != nullptr) step = std::max(step, set.weights->step().value_or(0));
     }
     return step;
   }

@@ -61,8 +61,7 @@ class Running {
     for (unsigned i = 0; i < data_.components(); ++i) {
       const auto actual = static_cast<double>(extremes_.of(i));
       const double declared = check_.bounds[i];
-      // What is no number is not near to anything.
-      if (actual != declared && !(std::abs(actual - declared) <= check_.bound_slack)) {
+      if (actual != declared && !is_near(actual, declared)) {
         outcome_.bounds.push_back({i, declared, actual, 0});
       }
     }
@@ -70,6 +69,13 @@ class Running {
   }
 
  private:
+  // What is no number is not near to anything.
+  bool is_near(double actual, double declared) const {
+    const bool wider = check_.kind == CheckKind::minimum ? declared < actual : declared > actual;
+    const double slack = check_.bound_slack + (wider ? check_.bound_widening : 0);
+    return std::abs(actual - declared) <= slack;
+  }
+
   void block_of_floats(const float* values, std::size_t elements) {
     const std::size_t count = elements * data_.components();
     switch (check_.kind) {
