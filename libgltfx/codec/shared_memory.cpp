@@ -72,8 +72,8 @@ Mapping::Mapping(int fd, std::uint64_t size, Access access) {
   if (write && ::ftruncate(fd, static_cast<off_t>(size)) != 0) return;
   if (!write && !has_bytes(fd, size)) return;
   // A private mapping for reading shows the very pages; sealed memory cannot be mapped otherwise.
-  void* at = ::mmap(nullptr, size, write ? PROT_READ | PROT_WRITE : PROT_READ,
-                    write ? MAP_SHARED : MAP_PRIVATE, fd, 0);
+  const int sharing = (write ? MAP_SHARED : MAP_PRIVATE) | MAP_POPULATE;
+  void* at = ::mmap(nullptr, size, write ? PROT_READ | PROT_WRITE : PROT_READ, sharing, fd, 0);
   if (at != MAP_FAILED) bytes_ = {static_cast<std::byte*>(at), static_cast<std::size_t>(size)};
 }
 
