@@ -83,7 +83,10 @@ struct ChannelStatistics {
 };
 
 /// The first three channels as vectors 2c - 1 with c from 0 to 1 (specification section 3.9.3).
+/// Texels that are grey are no vectors, but what fills an image between its charts: they are left
+/// out.
 struct NormalStatistics {
+  std::uint64_t vectors = 0;   ///< texels that are not grey
   std::uint64_t not_unit = 0;  ///< texels whose length is not within 0.1 of 1
   std::uint64_t far_off = 0;   ///< likewise 0.3: no rounding or lossy coding explains it
   std::uint64_t inward = 0;    ///< texels with z below -2/255

@@ -90,6 +90,7 @@ ChannelStatistics read_channel(FieldReader& in, const Image& image) {
 }
 
 void write(FieldWriter& out, const NormalStatistics& normals) {
+  out.number(normals.vectors);
   out.number(normals.not_unit);
   out.number(normals.far_off);
   out.number(normals.inward);
@@ -99,9 +100,10 @@ void write(FieldWriter& out, const NormalStatistics& normals) {
 
 NormalStatistics read_normals(FieldReader& in, const Image& image) {
   NormalStatistics normals;
-  normals.not_unit = in.check_at_most(in.number<std::uint64_t>(), image.texels());
+  normals.vectors = in.check_at_most(in.number<std::uint64_t>(), image.texels());
+  normals.not_unit = in.check_at_most(in.number<std::uint64_t>(), normals.vectors);
   normals.far_off = in.check_at_most(in.number<std::uint64_t>(), normals.not_unit);
-  normals.inward = in.check_at_most(in.number<std::uint64_t>(), image.texels());
+  normals.inward = in.check_at_most(in.number<std::uint64_t>(), normals.vectors);
   normals.mean_length = in.number<double>();
   normals.steepest = in.number<double>();
   in.require(normals.mean_length >= 0 && normals.mean_length <= 2);

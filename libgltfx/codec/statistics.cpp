@@ -89,11 +89,13 @@ void Statistics::add_normals(const T* values, std::size_t count) {
     const float z = static_cast<float>(values[i + 2]) * scale - 1;
     const float length = std::sqrt(x * x + y * y + z * z);
     const float off = std::abs(length - 1);
-    not_unit_ += off > kNotUnit ? 1U : 0U;
-    far_off_ += off > kFarOff ? 1U : 0U;
-    inward_ += z < kInward ? 1U : 0U;
-    sum += length;
-    steepest_ = std::max(steepest_, std::max(std::abs(x), std::abs(y)));
+    const bool vector = values[i] != values[i + 1] || values[i] != values[i + 2];
+    vectors_ += vector ? 1U : 0U;
+    not_unit_ += vector && off > kNotUnit ? 1U : 0U;
+    far_off_ += vector && off > kFarOff ? 1U : 0U;
+    inward_ += vector && z < kInward ? 1U : 0U;
+    sum += vector ? length : 0;
+    steepest_ = std::max(steepest_, vector ? std::max(std::abs(x), std::abs(y)) : 0);
   }
   length_sum_ += static_cast<double>(sum);
 }
@@ -102,8 +104,8 @@ void Statistics::finish(Image& image) const {
   image.grey = grey_;
   for (std::size_t i = 0; i < channels_; ++i) image.statistics[i] = channel_[i];
   if (!with_normals_) return;
-  const auto texels = static_cast<double>(image.texels());
-  image.normals = {not_unit_, far_off_, inward_, length_sum_ / texels,
+  const auto vectors = static_cast<double>(std::max<std::uint64_t>(vectors_, 1));
+  image.normals = {vectors_, not_unit_, far_off_, inward_, length_sum_ / vectors,
                    std::min(1.0, static_cast<double>(steepest_))};
 }
 

@@ -39,7 +39,7 @@ class Statistics {
   bool with_normals_;
   std::array<ChannelStatistics, 4> channel_{};
   bool grey_ = true;
-  std::uint64_t not_unit_ = 0, far_off_ = 0, inward_ = 0;
+  std::uint64_t vectors_ = 0, not_unit_ = 0, far_off_ = 0, inward_ = 0;
   double length_sum_ = 0;
   float steepest_ = 0;
 };

@@ -153,9 +153,21 @@ TEST(Images, NormalsAreLookedAtWhenAskedFor) {
   Wanted wanted;
   wanted.normals = true;
   const Image image =
-      image_of(encode_png({2, 1, PngColor::rgb, 8, "\x80\x80\xFF\x80\x80\x80", {}}), wanted);
+      image_of(encode_png({2, 1, PngColor::rgb, 8, "\x80\x80\xFF\x80\x80\x81", {}}), wanted);
+  EXPECT_EQ(image.normals.vectors, 2U);
   EXPECT_EQ(image.normals.not_unit, 1U);
   EXPECT_NEAR(image.normals.mean_length, 0.5, 0.01);
+}
+
+TEST(Images, GreyTexelsOfANormalMapAreNoNormals) {
+  Wanted wanted;
+  wanted.normals = true;
+  const std::string texels("\x80\x80\xFF\0\0\0\x80\x80\x80\xFF\xFF\xFF", 12);
+  const Image image = image_of(encode_png({4, 1, PngColor::rgb, 8, texels, {}}), wanted);
+  EXPECT_EQ(image.normals.vectors, 1U);
+  EXPECT_EQ(image.normals.not_unit, 0U);
+  EXPECT_EQ(image.normals.inward, 0U);
+  EXPECT_LT(image.normals.steepest, 0.01);
 }
 
 TEST(Images, TheFormatIsTheDeclaredOne) {
