@@ -8,6 +8,7 @@
 
 #include "container/bytes.hpp"
 #include "image/header.hpp"
+#include "image/ktx2.hpp"
 #include "model/buffer_view.hpp"
 
 namespace gltfx::model {
@@ -17,6 +18,7 @@ struct ImageData {
   std::optional<container::Bytes> bytes;  ///< the encoded image
   std::optional<image::Format> format;    ///< by its first bytes
   std::optional<image::Header> header;    ///< where it could be read
+  std::optional<image::Ktx2> ktx2;        ///< of a KTX2 image, sound or not
 };
 
 /// Owns or maps the bytes. Read-only once filled; any number of threads may read it.

@@ -12,6 +12,7 @@
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
 #include "validate/phases.hpp"
+#include "validate/rules/budget.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -48,6 +49,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   check_data(context, resources.data, sink);
   check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
+  check_budgets(context, resources.data, *report.info, resources.listed, sink);
   report.info->resources = std::move(resources.listed);
 }
 

@@ -2,6 +2,7 @@
 #include "validate/data/phases.hpp"
 #include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
+#include "validate/rules/texture_phase.hpp"
 
 namespace gltfx::validate {
 
@@ -45,6 +46,7 @@ void check_data(const Context& context, const model::ResourceData& resources, Si
   check_elements(phase);
   check_influences(phase);
   check_textures(context, resources, sink);
+  check_texture_slots(context, resources, sink);
 }
 
 }  // namespace gltfx::validate

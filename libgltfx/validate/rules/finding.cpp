@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/rules/finding.hpp"
 
+#include <charconv>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,6 +31,24 @@ void report_member(Sink& sink, const Context& context, const Path& path, json::N
   const json::NodeId value = context.document.find(object, member);
   sink.report(Path(path, member), finding_on(context, value != json::kNoNode ? value : object, code,
                                              std::move(message), std::move(help)));
+}
+
+void report_at(Sink& sink, std::string_view pointer, Finding finding) {
+  const auto names = split_pointer(pointer);
+  if (!names) return;
+  std::vector<Path> steps(1);
+  steps.reserve(names->size() + 1);  // a step points to the one before it
+  for (const std::string& name : *names) {
+    std::uint64_t index = 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data(), end, index);
+    if (read.ec == std::errc() && read.ptr == end) {
+      steps.emplace_back(steps.back(), index);
+    } else {
+      steps.emplace_back(steps.back(), std::string_view(name));
+    }
+  }
+  sink.report(steps.back(), std::move(finding));
 }
 
 bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,
