@@ -18,6 +18,7 @@ HeaderResult read_lossy(Cursor at, Header header) {
   header.width = at.le16() & 0x3FFFU;  // the upper bits are a scale for display
   header.height = at.le16() & 0x3FFFU;
   header.channels = Channels::rgb;
+  if (header.width == 0 || header.height == 0) header.doubt = "The WebP has no pixels.";
   return header;
 }
 

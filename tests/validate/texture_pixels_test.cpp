@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What decoded pixels tell, and that nothing is decoded which nobody asked for.
 #include <string>
+#include <variant>
 
 #include <gtest/gtest.h>
 
+#include "validate/rules/pixel_source.hpp"
 #include "validate/textured.hpp"
 
 namespace gltfx::test {
@@ -62,6 +64,22 @@ TEST(PixelLevels, ImagesThatAreTooLargeAreLeftOut) {
   const std::string huge = encode_png({65535, 65535, PngColor::rgb, 8, {}, {}});
   EXPECT_EQ(about_textures({base_color(), {huge}}, Profile::standard, PixelLevel::all),
             Lines{"IMAGE_NOT_DECODED /images/0"});
+}
+
+TEST(PixelLevels, ManyImagesEndSomewhere) {
+  model::ResourceData resources;
+  for (int i = 0; i < 3; ++i) {
+    model::ImageData image;
+    image.bytes = container::Bytes::from_string(rgb_png());
+    image.header = std::get<image::Header>(image::read_header(image.bytes->view()));
+    resources.images.push_back(image);
+  }
+  validate::PixelSource pixels(resources, 2);
+  pixels.decode({{0, false}, {2, false}, {1, false}});
+  EXPECT_NE(pixels.of(0), nullptr);
+  EXPECT_NE(pixels.of(2), nullptr);
+  ASSERT_NE(pixels.fault(1), nullptr);
+  EXPECT_EQ(pixels.fault(1)->kind, codec::FaultKind::too_large);
 }
 
 // --- Constant channels ---

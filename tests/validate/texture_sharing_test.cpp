@@ -129,6 +129,27 @@ TEST(Packing, AnImageShownTwiceIsNotPacked) {
   EXPECT_EQ(packing(material), Lines{});
 }
 
+TEST(Packing, TransformsOfClampedTexturesStayInside) {
+  const auto clamped = [](const std::string& members, const std::string& sampler) {
+    const Textured textured{fmt::format(R"("occlusionTexture": {{"index": 0, "extensions": {{
+            "KHR_texture_transform": {{{}}}}}}})",
+                                        members),
+                            {grey_png()},
+                            R"({"source": 0, "sampler": 0})",
+                            R"("KHR_texture_transform")",
+                            fmt::format(R"(, "samplers": [{{{}}}])", sampler)};
+    return selected(textured.text(), {"TEXTURE_TRANSFORM_CLAMPED"});
+  };
+  const Lines hint{"TEXTURE_TRANSFORM_CLAMPED /materials/0/occlusionTexture"};
+  EXPECT_EQ(clamped(R"("scale": [2, 1])", R"("wrapS": 33071)"), hint);
+  EXPECT_EQ(clamped(R"("scale": [2, 1])", R"("wrapT": 33071)"), Lines{}) << "the other axis";
+  EXPECT_EQ(clamped(R"("scale": [2, 1])", ""), Lines{});
+  EXPECT_EQ(clamped(R"("offset": [0, -0.5])", R"("wrapT": 33071)"), hint);
+  EXPECT_EQ(clamped(R"("offset": [0, 0.5], "scale": [1, 0.5])", R"("wrapT": 33071)"), Lines{});
+  EXPECT_EQ(clamped(R"("offset": [0, 1], "scale": [1, -1])", R"("wrapT": 33071)"), Lines{})
+      << "turned over";
+}
+
 TEST(Packing, OcclusionWouldFitIntoTheOtherImage) {
   const std::string material = packed(R"("index": 1)");
   const Lines hint{"TEXTURE_PACKABLE /materials/0/occlusionTexture"};

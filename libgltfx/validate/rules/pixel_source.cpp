@@ -22,18 +22,35 @@ std::optional<codec::ImageFormat> codec_format(image::Format format) {
 
 }  // namespace
 
-void PixelSource::decode(const std::vector<Request>& requests) {
+bool PixelSource::take(std::uint32_t image) {
+  const auto& header = resources_.images[image].header;
+  if (!header || !header->doubt.empty()) return false;
+  const std::uint64_t texels = std::uint64_t{header->width} * header->height;
+  if (texels <= texels_left_) {
+    texels_left_ -= texels;
+    return true;
+  }
+  results_[image] = codec::Fault{codec::FaultKind::too_large,
+                                 "The images of the asset have more texels than are looked at."};
+  return false;
+}
+
+void PixelSource::decode(const std::vector<Request>& wanted) {
+  std::vector<Request> requests;
+  for (const Request& each : wanted) {
+    if (take(each.image)) requests.push_back(each);
+  }
   const auto decode_one = [&](std::size_t i) {
-    const Request& wanted = requests[i];
-    const model::ImageData& data = resources_.images[wanted.image];
-    if (!data.header || !data.bytes || !data.header->doubt.empty()) return;
+    const Request& next = requests[i];
+    const model::ImageData& data = resources_.images[next.image];
+    if (!data.bytes) return;
     const auto format = codec_format(data.header->format);
     if (!format) return;
     codec::ImageRequest request;
     request.bytes = data.bytes->view();
     request.format = *format;
-    request.normals = wanted.normals;
-    results_[wanted.image] = codec::Client::shared().decode_image(request);
+    request.normals = next.normals;
+    results_[next.image] = codec::Client::shared().decode_image(request);
   };
   parallel_ordered(requests.size(), default_jobs(), decode_one, [](std::size_t) {});
 }

@@ -16,15 +16,18 @@ namespace gltfx::validate {
 /// resources must outlive it.
 class PixelSource {
  public:
-  explicit PixelSource(const model::ResourceData& resources)
-      : resources_(resources), results_(resources.images.size()) {}
+  /// `texels` is how many may be decoded, all images together.
+  explicit PixelSource(const model::ResourceData& resources,
+                       std::uint64_t texels = std::uint64_t{1} << 30U)
+      : resources_(resources), texels_left_(texels), results_(resources.images.size()) {}
 
   struct Request {
     std::uint32_t image = 0;
     bool normals = false;  ///< look at it as at a normal map
   };
-  /// Decodes images that have a sound header, several at a time; others are left out.
-  void decode(const std::vector<Request>& requests);
+  /// Decodes images that have a sound header, several at a time; others are left out, and what
+  /// there are no texels left for fails as too large.
+  void decode(const std::vector<Request>& wanted);
 
   /// What was found, or null where nothing was decoded.
   const codec::Image* of(std::uint32_t image) const {
@@ -36,7 +39,11 @@ class PixelSource {
   }
 
  private:
+  /// Takes the texels of an image from what may be decoded.
+  bool take(std::uint32_t image);
+
   const model::ResourceData& resources_;
+  std::uint64_t texels_left_;
   std::vector<std::optional<codec::ImageResult>> results_;
 };
 

@@ -2,6 +2,7 @@
 // Slots that show one image: one channel is one thing, and what is packed lies on one place.
 #include "validate/rules/texture_sharing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -130,6 +131,30 @@ Placement placement_of(const Context& context, const TextureSlot& slot) {
   return placement;
 }
 
+// --- Beyond the edge of an image ---
+
+constexpr std::uint64_t kClampToEdge = 33071;
+
+// Whether the square from 0 to 1 is moved or stretched out of the image, where the edge is
+// repeated.
+bool leaves_clamped(const Placement& placement, std::size_t axis) {
+  if (placement.sampling[axis] != kClampToEdge || placement.rotation != 0) return false;
+  const double begin = placement.offset[axis];
+  const double end = begin + placement.scale[axis];
+  constexpr double kRounding = 1e-6;
+  return std::min(begin, end) < -kRounding || std::max(begin, end) > 1 + kRounding;
+}
+
+void check_edges(const TexturePhase& phase, const TextureSlot& slot) {
+  if (!slot.sampler || slot.effective.empty()) return;
+  const Placement placement = placement_of(phase.context, slot);
+  if (!leaves_clamped(placement, 0) && !leaves_clamped(placement, 1)) return;
+  report_slot(phase.context, phase.sink, slot, "TEXTURE_TRANSFORM_CLAMPED",
+              fmt::format("The transform of {} leads out of the image, but its sampler clamps to "
+                          "the edge.",
+                          slot.property));
+}
+
 // --- Channels of one image in one material ---
 
 void check_packed(const TexturePhase& phase, const TextureSlot& slot, const TextureSlot& other) {
@@ -181,6 +206,7 @@ void check_sharing(const TexturePhase& phase) {
   check_color_spaces(phase);
   std::map<std::uint32_t, std::vector<const TextureSlot*>> materials;
   for (const TextureSlot& slot : phase.slots) {
+    check_edges(phase, slot);
     if (slot.material != json::kNoNode) materials[slot.material_index].push_back(&slot);
   }
   for (const auto& [index, slots] : materials) check_material(phase, slots);

@@ -80,16 +80,21 @@ bool is_normal_map(std::string_view property) {
 class SlotReader {
  public:
   SlotReader(const Context& context, const Animated& animated)
-      : context_(context), document_(context.document), animated_(animated) {}
+      : context_(context),
+        document_(context.document),
+        animated_(animated),
+        images_(context.asset.count(RootArray::textures)) {}
 
-  std::optional<TextureSlot> read(const schema::SlotUse& use) const {
+  std::optional<TextureSlot> read(const schema::SlotUse& use) {
     const auto texture = context_.asset.index(use.texture_info, "index", RootArray::textures);
     if (!texture || use.slot == nullptr) return std::nullopt;
     TextureSlot slot;
     slot.use = &use;
     slot.texture = *texture;
     slot.property = std::string_view(use.pointer).substr(use.pointer.rfind('/') + 1);
-    read_texture(context_.asset.elements(RootArray::textures)[*texture], slot);
+    const json::NodeId object = context_.asset.elements(RootArray::textures)[*texture];
+    slot.sampler = context_.asset.index(object, "sampler", RootArray::samplers);
+    slot.images = images_of(*texture, object);
     if (slot.images.empty()) return std::nullopt;
     read_material(slot);
     slot.srgb = use.slot->srgb;
@@ -103,20 +108,28 @@ class SlotReader {
   }
 
  private:
-  void add_image(json::NodeId object, TextureSlot& slot) const {
+  // As many formats as a texture may come in.
+  static constexpr std::size_t kMostImages = 8;
+
+  using Images = std::vector<std::uint32_t>;
+
+  void add_image(json::NodeId object, Images& images) const {
     const auto source = context_.asset.index(object, "source", RootArray::images);
-    if (source) slot.images.push_back(*source);
+    if (source && images.size() < kMostImages) images.push_back(*source);
   }
 
-  // An extension may bring an image of another format.
-  void read_texture(json::NodeId texture, TextureSlot& slot) const {
-    slot.sampler = context_.asset.index(texture, "sampler", RootArray::samplers);
-    add_image(texture, slot);
+  // An extension may bring an image of another format. Read once for each texture.
+  const Images& images_of(std::uint32_t index, json::NodeId texture) {
+    std::optional<Images>& images = images_[index];
+    if (images) return *images;
+    images.emplace();
+    add_image(texture, *images);
     const json::NodeId extensions = object_member(document_, texture, "extensions");
-    if (extensions == json::kNoNode) return;
+    if (extensions == json::kNoNode) return *images;
     for (const auto member : document_.members(extensions)) {
-      if (document_.is_object(member.value)) add_image(member.value, slot);
+      if (document_.is_object(member.value)) add_image(member.value, *images);
     }
+    return *images;
   }
 
   void read_material(TextureSlot& slot) const {
@@ -185,6 +198,7 @@ class SlotReader {
   const Context& context_;
   const json::Document& document_;
   const Animated& animated_;
+  std::vector<std::optional<Images>> images_;  // by texture
 };
 
 }  // namespace
@@ -207,7 +221,7 @@ std::string ChannelSet::text() const {
 }
 
 std::vector<TextureSlot> texture_slots(const Context& context, const Animated& animated) {
-  const SlotReader reader(context, animated);
+  SlotReader reader(context, animated);
   std::vector<TextureSlot> slots;
   for (const schema::SlotUse& use : context.checked.slots) {
     if (auto slot = reader.read(use)) slots.push_back(*std::move(slot));
