@@ -111,7 +111,7 @@ class ImageCheck {
     for (const image::Ktx2Fault& fault : data.ktx2->faults) {
       resource_.find(fault.code, "", fault.problem);
     }
-    if (!data.ktx2->described) return;
+    if (!data.ktx2->described || !data.ktx2->faults.empty()) return;
     data.header = image::header_of(*data.ktx2);
     describe(*data.header);
   }

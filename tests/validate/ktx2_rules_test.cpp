@@ -123,6 +123,11 @@ TEST(Ktx2Slots, ReadTheColourSpaceThatIsDeclared) {
   EXPECT_EQ(about(Ktx2Builder().linear(), kOcclusion), Lines{});
 }
 
+TEST(Ktx2Slots, OneOfTwoIsWrong) {
+  EXPECT_EQ(about(Ktx2Builder(), base_color(R"(, "occlusionTexture": {"index": 0})")),
+            Lines{"KTX2_COLOR_SPACE_INVALID /materials/0/occlusionTexture"});
+}
+
 TEST(Ktx2Slots, WrongPrimariesAreOnlyAWarning) {
   Ktx2Builder tagged = Ktx2Builder().linear();
   tagged.primaries = 1;

@@ -306,6 +306,11 @@ TEST(TextureSlots, BrokenReferencesAreNotJudgedTwice) {
   EXPECT_EQ(about_textures({R"("emissiveTexture": {"index": 0})", {rgb_png()}, "{}"}), Lines{});
 }
 
+TEST(TextureSlots, HeadersInDoubtAreNotJudgedTwice) {
+  const std::string doubtful = png({}, {4, 4, 3, 2, 0});
+  EXPECT_EQ(about_textures(sheen(doubtful)), Lines{"IMAGE_DATA_INVALID /images/0"});
+}
+
 TEST(TextureSlots, TheKhronosProfileKnowsNoneOfThis) {
   EXPECT_EQ(selected(sheen(rgb_png()).text(), {"TEXTURE_ALPHA_MISSING"}, Profile::khronos),
             Lines{});

@@ -20,10 +20,10 @@ struct TexturePhase {
   const std::vector<TextureSlot>& slots;
   PixelSource& pixels;
 
-  /// The header of an image, or null where it could not be read.
+  /// The header of an image, or null where it could not be read or is in doubt.
   const image::Header* header(std::uint32_t image) const {
     const auto& found = resources.images[image].header;
-    return found ? &*found : nullptr;
+    return found && found->doubt.empty() ? &*found : nullptr;
   }
 };
 

@@ -51,6 +51,8 @@ void report_conflict(const TexturePhase& phase, const TextureSlot& slot, const T
 
 void check_color_space(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image,
                        Readers& readers) {
+  // A KTX2 image declares one colour space: the slot that reads another one is told so.
+  if (phase.resources.images[image].ktx2) return;
   for (std::size_t i = 0; i < kColors.size(); ++i) {
     if (!slot.effective.has(kColors[i])) continue;
     const TextureSlot*& own = slot.srgb ? readers.srgb[i] : readers.linear[i];
