@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "codec/client.hpp"
+#include "codec/support/jpeg_bytes.hpp"
 #include "codec/support/png_encoder.hpp"
 #include "container/base64.hpp"
 
@@ -15,25 +16,6 @@ using test::PngColor;
 using test::PngImage;
 using testing::HasSubstr;
 
-// 8 x 8 texels of (200, 100, 50).
-constexpr std::string_view kJpeg =
-    "/9j/4AAQSkZJRgABAQAAAQABAAD/4QAWRXhpZgAASUkqAAgAAAAAAAAAAAD/"
-    "2wBDAAIBAQEBAQIBAQECAgICAgQDAgICAgUEBAME"
-    "BgUGBgYFBgYGBwkIBgcJBwYGCAsICQoKCgoKBggLDAsKDAkKCgr/"
-    "2wBDAQICAgICAgUDAwUKBwYHCgoKCgoKCgoKCgoKCgoKCgoK"
-    "CgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgr/wAARCAAIAAgDASIAAhEBAxEB/"
-    "8QAHwAAAQUBAQEBAQEAAAAAAAAAAAEC"
-    "AwQFBgcICQoL/"
-    "8QAtRAAAgEDAwIEAwUFBAQAAAF9AQIDAAQRBRIhMUEGE1FhByJxFDKBkaEII0KxwRVS0fAkM2JyggkKFhcYGRol"
-    "JicoKSo0NTY3ODk6Q0RFRkdISUpTVFVWV1hZWmNkZWZnaGlqc3R1dnd4eXqDhIWGh4iJipKTlJWWl5iZmqKjpKWmp6ipqr"
-    "KztLW2"
-    "t7i5usLDxMXGx8jJytLT1NXW19jZ2uHi4+Tl5ufo6erx8vP09fb3+Pn6/"
-    "8QAHwEAAwEBAQEBAQEBAQAAAAAAAAECAwQFBgcICQoL"
-    "/8QAtREAAgECBAQDBAcFBAQAAQJ3AAECAxEEBSExBhJBUQdhcRMiMoEIFEKRobHBCSMzUvAVYnLRChYkNOEl8RcYGRomJy"
-    "gpKjU2"
-    "Nzg5OkNERUZHSElKU1RVVldYWVpjZGVmZ2hpanN0dXZ3eHl6goOEhYaHiImKkpOUlZaXmJmaoqOkpaanqKmqsrO0tba3uL"
-    "m6wsPE"
-    "xcbHyMnK0tPU1dbX2Nna4uPk5ebn6Onq8vP09fb3+Pn6/9oADAMBAAIRAxEAPwDPooor+Vz+2D//2Q==";
 // 2 x 2 texels: (200, 100, 50, 128), (1, 2, 3, 4), white, (9, 8, 7, 64); lossless.
 constexpr std::string_view kWebp =
     "UklGRkYAAABXRUJQVlA4TDkAAAAvAUAAEB+goG0bph/l+NMYDTENsbn0LyQaBWkbMN1xM//6pqZtA+YKqy7+pBr/"
@@ -107,7 +89,7 @@ TEST(Images, OfAnAnimationTheFirstFrameCounts) {
 }
 
 TEST(Images, AJpegHasThreeChannels) {
-  const Image image = image_of(decoded(kJpeg), {ImageFormat::jpeg});
+  const Image image = image_of(decoded(test::kJpegBase64), {ImageFormat::jpeg});
   EXPECT_EQ(image.texels(), 64U);
   EXPECT_EQ(image.channels, 3U);
   EXPECT_EQ(image.statistics[0].least, 200U);
@@ -116,7 +98,7 @@ TEST(Images, AJpegHasThreeChannels) {
 }
 
 TEST(Images, AJpegThatEndsTooEarlyIsDoubtful) {
-  std::string bytes = decoded(kJpeg);
+  std::string bytes = decoded(test::kJpegBase64);
   bytes.resize(bytes.size() - 6);
   EXPECT_THAT(image_of(bytes, {ImageFormat::jpeg}).doubt, HasSubstr("Premature end"));
 }
@@ -174,7 +156,7 @@ TEST(Images, TheFormatIsTheDeclaredOne) {
   const std::string png = encode_png({1, 1, PngColor::rgb, 8, "\1\2\3", {}});
   EXPECT_EQ(fault_of(png, {ImageFormat::jpeg}).kind, FaultKind::malformed);
   EXPECT_EQ(fault_of(png, {ImageFormat::webp}).kind, FaultKind::malformed);
-  EXPECT_EQ(fault_of(decoded(kJpeg)).kind, FaultKind::malformed);
+  EXPECT_EQ(fault_of(decoded(test::kJpegBase64)).kind, FaultKind::malformed);
 }
 
 TEST(Images, TooManyTexelsAreNotDecoded) {
@@ -196,9 +178,10 @@ TEST(Images, AnImageThatTakesTooMuchMemoryIsRefused) {
 
 TEST(Images, EveryCutIsAFaultOrAnImage) {
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::webp}) {
-    const std::string whole = format == ImageFormat::png
-                                  ? encode_png({2, 1, PngColor::rgb, 8, "\1\2\3\4\5\6", {}})
-                                  : decoded(format == ImageFormat::jpeg ? kJpeg : kAnimation);
+    const std::string whole =
+        format == ImageFormat::png
+            ? encode_png({2, 1, PngColor::rgb, 8, "\1\2\3\4\5\6", {}})
+            : decoded(format == ImageFormat::jpeg ? test::kJpegBase64 : kAnimation);
     for (std::size_t size = 0; size < whole.size(); size += size < 60 ? 1 : 7) {
       const ImageResult result = decode(whole.substr(0, size), {format});
       const auto* fault = std::get_if<Fault>(&result);

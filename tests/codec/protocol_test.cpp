@@ -41,7 +41,7 @@ Image some_image() {
   image.statistics[3] = {5, 65535, 0, 2};
   image.grey = false;
   image.doubt = "ends early";
-  image.normals = {3, 2, 1, 0.5, 1};
+  image.normals = {4, 3, 2, 1, 0.5, 1};
   return image;
 }
 

@@ -102,7 +102,8 @@ TEST(Statistics, NormalsThatAreUnitVectorsAreSound) {
 
 TEST(Statistics, NormalsAreShortFarOffOrInward) {
   const Image image = look_at<std::uint8_t>(
-      4, {128, 128, 240, 9, 128, 128, 200, 9, 128, 128, 0, 9, 128, 128, 127, 9}, true);
+      4, {128, 128, 240, 9, 128, 128, 200, 9, 128, 128, 0, 9, 128, 128, 127, 9, 0, 0, 0, 9}, true);
+  EXPECT_EQ(image.normals.vectors, 4U);   // black is none
   EXPECT_EQ(image.normals.not_unit, 3U);  // 0.88, 0.57 and 0 long
   EXPECT_EQ(image.normals.far_off, 2U);
   EXPECT_EQ(image.normals.inward, 1U);

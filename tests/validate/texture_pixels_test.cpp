@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "codec/support/jpeg_bytes.hpp"
+#include "container/base64.hpp"
 #include "validate/rules/pixel_source.hpp"
 #include "validate/textured.hpp"
 
@@ -52,6 +54,21 @@ TEST(PixelLevels, OnlyWhatARuleNeedsIsDecoded) {
   EXPECT_EQ(about_textures(textured, Profile::standard, PixelLevel::all),
             Lines{"IMAGE_PIXELS_INVALID /images/0"});
   EXPECT_EQ(needed(textured, Profile::strict), Lines{"IMAGE_PIXELS_INVALID /images/0"});
+}
+
+TEST(PixelLevels, AnImageThatEndsTooEarlyIsAWarning) {
+  std::string bytes = *container::decode_base64(kJpegBase64);
+  const auto severity = [](const std::string& image) {
+    ValidateOptions options;
+    options.pixels = PixelLevel::all;
+    options.select = {"IMAGE_PIXELS_INVALID"};
+    const auto report = validate_bytes(Textured{base_color(), {image}}.text(), "test", options);
+    return report.diagnostics.empty() ? Severity::hint : report.diagnostics[0].severity;
+  };
+  EXPECT_EQ(severity(bytes), Severity::hint) << "nothing is said";
+  bytes.resize(bytes.size() - 6);
+  EXPECT_EQ(severity(bytes), Severity::warning) << "the rest is shown";
+  EXPECT_EQ(severity(broken_png()), Severity::error);
 }
 
 TEST(PixelLevels, AllIncludesImagesThatNobodyShows) {

@@ -36,11 +36,26 @@ void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::F
   phase.sink.report(Path(array, std::uint64_t{image}), std::move(finding));
 }
 
+// A decoder that went on where the data was damaged shows something, each its own.
+void report_doubt(const TexturePhase& phase, std::uint32_t image, const std::string& doubt) {
+  const Context& context = phase.context;
+  const Path root;
+  const Path array(root, "images");
+  const json::NodeId object = context.asset.elements(model::RootArray::images)[image];
+  Finding finding = finding_on(context, object, "IMAGE_PIXELS_INVALID",
+                               fmt::format("The pixels of {} can only be decoded in part: {}",
+                                           image_label(context, image), printable(doubt)));
+  finding.severity = Severity::warning;
+  phase.sink.report(Path(array, std::uint64_t{image}), std::move(finding));
+}
+
 void check_decoded(const TexturePhase& phase) {
   for (std::size_t i = 0; i < phase.resources.images.size(); ++i) {
     const auto image = static_cast<std::uint32_t>(i);
     const codec::Fault* fault = phase.pixels.fault(image);
     if (fault != nullptr) report_fault(phase, image, *fault);
+    const codec::Image* decoded = phase.pixels.of(image);
+    if (decoded != nullptr && !decoded->doubt.empty()) report_doubt(phase, image, decoded->doubt);
   }
 }
 
