@@ -45,7 +45,7 @@ constexpr RuleDescription kRules[] = {
  "textures": [{"source": 0}],
  "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAIAAAB7QOjdAAAAD0lEQVR42mNoaPi/p+E9AA2mBCs4tldTAAAAAElFTkSuQmCC"}]})",
      Fix::none, false},
-    {"TEXTURE_PACKING_DISAGREES", Severity::warning,
+    {"TEXTURE_PACKING_DISAGREES", Severity::info,
      "Channels that are packed into one image are laid out differently",
      "Maps that share an image were baked for one set of texture coordinates. When one slot "
      "names another set, transform or sampler, its channel lies on the wrong place.",
