@@ -41,10 +41,6 @@ Copied copy_fault(ResolveFault fault, std::string problem) {
 
 }  // namespace
 
-UniqueFd::~UniqueFd() {
-  if (fd_ >= 0) ::close(fd_);
-}
-
 File file_fault(int error) {
   File file;
   file.fault = fault_of_errno(error);

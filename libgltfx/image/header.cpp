@@ -15,7 +15,8 @@ std::string_view media_type(Format format) {
 }
 
 std::string_view channels_name(Channels channels) {
-  constexpr std::array<std::string_view, 4> kNames{"luminance", "luminance-alpha", "rgb", "rgba"};
+  constexpr std::array<std::string_view, 6> kNames{"luminance", "luminance-alpha", "rgb", "rgba",
+                                                   "red",       "red-green"};
   return kNames[static_cast<std::size_t>(channels)];
 }
 

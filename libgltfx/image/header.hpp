@@ -19,8 +19,9 @@ enum class Format : std::uint8_t { png, jpeg, webp, ktx2 };
 /// "image/png" and so on.
 std::string_view media_type(Format format);
 
-/// Channels as they are stored; a palette counts by its colours.
-enum class Channels : std::uint8_t { luminance, luminance_alpha, rgb, rgba };
+/// Channels as they are stored; a palette counts by its colours. KTX2 has images of R, and of R and
+/// G, whose other channels are not defined.
+enum class Channels : std::uint8_t { luminance, luminance_alpha, rgb, rgba, red, red_green };
 
 /// "rgb", "luminance-alpha" and so on.
 std::string_view channels_name(Channels channels);
@@ -32,7 +33,9 @@ constexpr bool has_alpha(Channels channels) {
 enum class Tag : std::uint8_t { none, srgb, linear, custom };
 std::string_view tag_name(Tag tag);
 
-/// Pixels and bits are what the file declares; nobody has looked whether they are there.
+/// What is told of colours is what the file declares by its form: a grey photograph stored as RGB
+/// is not `grey`. Pixels and bits are what the file declares; nobody has looked whether they are
+/// there.
 struct Header {
   Format format = Format::png;
   std::uint32_t width = 0;   ///< pixels
@@ -45,6 +48,11 @@ struct Header {
   bool animated = false;
   bool interlaced = false;  ///< or progressive
   bool palette = false;
+  bool opaque = false;  ///< there is an alpha channel, but all it can hold is 1 (PNG: tRNS)
+  bool grey = false;    ///< R, G and B cannot differ
+  bool two_level =
+      false;  ///< no channel can hold anything but 0 and 1: the same in sRGB and linear
+  bool icc_profile = false;
   /// What the format forbids in a header that could be read all the same, one sentence; else empty.
   std::string doubt;
 };
@@ -72,8 +80,13 @@ Sniffed sniff(std::span<const std::byte> bytes);
 
 using HeaderResult = std::variant<Header, HeaderFault>;
 
+/// Whether a texel of the image can have an alpha other than 1.
+constexpr bool can_be_transparent(const Header& header) {
+  return has_alpha(header.channels) && !header.opaque;
+}
+
 /// Reads the header of a PNG (to the first IDAT), JPEG (to the first SOF) or WebP. KTX2 is told,
-/// not read: `container` files of textures have a reader of their own.
+/// not read: see image/ktx2.hpp.
 HeaderResult read_header(std::span<const std::byte> bytes);
 
 }  // namespace gltfx::image

@@ -21,9 +21,7 @@ bool is_progressive(std::uint8_t marker) {
   return marker == 0xC2 || marker == 0xC6 || marker == 0xCA || marker == 0xCE;
 }
 
-HeaderResult read_frame_header(Cursor at, std::uint8_t marker) {
-  Header header;
-  header.format = Format::jpeg;
+HeaderResult read_frame_header(Cursor at, std::uint8_t marker, Header header) {
   header.bits = at.u8();
   header.height = at.be16();
   header.width = at.be16();
@@ -34,6 +32,7 @@ HeaderResult read_frame_header(Cursor at, std::uint8_t marker) {
   }
   if (header.width == 0 || header.height == 0) header.doubt = "The JPEG has no pixels.";
   header.channels = components == 1 ? Channels::luminance : Channels::rgb;
+  header.grey = components == 1;
   header.interlaced = is_progressive(marker);
   return header;
 }
@@ -42,6 +41,8 @@ HeaderResult read_frame_header(Cursor at, std::uint8_t marker) {
 
 // As decoders do it, bytes between segments are not held against a file.
 HeaderResult read_jpeg(std::span<const std::byte> bytes) {
+  Header header;
+  header.format = Format::jpeg;
   Cursor at(bytes);
   at.skip(2);  // SOI
   while (at.ok()) {
@@ -54,8 +55,10 @@ HeaderResult read_jpeg(std::span<const std::byte> bytes) {
     at.skip(length - 2U);
     if (at.ok() && is_frame_header(marker)) {
       if (length < 8) return invalid("The frame header of the JPEG is too short.");
-      return read_frame_header(content, marker);
+      return read_frame_header(content, marker, header);
     }
+    // APP2 of the ICC (specification ICC.1, annex B.4).
+    if (marker == 0xE2 && content.at("ICC_PROFILE")) header.icc_profile = true;
   }
   return unexpected_end();
 }

@@ -18,6 +18,9 @@ constexpr std::uint32_t tag(const char (&name)[5]) {
 struct Chunks {
   Header header;
   bool transparency = false;
+  bool opaque_entries = true;  // tRNS of a palette: all entries are 255
+  bool grey_palette = false;
+  bool two_level_palette = false;
 };
 
 // Colour type (section 11.2.1): bit 0 palette, bit 1 colour, bit 2 alpha.
@@ -52,6 +55,8 @@ void read_ihdr(Cursor at, Header& header) {
   const std::uint8_t color_type = at.u8();
   at.skip(2);  // compression and filter method: there is one of each
   header.interlaced = at.u8() != 0;
+  header.grey = color_type == 0 || color_type == 4;
+  header.two_level = color_type == 0 && header.bits == 1;
   if (!set_channels(header, color_type))
     header.doubt = "The colour type of the PNG does not exist.";
   if (!is_bit_depth(header.bits)) {
@@ -82,8 +87,28 @@ Tag transfer_of_gamma(std::uint32_t gamma) {
   return gamma == 100000 ? Tag::linear : Tag::custom;
 }
 
+// Section 11.2.2: three bytes an entry.
+void read_palette(Cursor at, std::uint32_t length, Chunks& chunks) {
+  chunks.grey_palette = chunks.two_level_palette = length >= 3;
+  for (std::uint32_t entry = 0; entry < length / 3; ++entry) {
+    const std::array<std::uint8_t, 3> color{at.u8(), at.u8(), at.u8()};
+    if (color[0] != color[1] || color[1] != color[2]) chunks.grey_palette = false;
+    for (const std::uint8_t value : color) {
+      if (value != 0 && value != 255) chunks.two_level_palette = false;
+    }
+  }
+}
+
+// Section 11.3.1.1: a byte for each of the first entries of a palette; otherwise one colour.
+void read_transparency(Cursor at, std::uint32_t length, Chunks& chunks) {
+  chunks.transparency = true;
+  for (std::uint32_t entry = 0; entry < length && chunks.opaque_entries; ++entry) {
+    chunks.opaque_entries = at.u8() == 255;
+  }
+}
+
 // sRGB and iCCP override gAMA and cHRM (section 4.3).
-void read_chunk(Cursor at, std::uint32_t type, Chunks& chunks) {
+void read_chunk(Cursor at, std::uint32_t type, std::uint32_t length, Chunks& chunks) {
   Header& header = chunks.header;
   if (type == tag("IHDR")) {
     read_ihdr(at, header);
@@ -91,12 +116,15 @@ void read_chunk(Cursor at, std::uint32_t type, Chunks& chunks) {
     header.primaries = header.transfer = Tag::srgb;
   } else if (type == tag("iCCP")) {
     header.primaries = header.transfer = Tag::custom;
+    header.icc_profile = true;
   } else if (type == tag("gAMA") && header.transfer == Tag::none) {
     header.transfer = transfer_of_gamma(at.be32());
   } else if (type == tag("cHRM") && header.primaries == Tag::none) {
     header.primaries = is_srgb_chromaticity(at) ? Tag::srgb : Tag::custom;
   } else if (type == tag("tRNS")) {
-    chunks.transparency = true;
+    read_transparency(at, length, chunks);
+  } else if (type == tag("PLTE") && header.palette) {
+    read_palette(at, length, chunks);
   } else if (type == tag("pHYs")) {
     const std::uint32_t across = at.be32();
     header.square_pixels = across == at.be32();
@@ -111,7 +139,12 @@ void finish(Chunks& chunks) {
   Header& header = chunks.header;
   if (header.primaries == Tag::none) header.primaries = Tag::srgb;
   if (header.transfer == Tag::none) header.transfer = Tag::srgb;
+  if (header.palette) {
+    header.grey = chunks.grey_palette;
+    header.two_level = chunks.two_level_palette;
+  }
   if (!chunks.transparency) return;
+  header.opaque = header.palette && chunks.opaque_entries;
   if (header.channels == Channels::rgb) header.channels = Channels::rgba;
   if (header.channels == Channels::luminance) header.channels = Channels::luminance_alpha;
 }
@@ -136,7 +169,7 @@ HeaderResult read_png(std::span<const std::byte> bytes) {
     if (fixed != 0 && length != fixed) return invalid("A chunk of the PNG has a wrong length.");
     Cursor content = at;
     at.skip(std::uint64_t{length} + 4);  // the checksum follows the content
-    if (at.ok()) read_chunk(content, type, chunks);
+    if (at.ok()) read_chunk(content, type, length, chunks);
   }
   return unexpected_end();
 }

@@ -18,6 +18,7 @@ HeaderResult read_lossy(Cursor at, Header header) {
   header.width = at.le16() & 0x3FFFU;  // the upper bits are a scale for display
   header.height = at.le16() & 0x3FFFU;
   header.channels = Channels::rgb;
+  if (header.width == 0 || header.height == 0) header.doubt = "The WebP has no pixels.";
   return header;
 }
 
@@ -41,7 +42,8 @@ HeaderResult read_extended(Cursor at, Header header) {
   header.height = at.le24() + 1;
   header.channels = (flags & 0x10U) != 0 ? Channels::rgba : Channels::rgb;
   header.animated = (flags & 0x02U) != 0;
-  if ((flags & 0x20U) != 0) header.primaries = header.transfer = Tag::custom;
+  header.icc_profile = (flags & 0x20U) != 0;
+  if (header.icc_profile) header.primaries = header.transfer = Tag::custom;
   return header;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/accessor_data.hpp"
 
+#include <utility>
+
 #include "base/checked.hpp"
 #include "model/fields.hpp"
 
@@ -139,6 +141,23 @@ std::optional<AccessorData> AccessorData::open(const Asset& asset, const Views& 
     return std::nullopt;
   }
   if (data.implied() && data.sparse_count_ == 0) return std::nullopt;
+  return data;
+}
+
+std::optional<AccessorData> AccessorData::packed(const Format& format, std::uint64_t count,
+                                                 container::Bytes bytes, double step) {
+  if (count == 0 || !format.known() || !is_core_component(format.component)) return std::nullopt;
+  AccessorData data;
+  data.format_ = format;
+  data.count_ = count;
+  data.components_ = component_count(format.type);
+  data.component_size_ = component_size(format.component);
+  data.rows_ = data.components_;
+  data.stride_ = std::uint64_t{data.components_} * data.component_size_;
+  const Checked size = checked_mul(count, data.stride_);
+  if (!size || *size > bytes.size()) return std::nullopt;
+  data.base_ = std::move(bytes);
+  data.step_ = step;
   return data;
 }
 

@@ -44,7 +44,15 @@ class AccessorData {
                                           const ResourceData& resources, const Accessor& accessor,
                                           Malformed malformed);
 
+  /// Elements that lie packed, as a decoder leaves them: `count` of that format, without padding of
+  /// columns. `step` is how far apart quantised values are, 0 when they are exact. Nothing when
+  /// there are fewer bytes, or the component is not one of glTF 2.0 itself.
+  static std::optional<AccessorData> packed(const Format& format, std::uint64_t count,
+                                            container::Bytes bytes, double step);
+
   const Format& format() const { return format_; }
+  /// Of packed() elements their step; nothing for those that lie in a buffer.
+  const std::optional<double>& step() const { return step_; }
   std::uint64_t count() const { return count_; }
   unsigned components() const { return components_; }
   /// All but the sparse elements are zeros that take no bytes: the count is not bounded by any.
@@ -95,6 +103,7 @@ class AccessorData {
   std::uint64_t column_stride_ = 0;
   container::Bytes base_;
   std::uint64_t stride_ = 0;
+  std::optional<double> step_;
   std::uint64_t sparse_count_ = 0;
   PackedNumbers sparse_indices_;
   container::Bytes sparse_values_;

@@ -9,6 +9,7 @@
 
 #include "container/bytes.hpp"
 #include "image/header.hpp"
+#include "image/ktx2.hpp"
 #include "model/buffer_view.hpp"
 
 namespace gltfx::model {
@@ -18,6 +19,7 @@ struct ImageData {
   std::optional<container::Bytes> bytes;  ///< the encoded image
   std::optional<image::Format> format;    ///< by its first bytes
   std::optional<image::Header> header;    ///< where it could be read
+  std::optional<image::Ktx2> ktx2;        ///< of a KTX2 image, sound or not
 };
 
 /// The elements of a buffer view that came compressed.

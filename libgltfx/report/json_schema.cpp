@@ -16,7 +16,7 @@ constexpr std::string_view kSchema = R"json({
     "gltfx": { "type": "string", "description": "Version of the program." },
     "format": { "const": 1, "description": "Version of this structure." },
     "profile": { "type": "string", "description": "What was asked for: default, khronos or strict." },
-    "pixels": { "type": "string", "description": "How far images were looked into." },
+    "pixels": { "type": "string", "description": "How far images were looked into: headers, needed or all." },
     "files": {
       "type": "array",
       "description": "One entry a file, in the order they were named.",

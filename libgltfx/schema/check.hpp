@@ -69,7 +69,8 @@ struct CheckOptions {
 struct SlotUse {
   json::NodeId texture_info = json::kNoNode;
   json::NodeId owner = json::kNoNode;  ///< object that holds the slot
-  ShapeId shape = kNone;               ///< the slot's shape (has `slot`)
+  TypeId owner_type = kNone;
+  ShapeId shape = kNone;  ///< the slot's shape (has `slot`)
   const Slot* slot =
       nullptr;          ///< the shape's, or that of the extension's generation; lives in the Set
   std::string pointer;  ///< of the texture info

@@ -333,7 +333,11 @@ void Walker::record_slot(const Frame& frame, std::uint32_t index, json::NodeId n
   if (!document_.is_object(node)) return;
   const ObjectType& type = set_.type(frame.type);
   const ShapeId shape = type.properties[index].shape;
-  SlotUse use{node, frame.node, shape, &*set_.shape(shape).slot,
+  SlotUse use{node,
+              frame.node,
+              frame.type,
+              shape,
+              &*set_.shape(shape).slot,
               Path(frame.path, key_of(node)).pointer()};
   if (type.extension != kNone && !set_.extensions()[type.extension].generations.empty()) {
     use.slot = slot_of_generation(set_, type, document_, frame.node, type.properties[index].name);

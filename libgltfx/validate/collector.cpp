@@ -57,6 +57,25 @@ std::string as_help(std::string_view remedy) {
 
 }  // namespace
 
+bool accepts(const ValidateOptions& options, std::string_view code, Severity severity) {
+  if (!options.select.empty() && options.select.find(code) == options.select.end()) return false;
+  if (options.ignore.find(code) != options.ignore.end()) return false;
+  if (options.profile == Profile::khronos) {
+    const RuleDescription* rule = find_rule(code);
+    return rule == nullptr || rule->khronos;
+  }
+  // Hints are for those who ask: by profile, by name, or by a severity of their own.
+  return severity != Severity::hint || options.profile == Profile::strict ||
+         options.select.find(code) != options.select.end();
+}
+
+bool is_heard(const ValidateOptions& options, std::string_view code) {
+  const RuleDescription* rule = find_rule(code);
+  if (rule == nullptr) return false;
+  const auto wanted = options.severity.find(code);
+  return accepts(options, code, wanted != options.severity.end() ? wanted->second : rule->severity);
+}
+
 Collector::Collector(const ValidateOptions& options) : options_(options) {
   for (std::size_t i = 0; i < kPhaseCount; ++i) sinks_[i].bind(*this, static_cast<Phase>(i));
 }
@@ -79,18 +98,6 @@ Severity Collector::severity_of(const Finding& finding) const {
   return rule != nullptr ? rule->severity : Severity::error;
 }
 
-bool Collector::accepts(std::string_view code, Severity severity) const {
-  if (!options_.select.empty() && options_.select.find(code) == options_.select.end()) return false;
-  if (options_.ignore.find(code) != options_.ignore.end()) return false;
-  if (options_.profile == Profile::khronos) {
-    const RuleDescription* rule = find_rule(code);
-    return rule == nullptr || rule->khronos;
-  }
-  // Hints are for those who ask: by profile, by name, or by a severity of their own.
-  return severity != Severity::hint || options_.profile == Profile::strict ||
-         options_.select.find(code) != options_.select.end();
-}
-
 bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
   if (options_.profile == Profile::khronos) return false;
   const auto at = static_cast<std::size_t>(phase);
@@ -111,18 +118,20 @@ bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
 
 void Collector::add(Phase phase, const Path& path, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (!accepts(finding.code, severity) || fold(phase, path, finding)) return;
+  if (!accepts(options_, finding.code, severity) || fold(phase, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
 
 void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (accepts(finding.code, severity)) store(phase, severity, std::move(finding), {}, offset);
+  if (accepts(options_, finding.code, severity))
+    store(phase, severity, std::move(finding), {}, offset);
 }
 
 void Collector::report_file(Phase phase, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (accepts(finding.code, severity)) store(phase, severity, std::move(finding), {}, std::nullopt);
+  if (accepts(options_, finding.code, severity))
+    store(phase, severity, std::move(finding), {}, std::nullopt);
 }
 
 void Collector::store(Phase phase, Severity severity, Finding finding, std::string pointer,

@@ -26,6 +26,13 @@ namespace gltfx::validate {
 enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };
 inline constexpr std::size_t kPhaseCount = 6;
 
+/// Whether the options ask for findings of that code and severity.
+bool accepts(const ValidateOptions& options, std::string_view code, Severity severity);
+
+/// Whether a rule would be heard as loud as its table says, or as the options say instead: what
+/// nobody hears need not be computed.
+bool is_heard(const ValidateOptions& options, std::string_view code);
+
 /// Findings of one asset. One about how objects go together that has no help of its own gets the
 /// rule's remedy. A repeat of a code at the same place, but for array indices, is folded
 /// into the first (not in the khronos profile), so a million faults cost a counter. So are those of
@@ -74,7 +81,6 @@ class Collector {
 
   void add(Phase phase, const Path& path, Finding finding);
   bool fold(Phase phase, const Path& path, const Finding& finding);
-  bool accepts(std::string_view code, Severity severity) const;
   Severity severity_of(const Finding& finding) const;
   void store(Phase phase, Severity severity, Finding finding, std::string pointer,
              std::optional<std::uint64_t> offset);

@@ -84,10 +84,10 @@ class ImageCheck {
   void check_unread(model::ImageData& data, const HeaderFault& fault) const {
     const image::Sniffed sniffed = image::sniff(data.bytes->view());
     if (sniffed.known && fault.kind == HeaderFault::Kind::unrecognized && !khronos()) {
-      // A format that is known by its first bytes only.
       data.format = sniffed.format;
       resource_.info.mime_type = image::media_type(sniffed.format);
       check_format(sniffed.format);
+      check_ktx2(data);
       return;
     }
     switch (fault.kind) {
@@ -103,6 +103,17 @@ class ImageCheck {
         resource_.find("IMAGE_DATA_INVALID", "", fault.problem);
         break;
     }
+  }
+
+  // The one format that read_header() leaves to a reader of its own.
+  void check_ktx2(model::ImageData& data) const {
+    data.ktx2 = image::read_ktx2(data.bytes->view());
+    for (const image::Ktx2Fault& fault : data.ktx2->faults) {
+      resource_.find(fault.code, "", fault.problem);
+    }
+    if (!data.ktx2->described || !data.ktx2->faults.empty()) return;
+    data.header = image::header_of(*data.ktx2);
+    describe(*data.header);
   }
 
   void report_unrecognized() const {
@@ -161,6 +172,15 @@ class ImageCheck {
                      fmt::format("The image has {} by {} pixels.", header.width, header.height), {},
                      khronos() ? std::optional<Severity>() : Severity::hint);
     }
+    if (header.bits == 16) {
+      resource_.find("IMAGE_16_BIT", "", "The image has 16 bits a channel.");
+    }
+    if (header.interlaced) {
+      resource_.find(
+          "IMAGE_INTERLACED", "",
+          fmt::format("The image is {}.",
+                      header.format == image::Format::jpeg ? "progressive" : "interlaced"));
+    }
     check_features(header);
   }
 
@@ -172,8 +192,12 @@ class ImageCheck {
       if (there) features.append(features.empty() ? "" : ", ").append(text);
     };
     const bool animated = header.animated && (webp || !khronos());
-    add(header.primaries == image::Tag::custom || header.transfer == image::Tag::custom,
-        "a colour space of its own");
+    const bool profile = header.icc_profile && !khronos();
+    const bool own = header.primaries == image::Tag::custom ||
+                     header.transfer == image::Tag::custom ||
+                     (header.transfer == image::Tag::linear && !khronos());
+    add(profile, "a colour profile");
+    add(own && !profile, "a colour space of its own");
     add(!header.square_pixels, "pixels that are not square");
     add(animated, "an animation");
     if (features.empty()) return;

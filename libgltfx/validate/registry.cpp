@@ -2,6 +2,7 @@
 // Every rule of every family, sorted by code: what `explain`, `rules` and the collector look things
 // up in.
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "validate/context.hpp"
@@ -19,6 +20,17 @@ std::span<const RuleDescription> rules() {
     return all;
   }();
   return sorted;
+}
+
+std::string_view pixel_level_name(PixelLevel level) {
+  constexpr std::array<std::string_view, 3> kNames{"headers", "needed", "all"};
+  return kNames[static_cast<std::size_t>(level)];
+}
+
+PixelLevel pixel_level(const ValidateOptions& options) {
+  if (options.profile == Profile::khronos) return PixelLevel::headers;
+  const bool strict = options.profile == Profile::strict;
+  return options.pixels.value_or(strict ? PixelLevel::needed : PixelLevel::headers);
 }
 
 const RuleDescription* find_rule(std::string_view code) {

@@ -15,6 +15,7 @@
 #include "validate/data/decode_views.hpp"
 #include "validate/khronos_view.hpp"
 #include "validate/phases.hpp"
+#include "validate/rules/budget.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -52,6 +53,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   check_data(context, resources.data, sink);
   check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
+  check_budgets(context, resources.data, *report.info, resources.listed, sink);
   report.info->resources = std::move(resources.listed);
 }
 

@@ -12,6 +12,8 @@
 namespace gltfx::image {
 namespace {
 
+using namespace std::literals;
+
 using test::be32;
 using test::jpeg;
 using test::jpeg_frame;
@@ -207,7 +209,6 @@ TEST(Jpeg, EveryCutBeforeTheFrameEndsIsAnUnexpectedEnd) {
 }
 
 TEST(Webp, LossyLosslessAndExtended) {
-  using namespace std::literals;
   const Header lossy = header(webp("VP8 ", "abc\x9d\x01\x2a\x40\x41\x20\x80"s));
   EXPECT_EQ(lossy.width, 0x140U);
   EXPECT_EQ(lossy.height, 0x20U);
@@ -225,7 +226,6 @@ TEST(Webp, LossyLosslessAndExtended) {
 }
 
 TEST(Webp, NeedsThirtyBytesOrTwentyFive) {
-  using namespace std::literals;
   const std::string lossy = webp("VP8 ", "abc\x9d\x01\x2a\x40\x41\x20\x80"s);
   const std::string lossless = webp("VP8L", "\x2f\xff\xc0\x1f\x10"s);
   EXPECT_EQ(fault(lossy.substr(0, 29)), HeaderFault::Kind::unexpected_end);
@@ -233,6 +233,54 @@ TEST(Webp, NeedsThirtyBytesOrTwentyFive) {
   EXPECT_EQ(fault(lossless.substr(0, 24)), HeaderFault::Kind::unexpected_end);
   EXPECT_EQ(header(lossless).bits, 8U);
   EXPECT_EQ(fault(webp("VPxx", std::string(20, '\0'))), HeaderFault::Kind::invalid);
+}
+
+TEST(Webp, WithoutPixelsIsDoubted) {
+  EXPECT_FALSE(header(webp("VP8 ", "abc\x9d\x01\x2a\0\x40\x20\x80"s)).doubt.empty());
+}
+
+TEST(Headers, TellWhetherAnImageIsGrey) {
+  const auto palette = [](const std::string& colors) {
+    return header(png(png_chunk("PLTE", colors), {4, 4, 8, 3, 0}));
+  };
+  EXPECT_TRUE(header(png({}, {4, 4, 8, 0, 0})).grey);
+  EXPECT_TRUE(header(png({}, {4, 4, 8, 4, 0})).grey);
+  EXPECT_FALSE(header(png({}, {4, 4, 8, 2, 0})).grey);
+  EXPECT_TRUE(palette("\1\1\1\x80\x80\x80").grey);
+  EXPECT_FALSE(palette("\1\1\1\x80\x80\x81").grey);
+  EXPECT_FALSE(header(png({}, {4, 4, 8, 3, 0})).grey) << "a palette without colours";
+  EXPECT_TRUE(header(jpeg(jpeg_frame(1))).grey);
+  EXPECT_FALSE(header(jpeg(jpeg_frame(3))).grey);
+}
+
+TEST(Headers, TellWhetherAPaletteIsOpaque) {
+  const auto entries = [](const std::string& alphas) {
+    return header(
+        png(png_chunk("PLTE", "\1\2\3\4\5\6") + png_chunk("tRNS", alphas), {4, 4, 8, 3, 0}));
+  };
+  EXPECT_TRUE(entries("\xff\xff").opaque);
+  EXPECT_FALSE(can_be_transparent(entries("\xff")));
+  EXPECT_FALSE(entries("\xff\xfe").opaque);
+  EXPECT_TRUE(can_be_transparent(entries("\xff\xfe")));
+  const Header key = header(png(png_chunk("tRNS", std::string(6, '\xff'))));
+  EXPECT_TRUE(can_be_transparent(key)) << "a colour, not an alpha";
+}
+
+TEST(Headers, TellWhetherThereIsOnlyBlackAndWhite) {
+  const auto palette = [](const std::string& colors) {
+    return header(png(png_chunk("PLTE", colors), {4, 4, 8, 3, 0})).two_level;
+  };
+  EXPECT_TRUE(header(png({}, {4, 4, 1, 0, 0})).two_level);
+  EXPECT_FALSE(header(png({}, {4, 4, 2, 0, 0})).two_level);
+  EXPECT_TRUE(palette("\0\xff\0\xff\xff\xff"s));
+  EXPECT_FALSE(palette("\0\xff\0\xff\xff\xfe"s));
+}
+
+TEST(Headers, TellColourProfiles) {
+  EXPECT_TRUE(header(jpeg(jpeg_segment(0xE2, "ICC_PROFILE....") + jpeg_frame(3))).icc_profile);
+  EXPECT_FALSE(header(jpeg(jpeg_segment(0xE2, "MPF.") + jpeg_frame(3))).icc_profile);
+  EXPECT_TRUE(header(png(png_chunk("iCCP", "name"))).icc_profile);
+  EXPECT_TRUE(header(webp("VP8X", "\x20\0\0\0\x07\0\0\x03\0\x01"s)).icc_profile);
 }
 
 TEST(Webp, WrongSignaturesAreDoubted) {

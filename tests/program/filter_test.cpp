@@ -92,6 +92,22 @@ TEST_F(Filter, ProfilesReportMoreOrLess) {
   for (const std::string& line : standard) EXPECT_THAT(strict, Contains(line));
 }
 
+TEST_F(Filter, ReportsSayHowFarImagesWereLookedInto) {
+  findings({});
+  EXPECT_THAT(outcome_.out, HasSubstr("\"pixels\":\"headers\""));
+  findings({"--profile", "strict"});
+  EXPECT_THAT(outcome_.out, HasSubstr("\"pixels\":\"needed\""));
+  findings({"--pixels", "all"});
+  EXPECT_THAT(outcome_.out, HasSubstr("\"pixels\":\"all\""));
+}
+
+TEST_F(Filter, BudgetsAreErrorsWhenTheyAreSet) {
+  const std::string asset = R"({"asset": {"version": "2.0"}})";
+  EXPECT_THAT(findings({"--max-file-size", "10"}, asset), ElementsAre("error BUDGET_FILE_SIZE"));
+  EXPECT_EQ(outcome_.code, 1);
+  EXPECT_THAT(findings({"--max-file-size", "100"}, asset), testing::IsEmpty());
+}
+
 TEST_F(Filter, LfsPointersAreErrorsOnRequest) {
   folder_.write("big.bin",
                 "version https://git-lfs.github.com/spec/v1\n"

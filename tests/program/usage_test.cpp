@@ -61,6 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"validate", "a.gltf", "--fail-on", "warnings"}, "Did you mean 'warning'?"},
         Mistake{{"validate", "a.gltf", "--profile", "kronos"}, "Did you mean 'khronos'?"},
         Mistake{{"validate", "a.gltf", "--lfs", "ignore"}, "'ignore' is none of skip, error."},
+        Mistake{{"validate", "a.gltf", "--pixels", "some"}, "none of headers, needed, all"},
+        Mistake{{"validate", "a.gltf", "--max-triangles", "1k"}, "whole number"},
         Mistake{{"validate", "a.gltf", "--color", "yes"}, "none of auto, always, never"},
         Mistake{{"validate", "a.gltf", "--jobs", "0"}, "at least 1"},
         Mistake{{"validate", "a.gltf", "--jobs", "-1"}, "'-1' is not a whole number"},

@@ -40,11 +40,16 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"meshoptimizer.h", {"libgltfx/model/"}},
     {"CLI/", {"tools/gltfx/command_line.cpp"}},
     {"fmt/", {"libgltfx/", "tools/gltfx/"}},
+    {"draco/", {"tools/gltfx_codec/draco_"}},
+    {"OpenImageIO/", {"tools/gltfx_codec/image_"}},
+    {"webp/", {"tools/gltfx_codec/webp_"}},
 };
 
-const std::vector<std::string_view> kSystemHeaders{"fcntl.h",       "unistd.h",       "poll.h",
-                                                   "fnmatch.h",     "sys/stat.h",     "sys/mman.h",
-                                                   "sys/syscall.h", "linux/openat2.h"};
+const std::vector<std::string_view> kSystemHeaders{
+    "fcntl.h",       "unistd.h",       "poll.h",          "fnmatch.h",      "sys/stat.h",
+    "sys/mman.h",    "sys/syscall.h",  "linux/openat2.h", "sys/socket.h",   "sys/types.h",
+    "sys/wait.h",    "spawn.h",        "sys/prctl.h",     "sys/resource.h", "sys/time.h",
+    "linux/audit.h", "linux/filter.h", "linux/seccomp.h", "malloc.h"};
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "image/ktx2_builder.hpp"
 #include "image/png_builder.hpp"
 #include "validate/data_asset.hpp"
 
@@ -37,7 +38,6 @@ Lines about(const std::string& asset, Profile profile = Profile::standard) {
   return selected(asset, image_codes(), profile);
 }
 
-std::string ktx2() { return "\xabKTX 20\xbb\r\n\x1a\n" + std::string(80, '\0'); }
 std::string small_webp() { return webp("VP8L", std::string("\x2f\xff\xc0\x1f\x00", 5)); }
 
 TEST(Images, ThatAreRightAreSilent) {
@@ -113,7 +113,18 @@ TEST(Images, ColourSpacesOfTheirOwnAreAnInfoAndForKhronosAWarning) {
   EXPECT_EQ(feature_severity(gamma, Profile::standard), Severity::info);
   EXPECT_EQ(feature_severity(gamma, Profile::khronos), Severity::warning);
   const std::string linear = with_image("image/png", png(png_chunk("gAMA", be32(100000))));
-  EXPECT_EQ(about(linear), Lines());
+  EXPECT_EQ(feature_severity(linear, Profile::standard), Severity::info);
+  EXPECT_EQ(about(linear, Profile::khronos), Lines());
+}
+
+TEST(Images, ColourProfilesAreAnInfoInEveryFormat) {
+  const std::string icc = jpeg_segment(0xE2, "ICC_PROFILE.....") + jpeg_frame(3);
+  const std::string photo = with_image("image/jpeg", jpeg(icc));
+  EXPECT_EQ(feature_severity(photo, Profile::standard), Severity::info);
+  EXPECT_EQ(about(photo, Profile::khronos), Lines());
+  const std::string png_icc = with_image("image/png", png(png_chunk("iCCP", "profile")));
+  EXPECT_EQ(feature_severity(png_icc, Profile::standard), Severity::info);
+  EXPECT_EQ(feature_severity(png_icc, Profile::khronos), Severity::warning);
 }
 
 TEST(Images, AnimationsAreAWarningInPngOnlyForUs) {
@@ -131,13 +142,15 @@ TEST(Images, OfFormatsThatExtensionsBringNeedThem) {
   EXPECT_EQ(about(with_image("image/webp", small_webp(), {}, kWebp), Profile::khronos), Lines());
 }
 
-TEST(Images, Ktx2IsToldByItsFirstBytes) {
+TEST(Images, Ktx2IsReadWithADeclaredExtension) {
   const std::string basis = R"(, "extensionsUsed": ["KHR_texture_basisu"])";
-  EXPECT_EQ(about(with_image("image/ktx2", ktx2())),
+  EXPECT_EQ(about(with_image("image/ktx2", Ktx2Builder().file())),
             (Lines{"IMAGE_NON_ENABLED_MIME_TYPE /images/0"}));
-  EXPECT_EQ(about(with_image("image/ktx2", ktx2(), {}, basis)), Lines());
-  EXPECT_EQ(about(with_image("image/ktx2", ktx2(), {}, basis), Profile::khronos),
+  EXPECT_EQ(about(with_image("image/ktx2", Ktx2Builder().file(), {}, basis)), Lines());
+  EXPECT_EQ(about(with_image("image/ktx2", Ktx2Builder().file(), {}, basis), Profile::khronos),
             (Lines{"IMAGE_UNRECOGNIZED_FORMAT /images/0"}));
+  EXPECT_EQ(about(with_image("image/ktx2", Ktx2Builder().file().substr(0, 60), {}, basis)),
+            (Lines{"IMAGE_UNEXPECTED_EOS /images/0"}));
 }
 
 TEST(Images, ThatUnknownExtensionsHaveASayInAreSkippedByKhronos) {

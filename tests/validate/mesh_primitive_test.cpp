@@ -144,9 +144,9 @@ TEST(Primitive, CompressedGeometryRaisesNothingOfItsOwn) {
   const std::string compressed = R"({"asset": {"version": "2.0"},
     "extensionsUsed": ["KHR_draco_mesh_compression"], "extensionsRequired": ["KHR_draco_mesh_compression"],
     "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-    "buffers": [{"byteLength": 4, "uri": "data:application/octet-stream;base64,AAAAAA=="}],
-    "bufferViews": [{"buffer": 0, "byteLength": 4}],
-    "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [1, 1, 1]},
+    "buffers": [{"byteLength": 61, "uri": "data:application/octet-stream;base64,RFJBQ08CAgEAAAABAwEAAQIBAQAJAwAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA=="}],
+    "bufferViews": [{"buffer": 0, "byteLength": 61}],
+    "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [1, 1, 0]},
       {"componentType": 5121, "type": "SCALAR", "count": 3}],
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1,
       "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}]})";

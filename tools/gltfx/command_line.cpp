@@ -72,6 +72,7 @@ class Declaration {
   std::string help() const;
   void declare_validate();
   void declare_filters(CLI::App& app);
+  void declare_budgets(CLI::App& app);
   void declare_explain();
   void declare_rules();
   void declare_schema();
@@ -105,6 +106,9 @@ void Declaration::declare_validate() {
   add_word(app, "--fail-on", validate_.fail_on, "LEVEL",
            "Exit with 1 from here on: error, warning, info or never (default: error)");
   declare_filters(app);
+  add_word(app, "--pixels", validate_.pixels, "LEVEL",
+           "Images to decode: headers (none), needed (by rules) or all (default: headers)");
+  declare_budgets(app);
   add_word(app, "--root", validate_.root, "DIR",
            "Folder that buffers and images may come from (default: the asset's own)");
   add_word(app, "--lfs", validate_.lfs, "POLICY",
@@ -126,6 +130,17 @@ void Declaration::declare_filters(CLI::App& app) {
            "Report a code as error, warning, info or hint (repeatable)");
   add_word(app, "--max-issues", validate_.max_issues, "N",
            "Findings listed for each file, 0 for no limit (default: 0)");
+}
+
+void Declaration::declare_budgets(CLI::App& app) {
+  add_word(app, "--max-texture-size", validate_.max_texture_size, "PIXELS",
+           "Budget for the longer side of an image (default: 0, no limit)");
+  add_word(app, "--max-total-pixels", validate_.max_total_pixels, "PIXELS",
+           "Budget for all images together");
+  add_word(app, "--max-triangles", validate_.max_triangles, "N", "Budget for triangles");
+  add_word(app, "--max-draw-calls", validate_.max_draw_calls, "N", "Budget for primitives");
+  add_word(app, "--max-file-size", validate_.max_file_size, "BYTES",
+           "Budget for the file and those it refers to");
 }
 
 void Declaration::declare_explain() {

@@ -115,6 +115,13 @@ Result<Profile> parse_profile(std::string_view text) {
   return parse_word<Profile>("--profile", text, kWords);
 }
 
+Result<std::optional<PixelLevel>> parse_pixels(std::string_view text) {
+  using Level = std::optional<PixelLevel>;
+  static constexpr std::array<Word<Level>, 3> kWords{
+      {{"headers", PixelLevel::headers}, {"needed", PixelLevel::needed}, {"all", PixelLevel::all}}};
+  return parse_word<Level>("--pixels", text, kWords);
+}
+
 Result<LfsPolicy> parse_lfs(std::string_view text) {
   static constexpr std::array<Word<LfsPolicy>, 2> kWords{
       {{"skip", LfsPolicy::skip}, {"error", LfsPolicy::error}}};

@@ -78,6 +78,7 @@ Result<unsigned> parse_jobs(std::string_view text);
 Result<ColorMode> parse_color(std::string_view text);
 Result<TableFormat> parse_table_format(std::string_view text);
 Result<Profile> parse_profile(std::string_view text);
+Result<std::optional<PixelLevel>> parse_pixels(std::string_view text);
 Result<LfsPolicy> parse_lfs(std::string_view text);
 /// error, warning, info, or nothing for "never".
 Result<std::optional<Severity>> parse_fail_on(std::string_view text);

@@ -32,7 +32,7 @@ FormatOptions format_options(const ValidateRequest& request, const FormatTarget&
   options.quiet = request.quiet;
   options.command = "gltfx";
   options.profile = profile_name(request.validation.profile);
-  options.pixel_level = "none";
+  options.pixel_level = pixel_level_name(pixel_level(request.validation));
   return options;
 }
 

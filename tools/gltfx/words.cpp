@@ -42,6 +42,17 @@ void read_common(Reading& reading, const CommonWords& words, CommonOptions& opti
   reading.set(options.color, parse_color(words.color));
 }
 
+void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets) {
+  const auto read = [&](std::uint64_t& limit, std::string_view option, const std::string& word) {
+    reading.set(limit, parse_number(option, word, 0));
+  };
+  read(budgets.texture_size, "--max-texture-size", words.max_texture_size);
+  read(budgets.total_pixels, "--max-total-pixels", words.max_total_pixels);
+  read(budgets.triangles, "--max-triangles", words.max_triangles);
+  read(budgets.draw_calls, "--max-draw-calls", words.max_draw_calls);
+  read(budgets.file_size, "--max-file-size", words.max_file_size);
+}
+
 }  // namespace
 
 Result<ValidateRequest> request_of(const ValidateWords& words) {
@@ -54,6 +65,8 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   reading.set(request.targets, parse_targets(words.formats));
   reading.set(request.fail_on, parse_fail_on(words.fail_on));
   reading.set(request.validation.profile, parse_profile(words.profile));
+  if (!words.pixels.empty()) reading.set(request.validation.pixels, parse_pixels(words.pixels));
+  read_budgets(reading, words, request.validation.budgets);
   reading.set(request.validation.lfs, parse_lfs(words.lfs));
   reading.set(request.validation.max_issues, parse_number("--max-issues", words.max_issues, 0));
   reading.set(request.validation.select, parse_codes("--select", words.select));

@@ -18,6 +18,9 @@ struct ValidateWords {
   CommonWords common;
   std::vector<std::string> paths, formats, select, ignore, severities, schema_files, schema_folders;
   std::string fail_on = "error", profile = "default", lfs = "skip", max_issues = "0";
+  std::string pixels;
+  std::string max_texture_size = "0", max_total_pixels = "0", max_triangles = "0";
+  std::string max_draw_calls = "0", max_file_size = "0";
   std::string root, baseline, write_baseline;
   bool quiet = false;
 };

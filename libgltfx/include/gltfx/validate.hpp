@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -26,8 +27,28 @@ enum class Profile : std::uint8_t { standard, khronos, strict };
 /// What a Git-LFS pointer in place of a file is: an info, or an error.
 enum class LfsPolicy : std::uint8_t { skip, error };
 
+/// How far images are looked into. `headers`: nothing is decoded. `needed`: what a rule that is
+/// asked for cannot judge otherwise. `all`: every image.
+enum class PixelLevel : std::uint8_t { headers, needed, all };
+
+/// "headers", "needed", "all".
+std::string_view pixel_level_name(PixelLevel level);
+
+/// What an asset may cost; 0: no limit. Findings about them are errors of their own codes.
+struct Budgets {
+  std::uint64_t texture_size = 0;  ///< pixels along the longer side of any image
+  std::uint64_t total_pixels = 0;  ///< of all images
+  std::uint64_t triangles = 0;     ///< of all primitives, each counted once
+  std::uint64_t draw_calls = 0;    ///< primitives, each counted once
+  std::uint64_t file_size = 0;     ///< bytes of the file and of those it refers to
+};
+
 struct ValidateOptions {
   Profile profile = Profile::standard;
+  /// Nothing: `needed` in the strict profile, otherwise `headers`. The khronos profile never
+  /// decodes.
+  std::optional<PixelLevel> pixels;
+  Budgets budgets;
   LfsPolicy lfs = LfsPolicy::skip;
   /// Folder that resources may come from; empty: the asset's own folder.
   std::string root;
@@ -41,6 +62,9 @@ struct ValidateOptions {
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
 };
+
+/// The level that the options come to.
+PixelLevel pixel_level(const ValidateOptions& options);
 
 /// All rules, sorted by code. Static storage.
 std::span<const RuleDescription> rules();

@@ -99,9 +99,10 @@ struct Check {
   Place place;
   std::vector<double> bounds;  ///< minimum, maximum: as declared, one a component
   Limits limits;
-  std::uint64_t group = 1;  ///< limits: components of one of a cubic spline's three
-  double bound_slack = 0;   ///< what declared bounds may differ by, in components as stored
-  double length_slack = 0;  ///< what lengths may differ by beyond the usual
+  std::uint64_t group = 1;    ///< limits: components of one of a cubic spline's three
+  double bound_slack = 0;     ///< what declared bounds may differ by, in components as stored
+  double bound_widening = 0;  ///< how far declared bounds may lie outside, beyond that
+  double length_slack = 0;    ///< what lengths may differ by beyond the usual
 };
 
 /// An accessor with its checks, in the order in which they are reported.

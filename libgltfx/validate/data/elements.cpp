@@ -148,13 +148,45 @@ struct Scan {
   std::vector<Outcome> outcomes;
 };
 
+// The widest extent of a component by its declared bounds; 0 when one of them is missing.
+double declared_extent(const Schedule& schedule) {
+  const auto bounds = [&](CheckKind kind) {
+    const auto at = std::find_if(schedule.checks.begin(), schedule.checks.end(),
+                                 [&](const Check& check) { return check.kind == kind; });
+    return at == schedule.checks.end() ? std::vector<double>() : at->bounds;
+  };
+  const std::vector<double> least = bounds(CheckKind::minimum);
+  const std::vector<double> most = bounds(CheckKind::maximum);
+  double extent = 0;
+  for (std::size_t i = 0; i < std::min(least.size(), most.size()); ++i) {
+    extent = std::max(extent, most[i] - least[i]);
+  }
+  return extent;
+}
+
+// Values that were quantised are no more than a step away from those that were meant, but for what
+// single precision loses. Encoders widen bounds by a whole step, and some by one of eight bits
+// where they leave the values as they are.
+void allow_quantization(Schedule& schedule, const std::optional<double>& step) {
+  if (!step) return;
+  constexpr double kRounding = 1.01;
+  constexpr double kTwoOfEightBits = 2.0 / 255;
+  const double widening = *step != 0 ? 0 : declared_extent(schedule) * kTwoOfEightBits;
+  for (Check& check : schedule.checks) {
+    check.bound_slack = std::max(check.bound_slack, *step * kRounding);
+    check.bound_widening = widening;
+    check.length_slack += *step * kRounding;
+  }
+}
+
 // What can be read, as far as the budget goes, in batches that are worth a thread.
-std::vector<Batch> plan_batches(DataPhase& phase, const std::vector<Schedule>& schedules) {
+std::vector<Batch> plan_batches(DataPhase& phase, std::vector<Schedule>& schedules) {
   constexpr std::uint64_t kWorthAThread = 1U << 20U;
   std::vector<Batch> batches;
-  for (const Schedule& schedule : schedules) {
+  for (Schedule& schedule : schedules) {
     const auto data = phase.open(schedule.accessor);
     if (!data) continue;
+    allow_quantization(schedule, data->step());
     if (batches.empty() || batches.back().numbers >= kWorthAThread) batches.emplace_back();
     Batch& batch = batches.back();
     const std::uint64_t each = data->components() * distinct(schedule.checks);

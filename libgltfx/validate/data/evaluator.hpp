@@ -58,12 +58,13 @@ class Evaluator {
       case CheckKind::unit_tangent:
         if (component < 3) {
           feed_vector(index, component, value, emit);
-        } else if (value != 1.0 && value != -1.0) {
+        } else if (value != 1.0 && value != -1.0 &&
+                   !(std::abs(std::abs(value) - 1.0) <= check_->bound_slack)) {
           emit(Fault{FaultKind::bad_sign, index, component, value});
         }
         break;
       case CheckKind::clamped:
-        if (value < 0.0 || value > 1.0) {
+        if (value < -check_->bound_slack || value > 1.0 + check_->bound_slack) {
           emit(Fault{FaultKind::not_clamped, index, component, value});
         }
         break;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -183,8 +184,34 @@ class InfluencePhase {
     }
     skinned.attributes = primitive.attributes_node;
     report_.begin(skinned);
-    check_influences_of(influences, skinned.limit.joints,
-                        [&](const Influence& influence) { report_.note(influence); });
+    const double step = weight_step(influences);
+    check_influences_of(influences, skinned.limit.joints, [&](const Influence& influence) {
+      if (!is_rounding(influence, step, sets)) report_.note(influence);
+    });
+  }
+
+  // How far apart quantised weights are; 0 when they are exact.
+  static double weight_step(const std::vector<InfluenceSet>& sets) {
+    double step = 0;
+    for (const InfluenceSet& set : sets) {
+      if (set.weights != nullptr) step = std::max(step, set.weights->step().value_or(0));
+    }
+    return step;
+  }
+
+  // Whether weights look wrong only because each of them was rounded by half a step.
+  static bool is_rounding(const Influence& influence, double step, std::size_t sets) {
+    if (step == 0) return false;
+    switch (influence.fault) {
+      case InfluenceFault::wrong_sum:
+        return std::abs(influence.value - 1) <= step * 2 * static_cast<double>(sets) + 1e-6;
+      case InfluenceFault::negative_weight:
+        return influence.value >= -step;
+      case InfluenceFault::joint_without_weight:
+        return true;
+      default:
+        return false;
+    }
   }
 
   // That of the first attribute that leads to an accessor with one.

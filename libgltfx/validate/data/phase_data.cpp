@@ -2,6 +2,7 @@
 #include "validate/data/phases.hpp"
 #include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
+#include "validate/rules/texture_phase.hpp"
 
 namespace gltfx::validate {
 
@@ -40,10 +41,12 @@ bool Budget::take(std::uint64_t count, std::uint64_t each) {
 
 void check_data(const Context& context, const model::ResourceData& resources, Sink& sink) {
   DataPhase phase{context, resources, sink, Budget(resources)};
+  decode_geometry(phase);
   check_sparse_indices(phase);
   check_elements(phase);
   check_influences(phase);
   check_textures(context, resources, sink);
+  check_texture_slots(context, resources, sink);
 }
 
 }  // namespace gltfx::validate

@@ -2,6 +2,10 @@
 /// The parts of the data phase, in the order in which they report.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
 #include "base/checked.hpp"
 #include "model/accessor_data.hpp"
 #include "validate/context.hpp"
@@ -30,14 +34,22 @@ struct DataPhase {
   const model::ResourceData& resources;
   Sink& sink;
   Budget budget;
+  /// By accessor, the elements of those that have no buffer view because their data is part of
+  /// compressed geometry.
+  std::unordered_map<std::uint32_t, model::AccessorData> decoded = {};
 
   std::optional<model::AccessorData> open(std::uint32_t accessor) const {
+    const auto found = decoded.find(accessor);
+    if (found != decoded.end()) return found->second;
     return model::AccessorData::open(
         context.asset, context.views, resources, context.views.accessors[accessor],
         context.khronos() ? model::Malformed::absent : model::Malformed::unusable);
   }
 };
 
+/// Geometry compressed by Draco: decodes it, compares it with the accessors it stands for, and
+/// gives its elements to the parts below.
+void decode_geometry(DataPhase& phase);
 /// Indices of sparse accessors: increasing, within the accessor.
 void check_sparse_indices(DataPhase& phase);
 /// Every element of every accessor, by its format and its uses.

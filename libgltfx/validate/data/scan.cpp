@@ -61,8 +61,7 @@ class Running {
     for (unsigned i = 0; i < data_.components(); ++i) {
       const auto actual = static_cast<double>(extremes_.of(i));
       const double declared = check_.bounds[i];
-      // What is no number is not near to anything.
-      if (actual != declared && !(std::abs(actual - declared) <= check_.bound_slack)) {
+      if (actual != declared && !is_near(actual, declared)) {
         outcome_.bounds.push_back({i, declared, actual, 0});
       }
     }
@@ -70,6 +69,13 @@ class Running {
   }
 
  private:
+  // What is no number is not near to anything.
+  bool is_near(double actual, double declared) const {
+    const bool wider = check_.kind == CheckKind::minimum ? declared < actual : declared > actual;
+    const double slack = check_.bound_slack + (wider ? check_.bound_widening : 0);
+    return std::abs(actual - declared) <= slack;
+  }
+
   void block_of_floats(const float* values, std::size_t elements) {
     const std::size_t count = elements * data_.components();
     switch (check_.kind) {
@@ -77,7 +83,7 @@ class Running {
         return note(FaultKind::invalid_float, kernels::count_non_finite(values, count), values,
                     count);
       case CheckKind::clamped:
-        return note(FaultKind::not_clamped, kernels::count_unclamped(values, count), values, count);
+        return note_unclamped(kernels::count_unclamped(values, count), values, count);
       case CheckKind::unit_vector:
         return note_units(kernels::count_non_unit<3>(values, elements), 0, values, count);
       default:
@@ -86,9 +92,17 @@ class Running {
     }
   }
 
+  void note_unclamped(std::size_t faults, const float* values, std::size_t count) {
+    if (faults != 0 && check_.bound_slack != 0) return look_closer(values, count);
+    note(FaultKind::not_clamped, faults, values, count);
+  }
+
   void note_units(const kernels::UnitCount& units, std::size_t signs, const float* values,
                   std::size_t count) {
-    if (units.uncertain != 0) return look_closer(values, count);
+    const bool faults = units.faults != 0 || signs != 0;
+    if (units.uncertain != 0 || (faults && check_.length_slack != 0)) {
+      return look_closer(values, count);
+    }
     note(FaultKind::not_unit, units.faults, values, count);
     note(FaultKind::bad_sign, signs, values, count);
   }

@@ -17,9 +17,15 @@ const Family& identity_family();
 const Family& resource_family();
 const Family& image_data_family();
 const Family& accessor_data_family();
+const Family& draco_data_family();
 const Family& animation_data_family();
 const Family& skinning_data_family();
 const Family& packed_data_family();
+const Family& texture_channels_family();
+const Family& texture_sharing_family();
+const Family& ktx2_family();
+const Family& texture_pixels_family();
+const Family& budget_family();
 
 // Objects and how they refer to each other.
 const Family& asset_root_family();
@@ -29,6 +35,7 @@ const Family& accessor_layout_family();
 const Family& image_source_family();
 const Family& material_family();
 const Family& material_extensions_family();
+const Family& material_lobes_family();
 const Family& lights_punctual_family();
 const Family& variants_family();
 const Family& attribute_names_family();

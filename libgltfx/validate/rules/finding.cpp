@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/rules/finding.hpp"
 
+#include <charconv>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -37,6 +39,24 @@ void report_references(const Context& context, json::NodeId value) {
 
 void report_references(const Context& context, Span place) {
   if (context.order != nullptr) context.order->release(place);
+}
+
+void report_at(Sink& sink, std::string_view pointer, Finding finding) {
+  const auto names = split_pointer(pointer);
+  if (!names) return;
+  std::vector<Path> steps(1);
+  steps.reserve(names->size() + 1);  // a step points to the one before it
+  for (const std::string& name : *names) {
+    std::uint64_t index = 0;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data(), end, index);
+    if (read.ec == std::errc() && read.ptr == end) {
+      steps.emplace_back(steps.back(), index);
+    } else {
+      steps.emplace_back(steps.back(), std::string_view(name));
+    }
+  }
+  sink.report(steps.back(), std::move(finding));
 }
 
 bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,

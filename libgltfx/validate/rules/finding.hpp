@@ -26,6 +26,9 @@ void report_member(Sink& sink, const Context& context, const Path& path, json::N
 void report_references(const Context& context, json::NodeId value);
 void report_references(const Context& context, Span place);
 
+/// Reports a finding at a pointer that is known as text, such as that of a texture slot.
+void report_at(Sink& sink, std::string_view pointer, Finding finding);
+
 /// Reports UNSATISFIED_DEPENDENCY when the root object lacks the object of an extension that
 /// `object` needs. True when it is there.
 bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,

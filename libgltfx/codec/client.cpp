@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "codec/client.hpp"
+
+#include <exception>
+#include <utility>
+
+#include "codec/pool.hpp"
+#include "codec/program_path.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+// Decoders need some hundred bytes for each byte of a mesh or image that is packed well. What is
+// packed better still has the least amount that any request has.
+constexpr std::uint64_t kMemoryPerByte = 128;
+constexpr double kSecondsPerByte = 5e-6;
+
+Job limited_job(const Settings& settings, std::size_t bytes) {
+  Job job;
+  job.input_bytes = bytes;
+  job.memory_bytes = settings.memory_bytes + bytes * kMemoryPerByte;
+  const double seconds = settings.seconds + static_cast<double>(bytes) * kSecondsPerByte;
+  job.milliseconds = static_cast<std::uint64_t>(seconds * 1000);
+  return job;
+}
+
+Fault no_memory_here() {
+  return {FaultKind::unavailable, "There is no memory left for the result."};
+}
+
+// What `work` gives; the library does not throw when memory runs out.
+template <typename Work>
+auto guarded(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::exception&) {
+    return no_memory_here();
+  }
+}
+
+template <typename T>
+std::variant<T, Fault> result_of(Pool& pool, const Job& job, std::span<const std::byte> bytes,
+                                 bool with_memory) {
+  return guarded([&]() -> std::variant<T, Fault> {
+    Reply reply = pool.ask(job, bytes);
+    if (const auto* fault = std::get_if<Fault>(&reply.answer)) return *fault;
+    T& result = *std::get_if<T>(&reply.answer);
+    if (with_memory) result.owner = std::move(reply.memory.owner);
+    return std::move(result);
+  });
+}
+
+}  // namespace
+
+struct Client::State {
+  explicit State(Settings given)
+      : settings(std::move(given)),
+        meshes(program_path(settings.folder, "gltfx-codec-draco"), settings.workers),
+        images(program_path(settings.folder, "gltfx-codec-image"), settings.workers) {}
+
+  Settings settings;
+  Pool meshes, images;
+};
+
+Client::Client(Settings settings) : state_(std::make_unique<State>(std::move(settings))) {}
+Client::~Client() = default;
+
+DracoResult Client::decode_draco(std::span<const std::byte> bytes) {
+  const Job job = limited_job(state_->settings, bytes.size());
+  return result_of<DracoMesh>(state_->meshes, job, bytes, true);
+}
+
+ImageResult Client::decode_image(const ImageRequest& request) {
+  Job job = limited_job(state_->settings, request.bytes.size());
+  job.task = Task::image;
+  job.format = request.format;
+  job.pixels = request.pixels;
+  job.normals = request.normals;
+  job.max_pixels = request.max_pixels;
+  return result_of<Image>(state_->images, job, request.bytes, request.pixels);
+}
+
+Client& Client::shared() {
+  static Client client;
+  return client;
+}
+
+}  // namespace gltfx::codec

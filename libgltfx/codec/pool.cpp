@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "codec/pool.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/parallel.hpp"
+#include "codec/packet.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kStartTime{30000};
+// A busy machine gives a worker less than one processor; only one that stands still is ended by
+// the clock on the wall.
+constexpr std::uint64_t kWallPerProcessorTime = 8;
+constexpr milliseconds kWallAtLeast{2000};
+
+Reply fault(FaultKind kind, std::string message) { return {Fault{kind, std::move(message)}, {}}; }
+
+std::unique_ptr<Process> start(const std::string& program) {
+  auto process = std::make_unique<Process>(program);
+  if (!process->started()) return nullptr;
+  if (wait_for_packet(process->socket(), kStartTime) != Wait::ready) return nullptr;
+  const auto greeting = receive_packet(process->socket());
+  return greeting && read_hello(greeting->bytes) ? std::move(process) : nullptr;
+}
+
+// A worker without an answer.
+Reply epitaph(Process& worker, const Job& job) {
+  const int signal = worker.cause_of_death();
+  if (signal == SIGPROF || signal == SIGXCPU) {
+    return fault(FaultKind::timed_out, fmt::format("Decoding takes longer than {} ms of processor "
+                                                   "time, the limit for {} bytes.",
+                                                   job.milliseconds, job.input_bytes));
+  }
+  return fault(FaultKind::died, signal == 0
+                                    ? std::string("The decoder ended without an answer.")
+                                    : fmt::format("The decoder crashed (signal {}).", signal));
+}
+
+bool is_wanted(const Answer& answer, const Job& job) {
+  if (const auto* fault = std::get_if<Fault>(&answer)) return fault->kind != FaultKind::unavailable;
+  if (job.task == Task::draco) return std::holds_alternative<DracoMesh>(answer);
+  const auto* image = std::get_if<Image>(&answer);
+  return image != nullptr && image->texels() <= job.max_pixels;
+}
+
+// Points a result into the memory that the worker has filled. False when it is not there.
+bool attach_memory(Reply& reply, const Job& job, int memory) {
+  if (std::holds_alternative<Fault>(reply.answer)) return true;
+  auto* image = std::get_if<Image>(&reply.answer);
+  if (image != nullptr && !job.pixels) return true;
+  auto* mesh = std::get_if<DracoMesh>(&reply.answer);
+  const auto size = image != nullptr ? result_size(*image) : result_size(*mesh);
+  if (!size || *size > job.memory_bytes) return false;
+  auto taken = take_memory(memory, *size);
+  if (!taken) return false;
+  reply.memory = *std::move(taken);
+  return image != nullptr ? attach(*image, reply.memory.bytes) : attach(*mesh, reply.memory.bytes);
+}
+
+// Whether a worker is as good as new after an answer.
+bool is_fresh(const Answer& answer) {
+  const auto* fault = std::get_if<Fault>(&answer);
+  return fault == nullptr || fault->kind == FaultKind::malformed ||
+         fault->kind == FaultKind::too_large;
+}
+
+}  // namespace
+
+Pool::Pool(std::string program, unsigned most)
+    : program_(std::move(program)), most_(most == 0 ? default_jobs() : most) {}
+
+Pool::Worker Pool::lease() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return leased_ < most_; });
+  ++leased_;
+  if (idle_.empty()) return nullptr;
+  Worker worker = std::move(idle_.back());
+  idle_.pop_back();
+  return worker;
+}
+
+void Pool::give_back(Worker worker) {
+  const std::lock_guard lock(mutex_);
+  --leased_;
+  if (worker) idle_.push_back(std::move(worker));
+  changed_.notify_one();
+}
+
+Reply Pool::ask(const Job& job, std::span<const std::byte> bytes) {
+  struct Lease {
+    Pool& pool;
+    Worker worker;
+    ~Lease() { pool.give_back(std::move(worker)); }
+  } lease{*this, this->lease()};
+  return ask(lease.worker, job, bytes);
+}
+
+Reply Pool::ask(Worker& worker, const Job& job, std::span<const std::byte> bytes) {
+  const UniqueFd payload = create_memory();
+  const UniqueFd result = create_memory();
+  if (!payload || !result || !fill_memory(payload.get(), bytes)) {
+    return fault(FaultKind::unavailable, "The system gives no memory to share with the decoder.");
+  }
+  const int descriptors[] = {payload.get(), result.get()};
+  const Frame frame = write_job(job);
+  // One that has died meanwhile is replaced.
+  if (worker && !send_packet(worker->socket(), frame, descriptors)) worker.reset();
+  if (!worker) {
+    worker = start(program_);
+    if (!worker || !send_packet(worker->socket(), frame, descriptors)) {
+      worker.reset();
+      return fault(FaultKind::unavailable,
+                   fmt::format("The decoder {} could not be started.", program_));
+    }
+  }
+  Worker asked = std::move(worker);  // given back when it has shown to be sound
+  const milliseconds wall(job.milliseconds * kWallPerProcessorTime);
+  if (wait_for_packet(asked->socket(), wall + kWallAtLeast) == Wait::timed_out) {
+    return fault(FaultKind::timed_out, "The decoder does not come to an end.");
+  }
+  const auto packet = receive_packet(asked->socket());
+  if (!packet) return epitaph(*asked, job);
+  auto answer = read_answer(packet->bytes);
+  Reply reply{answer ? *std::move(answer) : Answer(Fault{}), {}};
+  if (!answer || !is_wanted(reply.answer, job) || !attach_memory(reply, job, result.get())) {
+    return fault(FaultKind::died, "The decoder's answer contradicts itself.");
+  }
+  if (is_fresh(reply.answer)) worker = std::move(asked);
+  return reply;
+}
+
+}  // namespace gltfx::codec

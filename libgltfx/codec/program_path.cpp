@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "codec/program_path.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace gltfx::codec {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_program(const fs::path& path) { return ::access(path.c_str(), X_OK) == 0; }
+
+}  // namespace
+
+std::string program_path(const std::string& folder, const std::string& name) {
+  if (!folder.empty()) return fs::path(folder) / name;
+  const char* named = std::getenv("GLTFX_CODEC_WORKERS");
+  if (named != nullptr && *named != '\0') return fs::path(named) / name;
+  std::error_code fault;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", fault).parent_path() / name;
+  if (is_program(beside)) return beside;
+  return fs::path(GLTFX_WORKER_FOLDER) / name;
+}
+
+}  // namespace gltfx::codec

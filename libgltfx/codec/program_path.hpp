@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where the worker programs are.
+#pragma once
+
+#include <string>
+
+namespace gltfx::codec {
+
+/// The path of the worker program `name`: in `folder` or, when that is empty, in the folder that
+/// GLTFX_CODEC_WORKERS names, beside the running program, or in the folder that gltfx is installed
+/// to. A path without such a file when there is none.
+std::string program_path(const std::string& folder, const std::string& name);
+
+}  // namespace gltfx::codec

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "codec/protocol.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/checked.hpp"
+#include "codec/fields.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x31435847;  // "GXC1": the last character is the version
+
+enum class Kind : std::uint8_t { hello, job, mesh, image, fault };
+
+FieldWriter begin(Kind kind) {
+  FieldWriter out;
+  out.number(kMagic);
+  out.name(kind);
+  return out;
+}
+
+// The kind of a frame whose beginning has been read.
+std::optional<Kind> read_kind(FieldReader& in) {
+  const bool ours = in.number<std::uint32_t>() == kMagic;
+  const Kind kind = in.name(Kind::fault);
+  return ours && in.sound() ? std::optional(kind) : std::nullopt;
+}
+
+void write(FieldWriter& out, const DracoAttribute& attribute) {
+  out.number(attribute.id);
+  out.name(attribute.component);
+  out.number(attribute.components);
+  out.number(static_cast<std::uint8_t>(attribute.normalized));
+  out.number(attribute.quantization_step);
+}
+
+DracoAttribute read_attribute(FieldReader& in) {
+  DracoAttribute attribute;
+  attribute.id = in.number<std::uint32_t>();
+  attribute.component = in.name(Component::other);
+  attribute.components = in.check_at_most(in.number<std::uint32_t>(), 255U);
+  attribute.normalized = in.flag();
+  attribute.quantization_step = in.number<double>();
+  in.require(attribute.components > 0);
+  in.require(std::isfinite(attribute.quantization_step) && attribute.quantization_step >= 0);
+  return attribute;
+}
+
+Frame write_mesh(const DracoMesh& mesh) {
+  FieldWriter out = begin(Kind::mesh);
+  out.number(mesh.points);
+  out.number(mesh.faces);
+  const std::size_t count = std::min(mesh.attributes.size(), kMostAttributes);
+  out.number(static_cast<std::uint32_t>(count));
+  for (std::size_t i = 0; i < count; ++i) write(out, mesh.attributes[i]);
+  return out.take();
+}
+
+DracoMesh read_mesh(FieldReader& in) {
+  DracoMesh mesh;
+  mesh.points = in.number<std::uint32_t>();
+  mesh.faces = in.number<std::uint32_t>();
+  const auto count = in.number<std::uint32_t>();
+  in.require(count <= kMostAttributes);
+  for (std::uint32_t i = 0; i < count && in.sound(); ++i) {
+    mesh.attributes.push_back(read_attribute(in));
+  }
+  in.require(result_size(mesh).has_value());
+  return mesh;
+}
+
+void write(FieldWriter& out, const ChannelStatistics& channel) {
+  out.number(channel.least);
+  out.number(channel.greatest);
+  out.number(channel.zeros);
+  out.number(channel.fulls);
+}
+
+ChannelStatistics read_channel(FieldReader& in, const Image& image) {
+  ChannelStatistics channel;
+  channel.least = in.number<std::uint32_t>();
+  channel.greatest = in.number<std::uint32_t>();
+  channel.zeros = in.number<std::uint64_t>();
+  channel.fulls = in.number<std::uint64_t>();
+  in.require(channel.least <= channel.greatest && channel.greatest <= image.full());
+  in.require(channel.zeros <= image.texels() && channel.fulls <= image.texels() - channel.zeros);
+  return channel;
+}
+
+void write(FieldWriter& out, const NormalStatistics& normals) {
+  out.number(normals.vectors);
+  out.number(normals.not_unit);
+  out.number(normals.far_off);
+  out.number(normals.inward);
+  out.number(normals.mean_length);
+  out.number(normals.steepest);
+}
+
+NormalStatistics read_normals(FieldReader& in, const Image& image) {
+  NormalStatistics normals;
+  normals.vectors = in.check_at_most(in.number<std::uint64_t>(), image.texels());
+  normals.not_unit = in.check_at_most(in.number<std::uint64_t>(), normals.vectors);
+  normals.far_off = in.check_at_most(in.number<std::uint64_t>(), normals.not_unit);
+  normals.inward = in.check_at_most(in.number<std::uint64_t>(), normals.vectors);
+  normals.mean_length = in.number<double>();
+  normals.steepest = in.number<double>();
+  in.require(normals.mean_length >= 0 && normals.mean_length <= 2);
+  in.require(normals.steepest >= 0 && normals.steepest <= 1);
+  return normals;
+}
+
+Frame write_image(const Image& image) {
+  FieldWriter out = begin(Kind::image);
+  out.number(image.width);
+  out.number(image.height);
+  out.number(image.channels);
+  out.number(image.bits);
+  for (const ChannelStatistics& channel : image.statistics) write(out, channel);
+  out.number(static_cast<std::uint8_t>(image.grey));
+  write(out, image.normals);
+  out.text(std::string_view(image.doubt).substr(0, kMostMessageBytes));
+  return out.take();
+}
+
+Image read_image(FieldReader& in) {
+  Image image;
+  image.width = in.number<std::uint32_t>();
+  image.height = in.number<std::uint32_t>();
+  image.channels = in.check_at_most(in.number<std::uint32_t>(), 4U);
+  image.bits = in.number<std::uint32_t>();
+  in.require(image.width > 0 && image.height > 0 && image.channels > 0);
+  in.require(image.bits == 8 || image.bits == 16);
+  for (ChannelStatistics& channel : image.statistics) channel = read_channel(in, image);
+  image.grey = in.flag();
+  image.normals = read_normals(in, image);
+  image.doubt = in.text(kMostMessageBytes);
+  in.require(result_size(image).has_value());
+  return image;
+}
+
+Frame write_fault(const Fault& fault) {
+  FieldWriter out = begin(Kind::fault);
+  out.name(fault.kind);
+  out.text(std::string_view(fault.message).substr(0, kMostMessageBytes));
+  return out.take();
+}
+
+Fault read_fault(FieldReader& in) {
+  Fault fault;
+  fault.kind = in.name(FaultKind::died);
+  fault.message = in.text(kMostMessageBytes);
+  return fault;
+}
+
+template <typename T>
+std::optional<T> whole(const FieldReader& in, T value) {
+  return in.complete() ? std::optional<T>(std::move(value)) : std::nullopt;
+}
+
+}  // namespace
+
+Frame write_hello(const Hello& hello) {
+  FieldWriter out = begin(Kind::hello);
+  out.number(static_cast<std::uint8_t>(hello.filtered));
+  return out.take();
+}
+
+std::optional<Hello> read_hello(std::span<const std::byte> frame) {
+  FieldReader in(frame);
+  if (read_kind(in) != Kind::hello) return std::nullopt;
+  const Hello hello{in.flag()};
+  return whole(in, hello);
+}
+
+Frame write_job(const Job& job) {
+  FieldWriter out = begin(Kind::job);
+  out.name(job.task);
+  out.name(job.format);
+  out.number(static_cast<std::uint8_t>(job.pixels));
+  out.number(static_cast<std::uint8_t>(job.normals));
+  out.number(job.input_bytes);
+  out.number(job.max_pixels);
+  out.number(job.memory_bytes);
+  out.number(job.milliseconds);
+  return out.take();
+}
+
+std::optional<Job> read_job(std::span<const std::byte> frame) {
+  FieldReader in(frame);
+  if (read_kind(in) != Kind::job) return std::nullopt;
+  Job job;
+  job.task = in.name(Task::image);
+  job.format = in.name(ImageFormat::webp);
+  job.pixels = in.flag();
+  job.normals = in.flag();
+  job.input_bytes = in.number<std::uint64_t>();
+  job.max_pixels = in.number<std::uint64_t>();
+  job.memory_bytes = in.number<std::uint64_t>();
+  job.milliseconds = in.number<std::uint64_t>();
+  return whole(in, job);
+}
+
+Frame write_answer(const Answer& answer) {
+  if (const auto* mesh = std::get_if<DracoMesh>(&answer)) return write_mesh(*mesh);
+  if (const auto* image = std::get_if<Image>(&answer)) return write_image(*image);
+  return write_fault(*std::get_if<Fault>(&answer));
+}
+
+std::optional<Answer> read_answer(std::span<const std::byte> frame) {
+  FieldReader in(frame);
+  const auto kind = read_kind(in);
+  if (kind == Kind::mesh) return whole(in, Answer(read_mesh(in)));
+  if (kind == Kind::image) return whole(in, Answer(read_image(in)));
+  if (kind == Kind::fault) return whole(in, Answer(read_fault(in)));
+  return std::nullopt;
+}
+
+unsigned component_size(Component component) {
+  switch (component) {
+    case Component::int8:
+    case Component::uint8:
+      return 1;
+    case Component::int16:
+    case Component::uint16:
+      return 2;
+    case Component::int32:
+    case Component::uint32:
+    case Component::float32:
+      return 4;
+    case Component::other:
+      break;
+  }
+  return 0;
+}
+
+std::optional<std::uint64_t> result_size(const DracoMesh& mesh) {
+  // 32 bits times 12, and 32 bits times 255 times 4 for each of a thousand: 64 bits hold the sum.
+  std::uint64_t end = (std::uint64_t{mesh.faces} * 12 + 7) / 8 * 8;
+  if (mesh.attributes.size() > kMostAttributes) return std::nullopt;
+  for_each_values(mesh, [&](std::uint64_t offset, std::uint64_t size) { end = offset + size; });
+  return end;
+}
+
+std::optional<std::uint64_t> result_size(const Image& image) {
+  return checked_mul(image.texels(), std::uint64_t{image.channels} * (image.bits / 8));
+}
+
+bool attach(DracoMesh& mesh, std::span<const std::byte> memory) {
+  const auto wanted = result_size(mesh);
+  const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
+  if (!wanted || *wanted > memory.size() || address % alignof(std::uint32_t) != 0) return false;
+  mesh.indices = {reinterpret_cast<const std::uint32_t*>(memory.data()),
+                  std::size_t{mesh.faces} * 3};
+  std::uint32_t greatest = 0;
+  for (const std::uint32_t index : mesh.indices) greatest = std::max(greatest, index);
+  if (mesh.faces != 0 && greatest >= mesh.points) return false;
+  auto attribute = mesh.attributes.begin();
+  for_each_values(mesh, [&](std::uint64_t offset, std::uint64_t size) {
+    attribute->values =
+        memory.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+    ++attribute;
+  });
+  return true;
+}
+
+bool attach(Image& image, std::span<const std::byte> memory) {
+  const auto wanted = result_size(image);
+  if (!wanted || *wanted > memory.size()) return false;
+  image.pixels = memory.first(static_cast<std::size_t>(*wanted));
+  return true;
+}
+
+}  // namespace gltfx::codec

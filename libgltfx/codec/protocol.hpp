@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What client and worker say to each other: one frame a packet, numbers in the machine's own order
+/// (both run on one machine). Payloads and results are not in frames but in shared memory, whose
+/// descriptors go along.
+///
+/// A worker greets with a Hello. The client sends a Job with two descriptors, the payload and the
+/// empty result; the worker fills the result and sends an Answer. Neither side trusts a frame: what
+/// is read here is complete, in range and has nothing behind it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "codec/client.hpp"
+
+namespace gltfx::codec {
+
+inline constexpr std::size_t kMostFrameBytes = 65536;
+inline constexpr std::size_t kMostAttributes = 1024;
+inline constexpr std::size_t kMostMessageBytes = 500;
+
+using Frame = std::vector<std::byte>;
+
+/// How a worker has locked itself in.
+struct Hello {
+  bool filtered = false;  ///< a filter of system calls is in force
+  bool operator==(const Hello&) const = default;
+};
+
+enum class Task : std::uint8_t { draco, image };
+
+struct Job {
+  Task task = Task::draco;
+  ImageFormat format = ImageFormat::png;
+  bool pixels = false;
+  bool normals = false;
+  std::uint64_t input_bytes = 0;
+  std::uint64_t max_pixels = 0;
+  std::uint64_t memory_bytes = 0;  ///< the worker may take, beyond what it took before any job
+  std::uint64_t milliseconds = 0;  ///< of processor time
+  bool operator==(const Job&) const = default;
+};
+
+/// Without spans and owner: those come with attach().
+using Answer = std::variant<DracoMesh, Image, Fault>;
+
+Frame write_hello(const Hello& hello);
+Frame write_job(const Job& job);
+/// A message is cut to kMostMessageBytes, attributes to kMostAttributes.
+Frame write_answer(const Answer& answer);
+
+// Nothing for anything but a frame of that kind.
+std::optional<Hello> read_hello(std::span<const std::byte> frame);
+std::optional<Job> read_job(std::span<const std::byte> frame);
+std::optional<Answer> read_answer(std::span<const std::byte> frame);
+
+/// Bytes of one component, 0 for `other`.
+unsigned component_size(Component component);
+
+/// Bytes of a result: the indices, then the values of each attribute, each from a multiple of eight
+/// on. Nothing when that is beyond 64 bits.
+std::optional<std::uint64_t> result_size(const DracoMesh& mesh);
+/// That of the pixels.
+std::optional<std::uint64_t> result_size(const Image& image);
+
+/// Calls `use(offset, size)` for each attribute of a mesh whose result_size() is known.
+template <typename Use>
+void for_each_values(const DracoMesh& mesh, Use&& use) {
+  std::uint64_t offset = (std::uint64_t{mesh.faces} * 12 + 7) / 8 * 8;
+  for (const DracoAttribute& attribute : mesh.attributes) {
+    const std::uint64_t size =
+        std::uint64_t{mesh.points} * attribute.components * component_size(attribute.component);
+    use(offset, size);
+    offset += (size + 7) / 8 * 8;
+  }
+}
+
+/// Points the spans into `memory`. False when it is too short or an index leads to no point.
+bool attach(DracoMesh& mesh, std::span<const std::byte> memory);
+bool attach(Image& image, std::span<const std::byte> memory);
+
+}  // namespace gltfx::codec

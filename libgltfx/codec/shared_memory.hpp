@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Memory that two processes see, and how to take it back so that the other one cannot change it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "base/unique_fd.hpp"
+
+namespace gltfx::codec {
+
+/// Empty shared memory: a memfd or, where the system refuses those, a file without a name in the
+/// folder for temporary files. Without either, no descriptor.
+UniqueFd create_memory();
+
+/// A mapping with one owner.
+class Mapping {
+ public:
+  enum class Access : std::uint8_t { read, write };
+
+  Mapping() = default;
+  /// Maps the first `size` bytes; empty when that cannot be done, or they are 0. With access to
+  /// write the descriptor's memory becomes that long.
+  Mapping(int fd, std::uint64_t size, Access access);
+  Mapping(Mapping&& other) noexcept;
+  Mapping& operator=(Mapping&& other) noexcept;
+  Mapping(const Mapping&) = delete;
+  Mapping& operator=(const Mapping&) = delete;
+  ~Mapping();
+
+  std::span<std::byte> bytes() const { return bytes_; }
+
+ private:
+  std::span<std::byte> bytes_;
+};
+
+/// Writes `bytes` into empty shared memory. False when there is no room for them.
+bool fill_memory(int fd, std::span<const std::byte> bytes);
+
+/// The first bytes of memory that another process has filled.
+struct Taken {
+  std::span<const std::byte> bytes;
+  std::shared_ptr<const void> owner;
+};
+/// Takes `size` bytes such that nobody changes them or cuts them off any more: sealed and mapped
+/// or, where that is refused, copied. Nothing when so many are not there.
+std::optional<Taken> take_memory(int fd, std::uint64_t size);
+
+}  // namespace gltfx::codec

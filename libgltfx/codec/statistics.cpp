@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "codec/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gltfx::codec {
+namespace {
+
+constexpr float kNotUnit = 0.1F;
+constexpr float kFarOff = 0.3F;
+constexpr float kInward = -2.0F / 255;
+
+}  // namespace
+
+Statistics::Statistics(const Image& image, bool normals)
+    : channels_(image.channels),
+      full_(image.full()),
+      with_normals_(normals && image.channels >= 3) {
+  for (ChannelStatistics& channel : channel_) channel.least = full_;
+}
+
+void Statistics::add(std::span<const std::byte> texels) {
+  if (full_ == 255) {
+    add_texels(reinterpret_cast<const std::uint8_t*>(texels.data()), texels.size());
+  } else {
+    add_texels(reinterpret_cast<const std::uint16_t*>(texels.data()), texels.size() / 2);
+  }
+}
+
+void Statistics::note(std::size_t channel, std::uint32_t least, std::uint32_t greatest) {
+  channel_[channel].least = std::min(channel_[channel].least, least);
+  channel_[channel].greatest = std::max(channel_[channel].greatest, greatest);
+}
+
+// Runs of lanes that lie side by side become vector instructions; counters are as wide as the
+// values, so they are emptied before they overflow.
+template <typename T>
+void Statistics::add_texels(const T* values, std::size_t count) {
+  constexpr T kFull = std::numeric_limits<T>::max();
+  if (with_normals_) add_normals(values, count);
+  std::size_t at = 0;
+  // The comparison with the neighbour looks one value ahead.
+  while (count - at > kLanes) {
+    const std::size_t steps = std::min<std::size_t>((count - at - 1) / kLanes, 255);
+    std::array<T, kLanes> least, greatest, zeros{}, fulls{}, differences{};
+    least.fill(kFull);
+    greatest.fill(0);
+    for (std::size_t step = 0; step < steps; ++step, at += kLanes) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const T value = values[at + lane];
+        least[lane] = std::min(least[lane], value);
+        greatest[lane] = std::max(greatest[lane], value);
+        zeros[lane] = static_cast<T>(zeros[lane] + (value == 0 ? 1 : 0));
+        fulls[lane] = static_cast<T>(fulls[lane] + (value == kFull ? 1 : 0));
+        differences[lane] = static_cast<T>(differences[lane] | (value ^ values[at + lane + 1]));
+      }
+    }
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::size_t channel = lane % channels_;
+      note(channel, least[lane], greatest[lane]);
+      channel_[channel].zeros += zeros[lane];
+      channel_[channel].fulls += fulls[lane];
+      if (channels_ >= 3 && channel < 2 && differences[lane] != 0) grey_ = false;
+    }
+  }
+  add_rest(values + at, count - at);
+}
+
+template <typename T>
+void Statistics::add_rest(const T* values, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t channel = i % channels_;
+    note(channel, values[i], values[i]);
+    if (values[i] == 0) ++channel_[channel].zeros;
+    if (values[i] == full_) ++channel_[channel].fulls;
+    if (channels_ >= 3 && channel < 2 && values[i] != values[i + 1]) grey_ = false;
+  }
+}
+
+template <typename T>
+void Statistics::add_normals(const T* values, std::size_t count) {
+  const float scale = 2.0F / static_cast<float>(std::numeric_limits<T>::max());
+  float sum = 0;
+  for (std::size_t i = 0; i + channels_ <= count; i += channels_) {
+    const float x = static_cast<float>(values[i]) * scale - 1;
+    const float y = static_cast<float>(values[i + 1]) * scale - 1;
+    const float z = static_cast<float>(values[i + 2]) * scale - 1;
+    const float length = std::sqrt(x * x + y * y + z * z);
+    const float off = std::abs(length - 1);
+    const bool vector = values[i] != values[i + 1] || values[i] != values[i + 2];
+    vectors_ += vector ? 1U : 0U;
+    not_unit_ += vector && off > kNotUnit ? 1U : 0U;
+    far_off_ += vector && off > kFarOff ? 1U : 0U;
+    inward_ += vector && z < kInward ? 1U : 0U;
+    sum += vector ? length : 0;
+    steepest_ = std::max(steepest_, vector ? std::max(std::abs(x), std::abs(y)) : 0);
+  }
+  length_sum_ += static_cast<double>(sum);
+}
+
+void Statistics::finish(Image& image) const {
+  image.grey = grey_;
+  for (std::size_t i = 0; i < channels_; ++i) image.statistics[i] = channel_[i];
+  if (!with_normals_) return;
+  const auto vectors = static_cast<double>(std::max<std::uint64_t>(vectors_, 1));
+  image.normals = {vectors_, not_unit_, far_off_, inward_, length_sum_ / vectors,
+                   std::min(1.0, static_cast<double>(steepest_))};
+}
+
+}  // namespace gltfx::codec

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// The header and the index of a KTX2 file (KTX 2.0 sections 3.1 to 3.11).
+#include "image/ktx2.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "image/ktx2_parts.hpp"
+
+namespace gltfx::image {
+namespace {
+
+constexpr std::uint64_t kIdentifierBytes = 12;
+
+std::uint64_t le64(Cursor& at) {
+  const std::uint64_t low = at.le32();
+  return low | std::uint64_t{at.le32()} << 32U;
+}
+
+void read_fields(Cursor& at, Ktx2& file) {
+  file.vk_format = at.le32();
+  file.type_size = at.le32();
+  file.width = at.le32();
+  file.height = at.le32();
+  file.depth = at.le32();
+  file.layers = at.le32();
+  file.faces = at.le32();
+  file.level_count = at.le32();
+  file.scheme = at.le32();
+}
+
+void check_fields(Ktx2Reading& reading) {
+  const Ktx2& file = reading.file;
+  const auto bad = [&](std::string problem) {
+    reading.fault("KTX2_HEADER_INVALID", std::move(problem));
+  };
+  if (file.width == 0) bad("pixelWidth is 0.");
+  if (file.depth != 0 && file.height == 0) bad("pixelDepth is given without pixelHeight.");
+  if (file.faces != 1 && file.faces != 6) {
+    bad("faceCount is " + std::to_string(file.faces) + ", but only 1 and 6 exist.");
+  }
+  if (file.faces == 6 && (file.width != file.height || file.depth != 0)) {
+    bad("The faces of the cube are not square.");
+  }
+  if (file.level_count > file.full_pyramid()) {
+    bad("levelCount is " + std::to_string(file.level_count) + ", but " +
+        std::to_string(file.full_pyramid()) + " levels lead down to one texel.");
+  }
+  if (file.vk_format == 0 && file.type_size != 1) bad("typeSize must be 1 without a vkFormat.");
+  constexpr std::uint32_t kFirstVendor = 0x10000;
+  if (file.scheme > 3 && file.scheme < kFirstVendor) {
+    bad("supercompressionScheme " + std::to_string(file.scheme) + " does not exist.");
+  }
+}
+
+// A range of the index when it is sound, otherwise an empty one.
+Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
+               std::uint64_t alignment) {
+  const auto bad = [&](std::string problem) {
+    reading.fault("KTX2_INDEX_INVALID", std::string(name) + std::move(problem));
+    return Ktx2Range();
+  };
+  if (range.length == 0) return range.offset == 0 ? range : bad(" has an offset but no bytes.");
+  if (!fits(range.offset, range.length, reading.bytes.size())) {
+    return bad(" lies outside the file.");
+  }
+  if (range.offset % alignment != 0) {
+    return bad(" does not begin at a multiple of " + std::to_string(alignment) + ".");
+  }
+  return range;
+}
+
+// Each part follows the one before it (section 3.11).
+void check_order(Ktx2Reading& reading, std::uint64_t index_end) {
+  std::uint64_t end = index_end;
+  for (const Ktx2Range& range : {reading.descriptor, reading.metadata, reading.global}) {
+    if (range.length == 0) continue;
+    if (range.offset < end) {
+      reading.fault("KTX2_INDEX_INVALID", "Parts of the file overlap or are out of order.");
+      return;
+    }
+    end = range.end();
+  }
+}
+
+void read_index(Cursor& at, Ktx2Reading& reading) {
+  const auto range32 = [&at] {
+    const std::uint64_t offset = at.le32();
+    return Ktx2Range{offset, at.le32()};
+  };
+  const auto range64 = [&at] {
+    const std::uint64_t offset = le64(at);
+    return Ktx2Range{offset, le64(at)};
+  };
+  const Ktx2Range descriptor = range32();
+  const Ktx2Range metadata = range32();
+  const Ktx2Range global = range64();
+  reading.descriptor = part(reading, descriptor, "The data format descriptor", 4);
+  reading.metadata = part(reading, metadata, "The metadata", 4);
+  reading.global = part(reading, global, "The supercompression global data", 8);
+}
+
+// As many levels as the extents allow; what was declared beyond has been reported.
+bool read_levels(Cursor& at, Ktx2& file) {
+  const std::uint32_t count = std::clamp(file.level_count, 1U, file.full_pyramid());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Ktx2Level level;
+    level.offset = le64(at);
+    level.length = le64(at);
+    level.uncompressed = le64(at);
+    if (!at.ok()) return false;
+    file.levels.push_back(level);
+  }
+  return true;
+}
+
+Tag tag_of_transfer(std::uint8_t transfer) {
+  if (transfer == kKtx2TransferSrgb) return Tag::srgb;
+  return transfer == kKtx2TransferLinear ? Tag::linear : Tag::custom;
+}
+
+}  // namespace
+
+std::uint32_t Ktx2::full_pyramid() const {
+  const std::uint32_t greatest = std::max({width, height, depth, 1U});
+  return static_cast<std::uint32_t>(std::bit_width(greatest));
+}
+
+Ktx2 read_ktx2(std::span<const std::byte> bytes) {
+  Ktx2 file;
+  Ktx2Reading reading{bytes, file, {}, {}, {}};
+  Cursor at(bytes);
+  at.skip(kIdentifierBytes);
+  if (bytes.size() < kKtx2HeaderBytes) {
+    reading.fault("IMAGE_UNEXPECTED_EOS", "The image ends after " + std::to_string(bytes.size()) +
+                                              " bytes, before its header does.");
+    return file;
+  }
+  read_fields(at, file);
+  check_fields(reading);
+  read_index(at, reading);
+  if (!read_levels(at, file)) {
+    reading.fault("IMAGE_UNEXPECTED_EOS", "The image ends inside its level index.");
+    return file;
+  }
+  check_order(reading, kKtx2HeaderBytes + kKtx2LevelBytes * file.levels.size());
+  read_ktx2_descriptor(reading);
+  read_ktx2_metadata(reading);
+  check_ktx2_levels(reading);
+  check_ktx2_global(reading);
+  return file;
+}
+
+Header header_of(const Ktx2& file) {
+  Header header;
+  header.format = Format::ktx2;
+  header.width = file.width;
+  header.height = file.height == 0 ? 1 : file.height;
+  header.channels = file.contents.value_or(Channels::rgba);
+  header.primaries = file.primaries == 0                     ? Tag::none
+                     : file.primaries == kKtx2PrimariesBt709 ? Tag::srgb
+                                                             : Tag::custom;
+  header.transfer = tag_of_transfer(file.transfer);
+  return header;
+}
+
+}  // namespace gltfx::image

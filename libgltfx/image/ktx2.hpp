@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// KTX 2.0 files: header, level index, data format descriptor, metadata and supercompression, as
+/// far as they can be told without decoding texels.
+///
+/// Sources: KTX File Format Specification 2.0, Khronos Data Format Specification 1.3.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image/header.hpp"
+
+namespace gltfx::image {
+
+/// What the file says its bytes are.
+enum class Ktx2Model : std::uint8_t { other, etc1s, uastc, astc };
+
+enum class Ktx2Scheme : std::uint32_t { none = 0, basis_lz = 1, zstd = 2, zlib = 3 };
+
+/// One level of the pyramid, the largest first. Bytes as declared.
+struct Ktx2Level {
+  std::uint64_t offset = 0, length = 0, uncompressed = 0;
+};
+
+struct Ktx2Fault {
+  std::string_view code;  ///< static storage: the code of a rule
+  std::string problem;    ///< one sentence
+};
+
+struct Ktx2 {
+  std::uint32_t vk_format = 0, type_size = 0;
+  std::uint32_t width = 0, height = 0, depth = 0;  ///< texels; 0: the image has no such extent
+  std::uint32_t layers = 0;                        ///< 0: no array
+  std::uint32_t faces = 0, level_count = 0;
+  std::uint32_t scheme = 0;  ///< a Ktx2Scheme, or a number nobody knows
+  std::vector<Ktx2Level> levels;
+
+  /// Of the basic descriptor block; `described` is false where there is none that could be read.
+  bool described = false;
+  Ktx2Model model = Ktx2Model::other;
+  std::uint8_t primaries = 0, transfer = 0;
+  bool premultiplied = false;
+  std::array<std::uint8_t, 4> block{};              ///< extent of a texel block, less one
+  std::vector<std::uint8_t> channels;               ///< of each sample
+  std::optional<Channels> contents;                 ///< what ETC1S and UASTC samples hold
+  std::optional<std::string> orientation, swizzle;  ///< metadata, without the closing NUL
+
+  std::vector<Ktx2Fault> faults;  ///< in the order of the file
+
+  /// Whether the image is flat, one layer of one face (specification section 4.1).
+  bool is_2d() const { return height != 0 && depth == 0 && layers == 0 && faces == 1; }
+  std::uint32_t full_pyramid() const;  ///< levels down to one texel
+};
+
+inline constexpr std::uint8_t kKtx2PrimariesBt709 = 1;
+inline constexpr std::uint8_t kKtx2TransferLinear = 1;
+inline constexpr std::uint8_t kKtx2TransferSrgb = 2;
+
+/// Reads any bytes; what cannot be read is missing and named in `faults`. Takes time linear in the
+/// metadata and in the images of all levels, both bounded by the bytes that are there.
+Ktx2 read_ktx2(std::span<const std::byte> bytes);
+
+/// The header as images of other formats have one. Precondition: `described`.
+Header header_of(const Ktx2& file);
+
+}  // namespace gltfx::image

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// The levels of a KTX2 file, and the global data of BasisLZ (KTX 2.0 sections 3.9, 3.12 and 6.2).
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "image/ktx2_parts.hpp"
+
+namespace gltfx::image {
+namespace {
+
+constexpr std::uint64_t kUastcBlockBytes = 16;
+constexpr std::uint32_t kZstdMagic = 0xFD2FB528;
+
+bool is_scheme(const Ktx2& file, Ktx2Scheme scheme) {
+  return file.scheme == static_cast<std::uint32_t>(scheme);
+}
+
+// Images of one level: layers times faces times slices.
+Checked images_of_level(const Ktx2& file, std::size_t level) {
+  const Checked layers = checked_mul(std::max(file.layers, 1U), std::max(file.faces, 1U));
+  return layers ? checked_mul(*layers, level_extent(file.depth, level)) : std::nullopt;
+}
+
+// Bytes of a level of UASTC or 8-bit ASTC blocks before supercompression.
+Checked block_bytes(const Ktx2& file, std::size_t level) {
+  const auto blocks = [&](std::uint32_t extent, std::size_t axis) {
+    const std::uint64_t size = std::uint64_t{file.block[axis]} + 1;
+    return (level_extent(extent, level) + size - 1) / size;
+  };
+  const Checked images = images_of_level(file, level);
+  const Checked flat = checked_mul(blocks(file.width, 0), blocks(file.height, 1));
+  const Checked all = images && flat ? checked_mul(*flat, *images) : std::nullopt;
+  return all ? checked_mul(*all, kUastcBlockBytes) : std::nullopt;
+}
+
+class LevelCheck {
+ public:
+  explicit LevelCheck(Ktx2Reading& reading) : reading_(reading), file_(reading.file) {}
+
+  void check(std::size_t index) {
+    const Ktx2Level& level = file_.levels[index];
+    if (level.length == 0) return bad(index, "has no bytes.");
+    if (!fits(level.offset, level.length, reading_.bytes.size())) {
+      return bad(index, "lies outside the file.");
+    }
+    const std::uint64_t behind = std::max(
+        {reading_.descriptor.end(), reading_.metadata.end(), reading_.global.end(), index_end()});
+    if (level.offset < behind) return bad(index, "lies inside the header.");
+    check_alignment(index, level);
+    check_order(index, level);
+    check_length(index, level);
+  }
+
+ private:
+  std::uint64_t index_end() const {
+    return kKtx2HeaderBytes + kKtx2LevelBytes * file_.levels.size();
+  }
+
+  void bad(std::size_t index, std::string problem) {
+    reading_.fault("KTX2_LEVEL_INVALID", "Level " + std::to_string(index) + ' ' + problem);
+  }
+
+  // Only bytes that are not supercompressed are aligned, to texel blocks and to 4.
+  void check_alignment(std::size_t index, const Ktx2Level& level) {
+    const bool blocks = file_.model == Ktx2Model::uastc || file_.model == Ktx2Model::astc;
+    const std::uint64_t alignment = blocks ? kUastcBlockBytes : 4;
+    if (is_scheme(file_, Ktx2Scheme::none) && level.offset % alignment != 0) {
+      bad(index, "does not begin at a multiple of " + std::to_string(alignment) + '.');
+    }
+  }
+
+  // The smallest level comes first in the file.
+  void check_order(std::size_t index, const Ktx2Level& level) {
+    if (index == 0) return;
+    const Ktx2Level& larger = file_.levels[index - 1];
+    if (fits(larger.offset, larger.length, reading_.bytes.size()) &&
+        larger.offset < level.offset + level.length) {
+      bad(index, "does not lie before the larger one.");
+    }
+  }
+
+  void check_length(std::size_t index, const Ktx2Level& level) {
+    if (is_scheme(file_, Ktx2Scheme::basis_lz)) {
+      if (level.uncompressed != 0) bad(index, "has an uncompressed length; BasisLZ has none.");
+      return;
+    }
+    if (is_scheme(file_, Ktx2Scheme::none) && level.uncompressed != level.length) {
+      return bad(index, "has two lengths, but is not supercompressed.");
+    }
+    const bool blocks = file_.model == Ktx2Model::uastc || file_.model == Ktx2Model::astc;
+    if (blocks && block_bytes(file_, index) != level.uncompressed) {
+      return bad(index, "has " + std::to_string(level.uncompressed) +
+                            " bytes, which its extents do not make.");
+    }
+    Cursor at = reading_.at(level.offset);
+    if (is_scheme(file_, Ktx2Scheme::zstd) && at.le32() != kZstdMagic) {
+      bad(index, "is no Zstandard frame.");
+    }
+  }
+
+  Ktx2Reading& reading_;
+  const Ktx2& file_;
+};
+
+// --- Global data of BasisLZ ---
+
+constexpr std::uint64_t kGlobalHeaderBytes = 20;
+constexpr std::uint64_t kImageDescriptionBytes = 20;
+
+// Descriptions of the images of all levels, or nothing when no file can have that many.
+Checked all_images(const Ktx2& file) {
+  Checked sum = 0;
+  for (std::size_t level = 0; level < file.levels.size() && sum; ++level) {
+    const Checked images = images_of_level(file, level);
+    sum = images ? checked_add(*sum, *images) : std::nullopt;
+  }
+  return sum;
+}
+
+// An image of one or two slices inside its level.
+bool is_image_sound(Cursor& at, const Ktx2Level& level, bool alpha) {
+  at.skip(4);  // flags
+  const std::uint64_t offset = at.le32(), length = at.le32();
+  const std::uint64_t alpha_offset = at.le32(), alpha_length = at.le32();
+  const bool second = alpha ? alpha_length != 0 && fits(alpha_offset, alpha_length, level.length)
+                            : alpha_length == 0;
+  return length != 0 && fits(offset, length, level.length) && second;
+}
+
+void check_images(Ktx2Reading& reading, Cursor at) {
+  const Ktx2& file = reading.file;
+  const bool alpha = file.channels.size() == 2;
+  for (std::size_t index = 0; index < file.levels.size(); ++index) {
+    const std::uint64_t images = images_of_level(file, index).value_or(0);
+    for (std::uint64_t i = 0; i < images; ++i) {
+      if (is_image_sound(at, file.levels[index], alpha)) continue;
+      reading.fault("KTX2_GLOBAL_DATA_INVALID",
+                    "The slices of level " + std::to_string(index) + " do not lie inside it.");
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void check_ktx2_levels(Ktx2Reading& reading) {
+  const Ktx2& file = reading.file;
+  if (file.level_count == 0 && file.model != Ktx2Model::other) {
+    reading.fault("KTX2_HEADER_INVALID", "levelCount is 0, but blocks cannot be scaled down.");
+  }
+  LevelCheck check(reading);
+  for (std::size_t i = 0; i < file.levels.size(); ++i) check.check(i);
+}
+
+void check_ktx2_global(Ktx2Reading& reading) {
+  const auto bad = [&](std::string problem) {
+    reading.fault("KTX2_GLOBAL_DATA_INVALID", std::move(problem));
+  };
+  const Ktx2& file = reading.file;
+  if (!is_scheme(file, Ktx2Scheme::basis_lz)) {
+    if (reading.global.length != 0) bad("Only BasisLZ has global data.");
+    return;
+  }
+  if (reading.global.length < kGlobalHeaderBytes) return bad("BasisLZ needs its global data.");
+  Cursor at = reading.within(reading.global);
+  at.skip(4);  // how many endpoints and selectors
+  std::uint64_t tables = kGlobalHeaderBytes;
+  for (int i = 0; i < 4; ++i) tables += at.le32();
+  const Checked images = all_images(file);
+  const Checked described = checked_mul(images.value_or(UINT64_MAX), kImageDescriptionBytes);
+  const Checked total = described ? checked_add(*described, tables) : described;
+  if (!total || *total != reading.global.length) {
+    return bad("The global data is not as long as its tables and images.");
+  }
+  check_images(reading, at);
+}
+
+}  // namespace gltfx::image

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The parts of a KTX2 file, one after the other. Each reads what it can and names what is wrong.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "base/checked.hpp"
+#include "image/cursor.hpp"
+#include "image/ktx2.hpp"
+
+namespace gltfx::image {
+
+inline constexpr std::uint64_t kKtx2HeaderBytes = 80;
+inline constexpr std::uint64_t kKtx2LevelBytes = 24;
+
+/// Where the index says that a part lies.
+struct Ktx2Range {
+  std::uint64_t offset = 0, length = 0;
+  std::uint64_t end() const { return offset + length; }
+};
+
+/// A file while it is read. Ranges lie inside the bytes, or are empty.
+struct Ktx2Reading {
+  std::span<const std::byte> bytes;
+  Ktx2& file;
+  Ktx2Range descriptor, metadata, global;
+
+  void fault(std::string_view code, std::string problem) {
+    file.faults.push_back({code, std::move(problem)});
+  }
+  Cursor at(std::uint64_t offset) const {
+    return Cursor(bytes.subspan(static_cast<std::size_t>(offset)));
+  }
+  Cursor within(const Ktx2Range& range) const {
+    return Cursor(bytes.subspan(static_cast<std::size_t>(range.offset),
+                                static_cast<std::size_t>(range.length)));
+  }
+};
+
+void read_ktx2_descriptor(Ktx2Reading& reading);
+void read_ktx2_metadata(Ktx2Reading& reading);
+/// Levels against extents, model and scheme. Header and descriptor have been read.
+void check_ktx2_levels(Ktx2Reading& reading);
+/// The global data of BasisLZ. Levels have been read.
+void check_ktx2_global(Ktx2Reading& reading);
+
+/// Texels of a level along one axis, at least 1.
+constexpr std::uint64_t level_extent(std::uint32_t extent, std::size_t level) {
+  const std::uint64_t halved = level < 32 ? extent >> level : 0;
+  return halved == 0 ? 1 : halved;
+}
+
+}  // namespace gltfx::image

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/data/draco_primitive.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/fields.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::Accessor;
+using model::AccessorData;
+using model::ComponentType;
+using model::ElementType;
+using model::Format;
+
+ComponentType component_of(codec::Component component) {
+  static constexpr ComponentType kTypes[] = {
+      ComponentType::int8,  ComponentType::uint8,  ComponentType::int16,   ComponentType::uint16,
+      ComponentType::int32, ComponentType::uint32, ComponentType::float32, ComponentType::none};
+  return kTypes[static_cast<std::size_t>(component)];
+}
+
+// What glTF calls elements of so many components; none where it has no such type.
+ElementType element_of(std::uint32_t components) {
+  static constexpr ElementType kTypes[] = {ElementType::none, ElementType::scalar,
+                                           ElementType::vec2, ElementType::vec3, ElementType::vec4};
+  return components < std::size(kTypes) ? kTypes[components] : ElementType::none;
+}
+
+// Bitstreams do not say reliably whether integers are normalized: encoders leave that out.
+Format format_of(const codec::DracoAttribute& attribute, const Accessor& accessor) {
+  return {element_of(attribute.components), component_of(attribute.component),
+          accessor.format.normalized};
+}
+
+std::string text_of(const codec::DracoAttribute& attribute) {
+  const Format format{element_of(attribute.components), component_of(attribute.component), false};
+  if (format.known()) return model::format_text(format);
+  return fmt::format("{} components of a type that glTF lacks", attribute.components);
+}
+
+// Indices as numbers of type T.
+template <typename T>
+container::Bytes narrowed(std::span<const std::uint32_t> indices) {
+  auto memory = std::make_shared<std::vector<T>>(indices.size());
+  std::transform(indices.begin(), indices.end(), memory->begin(),
+                 [](std::uint32_t index) { return static_cast<T>(index); });
+  return {std::as_bytes(std::span<const T>(*memory)), memory};
+}
+
+container::Bytes index_bytes(const codec::DracoMesh& mesh, ComponentType type) {
+  if (type == ComponentType::uint8) return narrowed<std::uint8_t>(mesh.indices);
+  if (type == ComponentType::uint16) return narrowed<std::uint16_t>(mesh.indices);
+  return {std::as_bytes(mesh.indices), mesh.owner};
+}
+
+class PrimitiveCheck {
+ public:
+  PrimitiveCheck(DataPhase& phase, const DracoPrimitive& primitive, std::string_view extension,
+                 const codec::DracoMesh& mesh)
+      : phase_(phase), site_(primitive), extension_(extension), mesh_(mesh) {}
+
+  void run() {
+    const json::Document& document = phase_.context.document;
+    const json::NodeId ids = model::object_member(document, site_.object, "attributes");
+    if (ids != json::kNoNode) {
+      for (const auto member : document.members(ids)) {
+        const auto id = document.unsigned_integer(member.value);
+        if (id) check_attribute(document.key(member.key_id), member.value, *id);
+      }
+    }
+    check_indices();
+  }
+
+ private:
+  const Accessor& accessor(std::uint32_t index) const {
+    return phase_.context.views.accessors[index];
+  }
+
+  void report(std::string_view name, json::NodeId value, std::string_view code,
+              std::string message) {
+    with_draco_path(site_, extension_, [&](const Path& path) {
+      const Path attributes(path, "attributes");
+      phase_.sink.report(Path(attributes, name),
+                         finding_on(phase_.context, value, code, std::move(message)));
+    });
+  }
+
+  void report_indices(std::string_view code, std::string message) {
+    with_primitive_path(site_, [&](const Path& path) {
+      phase_.sink.report(
+          Path(path, "indices"),
+          finding_on(phase_.context, site_.primitive->indices_node, code, std::move(message)));
+    });
+  }
+
+  void check_attribute(std::string_view name, json::NodeId value, std::uint64_t id) {
+    const auto& plain = site_.primitive->attributes;
+    const auto attribute = std::find_if(plain.begin(), plain.end(),
+                                        [&](const auto& each) { return each.name == name; });
+    if (attribute == plain.end()) return;  // said of the extension
+    const auto decoded =
+        std::find_if(mesh_.attributes.begin(), mesh_.attributes.end(),
+                     [&](const codec::DracoAttribute& each) { return each.id == id; });
+    if (decoded == mesh_.attributes.end()) {
+      return report(name, value, "DRACO_ATTRIBUTE_ID_UNKNOWN",
+                    fmt::format("The bitstream has no attribute with id {}.", id));
+    }
+    if (!attribute->accessor) return;
+    const bool sound = check_format(name, value, *attribute->accessor, *decoded) &&
+                       check_count(name, value, *attribute->accessor);
+    if (sound) keep(*attribute->accessor, *decoded);
+  }
+
+  // True when the accessor says what the bitstream holds.
+  bool check_format(std::string_view name, json::NodeId value, std::uint32_t index,
+                    const codec::DracoAttribute& decoded) {
+    const Format& format = accessor(index).format;
+    if (!format.known()) return false;
+    if (format_of(decoded, accessor(index)) == format) return true;
+    report(name, value, "DRACO_FORMAT_MISMATCH",
+           fmt::format("The bitstream holds {}, but accessor {} is {}.", text_of(decoded), index,
+                       model::format_text(format)));
+    return false;
+  }
+
+  // Accessors that agree with each other but not with the bitstream are one fault.
+  bool check_count(std::string_view name, json::NodeId value, std::uint32_t index) {
+    const auto& count = accessor(index).count;
+    if (!count || *count == mesh_.points) return count.has_value();
+    if (!reported_counts_.insert(*count).second) return false;
+    report(name, value, "DRACO_COUNT_MISMATCH",
+           fmt::format("The bitstream holds {} points, but accessor {} has {} elements.",
+                       mesh_.points, index, *count));
+    return false;
+  }
+
+  void keep(std::uint32_t index, const codec::DracoAttribute& decoded) {
+    if (!needs_data(index)) return;
+    auto data = AccessorData::packed(accessor(index).format, mesh_.points,
+                                     {decoded.values, mesh_.owner}, decoded.quantization_step);
+    if (data) phase_.decoded.emplace(index, *std::move(data));
+  }
+
+  // A plain copy beside the bitstream is checked by itself.
+  bool needs_data(std::uint32_t index) const {
+    const Accessor& target = accessor(index);
+    return !target.buffer_view && target.sparse == json::kNoNode;
+  }
+
+  void check_indices() {
+    if (!site_.primitive->indices) return;
+    const std::uint32_t index = *site_.primitive->indices;
+    const Accessor& target = accessor(index);
+    const std::uint64_t count = mesh_.indices.size();
+    // How a strip is made of triangles is up to the reader.
+    if (site_.primitive->mode != model::Mode::triangles || !target.count) return;
+    // Where the points do not go with the accessors, neither do indices of them: that has been
+    // said.
+    if (!reported_counts_.empty()) return;
+    if (*target.count != count) {
+      return report_indices("DRACO_COUNT_MISMATCH",
+                            fmt::format("The bitstream holds {} triangles, {} indices; accessor {} "
+                                        "has {} elements.",
+                                        mesh_.faces, count, index, *target.count));
+    }
+    const ComponentType type = target.format.component;
+    const bool holds = type == ComponentType::uint8 || type == ComponentType::uint16 ||
+                       type == ComponentType::uint32;
+    if (!holds || target.format.type != ElementType::scalar) return;
+    if (mesh_.points > 0 && !model::value_range(type).contains(mesh_.points - 1.0)) {
+      return report_indices("DRACO_INDEX_TYPE_TOO_SMALL",
+                            fmt::format("The bitstream holds {} points, which {} cannot count.",
+                                        mesh_.points, model::component_type_name(type)));
+    }
+    if (!needs_data(index)) return;
+    auto data = AccessorData::packed(target.format, count, index_bytes(mesh_, type), 0);
+    if (data) phase_.decoded.emplace(index, *std::move(data));
+  }
+
+  DataPhase& phase_;
+  const DracoPrimitive& site_;
+  std::string_view extension_;
+  const codec::DracoMesh& mesh_;
+  std::set<std::uint64_t> reported_counts_;
+};
+
+}  // namespace
+
+void check_draco_primitive(DataPhase& phase, const DracoPrimitive& primitive,
+                           std::string_view extension, const codec::DracoMesh& mesh) {
+  PrimitiveCheck(phase, primitive, extension, mesh).run();
+}
+
+}  // namespace gltfx::validate

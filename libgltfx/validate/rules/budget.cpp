@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user allows an asset to cost. Silent unless limits are given.
+#include "validate/rules/budget.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/texture_slots.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr RuleDescription kRules[] = {
+    {"BUDGET_DRAW_CALLS", Severity::error, "An asset has more primitives than the budget allows",
+     "Each primitive is a call to the graphics card; many small ones take longer than few "
+     "large ones.",
+     "Merge primitives that share a material, or raise --max-draw-calls.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}, "mode": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
+     Fix::none, false},
+    {"BUDGET_FILE_SIZE", Severity::error, "An asset takes more bytes than the budget allows",
+     "The file and those it refers to are what a user waits for.",
+     "Compress images and meshes, or raise --max-file-size.",
+     R"({"asset": {"version": "2.0"}, "extras": {"text": "{{. *3000}}"}})",
+     R"({"asset": {"version": "2.0"}})", Fix::none, false},
+    {"BUDGET_TEXTURE_SIZE", Severity::error, "An image is larger than the budget allows",
+     "Textures take memory by their size in pixels, however well their file is compressed, "
+     "and devices have limits.",
+     "Scale the image down, or raise --max-texture-size.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+ "textures": [{"source": 0}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAgAAAABCAIAAABsYngUAAAAIUlEQVR42mNgYGRiZmFlY+fg5OLm4eXjFxAUEhYRFRMHAAkVARU2O3Z5AAAAAElFTkSuQmCC"}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+ "textures": [{"source": 0}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mNoaPgPAAODAgA+WCglAAAAAElFTkSuQmCC"}]})",
+     Fix::none, false},
+    {"BUDGET_TOTAL_PIXELS", Severity::error,
+     "The images of an asset have more pixels than the budget allows",
+     "All of them lie in the memory of the graphics card at once, four bytes a pixel and "
+     "more.",
+     "Scale images down, share them, or raise --max-total-pixels.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+ "textures": [{"source": 0}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAAPElEQVR42mNgYGRiZmFlY+fg5OJm4OHl4xcQFBIWERUTZ5CQlJKWkZWTV1BUUmZQUVVT19DU0tbR1dMHAEv4BGmv2/YYAAAAAElFTkSuQmCC"}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+ "textures": [{"source": 0}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mNoaPgPAAODAgA+WCglAAAAAElFTkSuQmCC"}]})",
+     Fix::none, false},
+    {"BUDGET_TRIANGLES", Severity::error, "An asset has more triangles than the budget allows",
+     "Triangles are the work of every frame; phones draw a few hundred thousand.",
+     "Simplify the meshes, or raise --max-triangles.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 9, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 6, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
+     Fix::none, false},
+};
+
+// A sum of numbers from a file saturates.
+void add(std::uint64_t& sum, std::uint64_t value) { sum += std::min(value, UINT64_MAX - sum); }
+
+class BudgetCheck {
+ public:
+  BudgetCheck(const Context& context, const model::ResourceData& resources, Sink& sink)
+      : context_(context), resources_(resources), sink_(sink) {}
+
+  void check_images() const {
+    const Budgets& budgets = context_.options.budgets;
+    const Path root;
+    const Path array(root, "images");
+    std::uint64_t total = 0;
+    for (std::size_t i = 0; i < resources_.images.size(); ++i) {
+      const auto& header = resources_.images[i].header;
+      if (!header) continue;
+      add(total, std::uint64_t{header->width} * header->height);
+      if (within(std::max(header->width, header->height), budgets.texture_size)) continue;
+      const auto index = static_cast<std::uint32_t>(i);
+      sink_.report(Path(array, std::uint64_t{index}),
+                   finding_on(context_, context_.asset.elements(model::RootArray::images)[i],
+                              "BUDGET_TEXTURE_SIZE",
+                              fmt::format("{} has {} by {} pixels; the budget is {} along a side.",
+                                          image_label(context_, index), header->width,
+                                          header->height, budgets.texture_size)));
+    }
+    check_sum("images", total, budgets.total_pixels, "BUDGET_TOTAL_PIXELS", "pixels");
+  }
+
+  // A sum over a root array.
+  void check_sum(std::string_view array, std::uint64_t sum, std::uint64_t limit,
+                 std::string_view code, std::string_view what) const {
+    if (within(sum, limit)) return;
+    const json::Document& document = context_.document;
+    const Path root;
+    sink_.report(
+        Path(root, array),
+        finding_on(context_, document.find(document.root(), array), code,
+                   fmt::format("The asset has {} {}; the budget is {}.", sum, what, limit)));
+  }
+
+  void check_files(const std::vector<ResourceInfo>& listed) const {
+    const std::uint64_t limit = context_.options.budgets.file_size;
+    std::uint64_t bytes = context_.container.bytes.size();
+    std::set<std::string_view> seen;
+    for (const ResourceInfo& resource : listed) {
+      if (resource.storage != "external" || !seen.insert(resource.uri).second) continue;
+      add(bytes, size_of(resource.pointer));
+    }
+    if (within(bytes, limit)) return;
+    const Path root;
+    sink_.report(root,
+                 finding_on(context_, context_.document.root(), "BUDGET_FILE_SIZE",
+                            fmt::format("The asset takes {} bytes in {} file{}; the budget "
+                                        "is {}.",
+                                        bytes, seen.size() + 1, seen.empty() ? "" : "s", limit)));
+  }
+
+ private:
+  static bool within(std::uint64_t value, std::uint64_t limit) {
+    return limit == 0 || value <= limit;
+  }
+
+  // Bytes that were opened for "/images/3" or "/buffers/0".
+  std::uint64_t size_of(std::string_view pointer) const {
+    const std::string_view digits = pointer.substr(pointer.rfind('/') + 1);
+    std::size_t index = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), index);
+    const bool image = pointer.starts_with("/images/");
+    const auto& bytes = image ? resources_.images[index].bytes : resources_.buffers[index];
+    return bytes ? bytes->size() : 0;
+  }
+
+  const Context& context_;
+  const model::ResourceData& resources_;
+  Sink& sink_;
+};
+
+}  // namespace
+
+void check_budgets(const Context& context, const model::ResourceData& resources,
+                   const AssetInfo& info, const std::vector<ResourceInfo>& listed, Sink& sink) {
+  if (context.khronos()) return;
+  const Budgets& budgets = context.options.budgets;
+  const BudgetCheck check(context, resources, sink);
+  check.check_images();
+  check.check_sum("meshes", info.total_triangle_count, budgets.triangles, "BUDGET_TRIANGLES",
+                  "triangles");
+  check.check_sum("meshes", info.draw_call_count, budgets.draw_calls, "BUDGET_DRAW_CALLS",
+                  "primitives");
+  check.check_files(listed);
+}
+
+const Family& budget_family() {
+  static const Family family{"budget", kRules, {}, {}};
+  return family;
+}
+
+}  // namespace gltfx::validate

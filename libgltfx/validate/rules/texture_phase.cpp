@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/rules/texture_phase.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "validate/collector.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Which images must be decoded, and for what.
+class PixelNeeds {
+ public:
+  PixelNeeds(const Context& context, const model::ResourceData& resources,
+             const std::vector<TextureSlot>& slots)
+      : context_(context), resources_(resources), slots_(slots) {}
+
+  std::vector<PixelSource::Request> find() {
+    const PixelLevel level = pixel_level(context_.options);
+    if (level == PixelLevel::headers) return {};
+    if (level == PixelLevel::all) {
+      for (std::size_t i = 0; i < resources_.images.size(); ++i) {
+        normals_[static_cast<std::uint32_t>(i)];
+      }
+    }
+    for (const TextureSlot& slot : slots_) add(slot);
+    add_conflicts();
+    std::vector<PixelSource::Request> requests;
+    for (const auto& [image, normals] : normals_) requests.push_back({image, normals});
+    return requests;
+  }
+
+ private:
+  bool heard(std::string_view code) const { return is_heard(context_.options, code); }
+
+  void add(const TextureSlot& slot) {
+    const bool hints = heard("TEXTURE_CONSTANT") || heard("TEXTURE_ALPHA_OPAQUE");
+    const bool normal = slot.normal_map && (heard("NORMAL_MAP_NOT_UNIT") ||
+                                            heard("NORMAL_MAP_INWARD") || heard("NORMAL_MAP_FLAT"));
+    const bool alpha = slot.effective.has('a') &&
+                       (heard(slot.coverage ? "MATERIAL_ALPHA_MISSING" : "TEXTURE_ALPHA_CONSTANT"));
+    // Only pixels tell a grey map from a coloured one.
+    const bool red = slot.property == "diffuseTransmissionTexture" && alpha;
+    for (const std::uint32_t image : slot.images) {
+      const auto& header = resources_.images[image].header;
+      if (!header) continue;
+      const bool transparent = image::can_be_transparent(*header);
+      if (hints || normal || red || (alpha && transparent)) normals_[image];
+      if (normal) normals_[image] = true;
+    }
+  }
+
+  // Images that are read as sRGB and as linear are only at fault when they have other values than 0
+  // and 1.
+  void add_conflicts() {
+    if (!heard("TEXTURE_COLOR_SPACE_CONFLICT")) return;
+    std::map<std::uint32_t, std::array<bool, 2>> read;
+    for (const TextureSlot& slot : slots_) {
+      if (slot.effective.colors() == 0) continue;
+      for (const std::uint32_t image : slot.images) {
+        auto& ways = read[image];
+        ways[slot.srgb ? 1 : 0] = true;
+        if (ways[0] && ways[1]) normals_[image];
+      }
+    }
+  }
+
+  const Context& context_;
+  const model::ResourceData& resources_;
+  const std::vector<TextureSlot>& slots_;
+  std::map<std::uint32_t, bool> normals_;  // by image: whether as a normal map
+};
+
+}  // namespace
+
+void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink) {
+  const bool every_image =
+      pixel_level(context.options) == PixelLevel::all && !resources.images.empty();
+  if (context.khronos() || (context.checked.slots.empty() && !every_image)) return;
+  const Animated animated(context);
+  const std::vector<TextureSlot> slots = texture_slots(context, animated);
+  PixelSource pixels(resources);
+  pixels.decode(PixelNeeds(context, resources, slots).find());
+  const TexturePhase phase{context, resources, sink, animated, slots, pixels};
+  check_channels(phase);
+  check_sharing(phase);
+  check_ktx2_slots(phase);
+  check_pixels(phase);
+}
+
+}  // namespace gltfx::validate

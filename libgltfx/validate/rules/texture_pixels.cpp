@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// What only decoded pixels tell: images that cannot be decoded, constant ones, normal maps.
+#include "validate/rules/texture_pixels.hpp"
+
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/texture_phase.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// --- Images that cannot be decoded ---
+
+void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::Fault& fault) {
+  const bool malformed = fault.kind == codec::FaultKind::malformed;
+  const Context& context = phase.context;
+  const Path root;
+  const Path array(root, "images");
+  const json::NodeId object = context.asset.elements(model::RootArray::images)[image];
+  Finding finding =
+      malformed ? finding_on(context, object, "IMAGE_PIXELS_INVALID",
+                             fmt::format("The header of {} is sound, but its pixels cannot be "
+                                         "decoded: {}",
+                                         image_label(context, image), printable(fault.message)))
+                : finding_on(context, object, "IMAGE_NOT_DECODED",
+                             fmt::format("The pixels of {} were not looked at: {}",
+                                         image_label(context, image), printable(fault.message)));
+  if (fault.kind == codec::FaultKind::died) finding.severity = Severity::warning;
+  phase.sink.report(Path(array, std::uint64_t{image}), std::move(finding));
+}
+
+// A decoder that went on where the data was damaged shows something, each its own.
+void report_doubt(const TexturePhase& phase, std::uint32_t image, const std::string& doubt) {
+  const Context& context = phase.context;
+  const Path root;
+  const Path array(root, "images");
+  const json::NodeId object = context.asset.elements(model::RootArray::images)[image];
+  Finding finding = finding_on(context, object, "IMAGE_PIXELS_INVALID",
+                               fmt::format("The pixels of {} can only be decoded in part: {}",
+                                           image_label(context, image), printable(doubt)));
+  finding.severity = Severity::warning;
+  phase.sink.report(Path(array, std::uint64_t{image}), std::move(finding));
+}
+
+void check_decoded(const TexturePhase& phase) {
+  for (std::size_t i = 0; i < phase.resources.images.size(); ++i) {
+    const auto image = static_cast<std::uint32_t>(i);
+    const codec::Fault* fault = phase.pixels.fault(image);
+    if (fault != nullptr) report_fault(phase, image, *fault);
+    const codec::Image* decoded = phase.pixels.of(image);
+    if (decoded != nullptr && !decoded->doubt.empty()) report_doubt(phase, image, decoded->doubt);
+  }
+}
+
+// --- Channels that are the same everywhere ---
+
+const codec::ChannelStatistics& statistics_of(const codec::Image& image, char channel) {
+  if (channel == 'a') return image.alpha();
+  if (image.channels < 3) return image.statistics[0];
+  return image.statistics[channel == 'r' ? 0 : channel == 'g' ? 1 : 2];
+}
+
+bool has_channel(const codec::Image& image, char channel) {
+  return channel != 'a' || image.has_alpha();
+}
+
+// Whether all channels that the slot reads of the image are constant.
+bool is_constant(const TextureSlot& slot, const codec::Image& image) {
+  bool any = false;
+  for (const char channel : {'r', 'g', 'b', 'a'}) {
+    if (!slot.effective.has(channel) || !has_channel(image, channel)) continue;
+    if (!statistics_of(image, channel).constant()) return false;
+    any = true;
+  }
+  return any;
+}
+
+bool reads_constant_alpha(const TextureSlot& slot, const codec::Image& image) {
+  return !slot.coverage && slot.effective.has('a') && image.has_alpha() && image.alpha().constant();
+}
+
+void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t index,
+                  const codec::Image& image) {
+  const bool full = image.alpha().least == image.full();
+  const std::string label = image_label(phase.context, index);
+  std::string message =
+      full ? fmt::format("{} reads A, but that of {} is 1 in every texel: it has no effect.",
+                         slot.property, label)
+           : fmt::format("{} reads A, which is {} of {} in every texel of {}.", slot.property,
+                         image.alpha().least, image.full(), label);
+  report_slot(phase.context, phase.sink, slot, "TEXTURE_ALPHA_CONSTANT", std::move(message), {},
+              full ? std::nullopt : std::optional(Severity::hint));
+}
+
+// A texture of one texel is meant to be constant.
+void check_constant(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t index,
+                    const codec::Image& image) {
+  if (slot.effective.empty() || image.texels() <= 1) return;
+  if (reads_constant_alpha(slot, image)) {
+    report_alpha(phase, slot, index, image);
+  } else if (is_constant(slot, image) && !slot.normal_map) {
+    report_slot(phase.context, phase.sink, slot, "TEXTURE_CONSTANT",
+                fmt::format("All {} by {} texels of {} are the same.", image.width, image.height,
+                            image_label(phase.context, index)));
+  }
+}
+
+// --- Normal maps ---
+
+// So many texels may be anything: seams, and what lossy coding makes of them.
+constexpr double kStrayShare = 0.05;
+// A step of 8 bits either way of the middle, which 8 bits cannot hold.
+constexpr double kFlat = 3.0 / 255;
+
+double share(std::uint64_t count, const codec::NormalStatistics& normals) {
+  return normals.vectors == 0 ? 0
+                              : static_cast<double>(count) / static_cast<double>(normals.vectors);
+}
+
+void report_normals(const TexturePhase& phase, const TextureSlot& slot, std::string_view code,
+                    std::string message) {
+  report_slot(phase.context, phase.sink, slot, code, std::move(message));
+}
+
+// A third channel that is constant is not Z: readers of such maps make it from X and Y.
+void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t index,
+                      const codec::Image& image) {
+  const bool whole = slot.effective.has('r') && slot.effective.has('g') && slot.effective.has('b');
+  if (!slot.normal_map || !whole || image.channels < 3 || image.normals.vectors == 0) return;
+  const codec::NormalStatistics& normals = image.normals;
+  const std::string label = image_label(phase.context, index);
+  if (normals.steepest <= kFlat && image.texels() > 1) {
+    report_normals(phase, slot, "NORMAL_MAP_FLAT", fmt::format("{} is flat.", label));
+    return;
+  }
+  if (image.statistics[2].constant()) return;
+  const double inward = share(normals.inward, normals);
+  const double far_off = share(normals.far_off, normals);
+  if (inward > kStrayShare) {
+    report_normals(
+        phase, slot, "NORMAL_MAP_INWARD",
+        fmt::format("{:.0f} % of the normals of {} point into the surface.", inward * 100, label));
+  } else if (far_off > kStrayShare) {
+    report_normals(phase, slot, "NORMAL_MAP_NOT_UNIT",
+                   fmt::format("{:.0f} % of the normals of {} are not of unit length; their mean "
+                               "is {:.2f}.",
+                               far_off * 100, label, normals.mean_length));
+  }
+}
+
+}  // namespace
+
+void check_pixels(const TexturePhase& phase) {
+  check_decoded(phase);
+  std::set<std::uint32_t> told;
+  for (const TextureSlot& slot : phase.slots) {
+    const std::uint32_t index = slot.images.front();
+    const codec::Image* image = phase.pixels.of(index);
+    if (image == nullptr) continue;
+    check_normal_map(phase, slot, index, *image);
+    if (told.insert(index).second) check_constant(phase, slot, index, *image);
+  }
+}
+
+const Family& texture_pixels_family() {
+  static const Family family{"texture_pixels", texture_pixel_rules(), {}, {}};
+  return family;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/rules/texture_slots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "container/uri.hpp"
+#include "model/fields.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::object_member;
+using model::RootArray;
+
+// The numbers of a JSON text "0.5" or "[1, 1, 1]": defaults in schema files.
+std::vector<double> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end) {
+    double value = 0;
+    const auto read = std::from_chars(at, end, value);
+    if (read.ec == std::errc()) numbers.push_back(value);
+    at = read.ec == std::errc() ? read.ptr : at + 1;
+  }
+  return numbers;
+}
+
+std::vector<double> numbers_at(const json::Document& document, json::NodeId value) {
+  std::vector<double> numbers;
+  if (document.is_number(value)) numbers.push_back(document.number(value).value);
+  if (document.kind(value) != json::Kind::number_array) return numbers;
+  for (json::NumberCursor at(document, value); at.valid() && numbers.size() < 4; at.advance()) {
+    numbers.push_back(at.number().value);
+  }
+  return numbers;
+}
+
+// "/materials/3/normalTexture" belongs to material 3.
+std::optional<std::uint64_t> material_in(std::string_view pointer) {
+  constexpr std::string_view kArray = "/materials/";
+  if (!pointer.starts_with(kArray)) return std::nullopt;
+  std::uint64_t index = 0;
+  const auto read =
+      std::from_chars(pointer.data() + kArray.size(), pointer.data() + pointer.size(), index);
+  return read.ec == std::errc() ? std::optional(index) : std::nullopt;
+}
+
+// Factors that switch a whole lobe off, with all of its textures.
+constexpr std::array<std::string_view, 7> kSwitches{
+    "clearcoatFactor",    "sheenColorFactor",      "iridescenceFactor", "diffuseTransmissionFactor",
+    "translucencyFactor", "scatterStrengthFactor", "specularFactor"};
+
+struct PackedFactor {
+  std::string_view property, factor, channels;
+};
+// Textures whose channels have factors of their own.
+constexpr std::array kPackedFactors{
+    PackedFactor{"metallicRoughnessTexture", "roughnessFactor", "g"},
+    PackedFactor{"metallicRoughnessTexture", "metallicFactor", "b"},
+    PackedFactor{"specularGlossinessTexture", "specularFactor", "rgb"},
+    PackedFactor{"specularGlossinessTexture", "glossinessFactor", "a"}};
+
+// Alpha is coverage beside the base colour only.
+bool is_coverage(std::string_view property) {
+  return property == "baseColorTexture" || property == "diffuseTexture";
+}
+
+bool is_normal_map(std::string_view property) {
+  return property == "normalTexture" || property.ends_with("NormalTexture");
+}
+
+class SlotReader {
+ public:
+  SlotReader(const Context& context, const Animated& animated)
+      : context_(context),
+        document_(context.document),
+        animated_(animated),
+        images_(context.asset.count(RootArray::textures)) {}
+
+  std::optional<TextureSlot> read(const schema::SlotUse& use) {
+    const auto texture = context_.asset.index(use.texture_info, "index", RootArray::textures);
+    if (!texture || use.slot == nullptr) return std::nullopt;
+    TextureSlot slot;
+    slot.use = &use;
+    slot.texture = *texture;
+    slot.property = std::string_view(use.pointer).substr(use.pointer.rfind('/') + 1);
+    const json::NodeId object = context_.asset.elements(RootArray::textures)[*texture];
+    slot.sampler = context_.asset.index(object, "sampler", RootArray::samplers);
+    slot.images = images_of(*texture, object);
+    if (slot.images.empty()) return std::nullopt;
+    read_material(slot);
+    slot.srgb = use.slot->srgb;
+    slot.coverage = is_coverage(slot.property);
+    slot.normal_map = is_normal_map(slot.property);
+    slot.channels = ChannelSet(use.slot->channels);
+    if (slot.coverage && alpha_mode(slot) == "OPAQUE") slot.channels.remove('a');
+    slot.effective = slot.channels;
+    hide_by_factors(slot);
+    return slot;
+  }
+
+ private:
+  // As many formats as a texture may come in.
+  static constexpr std::size_t kMostImages = 8;
+
+  using Images = std::vector<std::uint32_t>;
+
+  void add_image(json::NodeId object, Images& images) const {
+    const auto source = context_.asset.index(object, "source", RootArray::images);
+    if (source && images.size() < kMostImages) images.push_back(*source);
+  }
+
+  // An extension may bring an image of another format. Read once for each texture.
+  const Images& images_of(std::uint32_t index, json::NodeId texture) {
+    std::optional<Images>& images = images_[index];
+    if (images) return *images;
+    images.emplace();
+    add_image(texture, *images);
+    const json::NodeId extensions = object_member(document_, texture, "extensions");
+    if (extensions == json::kNoNode) return *images;
+    for (const auto member : document_.members(extensions)) {
+      if (document_.is_object(member.value)) add_image(member.value, *images);
+    }
+    return *images;
+  }
+
+  void read_material(TextureSlot& slot) const {
+    const auto index = material_in(slot.use->pointer);
+    const auto& materials = context_.asset.elements(RootArray::materials);
+    if (!index || *index >= materials.size()) return;
+    slot.material_index = static_cast<std::uint32_t>(*index);
+    slot.material = materials[*index];
+  }
+
+  std::string alpha_mode(const TextureSlot& slot) const {
+    std::string mode = model::string_member(document_, slot.material, "alphaMode");
+    return mode.empty() ? "OPAQUE" : mode;
+  }
+
+  // Channels whose factor is 0 and stays so.
+  void hide(TextureSlot& slot, std::string_view member, std::string_view names) const {
+    if (slot.effective.empty()) return;
+    const std::vector<double> factor = factor_of(context_, *slot.use, member);
+    if (factor.empty() || animated_.contains(sibling(slot, member))) return;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::size_t at = factor.size() == 1 ? 0 : i;
+      if (at < factor.size() && factor[at] == 0) slot.effective.remove(names[i]);
+    }
+    if (slot.effective.empty()) slot.hidden_by = member;
+  }
+
+  // A factor that turns off what the texture is a part of.
+  void switch_off(TextureSlot& slot, std::string_view member) const {
+    const std::vector<double> factor = factor_of(context_, *slot.use, member);
+    const bool off = !factor.empty() && std::all_of(factor.begin(), factor.end(),
+                                                    [](double value) { return value == 0; });
+    // Of specular-glossiness it is a colour, and there is diffuse light beside it.
+    const bool lobe = member != "specularFactor" || factor.size() == 1;
+    if (!off || !lobe || slot.effective.empty()) return;
+    if (animated_.contains(sibling(slot, member))) return;
+    slot.effective = ChannelSet();
+    slot.hidden_by = member;
+  }
+
+  // A factor of the slot itself: the scale of a normal map, the strength of occlusion.
+  void hide_by_own(TextureSlot& slot, std::string_view member) const {
+    const auto factor = model::number_member(document_, slot.use->texture_info, member);
+    const std::string pointer = fmt::format("{}/{}", slot.use->pointer, member);
+    if (!factor || *factor != 0 || animated_.contains(pointer)) return;
+    slot.effective = ChannelSet();
+    slot.hidden_by = member;
+  }
+
+  void hide_by_factors(TextureSlot& slot) const {
+    const std::string& channels = slot.use->slot->channels;
+    hide_by_own(slot, "scale");
+    hide_by_own(slot, "strength");
+    for (const std::string_view lobe : kSwitches) switch_off(slot, lobe);
+    hide(slot, slot.use->slot->scaled_by, channels);
+    for (const auto& [property, factor, names] : kPackedFactors) {
+      if (slot.property == property) hide(slot, factor, names);
+    }
+  }
+
+  static std::string sibling(const TextureSlot& slot, std::string_view member) {
+    const std::string& pointer = slot.use->pointer;
+    return fmt::format("{}/{}", pointer.substr(0, pointer.rfind('/')), member);
+  }
+
+  const Context& context_;
+  const json::Document& document_;
+  const Animated& animated_;
+  std::vector<std::optional<Images>> images_;  // by texture
+};
+
+}  // namespace
+
+ChannelSet::ChannelSet(std::string_view names) {
+  for (const char name : names) bits_ |= bit(name);
+}
+
+std::string ChannelSet::text() const {
+  std::vector<std::string_view> names;
+  if (has('r')) names.emplace_back("R");
+  if (has('g')) names.emplace_back("G");
+  if (has('b')) names.emplace_back("B");
+  if (has('a')) names.emplace_back("A");
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text.append(i == 0 ? "" : i + 1 == names.size() ? " and " : ", ").append(names[i]);
+  }
+  return text;
+}
+
+std::vector<TextureSlot> texture_slots(const Context& context, const Animated& animated) {
+  SlotReader reader(context, animated);
+  std::vector<TextureSlot> slots;
+  for (const schema::SlotUse& use : context.checked.slots) {
+    if (auto slot = reader.read(use)) slots.push_back(*std::move(slot));
+  }
+  return slots;
+}
+
+std::vector<double> factor_of(const Context& context, const schema::SlotUse& use,
+                              std::string_view member) {
+  const json::NodeId value = context.document.find(use.owner, member);
+  if (value != json::kNoNode) return numbers_at(context.document, value);
+  if (use.owner_type == schema::kNone) return {};
+  if (has_unknown_member(context, use.owner_type, use.owner)) return {};
+  const schema::Property* property = context.schemas.find_property(use.owner_type, member);
+  return property != nullptr ? numbers_in(property->default_json) : std::vector<double>();
+}
+
+bool has_unknown_member(const Context& context, schema::TypeId type, json::NodeId object) {
+  if (type == schema::kNone || object == json::kNoNode) return false;
+  for (const auto member : context.document.members(object)) {
+    const std::string_view name = context.document.key(member.key_id);
+    const bool any_object = name == "extras" || name == "extensions";
+    if (!any_object && context.schemas.find_property(type, name) == nullptr) return true;
+  }
+  return false;
+}
+
+std::string image_label(const Context& context, std::uint32_t image) {
+  const json::NodeId object = context.asset.elements(RootArray::images)[image];
+  std::string name = context.asset.name(object);
+  const json::NodeId uri = context.document.find(object, "uri");
+  const bool readable = uri != json::kNoNode && context.document.is_string(uri);
+  if (name.empty() && readable && !context.document.raw(uri).starts_with("\"data:")) {
+    const container::Uri parts = container::classify_uri(context.document.string(uri));
+    if (parts.kind == container::UriKind::relative_path) name = parts.normalized;
+  }
+  return name.empty() ? fmt::format("image {}", image)
+                      : fmt::format("image {} ({})", image, gltfx::quoted(name));
+}
+
+void report_slot(const Context& context, Sink& sink, const TextureSlot& slot, std::string_view code,
+                 std::string message, std::string help, std::optional<Severity> severity) {
+  Finding finding =
+      finding_on(context, slot.use->texture_info, code, std::move(message), std::move(help));
+  finding.severity = severity;
+  report_at(sink, slot.use->pointer, std::move(finding));
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Images through the worker that is built beside the tests.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "codec/client.hpp"
+#include "codec/support/jpeg_bytes.hpp"
+#include "codec/support/png_encoder.hpp"
+#include "container/base64.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+using test::encode_png;
+using test::PngColor;
+using test::PngImage;
+using testing::HasSubstr;
+
+// 2 x 2 texels: (200, 100, 50, 128), (1, 2, 3, 4), white, (9, 8, 7, 64); lossless.
+constexpr std::string_view kWebp =
+    "UklGRkYAAABXRUJQVlA4TDkAAAAvAUAAEB+goG0bph/l+NMYDTENsbn0LyQaBWkbMN1xM//6pqZtA+YKqy7+pBr/"
+    "b8qsrg0/QIjo"
+    "fwgA";
+// Two frames of those.
+constexpr std::string_view kAnimation =
+    "UklGRtgAAABXRUJQVlA4WAoAAAASAAAAAQAAAQAAQU5JTQYAAAAAAAAAAABBTk1GUgAAAAAAAAAAAAEAAAEAAGQAAAJWUD"
+    "hMOQAA"
+    "AC8BQAAQH6CgbRumH+X40xgNMQ2xufQvJBoFaRsw3XEz//qmpm0D5gqrLv6kGv9vyqyuDT9AiOh/"
+    "CABBTk1GUgAAAAAAAAAAAAEA"
+    "AAEAAGQAAAJWUDhMOQAAAC8BQAAQH6CgbRumH+X40xgNMQ2xufQvJBoFaRsw3XEz//"
+    "qmpm0D5gqrLv6kGv9vyqyuDT9AiOh/CAA=";
+
+struct Wanted {
+  ImageFormat format = ImageFormat::png;
+  bool pixels = true;
+  bool normals = false;
+  std::uint64_t max_pixels = std::uint64_t{1} << 28U;
+};
+
+ImageResult decode(const std::string& bytes, const Wanted& wanted = {}) {
+  ImageRequest request;
+  request.bytes = std::as_bytes(std::span(bytes.data(), bytes.size()));
+  request.format = wanted.format;
+  request.pixels = wanted.pixels;
+  request.normals = wanted.normals;
+  request.max_pixels = wanted.max_pixels;
+  return Client::shared().decode_image(request);
+}
+
+// The image, or an empty one and a failed test that says why.
+Image image_of(const std::string& bytes, const Wanted& wanted = {}) {
+  ImageResult result = decode(bytes, wanted);
+  if (const auto* fault = std::get_if<Fault>(&result)) {
+    ADD_FAILURE() << fault->message;
+    return {};
+  }
+  return std::get<Image>(std::move(result));
+}
+
+Fault fault_of(const std::string& bytes, const Wanted& wanted = {}) {
+  ImageResult result = decode(bytes, wanted);
+  if (const auto* fault = std::get_if<Fault>(&result)) return *fault;
+  ADD_FAILURE() << "decoded";
+  return {};
+}
+
+std::string text(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string decoded(std::string_view base64) {
+  auto bytes = container::decode_base64(base64);
+  return bytes ? *std::move(bytes) : std::string();
+}
+
+TEST(Images, AlphaIsNotMultipliedIntoColours) {
+  const std::string texels = "\xC8\x64\x32\x80";
+  const Image image = image_of(encode_png({1, 1, PngColor::rgba, 8, texels, {}}));
+  EXPECT_EQ(image.channels, 4U);
+  EXPECT_EQ(text(image.pixels), texels);
+  const std::string all("\xC8\x64\x32\x80\x01\x02\x03\x04\xFF\xFF\xFF\xFF\x09\x08\x07\x40", 16);
+  EXPECT_EQ(text(image_of(decoded(kWebp), {ImageFormat::webp}).pixels), all);
+}
+
+TEST(Images, OfAnAnimationTheFirstFrameCounts) {
+  const Image image = image_of(decoded(kAnimation), {ImageFormat::webp});
+  EXPECT_EQ(image.texels(), 4U);
+  EXPECT_EQ(text(image.pixels).substr(0, 4), "\xC8\x64\x32\x80");
+}
+
+TEST(Images, AJpegHasThreeChannels) {
+  const Image image = image_of(decoded(test::kJpegBase64), {ImageFormat::jpeg});
+  EXPECT_EQ(image.texels(), 64U);
+  EXPECT_EQ(image.channels, 3U);
+  EXPECT_EQ(image.statistics[0].least, 200U);
+  EXPECT_TRUE(image.statistics[2].constant());
+  EXPECT_EQ(image.doubt, "");
+}
+
+TEST(Images, AJpegThatEndsTooEarlyIsDoubtful) {
+  std::string bytes = decoded(test::kJpegBase64);
+  bytes.resize(bytes.size() - 6);
+  EXPECT_THAT(image_of(bytes, {ImageFormat::jpeg}).doubt, HasSubstr("Premature end"));
+}
+
+TEST(Images, SixteenBitsStaySixteenBits) {
+  const Image image =
+      image_of(encode_png({2, 1, PngColor::grey, 16, std::string("\x12\x34\xFF\xFF", 4), {}}));
+  EXPECT_EQ(image.bits, 16U);
+  EXPECT_EQ(image.channels, 1U);
+  EXPECT_EQ(image.statistics[0].least, 0x1234U);
+  EXPECT_EQ(image.statistics[0].fulls, 1U);
+}
+
+TEST(Images, PalettesAreResolved) {
+  const std::string palette = test::png_encoder::chunk("PLTE", std::string("\1\2\3\4\5\6", 6));
+  const std::string alpha = test::png_encoder::chunk("tRNS", std::string("\x10", 1));
+  const std::string texels("\0\1", 2);
+  const Image plain = image_of(encode_png({2, 1, PngColor::palette, 8, texels, palette}));
+  EXPECT_EQ(text(plain.pixels), "\1\2\3\4\5\6");
+  const Image clear = image_of(encode_png({2, 1, PngColor::palette, 8, texels, palette + alpha}));
+  EXPECT_EQ(text(clear.pixels), std::string("\1\2\3\x10\4\5\6\xFF", 8));
+  EXPECT_TRUE(clear.has_alpha());
+}
+
+TEST(Images, PixelsAreOnlyHandedOverWhenAskedFor) {
+  Wanted wanted;
+  wanted.pixels = false;
+  const Image image = image_of(encode_png({1, 1, PngColor::rgb, 8, "\1\2\3", {}}), wanted);
+  EXPECT_TRUE(image.pixels.empty());
+  EXPECT_EQ(image.statistics[1].greatest, 2U);
+}
+
+TEST(Images, NormalsAreLookedAtWhenAskedFor) {
+  Wanted wanted;
+  wanted.normals = true;
+  const Image image =
+      image_of(encode_png({2, 1, PngColor::rgb, 8, "\x80\x80\xFF\x80\x80\x81", {}}), wanted);
+  EXPECT_EQ(image.normals.vectors, 2U);
+  EXPECT_EQ(image.normals.not_unit, 1U);
+  EXPECT_NEAR(image.normals.mean_length, 0.5, 0.01);
+}
+
+TEST(Images, GreyTexelsOfANormalMapAreNoNormals) {
+  Wanted wanted;
+  wanted.normals = true;
+  const std::string texels("\x80\x80\xFF\0\0\0\x80\x80\x80\xFF\xFF\xFF", 12);
+  const Image image = image_of(encode_png({4, 1, PngColor::rgb, 8, texels, {}}), wanted);
+  EXPECT_EQ(image.normals.vectors, 1U);
+  EXPECT_EQ(image.normals.not_unit, 0U);
+  EXPECT_EQ(image.normals.inward, 0U);
+  EXPECT_LT(image.normals.steepest, 0.01);
+}
+
+TEST(Images, TheFormatIsTheDeclaredOne) {
+  const std::string png = encode_png({1, 1, PngColor::rgb, 8, "\1\2\3", {}});
+  EXPECT_EQ(fault_of(png, {ImageFormat::jpeg}).kind, FaultKind::malformed);
+  EXPECT_EQ(fault_of(png, {ImageFormat::webp}).kind, FaultKind::malformed);
+  EXPECT_EQ(fault_of(decoded(test::kJpegBase64)).kind, FaultKind::malformed);
+}
+
+TEST(Images, TooManyTexelsAreNotDecoded) {
+  // A header that promises 65535 x 65535 texels.
+  const PngImage bomb{65535, 65535, PngColor::rgba, 8, {}, {}};
+  EXPECT_EQ(fault_of(encode_png(PngImage{bomb}), {}).kind, FaultKind::too_large);
+  Wanted small;
+  small.max_pixels = 3;
+  EXPECT_EQ(fault_of(decoded(kWebp), {ImageFormat::webp, true, false, 3}).kind,
+            FaultKind::too_large);
+  EXPECT_EQ(fault_of(encode_png({2, 2, PngColor::grey, 8, "1234", {}}), small).kind,
+            FaultKind::too_large);
+}
+
+TEST(Images, AnImageThatTakesTooMuchMemoryIsRefused) {
+  const PngImage bomb{16384, 16384, PngColor::rgba, 16, {}, {}};
+  EXPECT_EQ(fault_of(encode_png(bomb)).kind, FaultKind::out_of_memory);
+}
+
+TEST(Images, EveryCutIsAFaultOrAnImage) {
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::webp}) {
+    const std::string whole =
+        format == ImageFormat::png
+            ? encode_png({2, 1, PngColor::rgb, 8, "\1\2\3\4\5\6", {}})
+            : decoded(format == ImageFormat::jpeg ? test::kJpegBase64 : kAnimation);
+    for (std::size_t size = 0; size < whole.size(); size += size < 60 ? 1 : 7) {
+      const ImageResult result = decode(whole.substr(0, size), {format});
+      const auto* fault = std::get_if<Fault>(&result);
+      EXPECT_TRUE(fault == nullptr || fault->kind == FaultKind::malformed)
+          << size << ": " << fault->message;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gltfx::codec

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+/// KTX2 files put together field by field, sound unless a test says otherwise.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gltfx::test {
+
+/// `bytes` bytes of a number, the lowest first.
+inline std::string le(std::uint64_t value, std::size_t bytes) {
+  std::string text;
+  for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 0xFFU);
+  return text;
+}
+
+/// What a KTX2 file is made of; by default UASTC of RGB in sRGB, 4 by 4 texels, one level.
+struct Ktx2Builder {
+  std::uint32_t vk_format = 0, type_size = 1;
+  std::uint32_t width = 4, height = 4, depth = 0, layers = 0, faces = 1, levels = 1;
+  std::uint32_t scheme = 0;
+  std::uint8_t model = 166, primaries = 1, transfer = 2, flags = 0;
+  std::string block{"\3\3\0\0", 4};
+  std::vector<std::uint8_t> channels{0};
+  std::vector<std::pair<std::string, std::string>> metadata;
+
+  /// ETC1S with BasisLZ.
+  static Ktx2Builder etc1s(std::vector<std::uint8_t> channels = {0}) {
+    Ktx2Builder builder;
+    builder.scheme = 1;
+    builder.model = 163;
+    builder.channels = std::move(channels);
+    return builder;
+  }
+  /// Linear data without primaries.
+  Ktx2Builder& linear() {
+    primaries = 0;
+    transfer = 1;
+    return *this;
+  }
+
+  std::string descriptor() const {
+    const auto size = 24 + 16 * channels.size();
+    std::string text = le(size + 4, 4) + le(0, 4) + le(2, 2) + le(size, 2);
+    for (const std::uint8_t field : {model, primaries, transfer, flags}) text += le(field, 1);
+    text += block + le(16, 8);
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      text += le(64 * i, 2) + le(63, 1) + le(channels[i], 1) + le(0, 8) + le(0xFFFFFFFF, 4);
+    }
+    return text;
+  }
+
+  std::string entries() const {
+    std::string text;
+    for (const auto& [key, value] : metadata) {
+      std::string entry = key;
+      entry += '\0';
+      entry += value;
+      entry += '\0';
+      text += le(entry.size(), 4) + entry;
+      text.resize((text.size() + 3) / 4 * 4);
+    }
+    return text;
+  }
+
+  std::size_t level_count() const { return std::max(levels, 1U); }
+
+  /// One image a level: a slice of 4 bytes, and another one where there are two samples.
+  std::string global() const {
+    if (scheme != 1) return {};
+    std::string text = le(1, 2) + le(1, 2) + le(1, 4) + le(1, 4) + le(1, 4) + le(0, 4);
+    const std::uint32_t alpha = channels.size() == 2 ? 4 : 0;
+    for (std::size_t i = 0; i < level_count(); ++i) {
+      text += le(0, 4) + le(0, 4) + le(4, 4) + le(alpha, 4) + le(alpha, 4);
+    }
+    return text + "ABC";
+  }
+
+  std::string level(std::size_t index) const {
+    if (scheme == 1) return std::string(4 * channels.size(), 's');
+    const auto blocks = [&](std::uint32_t extent) {
+      return (std::max(extent >> index, 1U) + 3) / 4;
+    };
+    std::string text(std::size_t{16} * blocks(width) * blocks(height), 'u');
+    if (scheme == 2) text.replace(0, 4, "\x28\xb5\x2f\xfd");
+    return text;
+  }
+
+  std::string file() const {
+    const std::size_t index_end = 80 + 24 * level_count();
+    std::string parts = descriptor();
+    const std::size_t metadata_at = index_end + parts.size();
+    const std::string entry_bytes = entries();
+    parts += entry_bytes;
+    const std::string global_bytes = global();
+    if (scheme == 1) parts.resize((index_end + parts.size() + 7) / 8 * 8 - index_end);
+    const std::size_t global_at = index_end + parts.size();
+    parts += global_bytes;
+    std::vector<std::string> index(level_count());
+    for (std::size_t i = level_count(); i-- > 0;) {
+      if (scheme == 0) parts.resize((index_end + parts.size() + 15) / 16 * 16 - index_end);
+      const std::string bytes = level(i);
+      index[i] = le(index_end + parts.size(), 8) + le(bytes.size(), 8) +
+                 le(scheme == 1 ? 0 : bytes.size(), 8);
+      parts += bytes;
+    }
+    std::string text = "\xabKTX 20\xbb\r\n\x1a\n";
+    for (const std::uint32_t field :
+         {vk_format, type_size, width, height, depth, layers, faces, levels, scheme}) {
+      text += le(field, 4);
+    }
+    text += le(index_end, 4) + le(descriptor().size(), 4);
+    text += le(entry_bytes.empty() ? 0 : metadata_at, 4) + le(entry_bytes.size(), 4);
+    text += le(global_bytes.empty() ? 0 : global_at, 8) + le(global_bytes.size(), 8);
+    for (const std::string& each : index) text += each;
+    return text + parts;
+  }
+};
+
+/// `file` with the bytes at `offset` replaced.
+inline std::string patched(std::string file, std::size_t offset, const std::string& bytes) {
+  return file.replace(offset, bytes.size(), bytes);
+}
+
+}  // namespace gltfx::test
