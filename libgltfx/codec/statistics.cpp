@@ -105,7 +105,11 @@ void Statistics::finish(Image& image) const {
   for (std::size_t i = 0; i < channels_; ++i) image.statistics[i] = channel_[i];
   if (!with_normals_) return;
   const auto vectors = static_cast<double>(std::max<std::uint64_t>(vectors_, 1));
-  image.normals = {vectors_, not_unit_, far_off_, inward_, length_sum_ / vectors,
+  image.normals = {vectors_,
+                   not_unit_,
+                   far_off_,
+                   inward_,
+                   length_sum_ / vectors,
                    std::min(1.0, static_cast<double>(steepest_))};
 }
 
