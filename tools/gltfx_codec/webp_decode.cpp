@@ -23,15 +23,17 @@ const std::uint8_t* data_of(std::span<const std::byte> bytes) {
 }
 
 Fault refusal(VP8StatusCode status) {
-  static constexpr const char* kReasons[] = {"It cannot be decoded.",
-                                             "It cannot be decoded.",
-                                             "It cannot be decoded.",
-                                             "Its bitstream is wrong.",
-                                             "It has a feature that no decoder knows.",
-                                             "It was not finished.",
-                                             "It ends before its data does."};
-  if (status == VP8_STATUS_OUT_OF_MEMORY) return no_memory();
-  return {FaultKind::malformed, kReasons[static_cast<std::size_t>(status)]};
+  switch (status) {
+    case VP8_STATUS_OUT_OF_MEMORY:
+      return no_memory();
+    case VP8_STATUS_UNSUPPORTED_FEATURE:
+      return {FaultKind::malformed, "It has a feature that no decoder knows."};
+    case VP8_STATUS_SUSPENDED:
+    case VP8_STATUS_NOT_ENOUGH_DATA:
+      return {FaultKind::malformed, "It ends before its data does."};
+    default:
+      return {FaultKind::malformed, "Its bitstream is damaged."};
+  }
 }
 
 Answer look_at(Image image, const Job& job, std::span<const std::byte> texels) {
