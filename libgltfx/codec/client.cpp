@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "codec/client.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -13,12 +14,15 @@ namespace {
 // Decoders need some hundred bytes for each byte of a mesh or image that is packed well. What is
 // packed better still has the least amount that any request has.
 constexpr std::uint64_t kMemoryPerByte = 128;
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 28U;  // that are handed over
 constexpr double kSecondsPerByte = 5e-6;
 
-Job limited_job(const Settings& settings, std::size_t bytes) {
+Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
   Job job;
+  job.task = task;
   job.input_bytes = bytes;
-  job.memory_bytes = settings.memory_bytes + bytes * kMemoryPerByte;
+  job.memory_bytes = bytes * kMemoryPerByte + (task == Task::draco ? settings.mesh_memory_bytes
+                                                                   : settings.image_memory_bytes);
   const double seconds = settings.seconds + static_cast<double>(bytes) * kSecondsPerByte;
   job.milliseconds = static_cast<std::uint64_t>(seconds * 1000);
   return job;
@@ -66,15 +70,15 @@ Client::Client(Settings settings) : state_(std::make_unique<State>(std::move(set
 Client::~Client() = default;
 
 DracoResult Client::decode_draco(std::span<const std::byte> bytes) {
-  const Job job = limited_job(state_->settings, bytes.size());
+  const Job job = limited_job(state_->settings, Task::draco, bytes.size());
   return result_of<DracoMesh>(state_->meshes, job, bytes, true);
 }
 
 ImageResult Client::decode_image(const ImageRequest& request) {
-  Job job = limited_job(state_->settings, request.bytes.size());
-  job.task = Task::image;
+  Job job = limited_job(state_->settings, Task::image, request.bytes.size());
   job.format = request.format;
   job.pixels = request.pixels;
+  if (request.pixels) job.memory_bytes += std::min(request.max_pixels, kMostTexels) * 8;
   job.normals = request.normals;
   job.max_pixels = request.max_pixels;
   return result_of<Image>(state_->images, job, request.bytes, request.pixels);

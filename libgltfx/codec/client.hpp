@@ -130,9 +130,11 @@ struct Settings {
   std::string folder;
   /// Processes of each kind at most; 0: as many as there are processors.
   unsigned workers = 0;
-  /// What a request may take at least; more bytes may take more.
-  std::uint64_t memory_bytes = std::uint64_t{192} << 20U;
-  double seconds = 10;
+  /// What a request may take at least; more bytes may take more. The libraries that decode images
+  /// take a hundred megabytes beside that.
+  std::uint64_t mesh_memory_bytes = std::uint64_t{192} << 20U;
+  std::uint64_t image_memory_bytes = std::uint64_t{96} << 20U;
+  double seconds = 1;  ///< of processor time
 };
 
 /// Keeps workers until it is destroyed. Any number of threads may call; each call is one request to

@@ -79,25 +79,47 @@ void Statistics::add_rest(const T* values, std::size_t count) {
   }
 }
 
+// Block by block: first the vectors are picked out of the texels, then they are measured, which
+// vector instructions do where numbers of one kind lie side by side.
 template <typename T>
 void Statistics::add_normals(const T* values, std::size_t count) {
   const float scale = 2.0F / static_cast<float>(std::numeric_limits<T>::max());
+  const std::size_t texels = count / channels_;
+  std::array<float, kBlock> x, y, z;
+  for (std::size_t first = 0; first < texels; first += kBlock) {
+    const std::size_t size = std::min(kBlock, texels - first);
+    const T* from = values + first * channels_;
+    for (std::size_t i = 0; i < size; ++i, from += channels_) {
+      x[i] = static_cast<float>(from[0]) * scale - 1;
+      y[i] = static_cast<float>(from[1]) * scale - 1;
+      z[i] = static_cast<float>(from[2]) * scale - 1;
+    }
+    measure({x, y, z}, size);
+  }
+}
+
+void Statistics::measure(const Vectors& vectors, std::size_t count) {
   float sum = 0;
-  for (std::size_t i = 0; i + channels_ <= count; i += channels_) {
-    const float x = static_cast<float>(values[i]) * scale - 1;
-    const float y = static_cast<float>(values[i + 1]) * scale - 1;
-    const float z = static_cast<float>(values[i + 2]) * scale - 1;
+  float steepest = 0;
+  int seen = 0, not_unit = 0, far_off = 0, inward = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = vectors.x[i], y = vectors.y[i], z = vectors.z[i];
     const float length = std::sqrt(x * x + y * y + z * z);
     const float off = std::abs(length - 1);
-    const bool vector = values[i] != values[i + 1] || values[i] != values[i + 2];
-    vectors_ += vector ? 1U : 0U;
-    not_unit_ += vector && off > kNotUnit ? 1U : 0U;
-    far_off_ += vector && off > kFarOff ? 1U : 0U;
-    inward_ += vector && z < kInward ? 1U : 0U;
+    const bool vector = x != y || x != z;  // grey is the padding between charts
+    seen += vector ? 1 : 0;
+    not_unit += vector && off > kNotUnit ? 1 : 0;
+    far_off += vector && off > kFarOff ? 1 : 0;
+    inward += vector && z < kInward ? 1 : 0;
     sum += vector ? length : 0;
-    steepest_ = std::max(steepest_, vector ? std::max(std::abs(x), std::abs(y)) : 0);
+    steepest = std::max(steepest, vector ? std::max(std::abs(x), std::abs(y)) : 0);
   }
+  vectors_ += static_cast<std::uint64_t>(seen);
+  not_unit_ += static_cast<std::uint64_t>(not_unit);
+  far_off_ += static_cast<std::uint64_t>(far_off);
+  inward_ += static_cast<std::uint64_t>(inward);
   length_sum_ += static_cast<double>(sum);
+  steepest_ = std::max(steepest_, steepest);
 }
 
 void Statistics::finish(Image& image) const {

@@ -2,6 +2,7 @@
 /// Statistics over the texels of an image, row by row: no image is held for them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,12 +27,18 @@ class Statistics {
  private:
   // Lanes hold whole texels of 1, 2, 3 and 4 channels.
   static constexpr std::size_t kLanes = 48;
+  static constexpr std::size_t kBlock = 256;
+  /// The components of kBlock vectors.
+  struct Vectors {
+    const std::array<float, kBlock>&x, &y, &z;
+  };
   template <typename T>
   void add_texels(const T* values, std::size_t count);
   template <typename T>
   void add_rest(const T* values, std::size_t count);
   template <typename T>
   void add_normals(const T* values, std::size_t count);
+  void measure(const Vectors& vectors, std::size_t count);
   void note(std::size_t channel, std::uint32_t least, std::uint32_t greatest);
 
   std::size_t channels_;
