@@ -82,9 +82,10 @@ bool repair_mapping(const void* address) noexcept {
   container::Mapping* const mapping = container::find(fault);
   if (mapping == nullptr) return false;
   const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  const std::uintptr_t begin = fault / page * page;
+  const std::uintptr_t into_page = fault % page;
+  void* const begin = const_cast<char*>(static_cast<const char*>(address) - into_page);
   mapping->torn = true;
-  void* const rest = ::mmap(reinterpret_cast<void*>(begin), mapping->end - begin, PROT_READ,
+  void* const rest = ::mmap(begin, mapping->end - (fault - into_page), PROT_READ,
                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
   errno = error;
   return rest != MAP_FAILED;

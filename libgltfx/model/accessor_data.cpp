@@ -91,8 +91,9 @@ bool AccessorData::open_base(const Asset& asset, const Views& views, const Resou
   if (!offset || stride_ < element_size(format_) || stride_ % component_size_ != 0) return false;
   const Range range{*offset, component_size_, accessor.span_size(stride_)};
   auto bytes = aligned_part(asset, view, resources, range);
-  if (bytes) base_ = *std::move(bytes);
-  return bytes.has_value();
+  if (!bytes) return false;
+  base_ = *std::move(bytes);
+  return true;
 }
 
 bool AccessorData::open_sparse(const Asset& asset, const Views& views,
@@ -132,7 +133,8 @@ std::optional<AccessorData> AccessorData::open(const Asset& asset, const Views& 
   data.count_ = *accessor.count;
   data.components_ = component_count(accessor.format.type);
   data.component_size_ = component_size(accessor.format.component);
-  const bool padded = packed_stride(accessor.format) != data.components_ * data.component_size_;
+  const bool padded =
+      packed_stride(accessor.format) != std::uint64_t{data.components_} * data.component_size_;
   data.rows_ = !padded ? data.components_ : accessor.format.type == ElementType::mat2 ? 2 : 3;
   data.column_stride_ = packed_stride(accessor.format) / (data.components_ / data.rows_);
   if (!data.open_base(asset, views, resources, accessor, malformed)) return std::nullopt;

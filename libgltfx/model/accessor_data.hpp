@@ -60,7 +60,7 @@ class AccessorData {
 
   /// Elements of a block: a multiple of 48, so that neither triangles nor groups of 2, 4, 8 or 16
   /// are torn.
-  std::size_t block_elements() const { return kBlockValues / components_ / 48 * 48; }
+  std::size_t block_elements() const { return kBlockValues / std::max(components_, 1U) / 48 * 48; }
 
   /// Copies elements [first, first + count) packed to `to`, which has room for them. `next` is 0
   /// for the first call and then kept by the caller, who reads forward.

@@ -208,8 +208,7 @@ std::optional<Flaw> FormCheck::list_of(Form element, json::NodeId node, bool may
   if (document_.kind(node) != json::Kind::array) return Flaw{node, "must be a list of strings"};
   std::unordered_set<std::string> seen;
   for (const json::NodeId item : document_.elements(node)) {
-    const auto flaw =
-        listed_values(element).empty() ? scalar(element, item) : one_of(element, item);
+    auto flaw = listed_values(element).empty() ? scalar(element, item) : one_of(element, item);
     if (flaw) return flaw;
     if (!seen.insert(document_.string(item)).second) return Flaw{item, "has the same entry twice"};
   }
@@ -223,7 +222,7 @@ std::optional<Flaw> FormCheck::literals(json::NodeId node) const {
     return Flaw{node, "must be a list with at least one element"};
   }
   for (const json::NodeId item : document_.elements(node)) {
-    if (const auto flaw = scalar(Form::literal, item)) return flaw;
+    if (auto flaw = scalar(Form::literal, item)) return flaw;
   }
   return std::nullopt;
 }
@@ -237,7 +236,7 @@ std::optional<Flaw> FormCheck::map_of(Form value, json::NodeId node) const {
 }
 
 std::optional<Flaw> FormCheck::enum_names(json::NodeId node) const {
-  if (const auto flaw = map_of(Form::nonempty_text, node)) return flaw;
+  if (auto flaw = map_of(Form::nonempty_text, node)) return flaw;
   for (const auto& member : document_.members(node)) {
     const std::string_view key = document_.key(member.key_id);
     const std::string_view digits = key.substr(key.substr(0, 1) == "-" ? 1 : 0);

@@ -318,7 +318,7 @@ class PatternParser {
     return escaped_character();
   }
 
-  Fragment checked(Fragment fragment) {
+  Fragment checked(const Fragment& fragment) {
     if (fragment.size() > kMaxProgram) fail("the expression is too large");
     return error_.empty() ? fragment : Fragment{};
   }

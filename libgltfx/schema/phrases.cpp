@@ -135,7 +135,7 @@ std::string count_phrase(std::uint64_t least, std::uint64_t most, const char* on
 
 std::string scalar_phrase(const Set& set, const Shape& shape) {
   if (!shape.literals.empty()) return list_phrase(shape);
-  const std::string range = range_phrase(shape);
+  std::string range = range_phrase(shape);
   if (!range.empty()) return range;
   if (shape.pattern != kNone)
     return "text that matches " + std::string(set.pattern_text(shape.pattern));
@@ -178,7 +178,7 @@ std::string type_help(const Set& set, const Values& values, const Shape& shape, 
 }
 
 std::string missing_help(const Set& set, const Property& property) {
-  const std::string add = "add \"" + property.name + "\"";
+  std::string add = "add \"" + property.name + "\"";
   if (property.shape == kNone) return add;
   const Shape& shape = set.shape(property.shape);
   if (!shape.hint.empty()) return shape.hint;

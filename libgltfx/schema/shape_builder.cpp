@@ -2,6 +2,7 @@
 #include "schema/shape_builder.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.hpp"
 #include "schema/members.hpp"
@@ -168,7 +169,7 @@ void ShapeBuilder::settle_derived() {
     for (auto link = chain.rbegin(); link != chain.rend(); ++link) {
       const ShapeId base = bases_[*link];
       Shape& shape = build_.set.shapes[derived_[*link].shape];
-      std::vector<ShapeId> beside = std::move(shape.all_of);
+      const std::vector<ShapeId> beside = std::exchange(shape.all_of, {});
       if (base != kNone) shape = build_.set.shapes[base];
       shape.all_of.insert(shape.all_of.end(), beside.begin(), beside.end());
       copy_base(derived_[*link]);

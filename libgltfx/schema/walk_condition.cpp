@@ -2,6 +2,8 @@
 // What holds for several members, or for one value in several ways.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -129,7 +131,8 @@ void Walker::dependencies(const Frame& frame) {
     const std::string name = quoted(properties[plan.property].name);
     const std::string other = quoted(properties[plan.needed].name);
     report({frame.path, key_of(member)}, "UNSATISFIED_DEPENDENCY", document_.span(member - 1),
-           name + " needs " + other + " beside it.", "add " + other + ", or remove " + name);
+           fmt::format("{} needs {} beside it.", name, other),
+           fmt::format("add {}, or remove {}", other, name));
   }
 }
 

@@ -127,13 +127,14 @@ class Maker {
     if (set_.shape(type.shape).not_shape != kNone) plan.constraints_at = 0;
     if (plan.is_root) root_places(type, plan);
     dependencies(type, plan);
+    const auto count = static_cast<std::uint16_t>(type.properties.size());
     std::size_t capacity = 4;
     while (capacity < 2 * names + 2) capacity *= 2;
     plan.entries.resize(capacity);
-    for (std::uint16_t i = 0; i < type.properties.size(); ++i) {
+    for (std::uint16_t i = 0; i < count; ++i) {
       insert(plan, symbol(type.properties[i].name), i, false);
     }
-    for (std::uint16_t i = 0; i < type.properties.size(); ++i) {
+    for (std::uint16_t i = 0; i < count; ++i) {
       for (const std::string& alias : type.properties[i].aliases)
         insert(plan, symbol(alias), i, true);
     }

@@ -85,7 +85,9 @@ std::string sentence(const Looked& looked, const Fault& fault) {
 bool has_fewer_bits(model::ComponentType type, double length) {
   if (type != model::ComponentType::int8 && type != model::ComponentType::int16) return false;
   const double greatest = model::value_range(type).most;
-  for (double narrow = 3; narrow < greatest; narrow = narrow * 2 + 1) {
+  for (int bits = 2; bits < 15; ++bits) {
+    const double narrow = (1 << bits) - 1;
+    if (narrow >= greatest) break;
     const double unit = narrow / greatest;
     if (std::abs(length / unit - 1.0) <= kernels::kVectorTolerance + 1.0 / narrow) return true;
   }

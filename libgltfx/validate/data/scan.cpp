@@ -217,6 +217,7 @@ void list_faults(const AccessorData& data, const std::vector<Check>& checks,
   model::with_component_type(data.format().component, [&](auto zero) {
     using T = decltype(zero);
     std::vector<Evaluator> evaluators;
+    evaluators.reserve(checks.size());
     for (const Check& check : checks) {
       evaluators.emplace_back(check, static_cast<double>(std::numeric_limits<T>::max()));
     }
