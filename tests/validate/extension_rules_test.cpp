@@ -121,6 +121,14 @@ TEST(ExtensionRules, StaySilentInTheKhronosProfile) {
             Lines{});
 }
 
+TEST(Extensions, AllThatAreRequiredAndUnknownAreOneFinding) {
+  EXPECT_EQ(findings(R"("extensionsUsed": ["ACME_a", "KHR_lights_punctual", "ACME_b", "ACME_c"],
+                        "extensionsRequired": ["ACME_b", "ACME_a"])",
+                     {"UNSUPPORTED_EXTENSION"}),
+            (Lines{"UNSUPPORTED_EXTENSION_REQUIRED /extensionsUsed/0",
+                   "UNSUPPORTED_EXTENSION /extensionsUsed/3"}));
+}
+
 TEST(Extensions, RepeatsAreSeenInTheirCompanyOnce) {
   std::string members = R"("KHR_materials_ior": {})";
   for (int i = 0; i < 20000; ++i) members += R"(, "KHR_materials_unlit": {})";

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "schema/phrases.hpp"
 #include "validate/rules/attribute_formats.hpp"
 #include "validate/rules/families.hpp"
 
@@ -100,10 +101,16 @@ NameSet as_set(const std::vector<std::string>& names) { return {names.begin(), n
 // The three lists, to look names up in.
 struct Names {
   NameSet used, required, seen;
-  explicit Names(const schema::CheckResult& checked)
-      : used(as_set(checked.extensions_used)),
-        required(as_set(checked.extensions_required)),
-        seen(as_set(checked.extensions_seen)) {}
+  std::vector<std::string> required_unknown;  ///< in the order of extensionsUsed
+  explicit Names(const Context& context)
+      : used(as_set(context.checked.extensions_used)),
+        required(as_set(context.checked.extensions_required)),
+        seen(as_set(context.checked.extensions_seen)) {
+    for (const std::string& name : context.checked.extensions_used) {
+      const bool known = context.schemas.find_extension(name) != schema::kNone;
+      if (!known && required.count(name) != 0) required_unknown.push_back(name);
+    }
+  }
 };
 
 // So many extensions are told apart; what says the same of more is folded.
@@ -128,11 +135,24 @@ struct Entry {
   }
 };
 
+// 'A', 'B' and 3 others.
+std::string names_text(std::vector<std::string> names) {
+  constexpr std::size_t kMostNamed = 5;
+  if (names.size() <= kMostNamed + 1) return schema::all_of_phrase(names);
+  const std::size_t others = names.size() - kMostNamed;
+  names.resize(kMostNamed);
+  std::string text;
+  for (const std::string& name : names) text += fmt::format("{}, ", gltfx::quoted(name));
+  return fmt::format("{}and {} others", text, others);
+}
+
+// What is required and unknown is one finding, whatever the number: nothing more can be said.
 void report_unknown(const Entry& entry) {
   if (entry.names.required.count(entry.name) != 0) {
+    if (entry.name != entry.names.required_unknown.front()) return;
     entry.report("UNSUPPORTED_EXTENSION_REQUIRED",
                  fmt::format("The asset cannot be read without {}, of which nothing is known here.",
-                             gltfx::quoted(entry.name)));
+                             names_text(entry.names.required_unknown)));
   } else {
     entry.report("UNSUPPORTED_EXTENSION",
                  fmt::format("Nothing is known of {}; what it says was not checked.",
@@ -223,7 +243,7 @@ void check_undeclared(const Context& context, const Names& names) {
 
 void check_extension_use(const Context& context) {
   if (context.khronos()) return;
-  const Names names(context.checked);
+  const Names names(context);
   check_declared(context, names);
   check_undeclared(context, names);
 }
