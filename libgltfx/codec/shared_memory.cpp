@@ -15,6 +15,8 @@
 namespace gltfx::codec {
 namespace {
 
+constexpr std::uint64_t kMostPopulated = std::uint64_t{64} << 20U;
+
 UniqueFd create_unnamed_file() {
   const char* folder = std::getenv("TMPDIR");
   if (folder != nullptr && *folder != '\0') {
@@ -72,7 +74,9 @@ Mapping::Mapping(int fd, std::uint64_t size, Access access) {
   if (write && ::ftruncate(fd, static_cast<off_t>(size)) != 0) return;
   if (!write && !has_bytes(fd, size)) return;
   // A private mapping for reading shows the very pages; sealed memory cannot be mapped otherwise.
-  const int sharing = (write ? MAP_SHARED : MAP_PRIVATE) | MAP_POPULATE;
+  // Pages that come one by one cost as much again, but what is large may never be filled.
+  const int sharing =
+      (write ? MAP_SHARED : MAP_PRIVATE) | (size <= kMostPopulated ? MAP_POPULATE : 0);
   void* at = ::mmap(nullptr, size, write ? PROT_READ | PROT_WRITE : PROT_READ, sharing, fd, 0);
   if (at != MAP_FAILED) bytes_ = {static_cast<std::byte*>(at), static_cast<std::size_t>(size)};
 }

@@ -60,8 +60,9 @@ struct PngImage {
   std::uint32_t height = 1;
   PngColor color = PngColor::rgb;
   char bits = 8;
-  std::string texels;  ///< packed rows; 16 bits in big-endian order
-  std::string chunks;  ///< between header and data: see png_encoder::chunk()
+  std::string texels;       ///< packed rows; 16 bits in big-endian order
+  std::string chunks{};     ///< between header and data: see png_encoder::chunk()
+  bool interlaced = false;  ///< says so; the rows stay as they are
 };
 
 inline std::string encode_png(const PngImage& image) {
@@ -73,7 +74,8 @@ inline std::string encode_png(const PngImage& image) {
     rows += image.texels.substr(y * row, row);
   }
   const std::string header = big_endian(image.width) + big_endian(image.height) + image.bits +
-                             static_cast<char>(image.color) + std::string(3, '\0');
+                             static_cast<char>(image.color) + std::string(2, '\0') +
+                             (image.interlaced ? '\1' : '\0');
   return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + image.chunks +
          chunk("IDAT", zlib_stored(rows)) + chunk("IEND", "");
 }
