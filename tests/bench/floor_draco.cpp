@@ -9,10 +9,8 @@
 #include <vector>
 
 #include <draco/compression/decode.h>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+#include "mapped.hpp"
 
 namespace {
 
@@ -38,13 +36,9 @@ bool decode(std::string_view bytes) {
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  const int fd = ::open(argv[1], O_RDONLY | O_CLOEXEC);
-  struct stat status {};
-  if (fd < 0 || ::fstat(fd, &status) != 0) return 3;
-  const auto size = static_cast<std::size_t>(status.st_size);
-  void* const start = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
-  if (start == MAP_FAILED) return 3;
-  const auto all = bitstreams({static_cast<const char*>(start), size});
+  const std::string_view file = gltfx::bench::mapped(argv[1]);
+  if (file.empty()) return 3;
+  const auto all = bitstreams(file);
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> sound = !all.empty();
   const auto work = [&] {

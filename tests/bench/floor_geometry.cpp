@@ -11,13 +11,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <thread>
 #include <vector>
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "mapped.hpp"
 
 namespace {
 
@@ -84,17 +82,13 @@ float mesh(const float* at, std::size_t side) {
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;
-  const int fd = ::open(argv[1], O_RDONLY | O_CLOEXEC);
-  struct stat status {};
-  if (fd < 0 || ::fstat(fd, &status) != 0) return 3;
-  const auto size = static_cast<std::size_t>(status.st_size);
-  void* const start = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
-  if (start == MAP_FAILED) return 3;
+  const std::string_view file = gltfx::bench::mapped(argv[1]);
+  if (file.empty()) return 3;
   const auto side = static_cast<std::size_t>(std::max(2, std::atoi(argv[2])));
   const std::size_t words = 12 * side * side + 6 * (side - 1) * (side - 1);
-  const std::size_t meshes = size / (4 * words);
+  const std::size_t meshes = file.size() / (4 * words);
   const auto* const first =
-      reinterpret_cast<const float*>(static_cast<const char*>(start) + size) - meshes * words;
+      reinterpret_cast<const float*>(file.data() + file.size()) - meshes * words;
   std::atomic<std::size_t> next{0};
   std::vector<float> results(meshes);
   std::vector<std::thread> threads;
