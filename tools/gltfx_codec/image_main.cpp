@@ -82,6 +82,14 @@ class Reader {
   Statistics statistics_;
 };
 
+// Whether all rows of an image are held before the first one is handed out: byte 28 of a PNG tells
+// whether it is interlaced.
+bool is_held(const Job& job, std::span<const std::byte> bytes) {
+  constexpr std::size_t kInterlace = 28;
+  return job.format == ImageFormat::png && bytes.size() > kInterlace &&
+         bytes[kInterlace] != std::byte{0};
+}
+
 Answer read_image(ImageInput& input, const ImageSpec& spec, const Job& job, Output& output) {
   Image image;
   image.width = static_cast<std::uint32_t>(std::max(spec.width, 0));
@@ -114,6 +122,9 @@ Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) 
   if (!input->open(plugin_name(job.format), spec, options)) {
     return refusal(job, 0, complaint(*input));
   }
+  const std::uint64_t texels = static_cast<std::uint64_t>(std::max(spec.width, 0)) *
+                               static_cast<std::uint64_t>(std::max(spec.height, 0));
+  if (is_held(job, bytes) && exceeds_memory(job, texels, kBytesPerTexel)) return no_memory();
   return read_image(*input, spec, job, output);
 }
 
