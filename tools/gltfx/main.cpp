@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "base/temporary_files.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "output.hpp"
@@ -37,6 +38,21 @@ void guard_mappings() {
   ::sigaction(SIGBUS, &action, nullptr);
 }
 
+// Who ends the program shall not find half a file.
+void clean_up_and_die(int signal) {
+  remove_temporaries();
+  static_cast<void>(std::signal(signal, SIG_DFL));
+  static_cast<void>(std::raise(signal));
+}
+
+void clean_up_when_ended() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, clean_up_and_die) == SIG_IGN) {
+      static_cast<void>(std::signal(signal, SIG_IGN));
+    }
+  }
+}
+
 ExitCode run_command(int argc, char** argv) {
   const CommandLine command = read_command_line(argc, argv);
   if (const auto* answer = std::get_if<Answer>(&command)) {
@@ -55,6 +71,7 @@ int main(int argc, char** argv) {
   // completed.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   gltfx::tool::guard_mappings();
+  gltfx::tool::clean_up_when_ended();
   gltfx::tool::keep_standard_streams();
   ExitCode code = ExitCode::internal;
   try {
