@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/edit.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "json/writer.hpp"
+
+namespace gltfx::json {
+namespace {
+
+std::string between_items(const Layout& layout) {
+  return layout.line_end.empty() ? layout.gap : layout.line_end + layout.indent;
+}
+
+}  // namespace
+
+std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
+  std::string out;
+  std::size_t at = 0;
+  for (const Edit& edit : edits) {
+    out += text.substr(at, edit.span.begin - at);
+    out += edit.text;
+    at = edit.span.end;
+  }
+  out += text.substr(at);
+  return out;
+}
+
+void Editor::add(std::uint32_t begin, std::uint32_t end, std::string text) {
+  edits_.push_back({{begin, end}, std::move(text)});
+}
+
+void Editor::rename(NodeId key, std::string_view name) {
+  std::string text;
+  append_string(text, name);
+  const Span span = document_.span(key);
+  add(span.begin, span.end, std::move(text));
+}
+
+void Editor::replace(NodeId container, NodeId value, std::string_view json) {
+  const Span span = document_.span(value);
+  add(span.begin, span.end, lay_out(json, layout_.of(container)));
+}
+
+void Editor::replace_scalar(NodeId value, std::string json) {
+  const Span span = document_.span(value);
+  add(span.begin, span.end, std::move(json));
+}
+
+void Editor::remove(NodeId container, NodeId item) { changes_[container].removed.insert(item); }
+
+void Editor::append_member(NodeId object, std::string_view name, std::string_view json) {
+  const Layout layout = layout_.of(object);
+  std::string text;
+  append_string(text, name);
+  text += layout.colon;
+  text += lay_out(json, layout);
+  changes_[object].added.push_back(std::move(text));
+}
+
+void Editor::append_element(NodeId array, std::string_view json) {
+  changes_[array].added.push_back(lay_out(json, layout_.of(array)));
+}
+
+std::vector<Editor::Item> Editor::items(NodeId container, const Change& change) const {
+  std::vector<Item> all;
+  const bool object = document_.is_object(container);
+  const NodeId end = document_.next(container);
+  for (NodeId at = container + 1; at < end;) {
+    const NodeId value = object ? at + 1 : at;
+    all.push_back(
+        {document_.span(at).begin, document_.span(value).end, change.removed.count(at) == 0});
+    at = document_.next(value);
+  }
+  return all;
+}
+
+// Nothing that was there stays: only the brackets do.
+void Editor::refill(NodeId container, const std::vector<Item>& items, const Change& change) {
+  const Span span = document_.span(container);
+  const Layout layout = layout_.of(container);
+  std::string text;
+  for (const std::string& item : change.added) {
+    if (!text.empty()) text += ',';
+    if (!layout.line_end.empty()) {
+      text += between_items(layout);
+    } else {
+      text += text.empty() ? layout.padding : layout.gap;
+    }
+    text += item;
+  }
+  if (!change.added.empty() && layout.line_end.empty()) text += layout.padding;
+  if (!change.added.empty() && !layout.line_end.empty()) {
+    const std::string_view outer = layout.indent;
+    const bool nested = outer.ends_with(layout.unit);
+    text += layout.line_end;
+    text += outer.substr(0, outer.size() - (nested ? layout.unit.size() : 0));
+  }
+  if (items.empty() && change.added.empty()) return;
+  add(span.begin + 1, span.end - 1, std::move(text));
+}
+
+// An item goes with the comma before it; the first ones go with the comma behind them.
+void Editor::settle(NodeId container, const Change& change) {
+  const std::vector<Item> all = items(container, change);
+  const auto is_kept = [](const Item& item) { return item.kept; };
+  const auto first = std::find_if(all.begin(), all.end(), is_kept);
+  if (first == all.end()) return refill(container, all, change);
+  if (first != all.begin()) add(all.front().begin, first->begin, {});
+  std::uint32_t end = first->end;  // of the last item that is kept
+  bool gone = false;
+  for (auto item = first; item != all.end(); ++item) {
+    if (!item->kept) {
+      gone = true;
+      continue;
+    }
+    // From the end of the kept item before to that of the last one removed.
+    if (std::exchange(gone, false)) add(end, std::prev(item)->end, {});
+    end = item->end;
+  }
+  std::string text;
+  const std::string gap = change.added.empty() ? "" : between_items(layout_.of(container));
+  for (const std::string& item : change.added) text.append(1, ',').append(gap).append(item);
+  if (gone || !text.empty()) add(end, all.back().end, std::move(text));
+}
+
+std::vector<Edit> Editor::take() {
+  for (const auto& [container, change] : changes_) settle(container, change);
+  changes_.clear();
+  std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
+    if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
+    return a.span.end > b.span.end;
+  });
+  std::vector<Edit> taken;
+  for (Edit& edit : edits_) {
+    const bool covered = !taken.empty() && edit.span.begin < taken.back().span.end;
+    if (!covered) taken.push_back(std::move(edit));
+  }
+  edits_.clear();
+  return taken;
+}
+
+}  // namespace gltfx::json

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Changes to a JSON text that leave every other byte as it is.
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/span.hpp"
+#include "json/document.hpp"
+#include "json/layout.hpp"
+
+namespace gltfx::json {
+
+/// New text for a stretch of the old one; an empty span inserts.
+struct Edit {
+  Span span;
+  std::string text;
+  friend bool operator==(const Edit&, const Edit&) = default;
+};
+
+/// `text` with all edits made, in one pass. Precondition: they are sorted by place, lie inside the
+/// text and do not overlap, as Editor::take() gives them.
+std::string apply_edits(std::string_view text, std::span<const Edit> edits);
+
+/// Collects changes to members and elements of one document and turns them into edits. New text
+/// follows the indentation, line ends and spacing of what stands around it. Precondition of all
+/// calls: the document was read without faults. Keeps a reference to it.
+class Editor {
+ public:
+  explicit Editor(const Document& document) : document_(document), layout_(document) {}
+
+  /// Gives a member another name; its value stays.
+  void rename(NodeId key, std::string_view name);
+  /// Puts a JSON value in the place of another. `container` holds the value.
+  void replace(NodeId container, NodeId value, std::string_view json);
+  /// Puts a number, literal or string in the place of another.
+  void replace_scalar(NodeId value, std::string json);
+  /// Takes out a member (by its key) or an element of `container`, with the comma it needs.
+  void remove(NodeId container, NodeId item);
+  /// Adds a member behind those of an object.
+  void append_member(NodeId object, std::string_view name, std::string_view json);
+  /// Adds an element behind those of an array, which holds more than numbers or nothing.
+  void append_element(NodeId array, std::string_view json);
+
+  /// The edits, sorted. What lies inside something removed or replaced is left out.
+  std::vector<Edit> take();
+
+ private:
+  struct Change {
+    std::set<NodeId> removed;
+    std::vector<std::string> added;
+  };
+  struct Item {
+    std::uint32_t begin;
+    std::uint32_t end;
+    bool kept;
+  };
+  std::vector<Item> items(NodeId container, const Change& change) const;
+  void settle(NodeId container, const Change& change);
+  void refill(NodeId container, const std::vector<Item>& items, const Change& change);
+  void add(std::uint32_t begin, std::uint32_t end, std::string text);
+
+  const Document& document_;
+  LayoutFinder layout_;
+  std::map<NodeId, Change> changes_;
+  std::vector<Edit> edits_;
+};
+
+}  // namespace gltfx::json
