@@ -52,6 +52,7 @@ class ExtensionBuilder {
     extension.instance_attributes = semantics(word("instanceAttributes"));
     extension.successor = text(word("successor"));
     extension.generations = generations();
+    if (word("upgrade").exists()) extension.upgrade = read_upgrade(build_, word("upgrade"));
     extension.enum_additions = enum_additions();
     extension.from_user = build_.sources[source_].from_user;
     return extension;

@@ -63,6 +63,13 @@ bool is_channels(std::string_view channels) {
   return !channels.empty();
 }
 
+// "r>a": where a channel is read and where it goes.
+bool is_swizzle(std::string_view text) {
+  constexpr std::string_view kChannels = "rgba";
+  return text.size() == 3 && text[1] == '>' && kChannels.find(text[0]) != kChannels.npos &&
+         kChannels.find(text[2]) != kChannels.npos;
+}
+
 bool is_media_type(std::string_view type) {
   const std::size_t slash = type.find('/');
   return slash != std::string_view::npos && slash != 0 && slash + 1 != type.size() &&
@@ -93,6 +100,8 @@ TextRule text_rule(Form form) {
               "must be a path from the root: \"/extensions/NAME/member/*/name\""};
     case Form::channels:
       return {is_channels, "must be some of the letters rgba, in this order"};
+    case Form::swizzle:
+      return {is_swizzle, "must name two channels of rgba such as \"r>a\""};
     case Form::extension_name:
       return {is_extension_name, "must be an extension's name such as KHR_x"};
     case Form::url:

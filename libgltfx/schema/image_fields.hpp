@@ -68,13 +68,29 @@ void exchange(Archive& archive, Generation& generation) {
 }
 
 template <class Archive>
+void exchange(Archive& archive, UpgradeStep& step) {
+  archive(step.copy, step.from, step.to, step.take, step.swizzle, step.accept_index,
+          step.generations);
+}
+
+template <class Archive>
+void exchange(Archive& archive, UpgradeLoss& loss) {
+  archive(loss.vertex_attribute, loss.generations, loss.because);
+}
+
+template <class Archive>
+void exchange(Archive& archive, Upgrade& upgrade) {
+  archive(upgrade.to, upgrade.strength, upgrade.hidden_by, upgrade.steps, upgrade.losses);
+}
+
+template <class Archive>
 void exchange(Archive& archive, Extension& extension) {
   archive(extension.name, extension.title, extension.description, extension.spec, extension.status,
           extension.homes, extension.excludes, extension.requires_, extension.overridden_by,
           extension.standalone, extension.khronos_validator, extension.must_be_required,
           extension.fallback, extension.image_mime_types, extension.vertex_attributes,
           extension.morph_attributes, extension.instance_attributes, extension.successor,
-          extension.generations, extension.enum_additions, extension.from_user);
+          extension.generations, extension.upgrade, extension.enum_additions, extension.from_user);
 }
 
 }  // namespace gltfx::schema

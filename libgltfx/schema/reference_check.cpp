@@ -24,7 +24,9 @@ class ReferenceCheck {
     }
     for (TypeId id = 0; id < set_.types.size(); ++id) slots(set_.types[id]);
     for (SourceId id = 0; id < build_.sources.size(); ++id) {
-      if (build_.sources[id].is_extension()) generations(id);
+      if (!build_.sources[id].is_extension()) continue;
+      generations(id);
+      upgrade(id);
     }
     nesting();
   }
@@ -174,6 +176,52 @@ class ReferenceCheck {
       known(name, place);
       scaled_by(set_.types[type], slot, place);
     }
+  }
+
+  // What an upgrade takes has to exist on the extension's object, what it gives on its successor's.
+  void upgrade(SourceId id) {
+    const Extension& extension = set_.extensions[build_.extension_of[id]];
+    if (extension.upgrade.to.empty() || extension.homes.empty()) return;
+    const Site root{id, build_.sources[id].document.root()};
+    const Site at = build_.member(build_.member(root, "x-gltfx"), "upgrade");
+    const auto successor = set_.extension_ids.find(extension.upgrade.to);
+    const bool described =
+        successor != set_.extension_ids.end() && !set_.extensions[successor->second].homes.empty();
+    if (!described) {
+      return unknown(build_.member(at, "to"), extension.upgrade.to,
+                     "no extension that is described", extension_names());
+    }
+    const auto type_of = [&](const Extension& of) {
+      return set_.shapes[of.homes.front().second].type;
+    };
+    const TypeId own = type_of(extension);
+    if (!extension.upgrade.strength.empty()) {
+      has_member(own, extension.upgrade.strength, build_.member(at, "strength"));
+    }
+    upgrade_steps(extension, own, type_of(set_.extensions[successor->second]),
+                  build_.member(at, "steps"));
+  }
+
+  void upgrade_steps(const Extension& extension, TypeId own, TypeId new_type, Site list) {
+    std::size_t index = 0;
+    for (const json::NodeId element : build_.document(list).elements(list.node)) {
+      const UpgradeStep& step = extension.upgrade.steps[index++];
+      const Site at{list.source, element};
+      if (!step.copy) has_member(own, step.from, build_.member(at, "from"));
+      has_member(new_type, step.to, build_.member(at, "to"));
+      for (const std::string& name : step.generations) {
+        std::vector<std::string_view> names;
+        for (const Generation& known : extension.generations) names.push_back(known.name);
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        unknown(build_.member(at, "generations"), name, "no generation of the extension", names);
+      }
+    }
+  }
+
+  void has_member(TypeId type, const std::string& name, Site at) {
+    if (type != kNone && set_.find_property(type, name) != nullptr) return;
+    unknown(at, name, "no property of the extension's object",
+            type == kNone ? std::vector<std::string_view>() : member_names(type));
   }
 
   // Shapes that hold for one value together: a cycle among them would never end.

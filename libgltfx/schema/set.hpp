@@ -152,6 +152,34 @@ struct Generation {
   std::vector<std::pair<std::string, Slot>> slots;
 };
 
+/// How one member comes to the successor of an extension.
+struct UpgradeStep {
+  /// Copied from the object that carries the extension, else moved within the extension's own.
+  bool copy = false;
+  std::string from;        ///< member; of a copy a path of members, "pbrMetallicRoughness/x"
+  std::string to;          ///< member of the successor's object
+  std::uint64_t take = 0;  ///< that many numbers of a list, the first ones; 0: the value as it is
+  std::string swizzle;     ///< "r>a": the texture needs an image whose A is the old R
+  bool accept_index = false;             ///< a bare index stands for {"index": n}
+  std::vector<std::string> generations;  ///< that have the step; empty: all
+};
+
+/// What an upgrade cannot carry over.
+struct UpgradeLoss {
+  std::string vertex_attribute;          ///< that the old extension read and the new one does not
+  std::vector<std::string> generations;  ///< that lose it; empty: all
+  std::string because;
+};
+
+/// The way from an extension to its successor.
+struct Upgrade {
+  std::string to;                   ///< empty: there is none
+  std::string strength;             ///< member that turns the effect off when it is 0
+  std::vector<Relation> hidden_by;  ///< extensions beside which the effect is not seen
+  std::vector<UpgradeStep> steps;
+  std::vector<UpgradeLoss> losses;
+};
+
 struct Extension {
   std::string name, title, description, spec;
   Status status = Status::vendor;
@@ -165,6 +193,7 @@ struct Extension {
   std::vector<AttributeFormat> vertex_attributes, morph_attributes, instance_attributes;
   std::string successor;
   std::vector<Generation> generations;
+  Upgrade upgrade;
   /// Values it adds to an `enum` of core: "animation.channel.target/path", {"pointer"}.
   std::vector<std::pair<std::string, std::vector<std::string>>> enum_additions;
   bool from_user = false;  ///< given at run time

@@ -67,6 +67,7 @@ class ShapeBuilder {
 /// Parts of the annotation `x-gltfx` that both shapes and extensions read.
 Slot read_slot(const Build& build, Site slot);
 Target read_target(const Build& build, Site text);
+Upgrade read_upgrade(const Build& build, Site upgrade);
 std::vector<std::string> read_names(const Build& build, Site list);
 Literal read_literal(const json::Document& document, json::NodeId node);
 

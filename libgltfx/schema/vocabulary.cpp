@@ -97,6 +97,7 @@ constexpr std::array kExtension{
     Word{"khronosValidator", F::flag},
     Word{"successor", F::extension_name},
     Word{"generations", F::generations},
+    Word{"upgrade", F::upgrade},
     Word{"enumAdditions", F::enum_additions},
     Word{"hint", F::nonempty_text},
 };
@@ -128,6 +129,28 @@ constexpr std::array kGeneration{
     Word{"slots", F::slot_map},
 };
 
+constexpr std::array kUpgrade{
+    Word{"to", F::extension_name, K::none, true},
+    Word{"strength", F::nonempty_text},
+    Word{"hiddenBy", F::relations},
+    Word{"steps", F::upgrade_steps, K::none, true},
+    Word{"losses", F::upgrade_losses},
+};
+constexpr std::array kUpgradeStep{
+    Word{"step", F::step_kind, K::none, true},
+    Word{"from", F::nonempty_text, K::none, true},
+    Word{"to", F::nonempty_text, K::none, true},
+    Word{"take", F::count},
+    Word{"swizzle", F::swizzle},
+    Word{"accept", F::accepted_form},
+    Word{"generations", F::names},
+};
+constexpr std::array kUpgradeLoss{
+    Word{"vertexAttribute", F::nonempty_text, K::none, true},
+    Word{"generations", F::names},
+    Word{"because", F::nonempty_text, K::none, true},
+};
+
 constexpr std::array<std::string_view, 7> kTypes{"object",  "array",   "string", "number",
                                                  "integer", "boolean", "null"};
 constexpr std::array<std::string_view, 6> kStatus{"ratified", "release-candidate", "draft",
@@ -137,6 +160,8 @@ constexpr std::array<std::string_view, 10> kMutable{"bool",     "int",    "float
                                                     "float4x4", "float[]"};
 constexpr std::array<std::string_view, 2> kColorSpaces{"linear", "srgb"};
 constexpr std::array<std::string_view, 2> kSeverities{"error", "warning"};
+constexpr std::array<std::string_view, 2> kStepKinds{"move", "copy"};
+constexpr std::array<std::string_view, 1> kAcceptedForms{"index"};
 constexpr std::array<std::string_view, 3> kRequirements{"always", "without-fallback",
                                                         "recommended"};
 constexpr std::array<std::string_view, 7> kElements{"SCALAR", "VEC2", "VEC3", "VEC4",
@@ -167,16 +192,29 @@ std::span<const Word> words(Context context) {
       return kAttribute;
     case Context::generation:
       return kGeneration;
+    case Context::upgrade:
+      return kUpgrade;
+    case Context::upgrade_step:
+      return kUpgradeStep;
+    case Context::upgrade_loss:
+      return kUpgradeLoss;
   }
   return {};
 }
 
 std::string_view context_name(Context context) {
-  constexpr std::array<std::string_view, 9> kNames{"a schema file", "a schema",
-                                                   "x-gltfx",       "x-gltfx of an extension",
-                                                   "a slot",        "a relation to an extension",
-                                                   "a companion",   "an attribute",
-                                                   "a generation"};
+  constexpr std::array<std::string_view, 12> kNames{"a schema file",
+                                                    "a schema",
+                                                    "x-gltfx",
+                                                    "x-gltfx of an extension",
+                                                    "a slot",
+                                                    "a relation to an extension",
+                                                    "a companion",
+                                                    "an attribute",
+                                                    "a generation",
+                                                    "an upgrade",
+                                                    "a step of an upgrade",
+                                                    "a loss of an upgrade"};
   return kNames[static_cast<std::size_t>(context)];
 }
 
@@ -204,6 +242,10 @@ std::span<const std::string_view> listed_values(Form form) {
       return kElements;
     case Form::component_types:
       return kComponents;
+    case Form::step_kind:
+      return kStepKinds;
+    case Form::accepted_form:
+      return kAcceptedForms;
     default:
       return {};
   }

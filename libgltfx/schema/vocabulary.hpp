@@ -102,6 +102,12 @@ enum class Form : std::uint8_t {
   component_types,
   generations,
   enum_additions,
+  upgrade,
+  upgrade_steps,
+  upgrade_losses,
+  step_kind,
+  accepted_form,
+  swizzle,
 };
 
 struct Word {
@@ -121,7 +127,10 @@ enum class Context : std::uint8_t {
   relation,
   companion,
   attribute,
-  generation
+  generation,
+  upgrade,
+  upgrade_step,
+  upgrade_loss
 };
 
 /// The words an object of that kind may have.

@@ -101,6 +101,13 @@ class FileCheck {
         return each_element(node, word, Context::companion);
       case Form::generations:
         return each_element(node, word, Context::generation);
+      case Form::upgrade:
+        open_.push_back({node, Context::upgrade});
+        return;
+      case Form::upgrade_steps:
+        return each_element(node, word, Context::upgrade_step);
+      case Form::upgrade_losses:
+        return each_element(node, word, Context::upgrade_loss);
       case Form::semantics:
         return each_member(node, word, Context::attribute);
       default:

@@ -181,6 +181,24 @@ INSTANTIATE_TEST_SUITE_P(
             "generation_slot",
             R"(, "generations": [{"name": "1", "description": "1", "slots": {"u": {"channels": "r", "colorSpace": "linear"}}}])",
             "/x-gltfx/generations/0/slots/u", "no property"},
+        WordMistake{
+            "upgrade_to_nothing",
+            R"(, "upgrade": {"to": "ACME_z", "steps": [{"step": "move", "from": "t", "to": "t"}]})",
+            "/x-gltfx/upgrade/to", "no extension that is described"},
+        WordMistake{"upgrade_without_steps", R"(, "upgrade": {"to": "ACME_x"})", "/x-gltfx/upgrade",
+                    "'steps' is missing"},
+        WordMistake{
+            "upgrade_step_kind",
+            R"(, "upgrade": {"to": "ACME_x", "steps": [{"step": "moves", "from": "t", "to": "t"}]})",
+            "/x-gltfx/upgrade/steps/0/step", "did you mean 'move'?"},
+        WordMistake{
+            "upgrade_swizzle",
+            R"(, "upgrade": {"to": "ACME_x", "steps": [{"step": "move", "from": "t", "to": "t", "swizzle": "x>a"}]})",
+            "/x-gltfx/upgrade/steps/0/swizzle", "two channels"},
+        WordMistake{
+            "upgrade_loss_without_reason",
+            R"(, "upgrade": {"to": "ACME_x", "steps": [{"step": "move", "from": "t", "to": "t"}], "losses": [{"vertexAttribute": "COLOR_0"}]})",
+            "/x-gltfx/upgrade/losses/0", "'because' is missing"},
         WordMistake{"standalone_text", R"(, "standalone": "yes")", "/x-gltfx/standalone",
                     "true or false"},
         WordMistake{"twice", R"(, "status": "draft")", "", ""}),

@@ -80,6 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Pair{Context::generation,
                          meta()["$defs"]["extension"]["properties"]["generations"]["items"]},
                     Pair{Context::relation, meta()["$defs"]["others"]["items"]},
+                    Pair{Context::upgrade, meta()["$defs"]["upgrade"]},
+                    Pair{Context::upgrade_step, meta()["$defs"]["upgradeStep"]},
+                    Pair{Context::upgrade_loss, meta()["$defs"]["upgradeLoss"]},
                     Pair{Context::companion, meta()["$defs"]["companions"]["items"]}));
 
 class VocabularyList : public testing::TestWithParam<std::pair<Form, Json>> {};
@@ -97,6 +100,9 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{Form::requirement,
                   meta()["$defs"]["extension"]["properties"]["mustBeRequired"]["enum"]},
         std::pair{Form::mutable_type, meta()["$defs"]["word"]["properties"]["mutable"]["enum"]},
+        std::pair{Form::step_kind, meta()["$defs"]["upgradeStep"]["properties"]["step"]["enum"]},
+        std::pair{Form::accepted_form,
+                  meta()["$defs"]["upgradeStep"]["properties"]["accept"]["enum"]},
         std::pair{Form::color_space, meta()["$defs"]["slot"]["properties"]["colorSpace"]["enum"]},
         std::pair{Form::element_types,
                   meta()["$defs"]["attribute"]["properties"]["types"]["items"]["enum"]},
