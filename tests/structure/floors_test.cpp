@@ -26,7 +26,8 @@ const std::map<std::string, int, std::less<>> kFloors{
 const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/diagnostic.hpp", "base"},   {"gltfx/version.hpp", "base"},
     {"gltfx/report.hpp", "report"},     {"gltfx/validate.hpp", "validate"},
-    {"gltfx/pipeline.hpp", "pipeline"}, {"gltfx/mapping.hpp", "container"},
+    {"gltfx/upgrade.hpp", "upgrade"},   {"gltfx/pipeline.hpp", "pipeline"},
+    {"gltfx/mapping.hpp", "container"},
 };
 
 // Lower floors that a room must not reach for all the same.

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What an upgrade can be asked for, and what it says of each legacy object. The calls are in
+/// <gltfx/pipeline.hpp>.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gltfx {
+
+namespace schema {
+class Set;
+}
+
+/// What an upgrade of one object comes to.
+enum class UpgradeFate : std::uint8_t {
+  safe,    ///< the same picture by the published texts, and nothing in the file speaks against it
+  unsafe,  ///< something is lost: done when asked for
+  needs_image,  ///< a channel of an image has to be moved first: the object is left alone
+  impossible,   ///< a fault or another extension stands against it: the object is left alone
+};
+/// "safe", "unsafe", "needs an image", "not possible".
+std::string_view upgrade_fate_name(UpgradeFate fate);
+
+/// One object of a legacy extension. Owns its text.
+struct UpgradeAction {
+  std::string pointer;     ///< of the object in the old document (RFC 6901)
+  std::string from, to;    ///< names of the extensions
+  std::string generation;  ///< as which generation it was read; empty when there is only one
+  std::string decision;    ///< why as that one; empty when there is only one
+  UpgradeFate fate = UpgradeFate::safe;
+  bool removed = false;            ///< it has no effect, so it goes and nothing takes its place
+  bool done = false;               ///< part of the new document
+  std::vector<std::string> notes;  ///< what is lost, repaired or in the way; sentences without stop
+};
+
+struct UpgradeOptions {
+  /// "auto", or the name of a generation: every legacy object is read as that one.
+  std::string generation = "auto";
+  bool unsafe = false;  ///< do what loses something, too
+  /// A file in which something cannot be done without loss is an error and is not written.
+  bool strict = false;
+  bool diff = false;  ///< fill UpgradeReport::diff
+
+  bool in_place = false;  ///< replace the file
+  bool backup = false;    ///< in place: keep the old bytes beside it, with ".bak" behind the name
+  /// Write here instead; empty: nowhere. Files that the asset refers to are copied beside it when
+  /// the folder is another one. Folders are made.
+  std::string output;
+  /// Folder that files may come from; empty: the asset's own.
+  std::string root;
+  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  std::shared_ptr<const schema::Set> schemas;
+};
+
+/// Why a file was not dealt with as it was asked.
+enum class UpgradeProblem : std::uint8_t {
+  none,
+  unreadable,   ///< it could not be read, or is no glTF
+  refused,      ///< it could be read, but not be changed safely
+  not_written,  ///< the new bytes could not be written; the old ones are still there
+};
+
+/// What was found in one file, and what became of it. Owns its text.
+struct UpgradeReport {
+  std::string path;                    ///< as the user named it
+  std::vector<UpgradeAction> actions;  ///< in the order of the document; empty: nothing legacy
+  UpgradeProblem problem = UpgradeProblem::none;
+  std::string error;     ///< what the problem is, one sentence
+  bool changes = false;  ///< the new document differs from the old one
+  bool written = false;  ///< the new bytes are durable at `written_to`
+  std::string written_to;
+  std::string diff;  ///< unified, of the JSON text; raw asset text
+
+  /// Legacy objects that stay as they are.
+  std::uint64_t left() const;
+};
+
+}  // namespace gltfx

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+/// As which of the shapes that went by an extension's name an object is read.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "json/document.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::upgrade {
+
+struct Decision {
+  const schema::Generation* generation =
+      nullptr;  ///< null: the extension has only one, or `problem`
+  std::string because;
+  std::string problem;  ///< why the wanted generation cannot be it
+};
+
+/// `wanted` is "auto" or one of the names in a generation's ("v2/v3" has two).
+Decision decide_generation(const json::Document& document, const schema::Extension& extension,
+                           json::NodeId object, std::string_view wanted);
+
+/// Whether a generation's name is, or has among its alternatives, that word.
+bool is_called(const schema::Generation& generation, std::string_view word);
+
+}  // namespace gltfx::upgrade

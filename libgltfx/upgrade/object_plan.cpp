@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "upgrade/object_plan.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "json/parse.hpp"
+#include "upgrade/generation.hpp"
+
+namespace gltfx::upgrade {
+namespace {
+
+std::vector<std::string> split(std::string_view path) {
+  std::vector<std::string> steps;
+  while (true) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    steps.emplace_back(path.substr(0, end));
+    if (end == path.size()) return steps;
+    path.remove_prefix(end + 1);
+  }
+}
+
+std::vector<json::Number> numbers_of(const json::Document& document, json::NodeId list) {
+  std::vector<json::Number> numbers;
+  if (document.kind(list) != json::Kind::number_array) return numbers;
+  for (json::NumberCursor at(document, list); at.valid(); at.advance()) {
+    numbers.push_back(at.number());
+  }
+  return numbers;
+}
+
+}  // namespace
+
+ObjectPlan::ObjectPlan(Context& context, const schema::Extension& extension, Carrier carrier)
+    : context_(context),
+      document_(context.document),
+      extension_(extension),
+      successor_(context.set.extensions()[context.set.find_extension(extension.upgrade.to)]),
+      carrier_(std::move(carrier)) {}
+
+UpgradeAction ObjectPlan::judge() {
+  action_.pointer =
+      fmt::format("/{}/{}/extensions/{}", carrier_.array, carrier_.index, extension_.name);
+  action_.from = extension_.name;
+  action_.to = extension_.upgrade.to;
+  const auto refuse = [this](std::string why) {
+    action_.fate = UpgradeFate::impossible;
+    action_.notes.push_back(std::move(why));
+    return action_;
+  };
+  if (!document_.is_object(carrier_.object)) return refuse("it is no object");
+  if (const Problem why = reason_to_go()) {
+    if (is_pointed_at({"extensions", extension_.name})) {
+      return refuse(*why + ", but an animation or graph points into it");
+    }
+    action_.removed = true;
+    action_.notes.push_back(*why);
+    return action_;
+  }
+  const Decision decision =
+      decide_generation(document_, extension_, carrier_.object, context_.options.generation);
+  if (!decision.problem.empty()) return refuse(decision.problem);
+  if (decision.generation != nullptr) generation_ = decision.generation->name;
+  action_.generation = generation_;
+  action_.decision = decision.because;
+  if (Problem problem = judge_company()) return refuse(*std::move(problem));
+  if (Problem problem = judge_steps()) return refuse(*std::move(problem));
+  note_losses();
+  return action_;
+}
+
+bool ObjectPlan::is_pointed_at(const std::vector<std::string>& steps) const {
+  return context_.pointers.lead_below(carrier_.array, std::to_string(carrier_.index), steps);
+}
+
+bool ObjectPlan::has_beside(const std::string& extension) const {
+  return document_.find(carrier_.extensions, extension) != json::kNoNode;
+}
+
+// Objects without effect.
+ObjectPlan::Problem ObjectPlan::reason_to_go() const {
+  const schema::Upgrade& upgrade = extension_.upgrade;
+  if (has_beside(upgrade.to)) {
+    return fmt::format("{} stands beside it already and is what readers use", upgrade.to);
+  }
+  for (const schema::Relation& hider : upgrade.hidden_by) {
+    if (has_beside(hider.extension)) return fmt::format("without effect: {}", hider.because);
+  }
+  if (upgrade.strength.empty() ||
+      is_pointed_at({"extensions", extension_.name, upgrade.strength})) {
+    return std::nullopt;
+  }
+  const json::NodeId strength = document_.find(carrier_.object, upgrade.strength);
+  if (strength == json::kNoNode) return fmt::format("without effect: no {}", upgrade.strength);
+  const bool off = document_.is_number(strength) && document_.number(strength).value == 0;
+  if (!off) return std::nullopt;
+  return fmt::format("without effect: {} is 0", upgrade.strength);
+}
+
+ObjectPlan::Problem ObjectPlan::judge_company() const {
+  for (const schema::Relation& excluded : successor_.excludes) {
+    if (!has_beside(excluded.extension)) continue;
+    return fmt::format("{} must not stand beside {}: {}", successor_.name, excluded.extension,
+                       excluded.because);
+  }
+  return std::nullopt;
+}
+
+bool ObjectPlan::applies(const std::vector<std::string>& generations) const {
+  return generations.empty() ||
+         std::find(generations.begin(), generations.end(), generation_) != generations.end();
+}
+
+ObjectPlan::Problem ObjectPlan::judge_steps() {
+  for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
+    if (!applies(step.generations)) continue;
+    if (document_.find(carrier_.object, step.to) != json::kNoNode) {
+      return fmt::format("it has a member {} already", gltfx::quoted(step.to));
+    }
+    if (Problem problem = step.copy ? find_copied(step) : find_moved(step)) return problem;
+  }
+  return std::nullopt;
+}
+
+ObjectPlan::Problem ObjectPlan::check_value(const std::string& name, json::NodeId value) {
+  const schema::TypeId type = context_.set.shape(extension_.homes.front().second).type;
+  const schema::Property* property =
+      type == schema::kNone ? nullptr : context_.set.find_property(type, name);
+  if (property == nullptr) return std::nullopt;
+  if (!context_.holds(property->shape, {value})) {
+    return fmt::format("its {} is not valid; 'gltfx validate' says why", name);
+  }
+  const json::NodeId index = document_.find(value, "index");
+  return index == json::kNoNode ? std::nullopt : check_texture(name, index);
+}
+
+ObjectPlan::Problem ObjectPlan::check_texture(const std::string& name, json::NodeId index) {
+  const auto texture = document_.unsigned_integer(index);
+  if (texture && *texture < context_.texture_count()) return std::nullopt;
+  return fmt::format("its {} leads to no texture", name);
+}
+
+ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
+  const json::NodeId value = document_.find(carrier_.object, step.from);
+  if (value == json::kNoNode) return std::nullopt;
+  Found found{&step, value, {}};
+  json::NodeId index = document_.find(value, "index");
+  if (step.accept_index && document_.is_number(value)) {
+    index = value;
+    if (Problem problem = check_texture(step.from, value)) return problem;
+    found.json = fmt::format(R"({{"index":{}}})", document_.raw(value));
+    action_.notes.push_back(step.from + " was a bare index and becomes an object");
+  } else if (Problem problem = check_value(step.from, value)) {
+    return problem;
+  }
+  if (!step.swizzle.empty()) {
+    const std::uint64_t texture = document_.unsigned_integer(index).value_or(0);
+    action_.fate = UpgradeFate::needs_image;
+    action_.notes.push_back(
+        fmt::format("texture {} has in {} what {} reads in {}: its image has to be made anew",
+                    texture, step.swizzle[0], step.to, step.swizzle[2]));
+    context_.plan.textures.push_back({action_.pointer + "/" + step.from, texture, step.swizzle});
+  }
+  found_.push_back(std::move(found));
+  return std::nullopt;
+}
+
+ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
+  const std::vector<std::string> path = split(step.from);
+  json::NodeId value = carrier_.host;
+  for (const std::string& name : path) value = document_.find(value, name);
+  if (value != json::kNoNode) {
+    Found found{&step, value, std::string(document_.raw(value))};
+    if (step.take > 0) {
+      std::vector<json::Number> numbers = numbers_of(document_, value);
+      if (numbers.size() < step.take) return fmt::format("{} is not valid", step.from);
+      numbers.resize(step.take);
+      if (is_default(step.to, numbers) && !is_pointed_at(path)) return std::nullopt;
+      std::string list;
+      for (const json::Number& number : numbers) {
+        list.append(1, list.empty() ? '[' : ',').append(number.span.in(document_.text()));
+      }
+      found.json = std::move(list).append(1, ']');
+    }
+    found_.push_back(std::move(found));
+  }
+  if (is_pointed_at(path)) {
+    lose(fmt::format("{} is animated; the copy in {} stays as it is now", step.from, step.to));
+  }
+  return std::nullopt;
+}
+
+bool ObjectPlan::is_default(const std::string& property,
+                            const std::vector<json::Number>& numbers) const {
+  const schema::TypeId type = context_.set.shape(successor_.homes.front().second).type;
+  const schema::Property* described = context_.set.find_property(type, property);
+  if (described == nullptr || described->default_json.empty()) return false;
+  const json::Parsed fallback = json::parse(described->default_json);
+  const std::vector<json::Number> usual = numbers_of(fallback.document, fallback.document.root());
+  return std::equal(numbers.begin(), numbers.end(), usual.begin(), usual.end(),
+                    [](const auto& a, const auto& b) { return a.value == b.value; });
+}
+
+void ObjectPlan::lose(std::string note) {
+  if (action_.fate == UpgradeFate::safe) action_.fate = UpgradeFate::unsafe;
+  action_.notes.push_back(std::move(note));
+}
+
+void ObjectPlan::note_losses() {
+  for (const schema::UpgradeLoss& loss : extension_.upgrade.losses) {
+    if (!applies(loss.generations)) continue;
+    if (carrier_.array != "materials") continue;
+    if (context_.is_used_with(loss.vertex_attribute, carrier_.index)) {
+      lose(fmt::format("{}: {}", loss.vertex_attribute, loss.because));
+    }
+  }
+}
+
+void ObjectPlan::apply() {
+  const json::NodeId key = carrier_.object - 1;
+  if (action_.removed) {
+    context_.dropped[carrier_.host].push_back(key);
+    return;
+  }
+  context_.editor.rename(key, extension_.upgrade.to);
+  for (const Found& found : found_) {
+    if (found.step->copy) {
+      context_.editor.append_member(carrier_.object, found.step->to, found.json);
+      continue;
+    }
+    context_.editor.rename(found.value - 1, found.step->to);
+    if (!found.json.empty()) context_.editor.replace(carrier_.object, found.value, found.json);
+  }
+}
+
+}  // namespace gltfx::upgrade

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The fate of one legacy object: judged first, changed only when it is to be done.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "upgrade/context.hpp"
+
+namespace gltfx::upgrade {
+
+class ObjectPlan {
+ public:
+  ObjectPlan(Context& context, const schema::Extension& extension, Carrier carrier);
+
+  /// What is to become of it, and why.
+  UpgradeAction judge();
+  /// Puts the changes into the context's editor. Precondition: judge() found it possible.
+  void apply();
+
+ private:
+  /// A step with what it finds in the document.
+  struct Found {
+    const schema::UpgradeStep* step;
+    json::NodeId value;
+    std::string json;  ///< new text of the value; empty: it stays
+  };
+  using Problem = std::optional<std::string>;
+
+  bool is_pointed_at(const std::vector<std::string>& steps) const;
+  bool has_beside(const std::string& extension) const;
+  Problem reason_to_go() const;
+  Problem judge_company() const;
+  Problem judge_steps();
+  Problem find_moved(const schema::UpgradeStep& step);
+  Problem find_copied(const schema::UpgradeStep& step);
+  Problem check_value(const std::string& name, json::NodeId value);
+  Problem check_texture(const std::string& name, json::NodeId index);
+  void note_losses();
+  bool applies(const std::vector<std::string>& generations) const;
+  bool is_default(const std::string& property, const std::vector<json::Number>& numbers) const;
+  void lose(std::string note);
+
+  Context& context_;
+  const json::Document& document_;
+  const schema::Extension& extension_;
+  const schema::Extension& successor_;
+  const Carrier carrier_;
+  std::string generation_;
+  std::vector<Found> found_;
+  UpgradeAction action_;
+};
+
+}  // namespace gltfx::upgrade
