@@ -8,20 +8,13 @@
 
 #include "base/parallel.hpp"
 #include "container/container.hpp"
-#include "container/resolver.hpp"
+#include "pipeline/resolver_for.hpp"
 #include "validate/validator.hpp"
 
 namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The asset's folder is the base of its references; the root of trust is that folder or a wider one
-// that the user named.
-container::Resolver resolver_for(const fs::path& folder, const std::string& root) {
-  const fs::path base = folder.empty() ? fs::path(".") : folder;
-  return {root.empty() ? base : fs::path(root), base};
-}
 
 // The library does not throw: memory that cannot be had is one more reason why a file is
 // unreadable.

@@ -60,6 +60,7 @@ class Declaration {
     app_.footer([] { return help_footer(""); });
     app_.add_flag("--version", version_, "Versions of gltfx and of what it was built with");
     declare_validate();
+    declare_upgrade();
     declare_explain();
     declare_rules();
     declare_schema();
@@ -73,6 +74,7 @@ class Declaration {
   void declare_validate();
   void declare_filters(CLI::App& app);
   void declare_budgets(CLI::App& app);
+  void declare_upgrade();
   void declare_explain();
   void declare_rules();
   void declare_schema();
@@ -81,10 +83,15 @@ class Declaration {
   std::string unknown_verb(const std::string& word) const;
   CommandLine request(std::string_view verb) const;
 
-  CLI::App app_{"Validates glTF 2.0 assets and says exactly what is wrong and where.", "gltfx"};
+  CLI::App app_{
+      "Validates glTF 2.0 assets, says exactly what is wrong and where, and brings legacy ones up "
+      "to "
+      "date.",
+      "gltfx"};
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
   ValidateWords validate_;
+  UpgradeWords upgrade_;
   ExplainWords explain_;
   RulesWords rules_;
   SchemaWords schema_;
@@ -141,6 +148,27 @@ void Declaration::declare_budgets(CLI::App& app) {
   add_word(app, "--max-draw-calls", validate_.max_draw_calls, "N", "Budget for primitives");
   add_word(app, "--max-file-size", validate_.max_file_size, "BYTES",
            "Budget for the file and those it refers to");
+}
+
+void Declaration::declare_upgrade() {
+  CLI::App& app = verb("upgrade", "Bring legacy extensions to their successors");
+  describe_positional(app, "PATH", "Files, folders (searched through) or globs");
+  app.add_flag("--in-place", upgrade_.in_place, "Replace the files, each whole or not at all");
+  add_word(app, "-o,--output", upgrade_.output, "FILE|DIR",
+           "Write there, with the files that the asset refers to");
+  app.add_flag("--backup", upgrade_.backup, "With --in-place: keep the old file as NAME.bak");
+  app.add_flag("--check", upgrade_.check, "Write nothing; exit with 1 when something is to do");
+  app.add_flag("--diff", upgrade_.diff, "Print what changes as a unified diff");
+  app.add_flag("--unsafe", upgrade_.unsafe, "Do what loses something, too");
+  app.add_flag("--strict", upgrade_.strict,
+               "Leave files alone in which something cannot be done without loss");
+  add_word(app, "--generation", upgrade_.generation, "NAME",
+           "Read legacy objects as v1, v2 or v3 (default: auto, by their members)");
+  add_word(app, "--root", upgrade_.root, "DIR",
+           "Folder that buffers and images may come from (default: the asset's own)");
+  add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);
+  app.add_flag("-q,--quiet", upgrade_.quiet, "Problems only: no plan, no summary");
+  add_common(app, upgrade_.common);
 }
 
 void Declaration::declare_explain() {
@@ -216,6 +244,7 @@ std::string Declaration::take_positionals() {
 
 std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "validate") return &validate_.paths;
+  if (verb == "upgrade") return &upgrade_.paths;
   if (verb == "explain") return &explain_.codes;
   return verb == "schema" ? &schema_.names : nullptr;
 }
@@ -234,6 +263,7 @@ CommandLine command_of(std::string_view verb, Result<Wanted> wanted) {
 
 CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "validate") return command_of(verb, request_of(validate_));
+  if (verb == "upgrade") return command_of(verb, request_of(upgrade_));
   if (verb == "explain") return command_of(verb, request_of(explain_));
   if (verb == "rules") return command_of(verb, request_of(rules_));
   return command_of(verb, request_of(schema_));

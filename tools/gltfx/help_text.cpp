@@ -13,6 +13,7 @@ namespace {
 constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx validate model.glb           is this asset valid, and if not, where and why
   gltfx validate assets/ --jobs 4    every .gltf and .glb below a folder
+  gltfx upgrade assets/ --in-place   bring legacy extensions to their successors
   gltfx explain VALUE_NOT_IN_RANGE   why a rule exists and how to satisfy it
   gltfx schema KHR_materials_volume  what is known of an extension
   gltfx VERB --help                  all options of a verb
@@ -26,6 +27,14 @@ constexpr std::string_view kValidateExamples = R"(Examples:
   gltfx validate assets/ --write-baseline known.json   once, then:
   gltfx validate assets/ --baseline known.json         fails on what is new
   gltfx validate model.gltf --schema ACME_leaf.schema.json
+)";
+
+constexpr std::string_view kUpgradeExamples = R"(Examples:
+  gltfx upgrade model.gltf                  what would be done, and why; nothing is written
+  gltfx upgrade model.gltf --diff           the same as a diff
+  gltfx upgrade assets/ --in-place          only what keeps the picture the same
+  gltfx upgrade assets/ --check             for CI: 1 when there is something to do
+  gltfx upgrade old.glb -o new.glb --unsafe --generation v2
 )";
 
 constexpr std::string_view kExplainExamples = R"(Examples:
@@ -46,6 +55,7 @@ constexpr std::string_view kSchemaExamples = R"(Examples:
 
 std::string_view examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
+  if (verb == "upgrade") return kUpgradeExamples;
   if (verb == "explain") return kExplainExamples;
   if (verb == "rules") return kRulesExamples;
   if (verb == "schema") return kSchemaExamples;

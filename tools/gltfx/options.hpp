@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gltfx/report.hpp>
+#include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
 
 #include <cstdint>
@@ -45,6 +46,17 @@ struct ValidateRequest {
   std::string write_baseline;  ///< file to write, may be empty
 };
 
+struct UpgradeRequest {
+  CommonOptions common;
+  std::vector<std::string> paths;
+  /// All but `schemas`, which comes from the files below. With several inputs `output` is a folder.
+  UpgradeOptions upgrade;
+  bool check = false;  ///< say by the exit code whether something is to do
+  bool quiet = false;
+  std::vector<std::string> schema_files;
+  std::vector<std::string> schema_folders;
+};
+
 struct ExplainRequest {
   CommonOptions common;
   std::vector<std::string> codes;
@@ -66,7 +78,8 @@ struct SchemaRequest {
   std::vector<std::string> schema_folders;
 };
 
-using Request = std::variant<ValidateRequest, ExplainRequest, RulesRequest, SchemaRequest>;
+using Request =
+    std::variant<ValidateRequest, UpgradeRequest, ExplainRequest, RulesRequest, SchemaRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.

@@ -114,6 +114,9 @@ std::string extension_facts(const Set& set, const schema::Extension& extension) 
   for (const schema::Generation& generation : extension.generations) {
     facts.add("generation", generation.name + ": " + generation.description);
   }
+  if (!extension.upgrade.to.empty()) {
+    facts.add("upgrade", fmt::format("gltfx upgrade brings it to {}", extension.upgrade.to));
+  }
   facts.add("specification", extension.spec);
   return facts.text();
 }

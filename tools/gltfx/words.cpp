@@ -81,6 +81,34 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   return reading.finish(request);
 }
 
+Result<UpgradeRequest> request_of(const UpgradeWords& words) {
+  Reading reading;
+  UpgradeRequest request;
+  read_common(reading, words.common, request.common);
+  reading.require(!words.paths.empty(), "upgrade: name at least one file, folder or glob.");
+  const bool writes = words.in_place || !words.output.empty();
+  reading.require(!words.in_place || words.output.empty(),
+                  "upgrade: --in-place and --output exclude each other.");
+  reading.require(!words.check || !writes,
+                  "upgrade: --check writes nothing; leave out "
+                  "--in-place and --output.");
+  reading.require(!words.backup || words.in_place, "upgrade: --backup goes with --in-place.");
+  request.paths = words.paths;
+  request.upgrade.generation = words.generation;
+  request.upgrade.unsafe = words.unsafe;
+  request.upgrade.strict = words.strict;
+  request.upgrade.diff = words.diff;
+  request.upgrade.in_place = words.in_place;
+  request.upgrade.backup = words.backup;
+  request.upgrade.output = words.output;
+  request.upgrade.root = words.root;
+  request.check = words.check;
+  request.quiet = words.quiet;
+  request.schema_files = words.schema_files;
+  request.schema_folders = words.schema_folders;
+  return reading.finish(request);
+}
+
 Result<ExplainRequest> request_of(const ExplainWords& words) {
   Reading reading;
   ExplainRequest request;

@@ -25,6 +25,14 @@ struct ValidateWords {
   bool quiet = false;
 };
 
+struct UpgradeWords {
+  CommonWords common;
+  std::vector<std::string> paths, schema_files, schema_folders;
+  std::string output, generation = "auto", root;
+  bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
+       strict = false, quiet = false;
+};
+
 struct ExplainWords {
   CommonWords common;
   std::vector<std::string> codes;
@@ -43,6 +51,7 @@ struct SchemaWords {
 
 // Words into a request; the Error says which word is wrong.
 Result<ValidateRequest> request_of(const ValidateWords& words);
+Result<UpgradeRequest> request_of(const UpgradeWords& words);
 Result<ExplainRequest> request_of(const ExplainWords& words);
 Result<RulesRequest> request_of(const RulesWords& words);
 Result<SchemaRequest> request_of(const SchemaWords& words);

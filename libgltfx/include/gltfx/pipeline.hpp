@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gltfx/report.hpp>
+#include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
 
 #include <functional>
@@ -29,5 +30,21 @@ FileReport validate_example(const RuleDescription& rule, std::string_view exampl
 /// `paths`, one at a time. Memory does not grow with the number of files.
 void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
                     unsigned jobs, const std::function<void(FileReport&&)>& consume);
+
+/// Brings the legacy extensions of the file at `path` to their successors, as far as the options
+/// ask for. A file is changed whole or not at all, only after the new bytes were validated, and
+/// never when there is nothing to do. Never throws. Safe to call from several threads for different
+/// files.
+UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options = {});
+
+/// A file and where its upgrade goes; `output` as in UpgradeOptions.
+struct UpgradeInput {
+  std::string path, output;
+};
+
+/// Upgrades many files on `jobs` threads (at least 1) and hands over the reports in the order of
+/// `inputs`, one at a time.
+void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions& options,
+                   unsigned jobs, const std::function<void(UpgradeReport&&)>& consume);
 
 }  // namespace gltfx

@@ -162,7 +162,9 @@ void report_unknown(const Entry& entry) {
 
 std::string successor_help(const schema::Extension& extension) {
   if (extension.successor.empty()) return {};
-  return fmt::format("its successor is {}", extension.successor);
+  const bool mendable = extension.upgrade.to == extension.successor;
+  return fmt::format("its successor is {}{}", extension.successor,
+                     mendable ? "; 'gltfx upgrade' brings the file there" : "");
 }
 
 void report_status(const Entry& entry, const schema::Extension& extension) {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/companions.hpp"
+
+#include <set>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "base/replace_file.hpp"
+#include "base/text.hpp"
+#include "container/container.hpp"
+#include "container/uri.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Members called "uri", wherever extensions put them; extras are nobody's business.
+std::set<std::string> referred_paths(const json::Document& document) {
+  std::set<std::string> paths;
+  const json::KeyId extras = document.key_id("extras");
+  const json::KeyId uri = document.key_id("uri");
+  for (json::NodeId id = 0; id < document.node_count();) {
+    const json::Node& node = document.node(id);
+    if (node.kind == json::Kind::key && node.next == extras) {
+      id = document.next(id + 1);
+      continue;
+    }
+    if (node.kind == json::Kind::key && node.next == uri && document.is_string(id + 1)) {
+      container::Uri reference = container::classify_uri(document.string(id + 1));
+      if (reference.kind == container::UriKind::relative_path) {
+        paths.insert(std::move(reference.path));
+      }
+    }
+    ++id;
+  }
+  return paths;
+}
+
+bool has_bytes(const fs::path& file, std::string_view bytes) {
+  const auto present = container::open_file(file);
+  return present && present->bytes.text() == bytes;
+}
+
+std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
+                          const fs::path& folder) {
+  if (path.starts_with("..")) {
+    return Error{
+        fmt::format("{} lies outside the asset's folder and would be missed in the new one",
+                    quoted(path, 200))};
+  }
+  const container::Resolved resolved = resolver.open(path);
+  if (resolved.fault == container::ResolveFault::not_found) return std::nullopt;
+  if (resolved.fault != container::ResolveFault::none) {
+    return Error{container::describe(resolved.fault, path, resolved.problem)};
+  }
+  const fs::path target = folder / path;
+  std::error_code fault;
+  fs::create_directories(target.parent_path(), fault);
+  if (fault)
+    return Error{fmt::format("cannot create {}: {}", quoted(target.parent_path().native(), 200),
+                             fault.message())};
+  if (!fs::exists(target, fault)) return create_file(target, resolved.bytes.text());
+  if (has_bytes(target, resolved.bytes.text())) return std::nullopt;
+  return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
+}
+
+}  // namespace
+
+std::optional<Error> copy_companions(const json::Document& document,
+                                     const container::Resolver& resolver, const fs::path& folder) {
+  for (const std::string& path : referred_paths(document)) {
+    if (auto trouble = copy(path, resolver, folder)) return trouble;
+  }
+  return std::nullopt;
+}
+
+}  // namespace gltfx

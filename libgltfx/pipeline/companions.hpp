@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Files that an asset refers to, where the asset is written to another folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "base/result.hpp"
+#include "container/resolver.hpp"
+#include "json/document.hpp"
+
+namespace gltfx {
+
+/// Copies every file below `folder`, under the name by which the document refers to it. One that is
+/// there with the same bytes stays; one with other bytes is not overwritten. References to files
+/// that do not exist are passed over: they lead nowhere before and after.
+std::optional<Error> copy_companions(const json::Document& document,
+                                     const container::Resolver& resolver,
+                                     const std::filesystem::path& folder);
+
+}  // namespace gltfx

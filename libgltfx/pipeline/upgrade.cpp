@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <filesystem>
+#include <map>
+#include <new>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/parallel.hpp"
+#include "base/replace_file.hpp"
+#include "base/text.hpp"
+#include "container/container.hpp"
+#include "json/parse.hpp"
+#include "pipeline/companions.hpp"
+#include "pipeline/resolver_for.hpp"
+#include "schema/compile.hpp"
+#include "upgrade/diff.hpp"
+#include "upgrade/glb_rewrite.hpp"
+#include "upgrade/plan.hpp"
+#include "validate/validator.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ErrorCounts = std::map<std::string_view, std::uint64_t>;
+
+/// One file on its way: read, planned, checked, written.
+class Upgrade {
+ public:
+  Upgrade(const std::string& path, const UpgradeOptions& options)
+      : path_(path),
+        options_(options),
+        schemas_(options.schemas ? options.schemas : schema::builtin_set()),
+        resolver_(resolver_for(fs::path(path).parent_path(), options.root)) {
+    report_.path = path;
+  }
+
+  UpgradeReport run() {
+    if (read() && plan() && wants_to_write()) write();
+    return std::move(report_);
+  }
+
+ private:
+  bool fail(UpgradeProblem problem, std::string error) {
+    report_.problem = problem;
+    report_.error = std::move(error);
+    for (UpgradeAction& action : report_.actions) action.done = false;
+    report_.changes = false;
+    return false;
+  }
+
+  // The state is taken before the bytes: a change between the two is seen when it is written.
+  bool read() {
+    const auto state = file_state(path_);
+    auto opened = container::open_file(path_);
+    if (!opened) return fail(UpgradeProblem::unreadable, opened.error().message);
+    if (!state) return fail(UpgradeProblem::unreadable, state.error().message);
+    state_ = *state;
+    container_ = *std::move(opened);
+    if (container_.format == container::Format::git_lfs_pointer) {
+      return fail(UpgradeProblem::unreadable,
+                  "it is a Git-LFS pointer; 'git lfs pull' fetches the file itself");
+    }
+    if (!container_.json) {
+      return fail(UpgradeProblem::unreadable, "it holds no glTF; 'gltfx validate' says why");
+    }
+    parsed_ = json::parse(container_.json);
+    if (!parsed_.document.empty()) return true;
+    return fail(UpgradeProblem::unreadable, "its JSON is broken; 'gltfx validate' says where");
+  }
+
+  bool plan() {
+    upgrade::Plan plan = upgrade::make_plan(parsed_.document, *schemas_, options_);
+    report_.actions = std::move(plan.actions);
+    edits_ = std::move(plan.edits);
+    if (report_.actions.empty()) return true;
+    if (!parsed_.ok() || !container_.faults.empty() || !container_.late_faults.empty()) {
+      return fail(UpgradeProblem::refused,
+                  "it has faults that make an edit ambiguous; mend those that 'gltfx validate' "
+                  "reports first");
+    }
+    report_.changes = !edits_.empty();
+    if (options_.strict && !is_lossless()) {
+      return fail(UpgradeProblem::refused,
+                  "not everything can be upgraded without loss (--strict)");
+    }
+    if (options_.diff) report_.diff = upgrade::unified_diff(*container_.json, edits_, path_);
+    return true;
+  }
+
+  bool is_lossless() const {
+    for (const UpgradeAction& action : report_.actions) {
+      if (action.fate != UpgradeFate::safe) return false;
+    }
+    return true;
+  }
+
+  bool wants_to_write() const {
+    return !options_.output.empty() || (options_.in_place && report_.changes);
+  }
+
+  void write() {
+    std::string bytes(container_.bytes.text());
+    if (report_.changes && !(rebuild(bytes) && is_no_worse(bytes))) return;
+    const auto trouble = options_.in_place ? write_in_place(bytes) : write_elsewhere(bytes);
+    if (trouble) {
+      fail(UpgradeProblem::not_written, trouble->message);
+      return;
+    }
+    report_.written = true;
+    report_.written_to = options_.in_place ? path_ : options_.output;
+  }
+
+  bool rebuild(std::string& bytes) {
+    std::string json = json::apply_edits(*container_.json, edits_);
+    if (container_.format == container::Format::gltf) {
+      bytes = std::move(json);
+      return true;
+    }
+    auto glb = upgrade::rewrite_glb(container_, json);
+    if (!glb) return fail(UpgradeProblem::refused, glb.error().message);
+    bytes = *std::move(glb);
+    return true;
+  }
+
+  ErrorCounts errors_of(const container::Container& container) const {
+    ValidateOptions options;
+    options.jobs = 1;
+    options.schemas = schemas_;
+    ErrorCounts counts;
+    for (const Diagnostic& one :
+         validate::validate(container, path_, resolver_, options).diagnostics) {
+      if (one.severity == Severity::error) counts[one.code] += one.count;
+    }
+    return counts;
+  }
+
+  // The new bytes may have no error that the old ones had not.
+  bool is_no_worse(const std::string& bytes) {
+    const ErrorCounts before = errors_of(container_);
+    const container::Container fresh =
+        container::open_bytes(container::Bytes::from_string(bytes), path_);
+    for (const auto& [code, count] : errors_of(fresh)) {
+      const auto known = before.find(code);
+      if (known != before.end() && known->second >= count) continue;
+      return fail(UpgradeProblem::refused,
+                  fmt::format("the new file would have an error {} that the old one has not; mend "
+                              "what 'gltfx validate' reports first",
+                              code));
+    }
+    return true;
+  }
+
+  std::optional<Error> write_in_place(const std::string& bytes) {
+    if (!options_.backup) return replace_file(path_, bytes, state_);
+    const fs::path copy = path_ + ".bak";
+    if (auto trouble = create_file(copy, container_.bytes.text())) return trouble;
+    auto trouble = replace_file(path_, bytes, state_);
+    std::error_code ignored;
+    if (trouble) fs::remove(copy, ignored);
+    return trouble;
+  }
+
+  std::optional<Error> write_elsewhere(const std::string& bytes) {
+    const fs::path target = options_.output;
+    std::error_code fault;
+    if (fs::equivalent(target, path_, fault)) return replace_file(path_, bytes, state_);
+    const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
+    const fs::path own = fs::path(path_).parent_path();
+    fs::create_directories(folder, fault);
+    if (fault)
+      return Error{
+          fmt::format("cannot create {}: {}", quoted(folder.native(), 200), fault.message())};
+    if (!fs::equivalent(folder, own.empty() ? fs::path(".") : own, fault)) {
+      if (auto trouble = copy_companions(parsed_.document, resolver_, folder)) return trouble;
+    }
+    return write_file(target, bytes);
+  }
+
+  const std::string& path_;
+  const UpgradeOptions& options_;
+  const std::shared_ptr<const schema::Set> schemas_;
+  const container::Resolver resolver_;
+  FileState state_;
+  container::Container container_;
+  json::Parsed parsed_;
+  std::vector<json::Edit> edits_;
+  UpgradeReport report_;
+};
+
+UpgradeReport unreadable(const std::string& path, std::string why) {
+  UpgradeReport report;
+  report.path = path;
+  report.problem = UpgradeProblem::unreadable;
+  report.error = std::move(why);
+  return report;
+}
+
+}  // namespace
+
+UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
+  try {
+    return Upgrade(path, options).run();
+  } catch (const std::bad_alloc&) {
+    return unreadable(path, "there is not enough memory to upgrade this file");
+  } catch (const fs::filesystem_error&) {
+    return unreadable(path, "the path cannot be looked up");
+  }
+}
+
+void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions& options,
+                   unsigned jobs, const std::function<void(UpgradeReport&&)>& consume) {
+  std::vector<std::optional<UpgradeReport>> reports(inputs.size());
+  parallel_ordered(
+      inputs.size(), jobs,
+      [&](std::size_t i) {
+        UpgradeOptions each = options;
+        each.output = inputs[i].output;
+        reports[i] = upgrade_file(inputs[i].path, each);
+      },
+      [&](std::size_t i) {
+        consume(std::move(*reports[i]));
+        reports[i].reset();
+      });
+}
+
+}  // namespace gltfx

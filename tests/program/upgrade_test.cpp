@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `gltfx upgrade` from outside: what it says, what it writes, what it leaves alone.
+#include <algorithm>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "container/temp_folder.hpp"
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+namespace fs = std::filesystem;
+using container::test::TempFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string kLegacy = R"({
+  "asset": { "version": "2.0" },
+  "extensionsUsed": ["KHR_materials_translucency"],
+  "materials": [
+    {
+      "name": "leaf",
+      "extensions": { "KHR_materials_translucency": { "translucencyFactor": 0.70 } }
+    }
+  ]
+})";
+const std::string kUpgraded = R"({
+  "asset": { "version": "2.0" },
+  "extensionsUsed": ["KHR_materials_diffuse_transmission"],
+  "materials": [
+    {
+      "name": "leaf",
+      "extensions": { "KHR_materials_diffuse_transmission": { "diffuseTransmissionFactor": 0.70 } }
+    }
+  ]
+})";
+const std::string kNeedsImage = R"({"asset":{"version":"2.0"},
+"extensionsUsed":["KHR_materials_translucency"],"textures":[{}],"materials":[{"extensions":
+{"KHR_materials_translucency":{"translucencyFactor":1,"translucencyTexture":{"index":0}}}}]})";
+const std::string kLossy = R"({"asset":{"version":"2.0"},
+"extensionsUsed":["KHR_materials_translucency","KHR_animation_pointer"],
+"animations":[{"channels":[{"target":{"path":"pointer","extensions":{"KHR_animation_pointer":
+{"pointer":"/materials/0/pbrMetallicRoughness/baseColorFactor"}}},"sampler":0}],"samplers":[]}],
+"materials":[{"extensions":{"KHR_materials_translucency":{"translucencyFactor":1}}}]})";
+
+class UpgradeTest : public testing::Test {
+ protected:
+  Outcome here(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "upgrade");
+    return gltfx(std::move(arguments), {folder_.path().native(), {}, {}});
+  }
+  std::string content(const std::string& name) const {
+    return read_file((folder_.path() / name).native());
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+      found.push_back(entry.path().filename());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+  struct stat status(const std::string& name) const {
+    struct stat status {};
+    ::stat((folder_.path() / name).c_str(), &status);
+    return status;
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(UpgradeTest, WithoutAWritingOptionItOnlyTellsThePlan) {
+  folder_.write("leaf.gltf", kLegacy);
+  const Outcome outcome = here({"leaf.gltf"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(StartsWith("leaf.gltf\n"), HasSubstr("/materials/0/extensions/"),
+                                 HasSubstr("to KHR_materials_diffuse_transmission, safe"),
+                                 HasSubstr("read as v1: it has no"), HasSubstr("1 can be upgraded"),
+                                 HasSubstr("nothing was written")));
+  EXPECT_EQ(content("leaf.gltf"), kLegacy);
+}
+
+TEST_F(UpgradeTest, InPlaceChangesTheSpansAndKeepsTheMode) {
+  const fs::path file = folder_.write("leaf.gltf", kLegacy);
+  ::chmod(file.c_str(), 0604);
+  EXPECT_EQ(here({"leaf.gltf", "--in-place"}).code, 0);
+  EXPECT_EQ(content("leaf.gltf"), kUpgraded);
+  EXPECT_EQ(status("leaf.gltf").st_mode & 07777U, 0604U);
+  EXPECT_THAT(names(), ElementsAre("leaf.gltf"));
+}
+
+TEST_F(UpgradeTest, ABinaryFileGetsANewJsonChunkAndKeepsTheRest) {
+  const std::string old = read_file(fixture("legacy/lantern.glb"));
+  folder_.write("lantern.glb", old);
+  EXPECT_EQ(here({"lantern.glb", "--in-place"}).code, 0);
+  const std::string fresh = content("lantern.glb");
+  EXPECT_EQ(fresh, read_file(fixture("legacy/upgraded/lantern.glb")));
+  const std::size_t bin = old.rfind(std::string("BIN\0", 4)) - 4;
+  EXPECT_EQ(fresh.substr(fresh.size() - (old.size() - bin)), old.substr(bin));
+  EXPECT_EQ(here({"lantern.glb", "--check"}).code, 0);
+}
+
+TEST_F(UpgradeTest, AFileWithNothingToDoIsNotTouched) {
+  folder_.write("leaf.gltf", kUpgraded);
+  const auto before = status("leaf.gltf");
+  const Outcome outcome = here({"leaf.gltf", "--in-place", "--backup"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "1 file, nothing legacy\n");
+  EXPECT_EQ(status("leaf.gltf").st_ino, before.st_ino);
+  EXPECT_EQ(status("leaf.gltf").st_mtim.tv_nsec, before.st_mtim.tv_nsec);
+  EXPECT_EQ(status("leaf.gltf").st_ctim.tv_nsec, before.st_ctim.tv_nsec);
+  EXPECT_THAT(names(), ElementsAre("leaf.gltf"));
+}
+
+TEST_F(UpgradeTest, CheckTellsByTheExitCode) {
+  folder_.write("old.gltf", kLegacy);
+  folder_.write("new.gltf", kUpgraded);
+  EXPECT_EQ(here({"old.gltf", "new.gltf", "--check"}).code, 1);
+  EXPECT_EQ(here({"new.gltf", "--check"}).code, 0);
+  EXPECT_EQ(content("old.gltf"), kLegacy);
+}
+
+TEST_F(UpgradeTest, TheDiffCanBeApplied) {
+  folder_.write("leaf.gltf", kLegacy);
+  const Outcome outcome = here({"leaf.gltf", "--diff"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, StartsWith("--- a/leaf.gltf\n+++ b/leaf.gltf\n@@ -1,10 +1,10 @@\n"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 can be upgraded"));
+  folder_.write("leaf.diff", outcome.out);
+  const Outcome applied =
+      bash("patch -p1 < leaf.diff || exit 77", {folder_.path().native(), {}, {}});
+  if (applied.code == 77) GTEST_SKIP() << "there is no patch program";
+  EXPECT_EQ(content("leaf.gltf"), kUpgraded);
+}
+
+TEST_F(UpgradeTest, ABackupKeepsTheOldBytesAndIsNeverOverwritten) {
+  folder_.write("leaf.gltf", kLegacy);
+  EXPECT_EQ(here({"leaf.gltf", "--in-place", "--backup"}).code, 0);
+  EXPECT_EQ(content("leaf.gltf.bak"), kLegacy);
+  folder_.write("leaf.gltf", kLegacy + "\n");
+  const Outcome again = here({"leaf.gltf", "--in-place", "--backup"});
+  EXPECT_EQ(again.code, 4);
+  EXPECT_THAT(again.err, HasSubstr("leaf.gltf.bak"));
+  EXPECT_EQ(content("leaf.gltf.bak"), kLegacy);
+  EXPECT_EQ(content("leaf.gltf"), kLegacy + "\n");
+}
+
+TEST_F(UpgradeTest, WhatNeedsAnImageIsLeftAndSaidSo) {
+  folder_.write("a.gltf", kNeedsImage);
+  const Outcome outcome = here({"a.gltf", "--in-place", "--unsafe"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("left alone: needs an image"), HasSubstr("0 upgraded, 1 left")));
+  EXPECT_EQ(content("a.gltf"), kNeedsImage);
+}
+
+TEST_F(UpgradeTest, WhatIsLostIsOnlyDoneWhenAskedFor) {
+  folder_.write("a.gltf", kLossy);
+  const Outcome left = here({"a.gltf", "--in-place"});
+  EXPECT_EQ(left.code, 1);
+  EXPECT_THAT(left.out, HasSubstr("left alone: unsafe"));
+  EXPECT_EQ(content("a.gltf"), kLossy);
+  EXPECT_EQ(here({"a.gltf", "--in-place", "--unsafe"}).code, 0);
+  EXPECT_THAT(content("a.gltf"), HasSubstr("diffuseTransmissionFactor"));
+}
+
+TEST_F(UpgradeTest, StrictLeavesTheWholeFile) {
+  std::string both = kLossy;
+  both.insert(both.rfind("]}"),
+              R"(,{"extensions":{"KHR_materials_translucency":{"translucencyFactor":1}}})");
+  folder_.write("a.gltf", both);
+  const Outcome outcome = here({"a.gltf", "--in-place", "--strict", "--unsafe"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("--strict"));
+  EXPECT_EQ(content("a.gltf"), both);
+  EXPECT_EQ(here({"a.gltf", "--in-place"}).code, 1);
+  EXPECT_THAT(content("a.gltf"), AllOf(HasSubstr("diffuseTransmissionFactor"),
+                                       HasSubstr("translucencyFactor\":1}}},")));
+}
+
+TEST_F(UpgradeTest, OutputGoesToAFileOrAFolderWithWhatTheAssetNeeds) {
+  std::string text = kLegacy;
+  text.insert(text.find("  \"materials\""),
+              "  \"buffers\": [{ \"uri\": \"parts/a%20b.bin\", \"byteLength\": 4 }],\n");
+  folder_.write("in/leaf.gltf", text);
+  folder_.write("in/parts/a b.bin", "1234");
+  EXPECT_EQ(here({"in/leaf.gltf", "-o", "out/"}).code, 0);
+  EXPECT_THAT(content("out/leaf.gltf"), HasSubstr("diffuseTransmissionFactor"));
+  EXPECT_EQ(content("out/parts/a b.bin"), "1234");
+  EXPECT_EQ(content("in/leaf.gltf"), text);
+  EXPECT_EQ(here({"in/leaf.gltf", "-o", "in/new.gltf"}).code, 0);
+  EXPECT_EQ(content("in/new.gltf"), content("out/leaf.gltf"));
+  folder_.write("out/parts/a b.bin", "4321");
+  const Outcome other = here({"in/leaf.gltf", "-o", "out/leaf.gltf"});
+  EXPECT_EQ(other.code, 4);
+  EXPECT_THAT(other.err, HasSubstr("other bytes"));
+}
+
+TEST_F(UpgradeTest, OutputOfAFileWithoutLegacyObjectsIsACopy) {
+  folder_.write("leaf.gltf", kUpgraded);
+  EXPECT_EQ(here({"leaf.gltf", "-o", "out/copy.gltf"}).code, 0);
+  EXPECT_FALSE(fs::is_directory(folder_.path() / "out/copy.gltf"));
+  EXPECT_EQ(content("out/copy.gltf"), kUpgraded);
+}
+
+TEST_F(UpgradeTest, FilesOutsideTheFolderAreNotLeftBehind) {
+  std::string text = kLegacy;
+  text.insert(text.find("  \"materials\""),
+              "  \"buffers\": [{ \"uri\": \"../a.bin\", \"byteLength\": 4 }],\n");
+  folder_.write("in/leaf.gltf", text);
+  const Outcome outcome = here({"in/leaf.gltf", "-o", "out/"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("outside the asset's folder"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "out/leaf.gltf"));
+}
+
+TEST_F(UpgradeTest, AnAssetThatIsNamedTwiceIsDoneOnce) {
+  folder_.write("leaf.gltf", kLegacy);
+  folder_.link("link.gltf", "leaf.gltf");
+  const Outcome outcome = here({"link.gltf", "./leaf.gltf", "leaf.gltf", ".", "--in-place"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("1 file, 1 legacy object: 1 upgraded"));
+  EXPECT_TRUE(fs::is_symlink(folder_.path() / "link.gltf"));
+  EXPECT_EQ(content("leaf.gltf"), kUpgraded);
+}
+
+TEST_F(UpgradeTest, HardLinksReadOnlyFilesAndPointersAreRefused) {
+  folder_.write("linked.gltf", kLegacy);
+  fs::create_hard_link(folder_.path() / "linked.gltf", folder_.path() / "other.gltf");
+  ::chmod(folder_.write("locked.gltf", kLegacy).c_str(), 0444);
+  folder_.write("lfs.gltf", "version https://git-lfs.github.com/spec/v1\noid sha256:" +
+                                std::string(64, 'a') + "\nsize 12345\n");
+  EXPECT_EQ(here({"linked.gltf", "--in-place"}).code, 4);
+  const Outcome locked = here({"locked.gltf", "--in-place"});
+  EXPECT_EQ(locked.code, 4);
+  EXPECT_THAT(locked.err, HasSubstr("read-only"));
+  EXPECT_THAT(locked.out, HasSubstr("0 upgraded, 1 left"));
+  const Outcome pointer = here({"lfs.gltf", "--in-place"});
+  EXPECT_EQ(pointer.code, 3);
+  EXPECT_THAT(pointer.err, HasSubstr("Git-LFS"));
+  EXPECT_EQ(content("linked.gltf"), kLegacy);
+  EXPECT_EQ(content("locked.gltf"), kLegacy);
+}
+
+TEST_F(UpgradeTest, FaultyJsonIsNotEdited) {
+  const std::string twice =
+      R"({"asset":{"version":"2.0"},"asset":{"version":"2.0"},"materials":)"
+      R"([{"extensions":{"KHR_materials_translucency":{"translucencyFactor":1}}}]})";
+  folder_.write("twice.gltf", twice);
+  folder_.write("broken.gltf", R"({"materials":)");
+  const Outcome outcome = here({"twice.gltf", "--in-place"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("gltfx validate"));
+  EXPECT_EQ(content("twice.gltf"), twice);
+  EXPECT_EQ(here({"broken.gltf", "twice.gltf", "--check"}).code, 3);
+  EXPECT_EQ(here({"nothing.gltf"}).code, 3);
+}
+
+TEST_F(UpgradeTest, ManyFilesOnSeveralThreadsComeInOrder) {
+  for (int i = 0; i < 60; ++i) {
+    folder_.write("d/" + std::to_string(100 + i) + ".gltf", i % 2 == 0 ? kLegacy : kUpgraded);
+  }
+  const Outcome plan = here({"d", "--jobs", "2"});
+  EXPECT_EQ(plan.out, here({"d", "--jobs", "1"}).out);
+  const Outcome outcome = here({"d", "--in-place", "--jobs", "2"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("60 files, 30 legacy objects: 30 upgraded, 0 left; 30 files"));
+  EXPECT_EQ(here({"d", "--check"}).code, 0);
+}
+
+TEST_F(UpgradeTest, WordsThatDoNotGoTogetherAreRefused) {
+  folder_.write("leaf.gltf", kLegacy);
+  for (const std::vector<std::string>& words : {std::vector<std::string>{},
+                                                {"leaf.gltf", "--in-place", "-o", "x"},
+                                                {"leaf.gltf", "--check", "--in-place"},
+                                                {"leaf.gltf", "--backup"},
+                                                {"leaf.gltf", "--generation", "v4"},
+                                                {"leaf.gltf", "--root", "nowhere"}}) {
+    const Outcome outcome = here(words);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, StartsWith("gltfx: "));
+  }
+  folder_.write("d/leaf.gltf", kLegacy);
+  EXPECT_EQ(here({"leaf.gltf", "d/leaf.gltf", "-o", "out"}).code, 2);
+  EXPECT_EQ(content("leaf.gltf"), kLegacy);
+}
+
+TEST_F(UpgradeTest, AVendorsOwnExtensionFollowsItsSchema) {
+  folder_.write("ACME_new.schema.json", R"({
+    "$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "gltfx:ext/ACME_new",
+    "title": "ACME_new", "description": "New.", "type": "object",
+    "properties": {"amount": {"type": "number"}},
+    "x-gltfx": {"extension": "ACME_new", "on": ["node"], "status": "vendor"}})");
+  folder_.write("ACME_old.schema.json", R"({
+    "$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "gltfx:ext/ACME_old",
+    "title": "ACME_old", "description": "Old.", "type": "object",
+    "properties": {"much": {"type": "number"}},
+    "x-gltfx": {"extension": "ACME_old", "on": ["node"], "status": "vendor", "upgrade": {
+      "to": "ACME_new", "steps": [{"step": "move", "from": "much", "to": "amount"}]}}})");
+  folder_.write("a.gltf", R"({"asset":{"version":"2.0"},"extensionsUsed":["ACME_old"],)"
+                          R"("nodes":[{"extensions":{"ACME_old":{"much":3}}}]})");
+  EXPECT_EQ(here({"a.gltf", "--in-place", "--schema-dir", "."}).code, 0);
+  EXPECT_EQ(content("a.gltf"), R"({"asset":{"version":"2.0"},"extensionsUsed":["ACME_new"],)"
+                               R"("nodes":[{"extensions":{"ACME_new":{"amount":3}}}]})");
+}
+
+}  // namespace
+}  // namespace gltfx::program

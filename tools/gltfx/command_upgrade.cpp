@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "input_paths.hpp"
+#include "schema/compile.hpp"
+#include "schema_sources.hpp"
+#include "suggestion.hpp"
+#include "upgrade_text.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Lines of an asset go to a program as they are, to a terminal without what could drive it.
+std::string diff_text(std::string_view diff) {
+  if (::isatty(STDOUT_FILENO) == 0) return std::string(diff);
+  std::string text;
+  while (!diff.empty()) {
+    const std::size_t end = std::min(diff.find('\n'), diff.size());
+    text.append(printable(diff.substr(0, end))).append(1, '\n');
+    diff.remove_prefix(std::min(end + 1, diff.size()));
+  }
+  return text;
+}
+
+// All names by which --generation may call one.
+std::vector<std::string> generation_names(const schema::Set& set) {
+  std::vector<std::string> names{"auto"};
+  for (const schema::Extension& extension : set.extensions()) {
+    if (extension.upgrade.to.empty()) continue;
+    for (const schema::Generation& generation : extension.generations) {
+      std::string_view rest = generation.name;
+      while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('/'), rest.size());
+        names.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+      }
+    }
+  }
+  return names;
+}
+
+Result<UpgradeOptions> options_of(const UpgradeRequest& request) {
+  UpgradeOptions options = request.upgrade;
+  std::error_code fault;
+  if (!options.root.empty() && !fs::is_directory(options.root, fault)) {
+    return Error{fmt::format("--root: {} is not a folder", quoted(options.root, 200))};
+  }
+  auto schemas = load_schemas(request.schema_files, request.schema_folders);
+  if (!schemas) return schemas.error();
+  options.schemas = *schemas ? *std::move(schemas) : schema::builtin_set();
+  const std::vector<std::string> names = generation_names(*options.schemas);
+  if (std::find(names.begin(), names.end(), options.generation) == names.end()) {
+    return Error{fmt::format("--generation: {} is none of {}.", gltfx::quoted(options.generation),
+                             fmt::join(names, ", "))};
+  }
+  return options;
+}
+
+// One asset may be named twice: directly, by a link, with "./" before it.
+std::vector<UpgradeInput> distinct(const std::vector<std::string>& paths) {
+  std::vector<UpgradeInput> inputs;
+  std::set<fs::path> seen;
+  for (const std::string& path : paths) {
+    std::error_code fault;
+    const fs::path real = fs::canonical(path, fault);
+    if (fault || seen.insert(real).second) inputs.push_back({path, {}});
+  }
+  return inputs;
+}
+
+// Where each input goes, or a sentence about why that cannot be.
+std::string place_outputs(const std::string& output, std::vector<UpgradeInput>& inputs) {
+  if (output.empty()) return {};
+  std::error_code fault;
+  const bool folder =
+      inputs.size() != 1 || output.ends_with('/') || fs::is_directory(output, fault);
+  std::set<std::string> taken;
+  for (UpgradeInput& input : inputs) {
+    const fs::path name = fs::path(input.path).filename();
+    input.output = folder ? (fs::path(output) / name).native() : output;
+    if (!taken.insert(input.output).second) {
+      return fmt::format("--output: two inputs would be written to {}", quoted(input.output, 200));
+    }
+  }
+  return {};
+}
+
+/// A run of inputs through the upgrade.
+class UpgradeRun {
+ public:
+  UpgradeRun(const UpgradeRequest& request, UpgradeOptions options)
+      : request_(request),
+        options_(std::move(options)),
+        style_(colors_on_stdout(request.common.color)) {}
+
+  ExitCode execute() {
+    const Inputs named = expand_paths(request_.paths);
+    if (!request_.quiet) {
+      for (const std::string& note : named.notes) complain("note: " + note);
+    }
+    std::vector<UpgradeInput> inputs = distinct(named.paths);
+    if (const std::string problem = place_outputs(options_.output, inputs); !problem.empty()) {
+      complain(problem);
+      return ExitCode::usage;
+    }
+    upgrade_files(inputs, options_, request_.common.jobs,
+                  [this](UpgradeReport&& report) { take(report); });
+    if (!request_.quiet) finish(upgrade_summary_text(summary_, writing()));
+    return code_;
+  }
+
+ private:
+  bool writing() const { return options_.in_place || !options_.output.empty(); }
+  void say(std::string_view text) { code_ = worse(code_, print(text)); }
+
+  // Standard output is the diff's alone, so that it can be applied.
+  void finish(std::string_view summary) {
+    if (!options_.diff) return say(summary);
+    complain(summary.substr(0, summary.size() - 1));
+  }
+
+  void take(const UpgradeReport& report) {
+    summary_.add(report);
+    if (options_.diff) {
+      say(diff_text(report.diff));
+    } else if (!request_.quiet) {
+      say(upgrade_plan_text(report, style_));
+    }
+    if (report.problem != UpgradeProblem::none) {
+      complain(fmt::format("{}: {}", printable(report.path), report.error));
+    }
+    code_ = worse(code_, verdict(report));
+  }
+
+  ExitCode verdict(const UpgradeReport& report) const {
+    switch (report.problem) {
+      case UpgradeProblem::unreadable:
+        return ExitCode::unreadable;
+      case UpgradeProblem::refused:
+        return ExitCode::findings;
+      case UpgradeProblem::not_written:
+        return ExitCode::internal;
+      case UpgradeProblem::none:
+        break;
+    }
+    const bool unfinished = writing() && report.left() > 0;
+    const bool to_do = request_.check && !report.actions.empty();
+    return unfinished || to_do ? ExitCode::findings : ExitCode::ok;
+  }
+
+  const UpgradeRequest& request_;
+  const UpgradeOptions options_;
+  const Style style_;
+  UpgradeSummary summary_;
+  ExitCode code_ = ExitCode::ok;
+};
+
+}  // namespace
+
+ExitCode run(const UpgradeRequest& request) {
+  auto options = options_of(request);
+  if (!options) {
+    complain(options.error().message);
+    return ExitCode::usage;
+  }
+  return UpgradeRun(request, *std::move(options)).execute();
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `gltfx upgrade`, for people.
+#pragma once
+
+#include <gltfx/upgrade.hpp>
+
+#include <cstdint>
+#include <string>
+
+#include "terminal.hpp"
+
+namespace gltfx::tool {
+
+/// What the files of a run came to.
+struct UpgradeSummary {
+  std::uint64_t files = 0;
+  std::uint64_t objects = 0;  ///< legacy ones
+  std::uint64_t done = 0;     ///< of these: upgraded, or to be upgraded when nothing is written
+  std::uint64_t written = 0;  ///< files
+  void add(const UpgradeReport& report);
+};
+
+/// The plan of one file, or nothing when there is nothing legacy in it. Ends in a line break.
+std::string upgrade_plan_text(const UpgradeReport& report, const Style& style);
+
+/// One line on the whole run; `writing`: whether anything was to be written.
+std::string upgrade_summary_text(const UpgradeSummary& summary, bool writing);
+
+}  // namespace gltfx::tool
