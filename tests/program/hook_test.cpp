@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The hook for pre-commit, as a repository with assets would use it.
+/// The hooks for pre-commit, as a repository with assets would use it.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -36,9 +36,9 @@ class Hook : public testing::Test {
         name);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
-  Outcome try_hook() const {
+  Outcome try_hook(const std::string& hook = "gltfx-validate") const {
     shell("git init -q . && git add -A", "assets");
-    return shell("pre-commit try-repo ../hooks gltfx-validate --all-files --color never", "assets");
+    return shell("pre-commit try-repo ../hooks " + hook + " --all-files --color never", "assets");
   }
   Outcome shell(const std::string& line, const std::string& where) const {
     const std::string bin = std::filesystem::path(program()).parent_path().native();
@@ -65,6 +65,25 @@ TEST_F(Hook, FailsWithTheReportWhereOneIsNot) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("Failed"), HasSubstr("error[VALUE_NOT_IN_RANGE]"),
                                  HasSubstr("deep/Faulty.GLTF:2:26"), Not(HasSubstr("notes.txt"))));
+}
+
+TEST_F(Hook, ThatUpgradesFailsOnceAndPassesThen) {
+  const std::string old = read_file(fixture("legacy/lantern.glb"));
+  folder_.write("assets/lantern.glb", old);
+  EXPECT_EQ(try_hook("gltfx-upgrade-check").code, 1);
+  EXPECT_EQ(read_file((folder_.path() / "assets/lantern.glb").native()), old);
+  EXPECT_EQ(try_hook("gltfx-upgrade").code, 1);  // pre-commit stops a commit that a hook changed
+  EXPECT_EQ(read_file((folder_.path() / "assets/lantern.glb").native()),
+            read_file(fixture("legacy/upgraded/lantern.glb")));
+  EXPECT_EQ(try_hook("gltfx-upgrade").code, 0);
+  EXPECT_EQ(try_hook("gltfx-upgrade-check").code, 0);
+}
+
+TEST_F(Hook, ThatUpgradesFailsWhileSomethingIsLeft) {
+  folder_.write("assets/shop.gltf", read_file(fixture("legacy/upgraded/shop.gltf")));
+  const Outcome outcome = try_hook("gltfx-upgrade");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("left alone: needs an image"));
 }
 
 }  // namespace
