@@ -172,24 +172,40 @@ ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
   const std::vector<std::string> path = split(step.from);
   json::NodeId value = carrier_.host;
   for (const std::string& name : path) value = document_.find(value, name);
+  Found found{&step, value, {}};
   if (value != json::kNoNode) {
-    Found found{&step, value, std::string(document_.raw(value))};
-    if (step.take > 0) {
-      std::vector<json::Number> numbers = numbers_of(document_, value);
-      if (numbers.size() < step.take) return fmt::format("{} is not valid", step.from);
-      numbers.resize(step.take);
-      if (is_default(step.to, numbers) && !is_pointed_at(path)) return std::nullopt;
-      std::string list;
-      for (const json::Number& number : numbers) {
-        list.append(1, list.empty() ? '[' : ',').append(number.span.in(document_.text()));
-      }
-      found.json = std::move(list).append(1, ']');
-    }
-    found_.push_back(std::move(found));
+    if (Problem problem = fill_copy(found)) return problem;
+    if (!found.json.empty()) found_.push_back(std::move(found));
   }
   if (is_pointed_at(path)) {
     lose(fmt::format("{} is animated; the copy in {} stays as it is now", step.from, step.to));
   }
+  return std::nullopt;
+}
+
+// The new text of what is copied; none where it is the default.
+ObjectPlan::Problem ObjectPlan::fill_copy(Found& found) {
+  const schema::UpgradeStep& step = *found.step;
+  const schema::TypeId type = context_.set.shape(successor_.homes.front().second).type;
+  const schema::ShapeId shape = context_.set.find_property(type, step.to)->shape;
+  const std::string problem = fmt::format("{} is not valid; 'gltfx validate' says why", step.from);
+  if (step.take == 0) {
+    if (!context_.holds(shape, {found.value})) return problem;
+    found.json = document_.raw(found.value);
+    const json::NodeId index = document_.find(found.value, "index");
+    return index == json::kNoNode ? std::nullopt : check_texture(step.from, index);
+  }
+  std::vector<json::Number> numbers = numbers_of(document_, found.value);
+  if (numbers.size() < step.take) return problem;
+  numbers.resize(step.take);
+  const schema::ShapeId items = shape == schema::kNone ? shape : context_.set.shape(shape).items;
+  std::string list;
+  for (const json::Number& number : numbers) {
+    if (!context_.holds(items, {found.value, &number})) return problem;
+    list.append(1, list.empty() ? '[' : ',').append(number.span.in(document_.text()));
+  }
+  const bool animated = is_pointed_at(split(step.from));
+  if (animated || !is_default(step.to, numbers)) found.json = std::move(list).append(1, ']');
   return std::nullopt;
 }
 

@@ -35,6 +35,7 @@ class ObjectPlan {
   Problem judge_steps();
   Problem find_moved(const schema::UpgradeStep& step);
   Problem find_copied(const schema::UpgradeStep& step);
+  Problem fill_copy(Found& found);
   Problem check_value(const std::string& name, json::NodeId value);
   Problem check_texture(const std::string& name, json::NodeId index);
   void note_losses();

@@ -151,6 +151,19 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{R"("translucencyFactor":1,"translucencyColorFactor":[1,1])", "not valid"},
         Fault{R"("translucencyFactor":1,"diffuseTransmissionFactor":1)", "already"}));
 
+TEST(Plan, AFaultInWhatWouldBeCopiedIsNotSpread) {
+  for (const char* base :
+       {R"("baseColorFactor":[2,0,0,1])", R"("baseColorFactor":[0,0])", R"("baseColorFactor":"x")",
+        R"("baseColorTexture":{"index":2})", R"("baseColorTexture":0)"}) {
+    const std::string text =
+        document_with(std::string(R"("pbrMetallicRoughness":{)").append(base).append("},"),
+                      R"("translucencyFactor":1)");
+    const Upgraded result = upgraded(text, unsafe());
+    EXPECT_EQ(result.text, text);
+    EXPECT_EQ(result.only().fate, UpgradeFate::impossible) << base;
+  }
+}
+
 TEST(Plan, SomethingElseThanAnObjectIsLeftAlone) {
   const std::string text =
       R"({"materials":[{"extensions":{"KHR_materials_translucency":[1]}},7,{"extensions":8}]})";
