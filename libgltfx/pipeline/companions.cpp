@@ -62,8 +62,11 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
   if (fault)
     return Error{fmt::format("cannot create {}: {}", quoted(target.parent_path().native(), 200),
                              fault.message())};
-  if (!fs::exists(target, fault)) return create_file(target, resolved.bytes.text());
-  if (has_bytes(target, resolved.bytes.text())) return std::nullopt;
+  // Another asset of the same run may need the same file, and be writing it now.
+  std::optional<Error> trouble;
+  if (!fs::exists(target, fault)) trouble = create_file(target, resolved.bytes.text());
+  if (fs::exists(target, fault) && has_bytes(target, resolved.bytes.text())) return std::nullopt;
+  if (trouble) return trouble;
   return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
 }
 

@@ -275,6 +275,18 @@ TEST_F(UpgradeTest, ManyFilesOnSeveralThreadsComeInOrder) {
   EXPECT_EQ(here({"d", "--check"}).code, 0);
 }
 
+TEST_F(UpgradeTest, ManyFilesMayShareWhatIsCopiedWithThem) {
+  std::string text = kLegacy;
+  text.insert(text.find("  \"materials\""),
+              "  \"buffers\": [{ \"uri\": \"parts/a.bin\", \"byteLength\": 300000 }],\n");
+  folder_.write("in/parts/a.bin", std::string(300'000, 'x'));
+  for (int i = 0; i < 100; ++i) folder_.write("in/" + std::to_string(i) + ".gltf", text);
+  const Outcome outcome = here({"in", "-o", "out", "--jobs", "2", "-q"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(content("out/parts/a.bin").size(), 300'000U);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path() / "out/parts"), {}), 1);
+}
+
 TEST_F(UpgradeTest, WordsThatDoNotGoTogetherAreRefused) {
   folder_.write("leaf.gltf", kLegacy);
   for (const std::vector<std::string>& words : {std::vector<std::string>{},

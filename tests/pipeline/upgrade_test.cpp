@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The library's door: the same as the program, as data.
+#include <gltfx/pipeline.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "container/temp_folder.hpp"
+#include "schema/compile.hpp"
+
+namespace gltfx {
+namespace {
+
+using container::test::TempFolder;
+
+const std::string kLegacy = R"({"asset":{"version":"2.0"},
+"extensionsUsed":["KHR_materials_translucency"],
+"materials":[{"extensions":{"KHR_materials_translucency":{"translucencyFactor":1}}}]})";
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(UpgradeFile, TellsThePlanAndWritesNothingUnasked) {
+  const TempFolder folder;
+  const std::string path = folder.write("a.gltf", kLegacy).native();
+  UpgradeOptions options;
+  options.diff = true;
+  const UpgradeReport report = upgrade_file(path, options);
+  EXPECT_EQ(report.problem, UpgradeProblem::none);
+  ASSERT_EQ(report.actions.size(), 1U);
+  EXPECT_TRUE(report.actions[0].done);
+  EXPECT_TRUE(report.changes);
+  EXPECT_FALSE(report.written);
+  EXPECT_NE(report.diff.find("\n+\"extensionsUsed\""), std::string::npos);
+  EXPECT_EQ(content(path), kLegacy);
+}
+
+TEST(UpgradeFile, WritesInPlaceOnce) {
+  const TempFolder folder;
+  const std::string path = folder.write("a.gltf", kLegacy).native();
+  UpgradeOptions options;
+  options.in_place = true;
+  const UpgradeReport first = upgrade_file(path, options);
+  EXPECT_TRUE(first.written);
+  EXPECT_EQ(first.written_to, path);
+  const UpgradeReport second = upgrade_file(path, options);
+  EXPECT_TRUE(second.actions.empty());
+  EXPECT_FALSE(second.written);
+}
+
+TEST(UpgradeFile, SaysWhyAFileCannotBeRead) {
+  const TempFolder folder;
+  for (const char* text : {"", "hello", "{\"asset\":", "glTF"}) {
+    const UpgradeReport report = upgrade_file(folder.write("a.gltf", text).native());
+    EXPECT_EQ(report.problem, UpgradeProblem::unreadable) << text;
+    EXPECT_FALSE(report.error.empty()) << text;
+  }
+  EXPECT_EQ(upgrade_file((folder.path() / "b.gltf").native()).problem, UpgradeProblem::unreadable);
+}
+
+TEST(UpgradeFile, AFileThatWouldHaveANewErrorIsNotWritten) {
+  const TempFolder folder;
+  // The successor requires a member that the old object lacks.
+  const auto file = [](const char* name, const char* members, const char* words) {
+    return schema::SourceFile{
+        name,
+        fmt::format(R"({{"$schema": "https://json-schema.org/draft/2020-12/schema",
+          "$id": "gltfx:ext/{0}", "title": "{0}", "description": "x", "type": "object", {1},
+          "x-gltfx": {{"extension": "{0}", "on": ["node"], "status": "vendor"{2}}}}})",
+                    name, members, words),
+        true};
+  };
+  const schema::Compiled schemas = schema::compile_with(
+      {file(
+           "ACME_old", R"("properties": {"a": {"type": "number"}})",
+           R"(, "upgrade": {"to": "ACME_new", "steps": [{"step": "move", "from": "a", "to": "b"}]})"),
+       file("ACME_new", R"("properties": {"b": {"type": "number"}}, "required": ["b"])", "")});
+  ASSERT_TRUE(schemas.faults.empty()) << schemas.faults.front().text();
+  const std::string text = R"({"asset":{"version":"2.0"},"extensionsUsed":["ACME_old"],)"
+                           R"("nodes":[{"extensions":{"ACME_old":{}}}]})";
+  const std::string path = folder.write("a.gltf", text).native();
+  UpgradeOptions options;
+  options.in_place = true;
+  options.schemas = schemas.set;
+  const UpgradeReport report = upgrade_file(path, options);
+  EXPECT_EQ(report.problem, UpgradeProblem::refused);
+  EXPECT_NE(report.error.find("UNDEFINED_PROPERTY"), std::string::npos) << report.error;
+  EXPECT_EQ(report.left(), 1U);
+  EXPECT_EQ(content(path), text);
+}
+
+TEST(UpgradeFiles, ReportInTheOrderOfTheInputs) {
+  const TempFolder folder;
+  std::vector<UpgradeInput> inputs;
+  for (int i = 0; i < 20; ++i) {
+    const std::string name = std::to_string(i);
+    inputs.push_back({folder.write(name + ".gltf", kLegacy).native(),
+                      (folder.path() / "out" / (name + ".gltf")).native()});
+  }
+  std::size_t next = 0;
+  upgrade_files(inputs, {}, 2, [&](UpgradeReport&& report) {
+    EXPECT_EQ(report.path, inputs[next].path);
+    EXPECT_EQ(report.written_to, inputs[next++].output);
+  });
+  EXPECT_EQ(next, inputs.size());
+}
+
+}  // namespace
+}  // namespace gltfx
