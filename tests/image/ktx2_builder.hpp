@@ -10,10 +10,10 @@
 
 namespace gltfx::test {
 
-/// `bytes` bytes of a number, the lowest first.
+/// `bytes` bytes of a number, the lowest first; beyond its own eight they are zeros.
 inline std::string le(std::uint64_t value, std::size_t bytes) {
   std::string text;
-  for (std::size_t i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 0xFFU);
+  for (std::size_t i = 0; i < bytes; ++i, value >>= 8U) text += static_cast<char>(value & 0xFFU);
   return text;
 }
 
