@@ -61,6 +61,7 @@ class Scheduler {
 
  private:
   static constexpr std::size_t kNowhere = SIZE_MAX;
+  static constexpr std::size_t kFew = 16;
   using Key = std::tuple<std::uint32_t, CheckKind, std::int64_t, bool, bool>;
 
   const Accessor& accessor(std::uint32_t index) const { return context_.views.accessors[index]; }
@@ -75,10 +76,27 @@ class Scheduler {
 
   void add(std::uint32_t index, Check check) {
     std::vector<Check>& checks = schedule(index).checks;
-    const Key key{index, check.kind, check.most, check.triangles, check.cubic};
-    check.same_as = seen_.try_emplace(key, checks.size()).first->second;
+    check.same_as = first_same(index, checks, check);
     if (check.same_as != checks.size() && !context_.khronos()) return;  // once is enough
     checks.push_back(std::move(check));
+  }
+
+  static Key key_of(std::uint32_t index, const Check& check) {
+    return {index, check.kind, check.most, check.triangles, check.cubic};
+  }
+
+  // The position of the first check that asks the same, or the one behind the last. Most accessors
+  // have a handful; only those that are used very often are worth a table.
+  std::size_t first_same(std::uint32_t index, const std::vector<Check>& checks,
+                         const Check& check) {
+    const Key key = key_of(index, check);
+    if (checks.size() == kFew) {
+      for (const Check& each : checks) seen_.try_emplace(key_of(index, each), each.same_as);
+    }
+    if (checks.size() >= kFew) return seen_.try_emplace(key, checks.size()).first->second;
+    const auto same = std::find_if(checks.begin(), checks.end(),
+                                   [&](const Check& each) { return key_of(index, each) == key; });
+    return same == checks.end() ? checks.size() : same->same_as;
   }
 
   void add_accessor(std::uint32_t index, const Accessor& accessor) {
@@ -87,7 +105,11 @@ class Scheduler {
     const bool single = format.component == ComponentType::float32;
     Check check;
     check.place = {Place::Kind::accessor, index, 0, {}, accessor.node};
-    if (single) add(index, check);
+    if (single) {
+      const bool bounds = accessor.min != json::kNoNode && accessor.max != json::kNoNode;
+      if (bounds) schedule(index).checks.reserve(3);
+      add(index, check);
+    }
     const auto add_bound = [&](CheckKind kind, json::NodeId array) {
       if (array == json::kNoNode) return;
       if (!model::is_sound_bound(context_.document, format, array)) return;
@@ -256,7 +278,7 @@ class Scheduler {
   AttributeFormats formats_;
   std::vector<Schedule> schedules_;
   std::vector<std::size_t> positions_;  // in schedules_, by accessor
-  std::map<Key, std::size_t> seen_;     // position of the first check of its kind in its schedule
+  std::map<Key, std::size_t> seen_;     // first checks of accessors that have more than a few
 };
 
 }  // namespace

@@ -173,8 +173,8 @@ class SlotReader {
   // A factor of the slot itself: the scale of a normal map, the strength of occlusion.
   void hide_by_own(TextureSlot& slot, std::string_view member) const {
     const auto factor = model::number_member(document_, slot.use->texture_info, member);
-    const std::string pointer = fmt::format("{}/{}", slot.use->pointer, member);
-    if (!factor || *factor != 0 || animated_.contains(pointer)) return;
+    if (!factor || *factor != 0) return;
+    if (animated_.contains(fmt::format("{}/{}", slot.use->pointer, member))) return;
     slot.effective = ChannelSet();
     slot.hidden_by = member;
   }
