@@ -234,9 +234,9 @@ std::vector<double> factor_of(const Context& context, const schema::SlotUse& use
   const json::NodeId value = context.document.find(use.owner, member);
   if (value != json::kNoNode) return numbers_at(context.document, value);
   if (use.owner_type == schema::kNone) return {};
-  if (has_unknown_member(context, use.owner_type, use.owner)) return {};
   const schema::Property* property = context.schemas.find_property(use.owner_type, member);
-  return property != nullptr ? numbers_in(property->default_json) : std::vector<double>();
+  if (property == nullptr || has_unknown_member(context, use.owner_type, use.owner)) return {};
+  return numbers_in(property->default_json);
 }
 
 bool has_unknown_member(const Context& context, schema::TypeId type, json::NodeId object) {
