@@ -68,7 +68,7 @@ class FieldReader {
       fail();
       return {};
     }
-    const std::string text(reinterpret_cast<const char*>(bytes_.data()), size);
+    std::string text(reinterpret_cast<const char*>(bytes_.data()), size);
     bytes_ = bytes_.subspan(size);
     return text;
   }

@@ -130,8 +130,9 @@ Reply Pool::ask(Worker& worker, const Job& job, std::span<const std::byte> bytes
   const auto packet = receive_packet(asked->socket());
   if (!packet) return epitaph(*asked, job);
   auto answer = read_answer(packet->bytes);
-  Reply reply{answer ? *std::move(answer) : Answer(Fault{}), {}};
-  if (!answer || !is_wanted(reply.answer, job) || !attach_memory(reply, job, result.get())) {
+  const bool understood = answer.has_value();
+  Reply reply{understood ? *std::move(answer) : Answer(Fault{}), {}};
+  if (!understood || !is_wanted(reply.answer, job) || !attach_memory(reply, job, result.get())) {
     return fault(FaultKind::died, "The decoder's answer contradicts itself.");
   }
   if (is_fresh(reply.answer)) worker = std::move(asked);

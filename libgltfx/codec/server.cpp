@@ -33,11 +33,13 @@ Answer decode_safely(const Decode& decode, const Job& job, const Packet& packet)
 
 // What one payload was decoded in serves for the next: pages that come from the system anew take a
 // tenth of the time.
+// NOLINTBEGIN(concurrency-mt-unsafe): before there are threads
 void keep_memory() {
   ::mallopt(M_ARENA_MAX, 1);  // arenas of threads take address space in advance
   ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
   ::mallopt(M_TRIM_THRESHOLD, 128 << 20);
 }
+// NOLINTEND(concurrency-mt-unsafe)
 
 // False when the client has gone or breaks the protocol.
 bool serve_one(const Decode& decode, const JobLimits& limits) {

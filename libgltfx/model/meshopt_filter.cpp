@@ -74,8 +74,8 @@ template <typename Unsigned, typename Signed>
 void restore_color(std::byte* element) {
   constexpr int kMost = std::numeric_limits<Unsigned>::max();
   const int luma = load<Unsigned>(element);
-  const auto orange = static_cast<int>(load<Signed>(element + sizeof(Unsigned)));
-  const auto green = static_cast<int>(load<Signed>(element + 2 * sizeof(Unsigned)));
+  const std::int32_t orange{load<Signed>(element + sizeof(Unsigned))};
+  const std::int32_t green{load<Signed>(element + 2 * sizeof(Unsigned))};
   const unsigned stored = load<Unsigned>(element + 3 * sizeof(Unsigned));
   const unsigned range = (std::bit_floor(stored) << 1U) - 1;
   const unsigned alpha = stored & range >> 1U;
