@@ -167,5 +167,19 @@ TEST_F(OutputTest, NoColorTurnsColoursOffOnATerminal) {
               Not(HasSubstr("\x1b[")));
 }
 
+TEST_F(OutputTest, AnOutputNeverTakesThePlaceOfAnInput) {
+  folder_.write("asset.gltf", kFaulty);
+  folder_.link("alias.gltf", "asset.gltf");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"asset.gltf", "--format", "json=asset.gltf"},
+        {"asset.gltf", "--format", "json=./alias.gltf"},
+        {".", "--write-baseline", "asset.gltf"}}) {
+    const Outcome outcome = here(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("is a file that is to be checked"));
+    EXPECT_EQ(content("asset.gltf"), kFaulty);
+  }
+}
+
 }  // namespace
 }  // namespace gltfx::program

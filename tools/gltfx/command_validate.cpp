@@ -47,6 +47,22 @@ void Run::take(FileReport report) {
   targets_.file(report);
 }
 
+// Says so when an output would take the place of a file that is to be checked.
+std::string overwritten_input(const ValidateRequest& request,
+                              const std::vector<std::string>& inputs) {
+  std::vector<std::string> outputs{request.write_baseline};
+  for (const FormatTarget& target : request.targets) outputs.push_back(target.path);
+  for (const std::string& output : outputs) {
+    std::error_code fault;
+    if (output.empty() || !std::filesystem::exists(output, fault)) continue;
+    for (const std::string& input : inputs) {
+      if (!std::filesystem::equivalent(output, input, fault)) continue;
+      return "the output " + quoted(output, 200) + " is a file that is to be checked";
+    }
+  }
+  return {};
+}
+
 FileReport check_stdin(const ValidateOptions& options) {
   auto bytes = read_stdin();
   if (!bytes) return validate::unreadable("-", bytes.error().message, options);
@@ -89,6 +105,10 @@ ExitCode Run::execute() {
   if (!request_.quiet) {
     for (const std::string& note : inputs.notes) complain("note: " + note);
   }
+  if (const std::string clash = overwritten_input(request_, inputs.paths); !clash.empty()) {
+    complain(clash);
+    return ExitCode::usage;
+  }
   targets_.begin();
   check(inputs.paths);
   targets_.finish(summary_);
@@ -101,6 +121,7 @@ ExitCode Run::execute() {
 
 Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   ValidateOptions options = request.validation;
+  options.jobs = request.common.jobs;
   std::error_code fault;
   if (!options.root.empty() && !std::filesystem::is_directory(options.root, fault)) {
     return Error{"--root: " + quoted(options.root, 200) + " is not a folder"};
