@@ -17,6 +17,11 @@ constexpr Checked checked_add(std::uint64_t a, std::uint64_t b) {
   return sum;
 }
 
+/// a + b, or the greatest number when it does not fit in 64 bits.
+constexpr std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {
+  return checked_add(a, b).value_or(UINT64_MAX);
+}
+
 /// a * b, or nothing when it does not fit in 64 bits.
 constexpr Checked checked_mul(std::uint64_t a, std::uint64_t b) {
   if (a != 0 && b > UINT64_MAX / a) return std::nullopt;

@@ -126,7 +126,7 @@ using ImageResult = std::variant<Image, Fault>;
 
 struct Settings {
   /// Folder of the worker programs; empty: that of GLTFX_CODEC_WORKERS in the environment, or else
-  /// that of the running program, or else `../libexec/gltfx` beside it.
+  /// that of the running program, or else the one they are installed in.
   std::string folder;
   /// Processes of each kind at most; 0: as many as there are processors.
   unsigned workers = 0;

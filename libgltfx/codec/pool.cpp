@@ -130,10 +130,13 @@ Reply Pool::ask(Worker& worker, const Job& job, std::span<const std::byte> bytes
   const auto packet = receive_packet(asked->socket());
   if (!packet) return epitaph(*asked, job);
   auto answer = read_answer(packet->bytes);
-  const bool understood = answer.has_value();
-  Reply reply{understood ? *std::move(answer) : Answer(Fault{}), {}};
-  if (!understood || !is_wanted(reply.answer, job) || !attach_memory(reply, job, result.get())) {
+  const auto contradiction = [] {
     return fault(FaultKind::died, "The decoder's answer contradicts itself.");
+  };
+  if (!answer) return contradiction();
+  Reply reply{*std::move(answer), {}};
+  if (!is_wanted(reply.answer, job) || !attach_memory(reply, job, result.get())) {
+    return contradiction();
   }
   if (is_fresh(reply.answer)) worker = std::move(asked);
   return reply;

@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_set>
 
+#include "base/checked.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::model {
@@ -42,9 +43,6 @@ std::uint64_t triangles(std::uint64_t count, Mode mode) {
   return chained && count > 2 ? count - 2 : 0;
 }
 
-// A sum of numbers from a file saturates.
-void add(std::uint64_t& sum, std::uint64_t value) { sum += std::min(value, UINT64_MAX - sum); }
-
 void add_primitive(const Views& views, const Primitive& primitive, AssetInfo& info) {
   ++info.draw_call_count;
   std::optional<std::uint64_t> vertices;
@@ -55,8 +53,10 @@ void add_primitive(const Views& views, const Primitive& primitive, AssetInfo& in
     if (!vertices) vertices = views.accessors[*attribute.accessor].count;
   }
   const auto drawn = primitive.indices ? views.accessors[*primitive.indices].count : vertices;
-  add(info.total_vertex_count, vertices.value_or(0));
-  if (drawn && primitive.mode) add(info.total_triangle_count, triangles(*drawn, *primitive.mode));
+  info.total_vertex_count = saturating_add(info.total_vertex_count, vertices.value_or(0));
+  if (drawn && primitive.mode)
+    info.total_triangle_count =
+        saturating_add(info.total_triangle_count, triangles(*drawn, *primitive.mode));
   const std::uint64_t joints = set_count(primitive, SemanticKind::joints);
   const bool skinned = joints == set_count(primitive, SemanticKind::weights);
   info.max_influences = std::max(info.max_influences, skinned ? joints * 4 : 0);

@@ -57,20 +57,27 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
     return Error{container::describe(resolved.fault, path, resolved.problem)};
   }
   const fs::path target = folder / path;
-  std::error_code fault;
-  fs::create_directories(target.parent_path(), fault);
-  if (fault)
-    return Error{fmt::format("cannot create {}: {}", quoted(target.parent_path().native(), 200),
-                             fault.message())};
+  if (auto trouble = make_folder(target.parent_path())) return trouble;
   // Another asset of the same run may need the same file, and be writing it now.
+  std::error_code fault;
   std::optional<Error> trouble;
-  if (!fs::exists(target, fault)) trouble = create_file(target, resolved.bytes.text());
+  if (!fs::exists(target, fault)) {
+    trouble = create_file(target, resolved.bytes.text());
+    if (!trouble) return std::nullopt;
+  }
   if (fs::exists(target, fault) && has_bytes(target, resolved.bytes.text())) return std::nullopt;
   if (trouble) return trouble;
   return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
 }
 
 }  // namespace
+
+std::optional<Error> make_folder(const fs::path& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (!fault) return std::nullopt;
+  return Error{fmt::format("cannot create {}: {}", quoted(folder.native(), 200), fault.message())};
+}
 
 std::optional<Error> copy_companions(const json::Document& document,
                                      const container::Resolver& resolver, const fs::path& folder) {

@@ -11,6 +11,9 @@
 
 namespace gltfx {
 
+/// Makes a folder and those above it, as far as they are not there.
+std::optional<Error> make_folder(const std::filesystem::path& folder);
+
 /// Copies every file below `folder`, under the name by which the document refers to it. One that is
 /// there with the same bytes stays; one with other bytes is not overwritten. References to files
 /// that do not exist are passed over: they lead nowhere before and after.

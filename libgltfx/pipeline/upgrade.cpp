@@ -107,9 +107,10 @@ class Upgrade {
   }
 
   void write() {
-    std::string bytes(container_.bytes.text());
+    container::Bytes bytes = container_.bytes;
     if (report_.changes && !(rebuild(bytes) && is_no_worse(bytes))) return;
-    const auto trouble = options_.in_place ? write_in_place(bytes) : write_elsewhere(bytes);
+    const auto trouble =
+        options_.in_place ? write_in_place(bytes.text()) : write_elsewhere(bytes.text());
     if (trouble) {
       fail(UpgradeProblem::not_written, trouble->message);
       return;
@@ -118,15 +119,15 @@ class Upgrade {
     report_.written_to = options_.in_place ? path_ : options_.output;
   }
 
-  bool rebuild(std::string& bytes) {
+  bool rebuild(container::Bytes& bytes) {
     std::string json = json::apply_edits(*container_.json, edits_);
     if (container_.format == container::Format::gltf) {
-      bytes = std::move(json);
+      bytes = container::Bytes::from_string(std::move(json));
       return true;
     }
     auto glb = upgrade::rewrite_glb(container_, json);
     if (!glb) return fail(UpgradeProblem::refused, glb.error().message);
-    bytes = *std::move(glb);
+    bytes = container::Bytes::from_string(*std::move(glb));
     return true;
   }
 
@@ -143,11 +144,11 @@ class Upgrade {
   }
 
   // The new bytes may have no error that the old ones had not.
-  bool is_no_worse(const std::string& bytes) {
+  bool is_no_worse(const container::Bytes& bytes) {
+    const ErrorCounts after = errors_of(container::open_bytes(bytes, path_));
+    if (after.empty()) return true;
     const ErrorCounts before = errors_of(container_);
-    const container::Container fresh =
-        container::open_bytes(container::Bytes::from_string(bytes), path_);
-    for (const auto& [code, count] : errors_of(fresh)) {
+    for (const auto& [code, count] : after) {
       const auto known = before.find(code);
       if (known != before.end() && known->second >= count) continue;
       return fail(UpgradeProblem::refused,
@@ -158,7 +159,7 @@ class Upgrade {
     return true;
   }
 
-  std::optional<Error> write_in_place(const std::string& bytes) {
+  std::optional<Error> write_in_place(std::string_view bytes) {
     if (!options_.backup) return replace_file(path_, bytes, state_);
     const fs::path copy = path_ + ".bak";
     if (auto trouble = create_file(copy, container_.bytes.text())) return trouble;
@@ -168,16 +169,13 @@ class Upgrade {
     return trouble;
   }
 
-  std::optional<Error> write_elsewhere(const std::string& bytes) {
+  std::optional<Error> write_elsewhere(std::string_view bytes) {
     const fs::path target = options_.output;
     std::error_code fault;
     if (fs::equivalent(target, path_, fault)) return replace_file(path_, bytes, state_);
     const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
     const fs::path own = fs::path(path_).parent_path();
-    fs::create_directories(folder, fault);
-    if (fault)
-      return Error{
-          fmt::format("cannot create {}: {}", quoted(folder.native(), 200), fault.message())};
+    if (auto trouble = make_folder(folder)) return trouble;
     if (!fs::equivalent(folder, own.empty() ? fs::path(".") : own, fault)) {
       if (auto trouble = copy_companions(parsed_.document, resolver_, folder)) return trouble;
     }

@@ -33,7 +33,6 @@ bool NameList::has(std::string_view name) const {
 }
 
 void NameList::replace(std::string_view from, std::string_view to) {
-  if (has(to)) return remove(from);
   for (Entry& entry : entries_) {
     if (entry.is != from) continue;
     entry.is = has(to) ? std::string_view() : to;

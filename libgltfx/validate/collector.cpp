@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "json/lines.hpp"
-#include "model/lookup.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -188,9 +187,9 @@ void Collector::locate(std::vector<Entry>& entries, const json::Document& docume
                        std::uint64_t json_offset) {
   if (!text_) return;
   if (!lines_) lines_.emplace(*text_, last_place());
-  model::Lookup lookup(document);
+  if (!lookup_) lookup_.emplace(document);
   for (Entry& entry : entries) {
-    entry.diagnostic.object_name = nearest_name(lookup, document, entry.diagnostic.pointer);
+    entry.diagnostic.object_name = nearest_name(*lookup_, document, entry.diagnostic.pointer);
     // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.
     if (entry.span.end == 0) continue;
     entry.diagnostic.location = lines_->locate(entry.span, json_offset);

@@ -19,6 +19,7 @@
 #include "base/sink.hpp"
 #include "json/document.hpp"
 #include "json/lines.hpp"
+#include "model/lookup.hpp"
 
 namespace gltfx::validate {
 
@@ -96,6 +97,7 @@ class Collector {
   std::array<std::unordered_map<std::string_view, Places>, kPhaseCount> places_;
   SharedText text_;
   std::optional<json::LineIndex> lines_;
+  std::optional<model::Lookup> lookup_;
 };
 
 }  // namespace gltfx::validate

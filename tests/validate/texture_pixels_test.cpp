@@ -92,7 +92,7 @@ TEST(PixelLevels, ManyImagesEndSomewhere) {
     resources.images.push_back(image);
   }
   validate::PixelSource pixels(resources, 2);
-  pixels.decode({{0, false}, {2, false}, {1, false}});
+  pixels.decode({{0, false}, {2, false}, {1, false}}, 2);
   EXPECT_NE(pixels.of(0), nullptr);
   EXPECT_NE(pixels.of(2), nullptr);
   ASSERT_NE(pixels.fault(1), nullptr);

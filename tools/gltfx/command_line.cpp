@@ -114,7 +114,7 @@ void Declaration::declare_validate() {
            "Exit with 1 from here on: error, warning, info or never (default: error)");
   declare_filters(app);
   add_word(app, "--pixels", validate_.pixels, "LEVEL",
-           "Images to decode: headers (none), needed (by rules) or all (default: headers)");
+           "Images to decode: headers (none), needed or all (default: headers, strict: needed)");
   declare_budgets(app);
   add_word(app, "--root", validate_.root, "DIR",
            "Folder that buffers and images may come from (default: the asset's own)");

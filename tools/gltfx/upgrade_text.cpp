@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "report/wording.hpp"
 
 namespace gltfx::tool {
 namespace {
-
-std::string counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string outcome(const UpgradeAction& action) {
   const std::string_view fate = upgrade_fate_name(action.fate);
@@ -46,17 +43,18 @@ std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
 }
 
 std::string upgrade_summary_text(const UpgradeSummary& summary, bool writing) {
-  const std::string files = counted(summary.files, "file");
+  const std::string files = report::counted(summary.files, "file");
   if (summary.objects == 0) {
-    return fmt::format(
-        "{}, nothing legacy{}\n", files,
-        summary.written == 0 ? "" : fmt::format("; {} written", counted(summary.written, "file")));
+    return fmt::format("{}, nothing legacy{}\n", files,
+                       summary.written == 0
+                           ? ""
+                           : fmt::format("; {} written", report::counted(summary.written, "file")));
   }
   const std::string objects =
-      fmt::format("{}, {}", files, counted(summary.objects, "legacy object"));
+      fmt::format("{}, {}", files, report::counted(summary.objects, "legacy object"));
   if (writing) {
     return fmt::format("{}: {} upgraded, {} left; {} written\n", objects, summary.done,
-                       summary.objects - summary.done, counted(summary.written, "file"));
+                       summary.objects - summary.done, report::counted(summary.written, "file"));
   }
   return fmt::format("{}: {} can be upgraded, {} would be left; nothing was written\n", objects,
                      summary.done, summary.objects - summary.done);

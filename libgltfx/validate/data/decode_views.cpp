@@ -30,6 +30,7 @@ struct Job {
   model::MeshoptView view;
   container::Bytes stream;
   std::optional<container::Bytes> plain;  ///< the copy for readers without the extension
+  bool affordable = false;                ///< within what may be decoded, all views together
   // What decoding gives.
   Fault fault = Fault::none;
   meshopt::Misfits misfits{};
@@ -115,9 +116,9 @@ class Decoding {
     parallel_ordered(
         jobs_.size(), context_.options.jobs,
         [&](std::size_t i) {
-          if (jobs_[i].fault == Fault::none && is_affordable_[i]) decode(jobs_[i]);
+          if (jobs_[i].fault == Fault::none && jobs_[i].affordable) decode(jobs_[i]);
         },
-        [&](std::size_t i) { finish(jobs_[i], is_affordable_[i]); });
+        [&](std::size_t i) { finish(jobs_[i]); });
   }
 
  private:
@@ -136,10 +137,9 @@ class Decoding {
       Job job{i, *view, *std::move(stream), plain_bytes(views[i])};
       job.fault = meshopt::check_size(job.stream.view(), view->layout);
       const auto size = view->layout.decoded_size();
-      const bool affordable = size && *size <= left;
-      if (affordable && job.fault == Fault::none) left -= *size;
+      job.affordable = size && *size <= left;
+      if (job.affordable && job.fault == Fault::none) left -= *size;
       jobs_.push_back(std::move(job));
-      is_affordable_.push_back(affordable);
     }
   }
 
@@ -157,10 +157,10 @@ class Decoding {
                  finding_on(context_, job.view.object, code, std::move(message)));
   }
 
-  void finish(Job& job, bool affordable) {
+  void finish(Job& job) {
     const meshopt::Layout& layout = job.view.layout;
     if (job.fault != Fault::none) return report(job, code_of(job.fault), sentence(job, job.fault));
-    if (!affordable) {
+    if (!job.affordable) {
       return report(job, "MESHOPT_NOT_DECODED",
                     fmt::format("{} bytes of stream hold {} elements of {} bytes, too many to "
                                 "decode; they were not looked at.",
@@ -185,7 +185,6 @@ class Decoding {
   model::ResourceData& resources_;
   Sink& sink_;
   std::vector<Job> jobs_;
-  std::vector<bool> is_affordable_;
 };
 
 }  // namespace

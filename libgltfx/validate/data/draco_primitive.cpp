@@ -174,9 +174,7 @@ class PrimitiveCheck {
                                         mesh_.faces, count, index, *target.count));
     }
     const ComponentType type = target.format.component;
-    const bool holds = type == ComponentType::uint8 || type == ComponentType::uint16 ||
-                       type == ComponentType::uint32;
-    if (!holds || target.format.type != ElementType::scalar) return;
+    if (!model::can_index_elements(type) || target.format.type != ElementType::scalar) return;
     if (mesh_.points > 0 && !model::value_range(type).contains(mesh_.points - 1.0)) {
       return report_indices("DRACO_INDEX_TYPE_TOO_SMALL",
                             fmt::format("The bitstream holds {} points, which {} cannot count.",

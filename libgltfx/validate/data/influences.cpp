@@ -33,12 +33,11 @@ std::vector<Limit> joint_limits(const Context& context) {
     counts.push_back(model::read_skin(context.asset, skin).joint_count);
   }
   std::vector<Limit> limits(context.asset.count(model::RootArray::meshes));
-  for (const json::NodeId node : context.asset.elements(model::RootArray::nodes)) {
-    const auto mesh = context.asset.index(node, "mesh", model::RootArray::meshes);
-    const auto skin = context.asset.index(node, "skin", model::RootArray::skins);
-    if (!mesh || !skin || counts[*skin] == 0) continue;
-    Limit& limit = limits[*mesh];
-    if (limit.joints == 0 || counts[*skin] < limit.joints) limit = {counts[*skin], *skin};
+  for (const model::Node& node : context.views.nodes) {
+    if (!node.mesh || !node.skin || counts[*node.skin] == 0) continue;
+    Limit& limit = limits[*node.mesh];
+    const std::uint64_t joints = counts[*node.skin];
+    if (limit.joints == 0 || joints < limit.joints) limit = {joints, *node.skin};
   }
   return limits;
 }

@@ -25,8 +25,7 @@ constexpr model::Format kBindMatrix{ElementType::mat4, ComponentType::float32, f
 
 bool is_index_format(const model::Format& format) {
   return format.type == ElementType::scalar && !format.normalized &&
-         (format.component == ComponentType::uint8 || format.component == ComponentType::uint16 ||
-          format.component == ComponentType::uint32);
+         model::can_index_elements(format.component);
 }
 
 std::vector<double> read_bounds(const json::Document& document, json::NodeId array, bool single) {

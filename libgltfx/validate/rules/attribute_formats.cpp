@@ -226,10 +226,8 @@ bool uses_formats_of(const Context& context, const schema::Extension& extension)
              brings(extension, each, target, context.views.accessors[*each.accessor].format);
     });
   };
-  for (const json::NodeId mesh : context.asset.elements(model::RootArray::meshes)) {
-    for (const json::NodeId object : model::primitives(context.document, mesh)) {
-      if (object == json::kNoNode) continue;
-      const model::Primitive primitive = model::read_primitive(context.asset, object);
+  for (const model::Mesh& mesh : context.views.meshes) {
+    for (const model::Primitive& primitive : mesh.primitives) {
       if (any(primitive.attributes, false)) return true;
       for (const json::NodeId morph : primitive.targets) {
         if (any(model::read_attributes(context.asset, morph), true)) return true;

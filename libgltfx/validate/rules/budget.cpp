@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/checked.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_slots.hpp"
@@ -81,9 +82,6 @@ constexpr RuleDescription kRules[] = {
      Fix::none, false},
 };
 
-// A sum of numbers from a file saturates.
-void add(std::uint64_t& sum, std::uint64_t value) { sum += std::min(value, UINT64_MAX - sum); }
-
 class BudgetCheck {
  public:
   BudgetCheck(const Context& context, const model::ResourceData& resources, Sink& sink)
@@ -97,7 +95,7 @@ class BudgetCheck {
     for (std::size_t i = 0; i < resources_.images.size(); ++i) {
       const auto& header = resources_.images[i].header;
       if (!header) continue;
-      add(total, std::uint64_t{header->width} * header->height);
+      total = saturating_add(total, std::uint64_t{header->width} * header->height);
       if (within(std::max(header->width, header->height), budgets.texture_size)) continue;
       const auto index = static_cast<std::uint32_t>(i);
       sink_.report(Path(array, std::uint64_t{index}),
@@ -128,7 +126,7 @@ class BudgetCheck {
     std::set<std::string_view> seen;
     for (const ResourceInfo& resource : listed) {
       if (resource.storage != "external" || !seen.insert(resource.uri).second) continue;
-      add(bytes, size_of(resource.pointer));
+      bytes = saturating_add(bytes, size_of(resource.pointer));
     }
     if (within(bytes, limit)) return;
     const Path root;

@@ -49,19 +49,17 @@ void for_each_primitive_extension(const Context& context, std::string_view exten
   if (!has_objects_of(context, extension)) return;
   const Path root;
   const Path list(root, "meshes");
-  const auto& meshes = context.asset.elements(model::RootArray::meshes);
+  const auto& meshes = context.views.meshes;
   for (std::size_t m = 0; m < meshes.size(); ++m) {
     const Path mesh(list, m);
     const Path primitives(mesh, "primitives");
-    std::size_t index = 0;
-    for (const json::NodeId primitive : model::primitives(context.document, meshes[m])) {
-      const Path host(primitives, index);
+    for (std::size_t i = 0; i < meshes[m].primitives.size(); ++i) {
+      const json::NodeId primitive = meshes[m].primitives[i].node;
       const json::NodeId object = model::extension_object(context.document, primitive, extension);
+      if (object == json::kNoNode) continue;
+      const Path host(primitives, i);
       const Path extensions(host, "extensions");
-      if (object != json::kNoNode) {
-        use(ExtensionPlace{primitive, object, index}, Path(extensions, extension));
-      }
-      ++index;
+      use(ExtensionPlace{primitive, object, i}, Path(extensions, extension));
     }
   }
 }

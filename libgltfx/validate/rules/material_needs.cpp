@@ -2,15 +2,11 @@
 #include "validate/rules/material_needs.hpp"
 
 #include <charconv>
-#include <optional>
-#include <string_view>
 
 #include "model/fields.hpp"
 
 namespace gltfx::validate {
-namespace {
 
-// The 12 of "/materials/12/normalTexture".
 std::optional<std::uint64_t> material_of(std::string_view pointer) {
   constexpr std::string_view kArray = "/materials/";
   if (!pointer.starts_with(kArray)) return std::nullopt;
@@ -20,11 +16,15 @@ std::optional<std::uint64_t> material_of(std::string_view pointer) {
   return end.ec == std::errc() ? std::optional(index) : std::nullopt;
 }
 
-// Normal maps, and directions of anisotropy, are vectors in tangent space. Schema files do not say
-// so; the names of the properties do.
+bool is_normal_map(std::string_view property) {
+  return property == "normalTexture" || property.ends_with("NormalTexture");
+}
+
+namespace {
+
+// Directions of anisotropy are vectors in tangent space, too.
 bool in_tangent_space(std::string_view property) {
-  return property == "normalTexture" || property.ends_with("NormalTexture") ||
-         property == "anisotropyTexture";
+  return is_normal_map(property) || property == "anisotropyTexture";
 }
 
 }  // namespace

@@ -3,13 +3,21 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "validate/context.hpp"
 #include "validate/rules/active_extensions.hpp"
 
 namespace gltfx::validate {
+
+/// The 12 of "/materials/12/normalTexture", or nothing when the slot is elsewhere.
+std::optional<std::uint64_t> material_of(std::string_view pointer);
+
+/// Whether the slot of that property holds a normal map. Schema files do not say so; names do.
+bool is_normal_map(std::string_view property);
 
 /// A texture that reads a set of texture coordinates.
 struct TexCoordNeed {

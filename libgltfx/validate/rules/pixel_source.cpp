@@ -35,7 +35,7 @@ bool PixelSource::take(std::uint32_t image) {
   return false;
 }
 
-void PixelSource::decode(const std::vector<Request>& wanted) {
+void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
   std::vector<Request> requests;
   for (const Request& each : wanted) {
     if (take(each.image)) requests.push_back(each);
@@ -52,7 +52,7 @@ void PixelSource::decode(const std::vector<Request>& wanted) {
     request.normals = next.normals;
     results_[next.image] = codec::Client::shared().decode_image(request);
   };
-  parallel_ordered(requests.size(), default_jobs(), decode_one, [](std::size_t) {});
+  parallel_ordered(requests.size(), jobs, decode_one, [](std::size_t) {});
 }
 
 }  // namespace gltfx::validate

@@ -25,9 +25,9 @@ class PixelSource {
     std::uint32_t image = 0;
     bool normals = false;  ///< look at it as at a normal map
   };
-  /// Decodes images that have a sound header, several at a time; others are left out, and what
-  /// there are no texels left for fails as too large.
-  void decode(const std::vector<Request>& wanted);
+  /// Decodes images that have a sound header, `jobs` at a time; others are left out, and what there
+  /// are no texels left for fails as too large.
+  void decode(const std::vector<Request>& wanted, unsigned jobs);
 
   /// What was found, or null where nothing was decoded.
   const codec::Image* of(std::uint32_t image) const {

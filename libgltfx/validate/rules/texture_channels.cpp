@@ -102,12 +102,16 @@ void check_equal_channels(const TexturePhase& phase, const TextureSlot& slot) {
 
 // --- Factors of 0 ---
 
+// Where the factor stands that hides a texture: beside the slot, or in the texture info itself.
+json::NodeId factor_owner(const TextureSlot& slot) {
+  const bool own = slot.hidden_by == "scale" || slot.hidden_by == "strength";
+  return own ? slot.use->texture_info : slot.use->owner;
+}
+
 std::string why_hidden(const TexturePhase& phase, const TextureSlot& slot) {
   if (slot.hidden_by.empty()) return "its factors are 0";
   const json::Document& document = phase.context.document;
-  const bool own = slot.hidden_by == "scale" || slot.hidden_by == "strength";
-  const json::NodeId owner = own ? slot.use->texture_info : slot.use->owner;
-  const bool written = document.find(owner, slot.hidden_by) != json::kNoNode;
+  const bool written = document.find(factor_owner(slot), slot.hidden_by) != json::kNoNode;
   return fmt::format("{} is {}", slot.hidden_by, written ? "0" : "not given, and 0 by default");
 }
 
@@ -116,9 +120,7 @@ void check_factors(const TexturePhase& phase) {
   std::set<std::pair<json::NodeId, std::string_view>> told;
   for (const TextureSlot& slot : phase.slots) {
     if (slot.channels.empty() || !slot.effective.empty()) continue;
-    const bool own = slot.hidden_by == "scale" || slot.hidden_by == "strength";
-    const json::NodeId owner = own ? slot.use->texture_info : slot.use->owner;
-    if (!told.emplace(owner, slot.hidden_by).second) continue;
+    if (!told.emplace(factor_owner(slot), slot.hidden_by).second) continue;
     report_slot(phase.context, phase.sink, slot, "TEXTURE_FACTOR_ZERO",
                 fmt::format("{} has no effect: {}.", slot.property, why_hidden(phase, slot)),
                 fmt::format("set {}, or remove the texture",
@@ -131,9 +133,8 @@ void check_factors(const TexturePhase& phase) {
 bool has_factor_alpha(const TexturePhase& phase, const TextureSlot& slot) {
   const std::string& member = slot.use->slot->scaled_by;
   const std::vector<double> factor = factor_of(phase.context, *slot.use, member);
-  const std::string& pointer = slot.use->pointer;
-  const std::string own = fmt::format("{}/{}", pointer.substr(0, pointer.rfind('/')), member);
-  return phase.animated.contains(own) || (factor.size() == 4 && factor[3] != 1);
+  if (factor.size() == 4 && factor[3] != 1) return true;
+  return phase.animated.contains(sibling_pointer(slot, member));
 }
 
 // Alpha as far as headers and the pixels that were decoded tell.

@@ -16,7 +16,14 @@ class PixelNeeds {
  public:
   PixelNeeds(const Context& context, const model::ResourceData& resources,
              const std::vector<TextureSlot>& slots)
-      : context_(context), resources_(resources), slots_(slots) {}
+      : context_(context),
+        resources_(resources),
+        slots_(slots),
+        hints_(heard("TEXTURE_CONSTANT") || heard("TEXTURE_ALPHA_OPAQUE")),
+        normal_maps_(heard("NORMAL_MAP_NOT_UNIT") || heard("NORMAL_MAP_INWARD") ||
+                     heard("NORMAL_MAP_FLAT")),
+        coverage_(heard("MATERIAL_ALPHA_MISSING")),
+        alpha_(heard("TEXTURE_ALPHA_CONSTANT")) {}
 
   std::vector<PixelSource::Request> find() {
     const PixelLevel level = pixel_level(context_.options);
@@ -37,18 +44,15 @@ class PixelNeeds {
   bool heard(std::string_view code) const { return is_heard(context_.options, code); }
 
   void add(const TextureSlot& slot) {
-    const bool hints = heard("TEXTURE_CONSTANT") || heard("TEXTURE_ALPHA_OPAQUE");
-    const bool normal = slot.normal_map && (heard("NORMAL_MAP_NOT_UNIT") ||
-                                            heard("NORMAL_MAP_INWARD") || heard("NORMAL_MAP_FLAT"));
-    const bool alpha = slot.effective.has('a') &&
-                       (heard(slot.coverage ? "MATERIAL_ALPHA_MISSING" : "TEXTURE_ALPHA_CONSTANT"));
+    const bool normal = slot.normal_map && normal_maps_;
+    const bool alpha = slot.effective.has('a') && (slot.coverage ? coverage_ : alpha_);
     // Only pixels tell a grey map from a coloured one.
     const bool red = slot.property == "diffuseTransmissionTexture" && alpha;
     for (const std::uint32_t image : slot.images) {
       const auto& header = resources_.images[image].header;
       if (!header) continue;
       const bool transparent = image::can_be_transparent(*header);
-      if (hints || normal || red || (alpha && transparent)) normals_[image];
+      if (hints_ || normal || red || (alpha && transparent)) normals_[image];
       if (normal) normals_[image] = true;
     }
   }
@@ -71,6 +75,8 @@ class PixelNeeds {
   const Context& context_;
   const model::ResourceData& resources_;
   const std::vector<TextureSlot>& slots_;
+  // Whether somebody wants to know what the pixels would tell.
+  const bool hints_, normal_maps_, coverage_, alpha_;
   std::map<std::uint32_t, bool> normals_;  // by image: whether as a normal map
 };
 
@@ -83,7 +89,7 @@ void check_texture_slots(const Context& context, const model::ResourceData& reso
   const Animated animated(context);
   const std::vector<TextureSlot> slots = texture_slots(context, animated);
   PixelSource pixels(resources);
-  pixels.decode(PixelNeeds(context, resources, slots).find());
+  pixels.decode(PixelNeeds(context, resources, slots).find(), context.options.jobs);
   const TexturePhase phase{context, resources, sink, animated, slots, pixels};
   check_channels(phase);
   check_sharing(phase);

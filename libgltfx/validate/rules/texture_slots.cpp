@@ -12,6 +12,7 @@
 #include "container/uri.hpp"
 #include "model/fields.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/material_needs.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -43,16 +44,6 @@ std::vector<double> numbers_at(const json::Document& document, json::NodeId valu
   return numbers;
 }
 
-// "/materials/3/normalTexture" belongs to material 3.
-std::optional<std::uint64_t> material_in(std::string_view pointer) {
-  constexpr std::string_view kArray = "/materials/";
-  if (!pointer.starts_with(kArray)) return std::nullopt;
-  std::uint64_t index = 0;
-  const auto read =
-      std::from_chars(pointer.data() + kArray.size(), pointer.data() + pointer.size(), index);
-  return read.ec == std::errc() ? std::optional(index) : std::nullopt;
-}
-
 // Factors that switch a whole lobe off, with all of its textures.
 constexpr std::array<std::string_view, 7> kSwitches{
     "clearcoatFactor",    "sheenColorFactor",      "iridescenceFactor", "diffuseTransmissionFactor",
@@ -71,10 +62,6 @@ constexpr std::array kPackedFactors{
 // Alpha is coverage beside the base colour only.
 bool is_coverage(std::string_view property) {
   return property == "baseColorTexture" || property == "diffuseTexture";
-}
-
-bool is_normal_map(std::string_view property) {
-  return property == "normalTexture" || property.ends_with("NormalTexture");
 }
 
 class SlotReader {
@@ -133,7 +120,7 @@ class SlotReader {
   }
 
   void read_material(TextureSlot& slot) const {
-    const auto index = material_in(slot.use->pointer);
+    const auto index = material_of(slot.use->pointer);
     const auto& materials = context_.asset.elements(RootArray::materials);
     if (!index || *index >= materials.size()) return;
     slot.material_index = static_cast<std::uint32_t>(*index);
@@ -149,7 +136,8 @@ class SlotReader {
   void hide(TextureSlot& slot, std::string_view member, std::string_view names) const {
     if (slot.effective.empty()) return;
     const std::vector<double> factor = factor_of(context_, *slot.use, member);
-    if (factor.empty() || animated_.contains(sibling(slot, member))) return;
+    if (std::find(factor.begin(), factor.end(), 0.0) == factor.end()) return;
+    if (animated_.contains(sibling_pointer(slot, member))) return;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const std::size_t at = factor.size() == 1 ? 0 : i;
       if (at < factor.size() && factor[at] == 0) slot.effective.remove(names[i]);
@@ -165,7 +153,7 @@ class SlotReader {
     // Of specular-glossiness it is a colour, and there is diffuse light beside it.
     const bool lobe = member != "specularFactor" || factor.size() == 1;
     if (!off || !lobe || slot.effective.empty()) return;
-    if (animated_.contains(sibling(slot, member))) return;
+    if (animated_.contains(sibling_pointer(slot, member))) return;
     slot.effective = ChannelSet();
     slot.hidden_by = member;
   }
@@ -188,11 +176,6 @@ class SlotReader {
     for (const auto& [property, factor, names] : kPackedFactors) {
       if (slot.property == property) hide(slot, factor, names);
     }
-  }
-
-  static std::string sibling(const TextureSlot& slot, std::string_view member) {
-    const std::string& pointer = slot.use->pointer;
-    return fmt::format("{}/{}", pointer.substr(0, pointer.rfind('/')), member);
   }
 
   const Context& context_;
@@ -227,6 +210,11 @@ std::vector<TextureSlot> texture_slots(const Context& context, const Animated& a
     if (auto slot = reader.read(use)) slots.push_back(*std::move(slot));
   }
   return slots;
+}
+
+std::string sibling_pointer(const TextureSlot& slot, std::string_view member) {
+  const std::string_view pointer = slot.use->pointer;
+  return fmt::format("{}/{}", pointer.substr(0, pointer.rfind('/')), member);
 }
 
 std::vector<double> factor_of(const Context& context, const schema::SlotUse& use,

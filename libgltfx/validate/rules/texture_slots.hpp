@@ -26,11 +26,6 @@ class ChannelSet {
   /// Number of R, G and B in it.
   int colors() const { return has('r') + has('g') + has('b'); }
   constexpr bool overlaps(ChannelSet other) const { return (bits_ & other.bits_) != 0; }
-  constexpr ChannelSet common(ChannelSet other) const {
-    ChannelSet both;
-    both.bits_ = bits_ & other.bits_;
-    return both;
-  }
   /// "R", "G and B" and so on.
   std::string text() const;
 
@@ -63,6 +58,9 @@ struct TextureSlot {
 
 /// All slots that lead to at least one image, in the order in which the schema walk met them.
 std::vector<TextureSlot> texture_slots(const Context& context, const Animated& animated);
+
+/// Pointer of the member `member` beside the slot: "/materials/3/normalScale".
+std::string sibling_pointer(const TextureSlot& slot, std::string_view member);
 
 /// The numbers of `member` of the slot's owner, or of its default; empty when it has neither, or
 /// may have been misspelt.

@@ -2,6 +2,7 @@
 // Objects that nothing refers to, and weights that are always overridden.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "model/node.hpp"
 #include "validate/rules/accessor_extent.hpp"
 #include "validate/rules/active_extensions.hpp"
 #include "validate/rules/families.hpp"
@@ -56,21 +58,10 @@ constexpr std::array kArrays{RootArray::accessors, RootArray::buffers, RootArray
 // Indices of `array` (of the member of an object) that lead to nodes.
 void mark_nodes(const Context& context, json::NodeId object, std::string_view member,
                 std::vector<bool>& used) {
-  const json::NodeId array = context.document.find(object, member);
-  if (array == json::kNoNode || !context.document.is_array(array)) return;
-  const auto mark = [&](double number) {
-    const auto index = context.asset.index(number, RootArray::nodes);
-    if (index) used[*index] = true;
-  };
-  if (context.document.kind(array) == json::Kind::number_array) {
-    for (json::NumberCursor at(context.document, array); at.valid(); at.advance()) {
-      mark(at.number().value);
-    }
-    return;
-  }
-  for (const json::NodeId element : context.document.elements(array)) {
-    if (context.document.is_number(element)) mark(context.document.number(element).value);
-  }
+  model::for_each_index(context.asset, context.document.find(object, member), RootArray::nodes,
+                        [&](std::uint64_t, std::optional<std::uint32_t> index, Span) {
+                          if (index) used[*index] = true;
+                        });
 }
 
 void mark_animated(const Context& context, json::NodeId animation, std::vector<bool>& used) {
@@ -181,15 +172,14 @@ void check_mesh_weights(const Context& context) {
   };
   const auto& meshes = context.asset.elements(RootArray::meshes);
   std::vector<Uses> uses(meshes.size());
-  for (const json::NodeId node : context.asset.elements(RootArray::nodes)) {
-    const auto mesh = context.asset.index(node, "mesh", RootArray::meshes);
-    if (!mesh) continue;
-    uses[*mesh].any = true;
+  for (const model::Node& node : context.views.nodes) {
+    if (!node.mesh) continue;
+    Uses& use = uses[*node.mesh];
+    use.any = true;
     // The Khronos validator only looks at the weights of nodes whose mesh has primitives.
-    const bool bare = context.document.find(meshes[*mesh], "primitives") == json::kNoNode;
+    const bool bare = context.document.find(meshes[*node.mesh], "primitives") == json::kNoNode;
     if (bare && context.khronos()) continue;
-    if (context.document.find(node, "weights") == json::kNoNode)
-      uses[*mesh].with_own_weights = false;
+    if (node.weights == json::kNoNode) use.with_own_weights = false;
   }
   const Path root;
   const Path array(root, "meshes");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/rules/vertex_alpha.hpp"
 
-#include "model/fields.hpp"
-
 namespace gltfx::validate {
 
 VertexAlpha::VertexAlpha(const Context& context) {
@@ -14,9 +12,8 @@ VertexAlpha::VertexAlpha(const Context& context) {
 void VertexAlpha::add(const Context& context, const model::Primitive& primitive) {
   const auto* color = primitive.find(model::SemanticKind::color);
   if (color == nullptr || !color->accessor) return;
-  const auto& accessors = context.asset.elements(model::RootArray::accessors);
-  const json::NodeId accessor = accessors[*color->accessor];
-  if (model::string_member(context.document, accessor, "type") != "VEC4") return;
+  const model::Accessor& accessor = context.views.accessors[*color->accessor];
+  if (accessor.format.type != model::ElementType::vec4) return;
   if (primitive.material) materials_.insert(*primitive.material);
   any_ = any_ || context.document.find(primitive.node, "extensions") != json::kNoNode;
 }
