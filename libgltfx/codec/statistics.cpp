@@ -34,8 +34,9 @@ void Statistics::note(std::size_t channel, std::uint32_t least, std::uint32_t gr
   channel_[channel].greatest = std::max(channel_[channel].greatest, greatest);
 }
 
-// Runs of lanes that lie side by side become vector instructions; counters are as wide as the
-// values, so they are emptied before they overflow.
+// Runs of lanes that lie side by side become vector instructions, as long as no branch and no
+// reference (std::min) stands among them; counters are as wide as the values, so they are emptied
+// before they overflow.
 template <typename T>
 void Statistics::add_texels(const T* values, std::size_t count) {
   constexpr T kFull = std::numeric_limits<T>::max();
@@ -50,10 +51,10 @@ void Statistics::add_texels(const T* values, std::size_t count) {
     for (std::size_t step = 0; step < steps; ++step, at += kLanes) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const T value = values[at + lane];
-        least[lane] = std::min(least[lane], value);
-        greatest[lane] = std::max(greatest[lane], value);
-        zeros[lane] = static_cast<T>(zeros[lane] + (value == 0 ? 1 : 0));
-        fulls[lane] = static_cast<T>(fulls[lane] + (value == kFull ? 1 : 0));
+        least[lane] = value < least[lane] ? value : least[lane];
+        greatest[lane] = value > greatest[lane] ? value : greatest[lane];
+        zeros[lane] = static_cast<T>(zeros[lane] + static_cast<T>(value == 0));
+        fulls[lane] = static_cast<T>(fulls[lane] + static_cast<T>(value == kFull));
         differences[lane] = static_cast<T>(differences[lane] | (value ^ values[at + lane + 1]));
       }
     }

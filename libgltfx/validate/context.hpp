@@ -19,6 +19,7 @@
 #include "model/views.hpp"
 #include "schema/check.hpp"
 #include "schema/set.hpp"
+#include "validate/data_uris.hpp"
 #include "validate/link_order.hpp"
 
 namespace gltfx::validate {
@@ -42,6 +43,8 @@ struct Context {
   model::SceneGraph graph{};
   /// khronos profile: behind `link_sink`, with the broken references that are yet to be reported.
   LinkOrder* order = nullptr;
+  /// Filled by the phases that look at data: URIs, of which no two run at once.
+  DataUris* data_uris = nullptr;
 
   bool khronos() const { return options.profile == Profile::khronos; }
 };

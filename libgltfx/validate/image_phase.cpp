@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "container/uri.hpp"
 #include "model/fields.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/active_extensions.hpp"
@@ -141,10 +140,11 @@ class ImageCheck {
   // The media type of a data URI, or empty.
   std::string uri_type() const {
     if (resource_.info.storage != "data-uri") return {};
-    const std::string uri =
-        model::string_member(resource_.context.document, resource_.object, "uri");
-    const auto split = container::split_data_uri(uri);
-    return split ? split->media_type : std::string();
+    const json::NodeId member = resource_.context.document.find(resource_.object, "uri");
+    std::string unescaped;
+    const auto& uri = resource_.context.data_uris->get(
+        member, resource_.context.document.string(member, unescaped));
+    return uri ? uri->media_type : std::string();
   }
 
   void describe(const Header& header) const {

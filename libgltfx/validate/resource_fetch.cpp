@@ -56,26 +56,23 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
 }
 
 // Whether the Khronos validator keeps the data of a URI: a wrong media type has been reported.
-bool acceptable(const Resource& resource, const container::DataUri& uri,
+bool acceptable(const Resource& resource, const std::string& media_type,
                 const container::Bytes& bytes) {
   if (!resource.context.khronos()) return true;
   if (resource.info.mime_type == "application/gltf-buffer") {
-    return uri.media_type == "application/octet-stream" ||
-           uri.media_type == "application/gltf-buffer";
+    return media_type == "application/octet-stream" || media_type == "application/gltf-buffer";
   }
   const image::Sniffed sniffed = image::sniff(bytes.view());
-  return sniffed.known && uri.media_type == image::media_type(sniffed.format);
+  return sniffed.known && media_type == image::media_type(sniffed.format);
 }
 
-std::optional<container::Bytes> decode(const Resource& resource, std::string_view text) {
-  const auto split = container::split_data_uri(text);
-  if (!split) return std::nullopt;
-  auto decoded = container::decode_payload(*split);
-  if (!decoded) return std::nullopt;
-  container::Bytes bytes = container::Bytes::from_string(*std::move(decoded));
-  if (!acceptable(resource, *split, bytes)) return std::nullopt;
+std::optional<container::Bytes> data_of(const Resource& resource, json::NodeId member,
+                                        std::string_view text) {
+  const auto& content = resource.context.data_uris->get(member, text);
+  if (!content || !content->decoded) return std::nullopt;
+  if (!acceptable(resource, content->media_type, *content->decoded)) return std::nullopt;
   resource.info.storage = "data-uri";
-  return bytes;
+  return *content->decoded;
 }
 
 }  // namespace
@@ -102,7 +99,7 @@ std::optional<container::Bytes> fetch_uri(const Resource& resource) {
   std::string buffer;
   const std::string_view text = document.string(member, buffer);
   const container::Uri uri = container::classify_uri(text);
-  if (uri.kind == container::UriKind::data) return decode(resource, text);
+  if (uri.kind == container::UriKind::data) return data_of(resource, member, text);
   if (uri.kind == container::UriKind::non_relative) {
     resource.info.storage = "external";
     resource.info.uri = uri.normalized;

@@ -128,6 +128,8 @@ FileReport validate(const container::Container& container, const std::string& na
                     collector.sink(Phase::schema),
                     khronos ? *order : links};
     if (khronos) context.order = &*order;
+    DataUris data_uris;
+    context.data_uris = &data_uris;
     if (check_identity(context, collector)) check_document(context, document, collector, report);
   }
   report.mime_type = mime_type(container, document);

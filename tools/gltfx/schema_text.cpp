@@ -134,11 +134,13 @@ std::string type_text(const Set& set, schema::TypeId id, const Style& style) {
   }
   const std::size_t column = std::min<std::size_t>(width, 32) + 4;
   for (const schema::Property& property : type.properties) {
-    std::string lines = wrapped(printable(property_facts(set, property)), column);
+    const std::string lines = wrapped(printable(property_facts(set, property)), column);
     const std::string name = "  " + printable(property.name);
-    const bool fits = count_code_points(name) + 2 <= column;
-    text += fits ? padded(name, column) + lines.substr(std::min(column, lines.size()))
-                 : name + '\n' + lines;
+    if (count_code_points(name) + 2 <= column) {
+      text.append(padded(name, column)).append(lines, std::min(column, lines.size()));
+    } else {
+      text.append(name).append(1, '\n').append(lines);
+    }
     if (!property.description.empty()) {
       text += style.dim(wrapped(printable(property.description), column));
     }

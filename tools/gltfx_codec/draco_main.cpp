@@ -127,13 +127,15 @@ Answer write_result(draco::MeshDecoder& decoder, const draco::Mesh& decoded, Out
   const std::span<std::byte> to = output.create(size);
   if (to.size() < size) throw std::bad_alloc();
   if (mesh.faces != 0) {
-    std::memcpy(to.data(), &decoded.face(draco::FaceIndex(0)), std::size_t{mesh.faces} * 12);
+    const void* faces = &decoded.face(draco::FaceIndex(0));  // three 32-bit indices each
+    std::memcpy(to.data(), faces, std::size_t{mesh.faces} * 12);
   }
   bool sound = true;
   std::int32_t index = 0;
   for_each_values(mesh, [&](std::uint64_t offset, std::uint64_t length) {
     const DracoAttribute& attribute = mesh.attributes[static_cast<std::size_t>(index)];
-    const std::size_t value = attribute.components * component_size(attribute.component);
+    const std::size_t value =
+        std::size_t{attribute.components} * component_size(attribute.component);
     sound = sound &&
             write_values(*decoded.attribute(index), value, mesh.points, to.subspan(offset, length));
     ++index;

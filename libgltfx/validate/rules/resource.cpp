@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where buffers and images come from: the form of a URI, and what phase 5 finds behind it.
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -171,41 +170,35 @@ void report(const Context& context, const Path& path, json::NodeId value, std::s
   context.schema_sink.report(path, std::move(finding));
 }
 
-struct ImageUri {
-  std::string_view media_type;
-  std::string_view data;
-};
-
 // The Khronos validator takes an image whose type is not that of its data URI for a fault of the
 // URI; otherwise it is one of the image, and found when that is read.
 void check_image_type(const Context& context, json::NodeId value, const Path& path,
-                      const ImageUri& uri) {
-  const image::Sniffed sniffed = image::sniff(std::as_bytes(std::span(uri.data)));
-  if (sniffed.known && image::media_type(sniffed.format) == uri.media_type) return;
+                      std::string_view media_type, const container::Bytes& data) {
+  const image::Sniffed sniffed = image::sniff(data.view());
+  if (sniffed.known && image::media_type(sniffed.format) == media_type) return;
   report(context, path, value, "INVALID_URI",
          fmt::format("The data URI says {}, but its bytes are not of that type.",
-                     gltfx::quoted(uri.media_type)));
+                     gltfx::quoted(media_type)));
 }
 
 void check_data_uri(const Context& context, json::NodeId value, const Path& path,
                     std::string_view text, bool buffer) {
-  const auto uri = container::split_data_uri(text);
+  const auto& uri = context.data_uris->get(value, text);
   if (!uri) {
     report(context, path, value, "INVALID_URI", uri.error().message);
     return;
   }
-  if (buffer && uri->media_type != "application/octet-stream" &&
-      uri->media_type != "application/gltf-buffer") {
+  const std::string& type = uri->media_type;
+  if (buffer && type != "application/octet-stream" && type != "application/gltf-buffer") {
     report(context, path, value, "BUFFER_DATA_URI_MIME_TYPE_INVALID",
            fmt::format("The data URI says {}; a buffer's is application/octet-stream or "
                        "application/gltf-buffer.",
-                       gltfx::quoted(uri->media_type)));
+                       gltfx::quoted(type)));
   }
-  const auto payload = container::decode_payload(*uri);
-  if (!payload) {
-    report(context, path, value, "INVALID_URI", payload.error().message);
+  if (!uri->decoded) {
+    report(context, path, value, "INVALID_URI", uri->decoded.error().message);
   } else if (!buffer && context.khronos()) {
-    check_image_type(context, value, path, {uri->media_type, *payload});
+    check_image_type(context, value, path, type, *uri->decoded);
   }
 }
 
@@ -213,7 +206,8 @@ void check_uri(const Context& context, json::NodeId object, const Path& path, bo
   const json::Document& document = context.document;
   const json::NodeId value = document.find(object, "uri");
   if (value == json::kNoNode || !document.is_string(value)) return;
-  const std::string text = document.string(value);
+  std::string unescaped;
+  const std::string_view text = document.string(value, unescaped);
   const container::Uri uri = container::classify_uri(text);
   const Path at(path, "uri");
   const bool data = uri.kind == container::UriKind::data;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/data_uris.hpp"
+
+#include <utility>
+
+#include "container/uri.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+Result<container::Bytes> decode(const container::DataUri& uri) {
+  auto decoded = container::decode_payload(uri);
+  if (!decoded) return decoded.error();
+  return container::Bytes::from_string(*std::move(decoded));
+}
+
+Result<DataUriContent> read(std::string_view text) {
+  const auto uri = container::split_data_uri(text);
+  if (!uri) return uri.error();
+  return DataUriContent{uri->media_type, decode(*uri)};
+}
+
+}  // namespace
+
+const Result<DataUriContent>& DataUris::get(json::NodeId value, std::string_view text) {
+  const auto found = known_.find(value);
+  if (found != known_.end()) return found->second;
+  return known_.emplace(value, read(text)).first->second;
+}
+
+}  // namespace gltfx::validate

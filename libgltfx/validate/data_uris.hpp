@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The data: URIs of a document, each decoded once.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/result.hpp"
+#include "container/bytes.hpp"
+#include "json/document.hpp"
+
+namespace gltfx::validate {
+
+/// A data: URI whose head could be read.
+struct DataUriContent {
+  std::string media_type;            ///< lower case
+  Result<container::Bytes> decoded;  ///< of the payload
+};
+
+/// Keeps what was decoded until it is destroyed. Not for several threads at once.
+class DataUris {
+ public:
+  /// What the text of the string at `value` holds. Decodes it on the first call for that value.
+  const Result<DataUriContent>& get(json::NodeId value, std::string_view text);
+
+ private:
+  std::unordered_map<json::NodeId, Result<DataUriContent>> known_;
+};
+
+}  // namespace gltfx::validate
