@@ -28,6 +28,9 @@ Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
   return job;
 }
 
+// An encoder holds the texels, what it makes of them, and tables.
+constexpr std::uint64_t kEncoderMemoryPerByte = 8;
+
 Fault no_memory_here() {
   return {FaultKind::unavailable, "There is no memory left for the result."};
 }
@@ -82,6 +85,19 @@ ImageResult Client::decode_image(const ImageRequest& request) {
   job.normals = request.normals;
   job.max_pixels = request.max_pixels;
   return result_of<Image>(state_->images, job, request.bytes, request.pixels);
+}
+
+EncodeResult Client::encode_image(const EncodeRequest& request) {
+  Job job = limited_job(state_->settings, Task::encode, request.pixels.size());
+  job.memory_bytes =
+      request.pixels.size() * kEncoderMemoryPerByte + state_->settings.image_memory_bytes;
+  job.raster = request.raster;
+  job.encoded = request.format;
+  job.quality = request.quality;
+  if (!is_consistent(job)) {
+    return Fault{FaultKind::malformed, "The format does not hold images of that form."};
+  }
+  return result_of<EncodedImage>(state_->images, job, request.pixels, true);
 }
 
 Client& Client::shared() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Decodes Draco meshes and images in worker processes: what a hostile payload breaks is a process
-/// that has no files, no network and little memory. Nothing is started before the first call.
+/// Decodes Draco meshes and images in worker processes, and encodes images there: what a hostile
+/// payload breaks is a process that has no files, no network and little memory. Nothing is started
+/// before the first call.
 #pragma once
 
 #include <array>
@@ -124,6 +125,36 @@ struct Image {
 };
 using ImageResult = std::variant<Image, Fault>;
 
+enum class EncodedFormat : std::uint8_t { png, jpeg, webp, exr };
+
+/// Texels in rows from the top, packed, `channels` numbers each in the machine's byte order.
+struct Raster {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t channels = 4;  ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; alpha not multiplied in
+  std::uint32_t bits = 8;      ///< per channel: 8 or 16; 32 are floats
+  bool operator==(const Raster&) const = default;
+};
+
+/// An image to encode. PNG holds 8 and 16 bits; JPEG 8 bits of 1 or 3 channels; WebP 8 bits of 3 or
+/// 4; EXR floats.
+struct EncodeRequest {
+  EncodedFormat format = EncodedFormat::png;
+  Raster raster;
+  /// JPEG: 1 to 100. WebP: the same, and 0 for lossless. Others lose nothing.
+  std::uint32_t quality = 90;
+  std::span<const std::byte> pixels;  ///< exactly what `raster` says
+};
+
+/// The bytes of an image file: the same for the same request, whatever the time or the machine's
+/// load. Independent of the client.
+struct EncodedImage {
+  std::uint64_t size = 0;
+  std::span<const std::byte> bytes;  ///< `size` of them
+  std::shared_ptr<const void> owner;
+};
+using EncodeResult = std::variant<EncodedImage, Fault>;
+
 struct Settings {
   /// Folder of the worker programs; empty: that of GLTFX_CODEC_WORKERS in the environment, or else
   /// that of the running program, or else the one they are installed in.
@@ -150,6 +181,8 @@ class Client {
   /// Decodes a Draco bitstream (version 2.2) that holds a triangle mesh.
   DracoResult decode_draco(std::span<const std::byte> bytes);
   ImageResult decode_image(const ImageRequest& request);
+  /// A Fault of kind `malformed` when the format cannot hold what is asked for.
+  EncodeResult encode_image(const EncodeRequest& request);
 
   /// The one that this process shares. Its workers end with the process.
   static Client& shared();

@@ -36,9 +36,11 @@ std::unique_ptr<Process> start(const std::string& program) {
 Reply epitaph(Process& worker, const Job& job) {
   const int signal = worker.cause_of_death();
   if (signal == SIGPROF || signal == SIGXCPU) {
-    return fault(FaultKind::timed_out, fmt::format("Decoding takes longer than {} ms of processor "
-                                                   "time, the limit for {} bytes.",
-                                                   job.milliseconds, job.input_bytes));
+    return fault(
+        FaultKind::timed_out,
+        fmt::format("{} takes longer than {} ms of processor time, the limit for {} bytes.",
+                    job.task == Task::encode ? "Encoding" : "Decoding", job.milliseconds,
+                    job.input_bytes));
   }
   return fault(FaultKind::died, signal == 0
                                     ? std::string("The decoder ended without an answer.")
@@ -48,22 +50,30 @@ Reply epitaph(Process& worker, const Job& job) {
 bool is_wanted(const Answer& answer, const Job& job) {
   if (const auto* fault = std::get_if<Fault>(&answer)) return fault->kind != FaultKind::unavailable;
   if (job.task == Task::draco) return std::holds_alternative<DracoMesh>(answer);
+  if (job.task == Task::encode) return std::holds_alternative<EncodedImage>(answer);
   const auto* image = std::get_if<Image>(&answer);
   return image != nullptr && image->texels() <= job.max_pixels;
 }
 
 // Points a result into the memory that the worker has filled. False when it is not there.
-bool attach_memory(Reply& reply, const Job& job, int memory) {
-  if (std::holds_alternative<Fault>(reply.answer)) return true;
-  auto* image = std::get_if<Image>(&reply.answer);
-  if (image != nullptr && !job.pixels) return true;
-  auto* mesh = std::get_if<DracoMesh>(&reply.answer);
-  const auto size = image != nullptr ? result_size(*image) : result_size(*mesh);
+template <typename T>
+bool attach_memory(T& result, Taken& to, const Job& job, int memory) {
+  const auto size = result_size(result);
   if (!size || *size > job.memory_bytes) return false;
   auto taken = take_memory(memory, *size);
   if (!taken) return false;
-  reply.memory = *std::move(taken);
-  return image != nullptr ? attach(*image, reply.memory.bytes) : attach(*mesh, reply.memory.bytes);
+  to = *std::move(taken);
+  return attach(result, to.bytes);
+}
+
+bool attach_memory(Reply& reply, const Job& job, int memory) {
+  const auto attach = [&](auto& result) {
+    return attach_memory(result, reply.memory, job, memory);
+  };
+  if (auto* mesh = std::get_if<DracoMesh>(&reply.answer)) return attach(*mesh);
+  if (auto* encoded = std::get_if<EncodedImage>(&reply.answer)) return attach(*encoded);
+  auto* image = std::get_if<Image>(&reply.answer);
+  return image == nullptr || !job.pixels || attach(*image);
 }
 
 // Whether a worker is as good as new after an answer.

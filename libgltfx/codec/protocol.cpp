@@ -10,9 +10,9 @@
 namespace gltfx::codec {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x31435847;  // "GXC1": the last character is the version
+constexpr std::uint32_t kMagic = 0x32435847;  // "GXC2": the last character is the version
 
-enum class Kind : std::uint8_t { hello, job, mesh, image, fault };
+enum class Kind : std::uint8_t { hello, job, mesh, image, encoded, fault };
 
 FieldWriter begin(Kind kind) {
   FieldWriter out;
@@ -140,6 +140,55 @@ Image read_image(FieldReader& in) {
   return image;
 }
 
+Frame write_encoded(const EncodedImage& image) {
+  FieldWriter out = begin(Kind::encoded);
+  out.number(image.size);
+  return out.take();
+}
+
+EncodedImage read_encoded(FieldReader& in) {
+  EncodedImage image;
+  image.size = in.number<std::uint64_t>();
+  in.require(image.size > 0);
+  return image;
+}
+
+void write(FieldWriter& out, const Raster& raster) {
+  out.number(raster.width);
+  out.number(raster.height);
+  out.number(raster.channels);
+  out.number(raster.bits);
+}
+
+Raster read_raster(FieldReader& in) {
+  Raster raster;
+  raster.width = in.number<std::uint32_t>();
+  raster.height = in.number<std::uint32_t>();
+  raster.channels = in.number<std::uint32_t>();
+  raster.bits = in.number<std::uint32_t>();
+  return raster;
+}
+
+bool holds(const Job& job) {
+  const Raster& raster = job.raster;
+  switch (job.encoded) {
+    case EncodedFormat::png:
+      return raster.bits == 8 || raster.bits == 16;
+    case EncodedFormat::jpeg:
+      return raster.bits == 8 && raster.channels % 2 == 1 && job.quality > 0;
+    case EncodedFormat::webp:
+      return raster.bits == 8 && raster.channels >= 3;
+    case EncodedFormat::exr:
+      return raster.bits == 32;
+  }
+  return false;
+}
+
+std::optional<std::uint64_t> size_of(const Raster& raster) {
+  return checked_mul(std::uint64_t{raster.width} * raster.height,
+                     std::uint64_t{raster.channels} * (raster.bits / 8));
+}
+
 Frame write_fault(const Fault& fault) {
   FieldWriter out = begin(Kind::fault);
   out.name(fault.kind);
@@ -180,6 +229,9 @@ Frame write_job(const Job& job) {
   out.name(job.format);
   out.number(static_cast<std::uint8_t>(job.pixels));
   out.number(static_cast<std::uint8_t>(job.normals));
+  write(out, job.raster);
+  out.name(job.encoded);
+  out.number(job.quality);
   out.number(job.input_bytes);
   out.number(job.max_pixels);
   out.number(job.memory_bytes);
@@ -191,20 +243,25 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   FieldReader in(frame);
   if (read_kind(in) != Kind::job) return std::nullopt;
   Job job;
-  job.task = in.name(Task::image);
+  job.task = in.name(Task::encode);
   job.format = in.name(ImageFormat::webp);
   job.pixels = in.flag();
   job.normals = in.flag();
+  job.raster = read_raster(in);
+  job.encoded = in.name(EncodedFormat::exr);
+  job.quality = in.number<std::uint32_t>();
   job.input_bytes = in.number<std::uint64_t>();
   job.max_pixels = in.number<std::uint64_t>();
   job.memory_bytes = in.number<std::uint64_t>();
   job.milliseconds = in.number<std::uint64_t>();
+  in.require(is_consistent(job));
   return whole(in, job);
 }
 
 Frame write_answer(const Answer& answer) {
   if (const auto* mesh = std::get_if<DracoMesh>(&answer)) return write_mesh(*mesh);
   if (const auto* image = std::get_if<Image>(&answer)) return write_image(*image);
+  if (const auto* encoded = std::get_if<EncodedImage>(&answer)) return write_encoded(*encoded);
   return write_fault(*std::get_if<Fault>(&answer));
 }
 
@@ -213,8 +270,17 @@ std::optional<Answer> read_answer(std::span<const std::byte> frame) {
   const auto kind = read_kind(in);
   if (kind == Kind::mesh) return whole(in, Answer(read_mesh(in)));
   if (kind == Kind::image) return whole(in, Answer(read_image(in)));
+  if (kind == Kind::encoded) return whole(in, Answer(read_encoded(in)));
   if (kind == Kind::fault) return whole(in, Answer(read_fault(in)));
   return std::nullopt;
+}
+
+bool is_consistent(const Job& job) {
+  if (job.task != Task::encode) return true;
+  const Raster& raster = job.raster;
+  if (raster.width == 0 || raster.height == 0) return false;
+  if (raster.channels == 0 || raster.channels > 4 || job.quality > 100) return false;
+  return holds(job) && size_of(raster) == job.input_bytes;
 }
 
 unsigned component_size(Component component) {
@@ -247,6 +313,8 @@ std::optional<std::uint64_t> result_size(const Image& image) {
   return checked_mul(image.texels(), std::uint64_t{image.channels} * (image.bits / 8));
 }
 
+std::optional<std::uint64_t> result_size(const EncodedImage& image) { return image.size; }
+
 bool attach(DracoMesh& mesh, std::span<const std::byte> memory) {
   const auto wanted = result_size(mesh);
   const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
@@ -269,6 +337,12 @@ bool attach(Image& image, std::span<const std::byte> memory) {
   const auto wanted = result_size(image);
   if (!wanted || *wanted > memory.size()) return false;
   image.pixels = memory.first(static_cast<std::size_t>(*wanted));
+  return true;
+}
+
+bool attach(EncodedImage& image, std::span<const std::byte> memory) {
+  if (image.size > memory.size()) return false;
+  image.bytes = memory.first(static_cast<std::size_t>(image.size));
   return true;
 }
 

@@ -31,13 +31,16 @@ struct Hello {
   bool operator==(const Hello&) const = default;
 };
 
-enum class Task : std::uint8_t { draco, image };
+enum class Task : std::uint8_t { draco, image, encode };
 
 struct Job {
   Task task = Task::draco;
   ImageFormat format = ImageFormat::png;
   bool pixels = false;
   bool normals = false;
+  Raster raster;  ///< Task::encode, as the two below
+  EncodedFormat encoded = EncodedFormat::png;
+  std::uint32_t quality = 0;
   std::uint64_t input_bytes = 0;
   std::uint64_t max_pixels = 0;
   std::uint64_t memory_bytes = 0;  ///< the worker may take, beyond what it took before any job
@@ -46,7 +49,7 @@ struct Job {
 };
 
 /// Without spans and owner: those come with attach().
-using Answer = std::variant<DracoMesh, Image, Fault>;
+using Answer = std::variant<DracoMesh, Image, EncodedImage, Fault>;
 
 Frame write_hello(const Hello& hello);
 Frame write_job(const Job& job);
@@ -58,6 +61,10 @@ std::optional<Hello> read_hello(std::span<const std::byte> frame);
 std::optional<Job> read_job(std::span<const std::byte> frame);
 std::optional<Answer> read_answer(std::span<const std::byte> frame);
 
+/// Whether a job asks for something that there is: an encoder gets as many bytes as its raster
+/// says, and its format holds such a raster.
+bool is_consistent(const Job& job);
+
 /// Bytes of one component, 0 for `other`.
 unsigned component_size(Component component);
 
@@ -66,6 +73,7 @@ unsigned component_size(Component component);
 std::optional<std::uint64_t> result_size(const DracoMesh& mesh);
 /// That of the pixels.
 std::optional<std::uint64_t> result_size(const Image& image);
+std::optional<std::uint64_t> result_size(const EncodedImage& image);
 
 /// Calls `use(offset, size)` for each attribute of a mesh whose result_size() is known.
 template <typename Use>
@@ -82,5 +90,6 @@ void for_each_values(const DracoMesh& mesh, Use&& use) {
 /// Points the spans into `memory`. False when it is too short or an index leads to no point.
 bool attach(DracoMesh& mesh, std::span<const std::byte> memory);
 bool attach(Image& image, std::span<const std::byte> memory);
+bool attach(EncodedImage& image, std::span<const std::byte> memory);
 
 }  // namespace gltfx::codec

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-image: decodes PNG, JPEG and WebP for gltfx, which starts it and talks to it over a
-// socket.
+// gltfx-codec-image: decodes PNG, JPEG and WebP for gltfx and encodes these and EXR. gltfx starts
+// it and talks to it over a socket.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -13,6 +13,7 @@
 #include "codec/server.hpp"
 #include "codec/statistics.hpp"
 #include "image_decode.hpp"
+#include "image_encode.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -128,15 +129,31 @@ Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) 
   return read_image(*input, spec, job, output);
 }
 
+Answer encode(const Job& job, std::span<const std::byte> texels, Output& output) {
+  switch (job.encoded) {
+    case EncodedFormat::png:
+      return encode_png(job, texels, output);
+    case EncodedFormat::webp:
+      return encode_webp(job, texels, output);
+    default:
+      return encode_with_plugin(job, texels, output);
+  }
+}
+
+Answer serve_job(const Job& job, std::span<const std::byte> bytes, Output& output) {
+  return job.task == Task::encode ? encode(job, bytes, output) : decode(job, bytes, output);
+}
+
 // Loads what the plugins load when they are first asked for: later no file can be opened.
 void prepare() {
   OIIO::attribute("threads", 1);
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg}) {
     static_cast<void>(ImageInput::create(plugin_name(format)));
   }
+  prepare_plugins();
 }
 
 }  // namespace
 }  // namespace gltfx::codec
 
-int main() { return gltfx::codec::serve(gltfx::codec::prepare, gltfx::codec::decode); }
+int main() { return gltfx::codec::serve(gltfx::codec::prepare, gltfx::codec::serve_job); }

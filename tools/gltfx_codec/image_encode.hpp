@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the encoders of images share. The same texels become the same bytes: no times, no names.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "codec/server.hpp"
+
+namespace gltfx::codec {
+
+/// Hands over a finished file. Throws std::bad_alloc.
+Answer hand_over(std::span<const std::byte> file, Output& output);
+
+// Each encodes the texels that `job.raster` describes; formats and forms have been checked.
+
+/// PNG of every depth and number of channels (W3C, third edition), with zlib alone.
+Answer encode_png(const Job& job, std::span<const std::byte> texels, Output& output);
+/// WebP, lossless with quality 0; colours of transparent texels are kept.
+Answer encode_webp(const Job& job, std::span<const std::byte> texels, Output& output);
+/// JPEG and EXR, with OpenImageIO.
+Answer encode_with_plugin(const Job& job, std::span<const std::byte> texels, Output& output);
+/// What OpenImageIO's encoders load when they are first asked for.
+void prepare_plugins();
+
+}  // namespace gltfx::codec
