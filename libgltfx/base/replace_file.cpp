@@ -2,16 +2,14 @@
 #include "base/replace_file.hpp"
 
 #include <cerrno>
-#include <cstdio>
 #include <string>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/temporary_files.hpp"
+#include "base/temporary_file.hpp"
 #include "base/text.hpp"
 
 namespace gltfx {
@@ -20,17 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using Trouble = std::optional<Error>;
 
-constexpr mode_t kNewFile = 0666;
 constexpr mode_t kPermissions = 07777;
 constexpr mode_t kWritable = 0222;
-
-std::string system_words(int error) {
-  return std::error_code(error, std::generic_category()).message();
-}
-
-Error failure(std::string_view action, const fs::path& path, int error) {
-  return {fmt::format("cannot {} {}: {}", action, quoted(path.native(), 200), system_words(error))};
-}
 
 Error refusal(const fs::path& path, std::string_view why) {
   return {fmt::format("{} {}", quoted(path.native(), 200), why)};
@@ -66,100 +55,17 @@ Trouble objection(const fs::path& path, const struct stat& status, const FileSta
   return std::nullopt;
 }
 
-/// A file beside its place, gone at the end of its life unless it was moved there.
-class Temporary {
- public:
-  explicit Temporary(const fs::path& target) : target_(target) {
-    for (int attempt = 0; attempt < 1000 && fd_ < 0; ++attempt) {
-      name_ = fmt::format("{}.{}-{}.part", target.native(), ::getpid(), attempt);
-      kept_.emplace(name_);
-      fd_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, kNewFile);
-      error_ = errno;
-      if (fd_ < 0 && error_ != EEXIST) break;
-    }
-  }
-  ~Temporary() {
-    if (fd_ < 0) return;
-    ::close(fd_);
-    if (!moved_) ::unlink(name_.c_str());
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-
-  Trouble fill(std::string_view bytes) {
-    if (fd_ < 0) return failure("create a file beside", target_, error_);
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(fd_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return failure("write", target_, errno);
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return std::nullopt;
-  }
-
-  // The owner first: changing it takes special bits of the mode away.
-  Trouble dress_as(const struct stat& old) {
-    struct stat own {};
-    if (::fstat(fd_, &own) != 0) return failure("look at", target_, errno);
-    const bool same = own.st_uid == old.st_uid && own.st_gid == old.st_gid;
-    if (!same && ::fchown(fd_, old.st_uid, old.st_gid) != 0) {
-      return failure("keep the owner of", target_, errno);
-    }
-    if (::fchmod(fd_, old.st_mode & kPermissions) != 0) {
-      return failure("keep the mode of", target_, errno);
-    }
-    return std::nullopt;
-  }
-
-  // EINVAL: a file system that cannot make anything durable.
-  Trouble make_durable() {
-    if (::fsync(fd_) != 0 && errno != EINVAL) return failure("write", target_, errno);
-    return std::nullopt;
-  }
-
-  Trouble move_over() {
-    if (std::rename(name_.c_str(), target_.c_str()) != 0) return failure("replace", target_, errno);
-    moved_ = true;
-    return sync_folder();
-  }
-
-  // Refused where there is something already. File systems that cannot rename so can link so.
-  Trouble move_to_free_place() {
-    const char* name = name_.c_str();
-    moved_ = ::renameat2(AT_FDCWD, name, AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
-    const bool unknown = !moved_ && (errno == EINVAL || errno == ENOSYS);
-    if (!moved_ && !(unknown && ::link(name, target_.c_str()) == 0)) {
-      return failure("create", target_, errno);
-    }
-    return sync_folder();
-  }
-
- private:
-  Trouble sync_folder() const {
-    const fs::path parent = target_.parent_path();
-    const int folder =
-        ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) return failure("open the folder of", target_, errno);
-    const int synced = ::fsync(folder);
-    const int error = errno;
-    ::close(folder);
-    if (synced != 0 && error != EINVAL) return failure("make durable", target_, error);
-    return std::nullopt;
-  }
-
-  const fs::path& target_;
-  std::string name_;
-  std::optional<TemporaryName> kept_;
-  int fd_ = -1;
-  int error_ = 0;
-  bool moved_ = false;
-};
+// The owner first: changing it takes special bits of the mode away.
+Trouble dress_as(TemporaryFile& file, const struct stat& old) {
+  if (auto trouble = file.set_owner(old.st_uid, old.st_gid)) return trouble;
+  return file.set_mode(old.st_mode & kPermissions);
+}
 
 }  // namespace
 
 Result<FileState> file_state(const fs::path& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return failure("look at", path, errno);
+  if (::stat(path.c_str(), &status) != 0) return file_error("look at", path, errno);
   if (!S_ISREG(status.st_mode)) return refusal(path, "is not a regular file");
   return state_of(status);
 }
@@ -168,16 +74,16 @@ std::optional<Error> replace_file(const fs::path& path, std::string_view bytes,
                                   const FileState& seen) {
   std::error_code fault;
   const fs::path target = fs::canonical(path, fault);
-  if (fault) return failure("look at", path, fault.value());
+  if (fault) return file_error("look at", path, fault.value());
   struct stat old {};
   const auto still_as_seen = [&]() -> Trouble {
-    if (::stat(target.c_str(), &old) != 0) return failure("look at", path, errno);
+    if (::stat(target.c_str(), &old) != 0) return file_error("look at", path, errno);
     return objection(target, old, seen);
   };
   if (auto trouble = still_as_seen()) return trouble;
-  Temporary file(target);
-  if (auto trouble = file.fill(bytes)) return trouble;
-  if (auto trouble = file.dress_as(old)) return trouble;
+  TemporaryFile file(target);
+  if (auto trouble = file.write(bytes)) return trouble;
+  if (auto trouble = dress_as(file, old)) return trouble;
   if (auto trouble = file.make_durable()) return trouble;
   // Writing takes time in which somebody else may have saved the file.
   if (auto trouble = still_as_seen()) return trouble;
@@ -185,8 +91,8 @@ std::optional<Error> replace_file(const fs::path& path, std::string_view bytes,
 }
 
 std::optional<Error> create_file(const fs::path& path, std::string_view bytes) {
-  Temporary file(path);
-  if (auto trouble = file.fill(bytes)) return trouble;
+  TemporaryFile file(path);
+  if (auto trouble = file.write(bytes)) return trouble;
   if (auto trouble = file.make_durable()) return trouble;
   return file.move_to_free_place();
 }

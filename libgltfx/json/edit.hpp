@@ -27,8 +27,9 @@ struct Edit {
 std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 
 /// Collects changes to members and elements of one document and turns them into edits. New text
-/// follows the indentation, line ends and spacing of what stands around it. Precondition of all
-/// calls: the document was read without faults. Keeps a reference to it.
+/// follows the indentation, line ends and spacing of what stands around it. The
+/// document may have recoverable faults; those in the text of removed and replaced values go with
+/// it, all others stay. Keeps a reference to it.
 class Editor {
  public:
   explicit Editor(const Document& document) : document_(document), layout_(document) {}

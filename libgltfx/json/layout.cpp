@@ -93,6 +93,8 @@ class LayOut {
   }
 
   void comma() {
+    skip_blank();
+    if (json_[at_] == '}' || json_[at_] == ']') return;
     out_ += ',';
     if (tight_.back()) {
       out_ += layout_.gap;

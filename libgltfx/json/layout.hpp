@@ -22,7 +22,7 @@ struct Layout {
 };
 
 /// A JSON value laid out to stand as an item of a container with that layout. Numbers and strings
-/// keep their spelling. Precondition: `json` is valid.
+/// keep their spelling. Precondition: `json` is valid, or has commas behind last items, which go.
 std::string lay_out(std::string_view json, const Layout& layout);
 
 /// Reads the layout off a document. Keeps a reference to it. Any number of questions take time

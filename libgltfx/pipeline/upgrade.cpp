@@ -19,6 +19,7 @@
 #include "pipeline/companions.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "schema/compile.hpp"
+#include "upgrade/ambiguity.hpp"
 #include "upgrade/diff.hpp"
 #include "upgrade/glb_rewrite.hpp"
 #include "upgrade/plan.hpp"
@@ -71,20 +72,29 @@ class Upgrade {
     if (!container_.json) {
       return fail(UpgradeProblem::unreadable, "it holds no glTF; 'gltfx validate' says why");
     }
+    drop_zero_padding();
     parsed_ = json::parse(container_.json);
     if (!parsed_.document.empty()) return true;
     return fail(UpgradeProblem::unreadable, "its JSON is broken; 'gltfx validate' says where");
   }
 
+  // Some writers fill the JSON chunk up with zeros; the new one gets blanks.
+  void drop_zero_padding() {
+    if (container_.format != container::Format::glb) return;
+    const std::size_t end = container_.json->find_last_not_of('\0') + 1;
+    if (end == container_.json->size()) return;
+    container_.json = share_text(std::string(container_.json->substr(0, end)));
+  }
+
   bool plan() {
     upgrade::Plan plan = upgrade::make_plan(parsed_.document, *schemas_, options_);
+    const auto ambiguity = upgrade::find_ambiguity(parsed_, plan);
     report_.actions = std::move(plan.actions);
     edits_ = std::move(plan.edits);
     if (report_.actions.empty()) return true;
-    if (!parsed_.ok() || !container_.faults.empty() || !container_.late_faults.empty()) {
-      return fail(UpgradeProblem::refused,
-                  "it has faults that make an edit ambiguous; mend those that 'gltfx validate' "
-                  "reports first");
+    if (ambiguity) return fail(UpgradeProblem::refused, *ambiguity);
+    if (const auto obstacle = upgrade::find_glb_obstacle(container_); obstacle && !edits_.empty()) {
+      return fail(UpgradeProblem::refused, "it cannot be written anew: " + *obstacle);
     }
     report_.changes = !edits_.empty();
     if (options_.strict && !is_lossless()) {

@@ -2,6 +2,7 @@
 /// A GLB with another JSON chunk (glTF 2.0 section 4.4).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,9 +11,13 @@
 
 namespace gltfx::upgrade {
 
+/// What fault of a GLB leaves open where its chunks lie, or nothing: the file can be rewritten,
+/// also when its lengths are wrong. A sentence.
+std::optional<std::string> find_glb_obstacle(const container::Container& container);
+
 /// The file with `json` in place of its JSON: header and lengths follow, all other chunks stay byte
-/// for byte. An Error when the new file would be too long for its header. Precondition: a GLB that
-/// was read without faults.
+/// for byte, as does what may follow the last one uncounted. An Error when the new file would be
+/// too long for its header. Precondition: a GLB without obstacle.
 Result<std::string> rewrite_glb(const container::Container& container, std::string_view json);
 
 }  // namespace gltfx::upgrade

@@ -29,8 +29,9 @@ struct Plan {
   std::vector<json::Edit> edits;       ///< of the actions that are done; for json::apply_edits()
 };
 
-/// Plans for a document that was read without faults. Time is linear in its size but for the number
-/// of extensions. Only `generation` and `unsafe` of the options are looked at.
+/// Plans for a document that was read to its end; where it has faults, find_ambiguity() says
+/// whether the plan can be trusted. Time is linear in its size but for the number of extensions.
+/// Only `generation` and `unsafe` of the options are looked at.
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options);
 

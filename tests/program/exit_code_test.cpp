@@ -63,6 +63,8 @@ TEST_F(ExitCode, OutputThatCannotBeWrittenOutranksAll) {
   EXPECT_EQ(code("sound.gltf > /dev/full"), 4);
   EXPECT_EQ(code("faulty.gltf missing.gltf > /dev/full"), 4);
   EXPECT_EQ(code("sound.gltf --format json=/dev/full"), 4);
+  EXPECT_EQ(code("sound.gltf --format json=/no/such/folder/x"), 4);
+  EXPECT_EQ(code("sound.gltf --write-baseline /no/such/folder/x"), 4);
 }
 
 TEST_F(ExitCode, OfTheOtherVerbs) {

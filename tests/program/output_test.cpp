@@ -101,9 +101,16 @@ TEST_F(OutputTest, AFileAppearsWholeAndKeepsItsMode) {
 TEST_F(OutputTest, ACommandThatIsRefusedLeavesFilesAlone) {
   folder_.write("old.json", "old");
   EXPECT_EQ(here({"sound.gltf", "--format", "json=old.json", "--format", "json=no/x.json"}).code,
-            2);
+            4);
   EXPECT_EQ(content("old.json"), "old");
   EXPECT_THAT(names(), ElementsAre("faulty.gltf", "old.json", "sound.gltf"));
+}
+
+TEST_F(OutputTest, AProgramThatIsEndedLeavesNoHalfFile) {
+  const Outcome outcome = shell(
+      "mkfifo in; \"$GLTFX\" validate - --format json=a.json < in & exec 3> in; "
+      "until ls | grep -q part; do sleep 0.01; done; kill $!; wait $!; echo $?; ls");
+  EXPECT_EQ(outcome.out, "143\nfaulty.gltf\nin\nsound.gltf\n");
 }
 
 TEST_F(OutputTest, AReaderThatGoesAwayIsNoFault) {

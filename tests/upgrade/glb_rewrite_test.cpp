@@ -56,5 +56,41 @@ TEST(GlbRewrite, TheResultIsReadWithoutFaults) {
   EXPECT_EQ(*opened.json, "[]  ");
 }
 
+std::string with_length(std::string bytes, std::size_t length) {
+  for (unsigned i = 0; i < 4; ++i) bytes[8 + i] = static_cast<char>((length >> (8U * i)) & 0xFFU);
+  return bytes;
+}
+
+TEST(GlbRewrite, WrongLengthsAreMended) {
+  const std::string bin = chunk(container::kChunkBin, "abcd");
+  const std::string sound = file("{}", bin);
+  for (const std::size_t length : {std::size_t{5}, std::size_t{20}, sound.size() + 100}) {
+    EXPECT_EQ(rewritten(with_length(sound, length), "[1]"), file("[1]", bin)) << length;
+  }
+}
+
+TEST(GlbRewrite, WhatLiesBehindTheLastChunkStaysUncounted) {
+  const std::string sound = file("{}", chunk(container::kChunkBin, "abcd"));
+  const std::string fresh = file("[12345]", chunk(container::kChunkBin, "abcd"));
+  EXPECT_EQ(rewritten(sound + "xyz", "[12345]"), fresh + "xyz");
+}
+
+TEST(GlbRewrite, ChunksThatAreNotKnownNotInOrderOrNotAlignedStay) {
+  const std::string rest = chunk(kOther, "1234") + chunk(container::kChunkBin, "ab") +
+                           chunk(container::kChunkBin, "") + chunk(container::kChunkJson, "[3]");
+  EXPECT_EQ(rewritten(glb(chunk(container::kChunkJson, "[1,2]") + rest), "[0]"), file("[0]", rest));
+}
+
+TEST(GlbRewrite, WhereChunksCannotBeToldApartNothingIsWritten) {
+  const std::string sound = file("{}", chunk(container::kChunkBin, "abcd"));
+  const auto obstacle = [](const std::string& bytes) {
+    return find_glb_obstacle(container::open_bytes(Bytes::from_string(bytes))).value_or("");
+  };
+  EXPECT_EQ(obstacle(sound), "");
+  EXPECT_NE(obstacle(sound.substr(0, sound.size() - 1)), "");
+  EXPECT_NE(obstacle(sound.substr(0, sound.size() - 6)), "");
+  EXPECT_NE(obstacle(glb(chunk(kOther, "1234") + chunk(container::kChunkJson, "{}  "))), "");
+}
+
 }  // namespace
 }  // namespace gltfx::upgrade

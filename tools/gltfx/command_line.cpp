@@ -155,7 +155,7 @@ void Declaration::declare_upgrade() {
   describe_positional(app, "PATH", "Files, folders (searched through) or globs");
   app.add_flag("--in-place", upgrade_.in_place, "Replace the files, each whole or not at all");
   add_word(app, "-o,--output", upgrade_.output, "FILE|DIR",
-           "Write there, with the files that the asset refers to");
+           "Write there: a folder if it is one, ends in /, or several assets may come");
   app.add_flag("--backup", upgrade_.backup, "With --in-place: keep the old file as NAME.bak");
   app.add_flag("--check", upgrade_.check, "Write nothing; exit with 1 when something is to do");
   app.add_flag("--diff", upgrade_.diff, "Print what changes as a unified diff");

@@ -2,11 +2,8 @@
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <set>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -16,6 +13,7 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "input_paths.hpp"
+#include "output_places.hpp"
 #include "schema/compile.hpp"
 #include "schema_sources.hpp"
 #include "suggestion.hpp"
@@ -23,8 +21,6 @@
 
 namespace gltfx::tool {
 namespace {
-
-namespace fs = std::filesystem;
 
 // Lines of an asset go to a program as they are, to a terminal without what could drive it.
 std::string diff_text(std::string_view diff) {
@@ -57,10 +53,7 @@ std::vector<std::string> generation_names(const schema::Set& set) {
 
 Result<UpgradeOptions> options_of(const UpgradeRequest& request) {
   UpgradeOptions options = request.upgrade;
-  std::error_code fault;
-  if (!options.root.empty() && !fs::is_directory(options.root, fault)) {
-    return Error{fmt::format("--root: {} is not a folder", quoted(options.root, 200))};
-  }
+  if (auto problem = check_root(options.root)) return *std::move(problem);
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();
   options.schemas = *schemas ? *std::move(schemas) : schema::builtin_set();
@@ -72,35 +65,6 @@ Result<UpgradeOptions> options_of(const UpgradeRequest& request) {
   return options;
 }
 
-// One asset may be named twice: directly, by a link, with "./" before it.
-std::vector<UpgradeInput> distinct(const std::vector<std::string>& paths) {
-  std::vector<UpgradeInput> inputs;
-  std::set<fs::path> seen;
-  for (const std::string& path : paths) {
-    std::error_code fault;
-    const fs::path real = fs::canonical(path, fault);
-    if (fault || seen.insert(real).second) inputs.push_back({path, {}});
-  }
-  return inputs;
-}
-
-// Where each input goes, or a sentence about why that cannot be.
-std::string place_outputs(const std::string& output, std::vector<UpgradeInput>& inputs) {
-  if (output.empty()) return {};
-  std::error_code fault;
-  const bool folder =
-      inputs.size() != 1 || output.ends_with('/') || fs::is_directory(output, fault);
-  std::set<std::string> taken;
-  for (UpgradeInput& input : inputs) {
-    const fs::path name = fs::path(input.path).filename();
-    input.output = folder ? (fs::path(output) / name).native() : output;
-    if (!taken.insert(input.output).second) {
-      return fmt::format("--output: two inputs would be written to {}", quoted(input.output, 200));
-    }
-  }
-  return {};
-}
-
 /// A run of inputs through the upgrade.
 class UpgradeRun {
  public:
@@ -110,16 +74,13 @@ class UpgradeRun {
         style_(colors_on_stdout(request.common.color)) {}
 
   ExitCode execute() {
-    const Inputs named = expand_paths(request_.paths);
-    if (!request_.quiet) {
-      for (const std::string& note : named.notes) complain("note: " + note);
-    }
-    std::vector<UpgradeInput> inputs = distinct(named.paths);
-    if (const std::string problem = place_outputs(options_.output, inputs); !problem.empty()) {
-      complain(problem);
+    const auto inputs =
+        place_outputs(expand_paths(request_.paths, request_.quiet), options_.output);
+    if (!inputs) {
+      complain(inputs.error().message);
       return ExitCode::usage;
     }
-    upgrade_files(inputs, options_, request_.common.jobs,
+    upgrade_files(*inputs, options_, request_.common.jobs,
                   [this](UpgradeReport&& report) { take(report); });
     if (!request_.quiet) finish(upgrade_summary_text(summary_, writing()));
     return code_;

@@ -99,12 +99,9 @@ ExitCode Run::verdict() const {
 ExitCode Run::execute() {
   if (const std::string problems = targets_.problems(); !problems.empty()) {
     complain(problems);
-    return ExitCode::usage;
+    return ExitCode::internal;
   }
-  const Inputs inputs = expand_paths(request_.paths);
-  if (!request_.quiet) {
-    for (const std::string& note : inputs.notes) complain("note: " + note);
-  }
+  const Inputs inputs = expand_paths(request_.paths, request_.quiet);
   if (const std::string clash = overwritten_input(request_, inputs.paths); !clash.empty()) {
     complain(clash);
     return ExitCode::usage;
@@ -122,10 +119,7 @@ ExitCode Run::execute() {
 Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   ValidateOptions options = request.validation;
   options.jobs = request.common.jobs;
-  std::error_code fault;
-  if (!options.root.empty() && !std::filesystem::is_directory(options.root, fault)) {
-    return Error{"--root: " + quoted(options.root, 200) + " is not a folder"};
-  }
+  if (auto problem = check_root(options.root)) return *std::move(problem);
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();
   options.schemas = *std::move(schemas);

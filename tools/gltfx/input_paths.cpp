@@ -8,20 +8,14 @@
 #include <unordered_set>
 
 #include "base/text.hpp"
+#include "commands.hpp"
 #include "glob.hpp"
+#include "json/token.hpp"
 
 namespace gltfx::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_asset(const fs::path& path) {
-  std::string ending = path.extension().native();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return ending == ".gltf" || ending == ".glb";
-}
 
 // Regular files and links to them; whatever else is called so (a pipe, a folder) is no asset.
 bool is_file(const fs::directory_entry& entry) {
@@ -43,7 +37,7 @@ void list_folder(const fs::path& folder, std::vector<std::string>& assets,
   for (; !fault && at != fs::directory_iterator(); at.increment(fault)) {
     if (is_real_folder(*at)) {
       if (at->path().filename() != ".git") folders.push_back(at->path());
-    } else if (is_asset(at->path()) && is_file(*at)) {
+    } else if (is_asset_name(at->path().native()) && is_file(*at)) {
       assets.push_back(at->path().native());
     }
   }
@@ -70,11 +64,16 @@ class Expansion {
       add_path(argument);
       return;
     }
+    inputs_.several = true;
     const std::vector<std::string> matches = expand_glob(argument);
     if (matches.empty()) keep(argument);
     for (const std::string& match : matches) add_path(match);
   }
-  Inputs finish() { return std::move(inputs_); }
+  void keep(const std::string& path) { keep(path, fs::path(path).filename().native()); }
+  Inputs finish() {
+    inputs_.several = inputs_.several || inputs_.paths.size() > 1;
+    return std::move(inputs_);
+  }
 
  private:
   void add_path(const std::string& path) {
@@ -83,15 +82,21 @@ class Expansion {
       keep(path);
       return;
     }
+    inputs_.several = true;
+    inputs_.folders.push_back(path);
     const std::vector<std::string> assets = assets_below(path);
     if (assets.empty()) {
       inputs_.notes.push_back("folder " + quoted(path, 200) + " holds no .gltf or .glb file");
     }
-    for (const std::string& asset : assets) keep(asset);
+    for (const std::string& asset : assets) {
+      keep(asset, fs::path(asset).lexically_relative(path).native());
+    }
   }
-  void keep(const std::string& path) {
+  void keep(const std::string& path, const std::string& place) {
     const std::string same = path == "-" ? path : fs::path(path).lexically_normal().native();
-    if (seen_.insert(same).second) inputs_.paths.push_back(path);
+    if (!seen_.insert(same).second) return;
+    inputs_.paths.push_back(path);
+    inputs_.places.push_back(place);
   }
 
   Inputs inputs_;
@@ -100,10 +105,30 @@ class Expansion {
 
 }  // namespace
 
-Inputs expand_paths(const std::vector<std::string>& arguments) {
+bool is_asset_name(const std::string& path) {
+  const std::string ending = json::lower_case(fs::path(path).extension().native());
+  return ending == ".gltf" || ending == ".glb";
+}
+
+Inputs expand_paths(const NamedPaths& named, bool quiet) {
   Expansion expansion;
-  for (const std::string& argument : arguments) expansion.add(argument);
-  return expansion.finish();
+  for (const std::string& word : named.words) {
+    if (named.literal) {
+      expansion.keep(word);
+    } else {
+      expansion.add(word);
+    }
+  }
+  Inputs inputs = expansion.finish();
+  if (quiet) return inputs;
+  for (const std::string& note : inputs.notes) complain("note: " + note);
+  return inputs;
+}
+
+std::optional<Error> check_root(const std::string& root) {
+  std::error_code fault;
+  if (root.empty() || fs::is_directory(root, fault)) return std::nullopt;
+  return Error{"--root: " + quoted(root, 200) + " is not a folder"};
 }
 
 }  // namespace gltfx::tool

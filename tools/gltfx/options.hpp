@@ -26,6 +26,12 @@ struct CommonOptions {
   ColorMode color = ColorMode::automatic;
 };
 
+/// What the user named: to be searched and expanded, or taken as it is.
+struct NamedPaths {
+  std::vector<std::string> words;
+  bool literal = false;  ///< names of files, whatever characters they have
+};
+
 /// One `--format NAME[=FILE]`. An empty path, like "-", is standard output.
 struct FormatTarget {
   ReportFormat format = ReportFormat::text;
@@ -34,7 +40,7 @@ struct FormatTarget {
 
 struct ValidateRequest {
   CommonOptions common;
-  std::vector<std::string> paths;
+  NamedPaths paths;
   std::vector<FormatTarget> targets;  ///< at least one, at most one of them to standard output
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
   /// All but `schemas`, which comes from the files below.
@@ -48,8 +54,9 @@ struct ValidateRequest {
 
 struct UpgradeRequest {
   CommonOptions common;
-  std::vector<std::string> paths;
-  /// All but `schemas`, which comes from the files below. With several inputs `output` is a folder.
+  NamedPaths paths;
+  /// All but `schemas`, which comes from the files below. `output` is what was named, a file or a
+  /// folder.
   UpgradeOptions upgrade;
   bool check = false;  ///< say by the exit code whether something is to do
   bool quiet = false;

@@ -2,8 +2,12 @@
 /// Where text goes: standard output, or a file that appears only when it is complete.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/temporary_file.hpp"
 
 namespace gltfx::tool {
 
@@ -13,8 +17,7 @@ class Output {
   /// An empty path is standard output. Anything but a regular file (a pipe, /dev/stderr) is
   /// written as it comes; a file is written beside its place and moved there by finish().
   explicit Output(std::string path);
-  ~Output();
-  Output(Output&& other) noexcept;
+  Output(Output&& other) noexcept = default;
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
   Output& operator=(Output&&) = delete;
@@ -30,18 +33,15 @@ class Output {
 
  private:
   void open();
-  void open_beside();
+  void note(const std::optional<Error>& trouble);
   void fail(std::string_view action, int error);
 
   std::string path_;
-  std::string target_;     ///< path_ with links resolved
-  std::string temporary_;  ///< empty unless a file beside target_ is being written
+  std::unique_ptr<TemporaryFile> file_;  ///< null for what is written as it comes
+  UniqueFd opened_;
   std::string problem_;
   int fd_ = -1;
   bool reader_gone_ = false;
 };
-
-/// Writes all of `text` to a descriptor. False with errno when it cannot be done.
-bool write_all(int fd, std::string_view text);
 
 }  // namespace gltfx::tool

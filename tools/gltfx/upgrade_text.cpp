@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "upgrade_text.hpp"
 
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "base/text.hpp"
@@ -9,15 +12,18 @@
 namespace gltfx::tool {
 namespace {
 
-std::string outcome(const UpgradeAction& action) {
+std::string outcome(const UpgradeAction& action, bool refused) {
   const std::string_view fate = upgrade_fate_name(action.fate);
+  if (!action.done && refused && action.fate == UpgradeFate::safe) {
+    return "left alone with the whole file";
+  }
   if (!action.done) return fmt::format("left alone: {}", fate);
   return action.removed ? "removed" : fmt::format("to {}, {}", action.to, fate);
 }
 
-std::string action_text(const UpgradeAction& action, const Style& style) {
+std::string action_text(const UpgradeAction& action, bool refused, const Style& style) {
   std::string text = fmt::format("  {}\n", style.bold(printable(action.pointer)));
-  text += fmt::format("    {}\n", outcome(action));
+  text += fmt::format("    {}\n", outcome(action, refused));
   if (!action.generation.empty()) {
     text +=
         wrapped(printable(fmt::format("read as {}: {}", action.generation, action.decision)), 4);
@@ -29,7 +35,11 @@ std::string action_text(const UpgradeAction& action, const Style& style) {
 }  // namespace
 
 void UpgradeSummary::add(const UpgradeReport& report) {
-  ++files;
+  if (report.problem == UpgradeProblem::unreadable) {
+    ++unreadable;
+  } else {
+    ++files;
+  }
   objects += report.actions.size();
   done += report.actions.size() - report.left();
   written += report.written ? 1U : 0U;
@@ -38,26 +48,31 @@ void UpgradeSummary::add(const UpgradeReport& report) {
 std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
   if (report.actions.empty()) return {};
   std::string text = printable(report.path) + "\n";
-  for (const UpgradeAction& action : report.actions) text += action_text(action, style);
+  const bool refused = report.problem != UpgradeProblem::none;
+  for (const UpgradeAction& action : report.actions) text += action_text(action, refused, style);
   return text;
 }
 
 std::string upgrade_summary_text(const UpgradeSummary& summary, bool writing) {
-  const std::string files = report::counted(summary.files, "file");
-  if (summary.objects == 0) {
-    return fmt::format("{}, nothing legacy{}\n", files,
-                       summary.written == 0
-                           ? ""
-                           : fmt::format("; {} written", report::counted(summary.written, "file")));
+  using report::counted;
+  std::vector<std::string> parts;
+  if (summary.files > 0 && summary.objects == 0) {
+    parts.push_back(counted(summary.files, "file") + ", nothing legacy");
+  } else if (summary.files > 0) {
+    parts.push_back(fmt::format("{}, {}: {} {}, {} {}", counted(summary.files, "file"),
+                                counted(summary.objects, "legacy object"), summary.done,
+                                writing ? "upgraded" : "can be upgraded",
+                                summary.objects - summary.done,
+                                writing ? "left" : "would be left"));
   }
-  const std::string objects =
-      fmt::format("{}, {}", files, report::counted(summary.objects, "legacy object"));
-  if (writing) {
-    return fmt::format("{}: {} upgraded, {} left; {} written\n", objects, summary.done,
-                       summary.objects - summary.done, report::counted(summary.written, "file"));
+  const bool matters = summary.objects > 0 || summary.written > 0;
+  if (writing && matters) parts.push_back(counted(summary.written, "file") + " written");
+  if (!writing && matters) parts.emplace_back("nothing was written");
+  if (summary.unreadable > 0) {
+    parts.push_back(counted(summary.unreadable, "file") + " could not be read");
   }
-  return fmt::format("{}: {} can be upgraded, {} would be left; nothing was written\n", objects,
-                     summary.done, summary.objects - summary.done);
+  return fmt::format("{}\n",
+                     parts.empty() ? "no files" : fmt::format("{}", fmt::join(parts, "; ")));
 }
 
 }  // namespace gltfx::tool

@@ -13,10 +13,11 @@ namespace gltfx::tool {
 
 /// What the files of a run came to.
 struct UpgradeSummary {
-  std::uint64_t files = 0;
-  std::uint64_t objects = 0;  ///< legacy ones
-  std::uint64_t done = 0;     ///< of these: upgraded, or to be upgraded when nothing is written
-  std::uint64_t written = 0;  ///< files
+  std::uint64_t files = 0;       ///< that were read
+  std::uint64_t unreadable = 0;  ///< that were not
+  std::uint64_t objects = 0;     ///< legacy ones
+  std::uint64_t done = 0;        ///< of these: upgraded, or to be upgraded when nothing is written
+  std::uint64_t written = 0;     ///< files
   void add(const UpgradeReport& report);
 };
 

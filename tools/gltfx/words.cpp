@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "words.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -61,7 +62,7 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   read_common(reading, words.common, request.common);
   reading.require(!words.paths.empty(),
                   "validate: name at least one file, folder or glob; '-' is standard input.");
-  request.paths = words.paths;
+  request.paths.words = words.paths;
   reading.set(request.targets, parse_targets(words.formats));
   reading.set(request.fail_on, parse_fail_on(words.fail_on));
   reading.set(request.validation.profile, parse_profile(words.profile));
@@ -86,6 +87,9 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   UpgradeRequest request;
   read_common(reading, words.common, request.common);
   reading.require(!words.paths.empty(), "upgrade: name at least one file, folder or glob.");
+  reading.require(std::find(words.paths.begin(), words.paths.end(), "-") == words.paths.end(),
+                  "upgrade: standard input has no file beside which anything could be found or "
+                  "written; name a file ('./-' for one that is called '-').");
   const bool writes = words.in_place || !words.output.empty();
   reading.require(!words.in_place || words.output.empty(),
                   "upgrade: --in-place and --output exclude each other.");
@@ -93,7 +97,7 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
                   "upgrade: --check writes nothing; leave out "
                   "--in-place and --output.");
   reading.require(!words.backup || words.in_place, "upgrade: --backup goes with --in-place.");
-  request.paths = words.paths;
+  request.paths.words = words.paths;
   request.upgrade.generation = words.generation;
   request.upgrade.unsafe = words.unsafe;
   request.upgrade.strict = words.strict;

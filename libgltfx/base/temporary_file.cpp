@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/temporary_file.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/text.hpp"
+
+namespace gltfx {
+namespace {
+
+using Trouble = std::optional<Error>;
+
+constexpr mode_t kNewFile = 0666;
+
+}  // namespace
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+Error file_error(std::string_view action, const std::filesystem::path& path, int error) {
+  return {fmt::format("cannot {} {}: {}", action, quoted(path.native(), 200),
+                      std::error_code(error, std::generic_category()).message())};
+}
+
+TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+  for (int attempt = 0; attempt < 1000 && !fd_; ++attempt) {
+    name_ = fmt::format("{}.{}-{}.part", target_.native(), ::getpid(), attempt);
+    kept_.emplace(name_);
+    constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
+    fd_ = UniqueFd(::open(name_.c_str(), kFlags, kNewFile));
+    error_ = errno;
+    if (!fd_ && error_ != EEXIST) break;
+  }
+}
+
+TemporaryFile::~TemporaryFile() {
+  if (fd_ && !moved_) ::unlink(name_.c_str());
+}
+
+Trouble TemporaryFile::write(std::string_view bytes) {
+  if (!fd_) return file_error("create a file beside", target_, error_);
+  if (!write_all(fd_.get(), bytes)) return file_error("write", target_, errno);
+  return std::nullopt;
+}
+
+Trouble TemporaryFile::set_mode(unsigned mode) {
+  if (::fchmod(fd_.get(), mode) == 0) return std::nullopt;
+  return file_error("keep the mode of", target_, errno);
+}
+
+Trouble TemporaryFile::set_owner(unsigned user, unsigned group) {
+  struct stat own {};
+  if (::fstat(fd_.get(), &own) != 0) return file_error("look at", target_, errno);
+  const bool same = own.st_uid == user && own.st_gid == group;
+  if (same || ::fchown(fd_.get(), user, group) == 0) return std::nullopt;
+  return file_error("keep the owner of", target_, errno);
+}
+
+// EINVAL: a file system that cannot make anything durable.
+Trouble TemporaryFile::make_durable() {
+  if (::fsync(fd_.get()) == 0 || errno == EINVAL) return std::nullopt;
+  return file_error("write", target_, errno);
+}
+
+Trouble TemporaryFile::move_over() {
+  if (std::rename(name_.c_str(), target_.c_str()) != 0) {
+    return file_error("replace", target_, errno);
+  }
+  moved_ = true;
+  return sync_folder();
+}
+
+// Refused where there is something already. File systems that cannot rename so can link so.
+Trouble TemporaryFile::move_to_free_place() {
+  const char* name = name_.c_str();
+  moved_ = ::renameat2(AT_FDCWD, name, AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
+  const bool unknown = !moved_ && (errno == EINVAL || errno == ENOSYS);
+  if (!moved_ && !(unknown && ::link(name, target_.c_str()) == 0)) {
+    return file_error("create", target_, errno);
+  }
+  return sync_folder();
+}
+
+Trouble TemporaryFile::sync_folder() const {
+  const std::filesystem::path parent = target_.parent_path();
+  const UniqueFd folder(
+      ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder) return file_error("open the folder of", target_, errno);
+  if (::fsync(folder.get()) == 0 || errno == EINVAL) return std::nullopt;
+  return file_error("make durable", target_, errno);
+}
+
+}  // namespace gltfx

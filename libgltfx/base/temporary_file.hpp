@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A file that is written beside its place and takes it when it is whole.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+#include "base/temporary_files.hpp"
+#include "base/unique_fd.hpp"
+
+namespace gltfx {
+
+/// Gone at the end of its life unless it was moved to its place; remove_temporaries() knows it. The
+/// calls give nothing when they succeed, else why they did not. Not thread-safe.
+class TemporaryFile {
+ public:
+  /// Creates a file in the target's folder; the first write() says when that failed. Links are not
+  /// followed: `target` is the place that is taken.
+  explicit TemporaryFile(std::filesystem::path target);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  std::optional<Error> write(std::string_view bytes);
+  /// Permissions, special bits included.
+  std::optional<Error> set_mode(unsigned mode);
+  std::optional<Error> set_owner(unsigned user, unsigned group);
+  /// Makes the bytes durable, where the file system can.
+  std::optional<Error> make_durable();
+  /// Takes the place of what is at the target, durably.
+  std::optional<Error> move_over();
+  /// The same where there must be nothing yet.
+  std::optional<Error> move_to_free_place();
+
+ private:
+  std::optional<Error> sync_folder() const;
+
+  const std::filesystem::path target_;
+  std::string name_;
+  std::optional<TemporaryName> kept_;
+  UniqueFd fd_;
+  int error_ = 0;
+  bool moved_ = false;
+};
+
+/// Writes all of `bytes` to a descriptor. False with errno when it cannot be done.
+bool write_all(int fd, std::string_view bytes);
+
+/// "cannot <action> '<path>': " and what the system says of `error`, a value of errno.
+Error file_error(std::string_view action, const std::filesystem::path& path, int error);
+
+}  // namespace gltfx

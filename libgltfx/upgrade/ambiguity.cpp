@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "upgrade/ambiguity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "json/lines.hpp"
+
+namespace gltfx::upgrade {
+namespace {
+
+// Members of the root that no plan reads.
+constexpr std::array<std::string_view, 7> kApart{"asset", "cameras", "extras", "nodes",
+                                                 "scene", "scenes",  "skins"};
+
+/// What of the document a plan touches.
+class Touched {
+ public:
+  Touched(const json::Document& document, const Plan& plan) : document_(document), plan_(plan) {
+    for (const UpgradeAction& action : plan.actions) {
+      if (!action.done) continue;
+      const std::size_t index = action.pointer.find('/', 1);
+      hosts_.insert(action.pointer.substr(0, action.pointer.find('/', index + 1)));
+    }
+  }
+
+  bool is_ambiguous(const json::ParseFault& fault) const {
+    switch (fault.fault) {
+      case json::Fault::missing_comma:
+        return place_of(fault.span).in_host;
+      case json::Fault::lone_surrogate:
+        return is_edited(fault.span);
+      case json::Fault::duplicate_key:
+        return is_doubtful_name(fault);
+      default:
+        return false;
+    }
+  }
+
+ private:
+  struct Place {
+    std::string root;      ///< member of the root
+    bool is_root = false;  ///< that member's name itself
+    bool in_host = false;  ///< inside an object that carries what is upgraded
+  };
+
+  Place place_of(Span span) const {
+    Place place;
+    for (const auto member : document_.members(document_.root())) {
+      const Span key = document_.span(member.key);
+      if (span.begin < key.begin || span.begin >= document_.span(member.value).end) continue;
+      place.root = document_.key(member.key_id);
+      place.is_root = span.begin == key.begin;
+      place.in_host = is_in_host(place.root, member.value, span);
+    }
+    return place;
+  }
+
+  bool is_in_host(const std::string& array, json::NodeId list, Span span) const {
+    if (document_.kind(list) != json::Kind::array) return false;
+    std::size_t index = 0;
+    for (const json::NodeId element : document_.elements(list)) {
+      const Span whole = document_.span(element);
+      if (span.begin >= whole.begin && span.begin < whole.end) {
+        return hosts_.count(fmt::format("/{}/{}", array, index)) > 0;
+      }
+      ++index;
+    }
+    return false;
+  }
+
+  bool is_edited(Span span) const {
+    return std::any_of(plan_.edits.begin(), plan_.edits.end(), [&](const json::Edit& edit) {
+      return edit.span.begin <= span.begin && span.begin < edit.span.end;
+    });
+  }
+
+  // Readers disagree about which of two members of one name counts.
+  bool is_doubtful_name(const json::ParseFault& fault) const {
+    const Place place = place_of(fault.span);
+    const bool apart = std::find(kApart.begin(), kApart.end(), place.root) != kApart.end();
+    const bool other_material = place.root == "materials" && !place.is_root;
+    if (place.in_host || !(apart || other_material)) return true;
+    return holds_edit(fault.span) || holds_edit(fault.other);
+  }
+
+  // Whether the member with that name holds an edited place.
+  bool holds_edit(Span name) const {
+    for (json::NodeId id = 0; id < document_.node_count(); ++id) {
+      if (document_.kind(id) != json::Kind::key || document_.span(id).begin != name.begin) continue;
+      const Span value = document_.span(id + 1);
+      return std::any_of(plan_.edits.begin(), plan_.edits.end(), [&](const json::Edit& edit) {
+        return name.begin <= edit.span.begin && edit.span.begin <= value.end;
+      });
+    }
+    return false;
+  }
+
+  const json::Document& document_;
+  const Plan& plan_;
+  std::set<std::string> hosts_;  ///< "/materials/3"
+};
+
+}  // namespace
+
+std::optional<std::string> find_ambiguity(const json::Parsed& parsed, const Plan& plan) {
+  if (plan.edits.empty() || parsed.ok()) return std::nullopt;
+  if (parsed.unrecorded_faults > 0) {
+    return fmt::format("its JSON has {} faults; mend them first",
+                       parsed.faults.size() + parsed.unrecorded_faults);
+  }
+  const Touched touched(parsed.document, plan);
+  for (const json::ParseFault& fault : parsed.faults) {
+    if (!touched.is_ambiguous(fault)) continue;
+    const Location at = json::LineIndex(parsed.document.text()).locate(fault.span);
+    return fmt::format(
+        "line {}, column {} of its JSON makes an edit ambiguous: {}; mend that first", at.line,
+        at.column, fault.detail);
+  }
+  return std::nullopt;
+}
+
+}  // namespace gltfx::upgrade

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output_places.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "json/token.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path real_path(fs::path path) {
+  while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();  // "out/"
+  std::error_code fault;
+  fs::path real = fs::weakly_canonical(path, fault);
+  return fault ? path : real;
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end() && rest != path.end();
+}
+
+std::string ending(const fs::path& path) { return json::lower_case(path.extension().native()); }
+
+/// What `--output` means for a run.
+class Destination {
+ public:
+  Destination(const std::string& output, const Inputs& inputs)
+      : output_(output), several_(inputs.several) {
+    std::error_code fault;
+    is_folder_ = several_ || output.ends_with('/') || fs::is_directory(output, fault);
+    real_ = real_path(output);
+    for (const std::string& folder : inputs.folders) {
+      inside_search_ = inside_search_ || is_below(real_, real_path(folder));
+    }
+  }
+
+  /// Why it cannot be the place of a folder, or empty.
+  std::string problem() const {
+    std::error_code fault;
+    if (!is_folder_ || fs::is_directory(output_, fault)) return {};
+    if (fs::exists(real_, fault)) {
+      return fmt::format("--output: {} is a file, but a folder is needed for {}.",
+                         quoted(output_, 200),
+                         several_ ? "several assets" : "a name that ends in '/'");
+    }
+    if (!is_asset_name(output_)) return {};
+    return fmt::format(
+        "--output: {} is called like one file, but several assets may come; end it "
+        "in '/' if it is to be a folder.",
+        quoted(output_, 200));
+  }
+
+  /// Whether an input is what an earlier run wrote.
+  bool holds(const fs::path& real) const { return inside_search_ && is_below(real, real_); }
+
+  Result<std::string> of(const std::string& path, const std::string& place) const {
+    if (is_folder_) return (fs::path(output_) / place).native();
+    const std::string own = ending(path);
+    if (!is_asset_name(output_)) {
+      return Error{
+          fmt::format("--output: {} is neither a folder nor the name of a .gltf or .glb "
+                      "file; write {} for a folder.",
+                      quoted(output_, 200), quoted(output_ + "/", 200))};
+    }
+    if (!is_asset_name(path) || own == ending(output_)) return output_;
+    return Error{
+        fmt::format("--output: {} has to end in {} as {} does: an upgrade changes no container.",
+                    quoted(output_, 200), own, quoted(path, 200))};
+  }
+
+ private:
+  const std::string& output_;
+  fs::path real_;
+  bool several_;
+  bool is_folder_ = false;
+  bool inside_search_ = false;
+};
+
+}  // namespace
+
+Result<std::vector<UpgradeInput>> place_outputs(const Inputs& inputs, const std::string& output) {
+  const Destination destination(output, inputs);
+  const bool placing = !output.empty();
+  if (std::string problem = placing ? destination.problem() : std::string(); !problem.empty()) {
+    return Error{std::move(problem)};
+  }
+  std::vector<UpgradeInput> placed;
+  std::set<fs::path> seen;
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
+    std::error_code fault;
+    const fs::path real = fs::canonical(inputs.paths[i], fault);
+    if (!fault && !seen.insert(real).second) continue;
+    placed.push_back({inputs.paths[i], {}});
+    if (!placing) continue;
+    if (destination.holds(real)) {
+      placed.pop_back();
+      continue;
+    }
+    auto target = destination.of(inputs.paths[i], inputs.places[i]);
+    if (!target) return target.error();
+    if (!taken.insert(*target).second) {
+      return Error{
+          fmt::format("--output: two inputs would be written to {}; name the folder that "
+                      "holds both, or write them one by one.",
+                      quoted(*target, 200))};
+    }
+    placed.back().output = *std::move(target);
+  }
+  return placed;
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where the new bytes of each input go.
+#pragma once
+
+#include <gltfx/pipeline.hpp>
+
+#include <string>
+#include <vector>
+
+#include "input_paths.hpp"
+
+namespace gltfx::tool {
+
+/// Each asset once, however often it was named (directly, by a link, with "./" before it), with the
+/// file its upgrade is written to; no files when `output` is empty.
+///
+/// `output` is a folder when it is one already, ends in '/', or more than one file may come (see
+/// Inputs::several). What was found below a folder keeps its place below it; what lies in the
+/// output folder of an earlier run is not found. Else `output` is a file whose ending has to be
+/// that of the input, because an upgrade keeps the container. The Error says what to write instead.
+Result<std::vector<UpgradeInput>> place_outputs(const Inputs& inputs, const std::string& output);
+
+}  // namespace gltfx::tool
