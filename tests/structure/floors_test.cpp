@@ -27,7 +27,8 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/diagnostic.hpp", "base"},   {"gltfx/version.hpp", "base"},
     {"gltfx/report.hpp", "report"},     {"gltfx/validate.hpp", "validate"},
     {"gltfx/upgrade.hpp", "upgrade"},   {"gltfx/pipeline.hpp", "pipeline"},
-    {"gltfx/mapping.hpp", "container"},
+    {"gltfx/mapping.hpp", "container"}, {"gltfx/vec3.hpp", "base"},
+    {"gltfx/material.hpp", "bake"},
 };
 
 // Lower floors that a room must not reach for all the same.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Three doubles: a direction or a colour of the shader.
+#pragma once
+
+#include <cmath>
+
+namespace gltfx {
+
+/// A direction, or a colour in linear Rec. 709. Products and quotients go component by component.
+struct Vec3d {
+  double x = 0, y = 0, z = 0;
+
+  constexpr Vec3d() = default;
+  constexpr Vec3d(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
+  explicit constexpr Vec3d(double all) : x(all), y(all), z(all) {}
+
+  constexpr Vec3d operator-() const { return {-x, -y, -z}; }
+  constexpr Vec3d& operator+=(const Vec3d& b) { return *this = {x + b.x, y + b.y, z + b.z}; }
+  constexpr Vec3d& operator*=(const Vec3d& b) { return *this = {x * b.x, y * b.y, z * b.z}; }
+  constexpr Vec3d& operator*=(double s) { return *this = {x * s, y * s, z * s}; }
+  /// Component 0, 1 or 2.
+  constexpr double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  friend constexpr bool operator==(const Vec3d&, const Vec3d&) = default;
+};
+/// The same numbers, read as red, green and blue.
+using Rgb = Vec3d;
+
+constexpr Vec3d operator+(const Vec3d& a, const Vec3d& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Vec3d operator-(const Vec3d& a, const Vec3d& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Vec3d operator*(const Vec3d& a, const Vec3d& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+constexpr Vec3d operator/(const Vec3d& a, const Vec3d& b) {
+  return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+constexpr Vec3d operator*(const Vec3d& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
+constexpr Vec3d operator*(double s, const Vec3d& a) { return a * s; }
+constexpr Vec3d operator/(const Vec3d& a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+
+constexpr double dot(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Vec3d cross(const Vec3d& a, const Vec3d& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// Precondition: not of length 0.
+inline Vec3d normalize(const Vec3d& a) { return a / std::sqrt(dot(a, a)); }
+constexpr double max_value(const Rgb& a) {
+  const double m = a.x > a.y ? a.x : a.y;
+  return m > a.z ? m : a.z;
+}
+
+}  // namespace gltfx
