@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the renderer draws: plain data without a trace of where it came from. Whoever fills it has
+/// checked it; every index is in range. Right-handed, y up, metres, linear colours (Rec. 709).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gltfx::bake {
+
+// Storage, not arithmetic: packed, without padding.
+using Float2 = std::array<float, 2>;
+using Float3 = std::array<float, 3>;
+using Float4 = std::array<float, 4>;
+/// Three rows of an affine transform of column vectors: linear part left, translation right.
+using Matrix34 = std::array<Float4, 3>;
+inline constexpr Matrix34 kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+/// How a texture is read outside of [0, 1] (specification section 5.25).
+enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+enum class Filter : std::uint8_t { linear, nearest };
+
+/// An image with the sampler of one texture. Texels are as they were decoded: no colour conversion,
+/// alpha apart.
+struct Texture {
+  std::uint32_t width = 0, height = 0;  ///< texels; at least 1 unless `missing`
+  std::uint32_t channels = 0;           ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
+  std::uint32_t bits = 8;               ///< of each channel: 8, or 16 in the machine's byte order
+  std::span<const std::byte> pixels;    ///< rows from the top, packed
+  std::shared_ptr<const void> owner;    ///< of `pixels`
+  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
+  /// For magnification; between the levels of a mipmap samples are spread over the pixel instead.
+  Filter filter = Filter::linear;
+  /// Its image could not be had: colours are drawn as a marked checker, other channels read 1.
+  bool missing = false;
+};
+
+/// What a material reads from textures. The slot decides channels and colour space.
+enum class Slot : std::uint8_t {
+  base_color,                  ///< RGBA, sRGB; also the diffuse map of specular-glossiness
+  metallic_roughness,          ///< G roughness, B metalness
+  normal,                      ///< RGB
+  emissive,                    ///< RGB, sRGB
+  transmission,                ///< R
+  diffuse_transmission,        ///< A (or as `channel` says)
+  diffuse_transmission_color,  ///< RGB, sRGB
+  thickness,                   ///< G
+  scatter_strength,            ///< A
+  multiscatter_color,          ///< RGB, sRGB
+  specular,                    ///< A
+  specular_color,              ///< RGB, sRGB
+  specular_glossiness,         ///< RGB specular in sRGB, A glossiness
+  sheen_color,                 ///< RGB, sRGB
+  sheen_roughness,             ///< A
+  clearcoat,                   ///< R
+  clearcoat_roughness,         ///< G
+  clearcoat_normal,            ///< RGB
+  anisotropy,                  ///< RG direction, B strength
+  iridescence,                 ///< R
+  iridescence_thickness,       ///< G
+  count
+};
+inline constexpr std::size_t kSlots = static_cast<std::size_t>(Slot::count);
+/// Whether the colours of a slot are encoded as sRGB.
+constexpr bool is_srgb(Slot slot) {
+  return slot == Slot::base_color || slot == Slot::emissive ||
+         slot == Slot::diffuse_transmission_color || slot == Slot::multiscatter_color ||
+         slot == Slot::specular_color || slot == Slot::specular_glossiness ||
+         slot == Slot::sheen_color;
+}
+
+/// One use of a texture by a material.
+struct TextureUse {
+  std::uint32_t texture = kNone;  ///< index in Scene::textures
+  std::uint32_t uv_set = 0;       ///< TEXCOORD_n; one that the mesh lacks reads (0, 0)
+  /// Rows of the affine transform of (u, v, 1) that KHR_texture_transform describes.
+  std::array<Float3, 2> transform{{{1, 0, 0}, {0, 1, 0}}};
+  /// Of slots that read one channel: instead of the slot's own, 0 to 3; kNone: the slot's own.
+  std::uint32_t channel = kNone;
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+/// How the medium inside of a volume scatters, by the text that describes it.
+enum class Scattering : std::uint8_t {
+  none,
+  sss,             ///< scatter_distance, multiscatter_color as its scatterColor
+  volume_scatter,  ///< multiscatter_color, scatter_anisotropy
+  scatter          ///< those and scatter_strength
+};
+
+/// Factors of a material in the words of the specification, with their defaults, and its textures.
+struct SceneMaterial {
+  std::string name;
+  Float4 base_color{1, 1, 1, 1};
+  float metallic = 1, roughness = 1;
+  float normal_scale = 1;
+  Float3 emissive{0, 0, 0};  ///< times emissiveStrength
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5F;
+  bool double_sided = false;
+  bool unlit = false;
+  /// KHR_materials_pbrSpecularGlossiness: base_color is diffuseFactor, and metalness is not used.
+  bool specular_glossiness = false;
+  Float3 sg_specular{1, 1, 1};
+  float sg_glossiness = 1;
+
+  float ior = 1.5F;  ///< 0: as the text says, Fresnel is 1
+  float specular = 1;
+  Float3 specular_color{1, 1, 1};
+  float transmission = 0;
+  float dispersion = 0;
+  float diffuse_transmission = 0;
+  Float3 diffuse_transmission_color{1, 1, 1};
+
+  bool volume = false;  ///< closed: light is inside of something after it was transmitted
+  float thickness = 0;  ///< 0: thin-walled also with a volume
+  float attenuation_distance = 0;  ///< 0: infinite
+  Float3 attenuation_color{1, 1, 1};
+  Scattering scattering = Scattering::none;
+  float scatter_distance = 0;  ///< 0: infinite
+  Float3 multiscatter_color{0, 0, 0};
+  float scatter_strength = 0;
+  float scatter_anisotropy = 0;
+
+  Float3 sheen_color{0, 0, 0};
+  float sheen_roughness = 0;
+  float clearcoat = 0, clearcoat_roughness = 0, clearcoat_normal_scale = 1;
+  float anisotropy = 0, anisotropy_rotation = 0;  ///< radians
+  float iridescence = 0, iridescence_ior = 1.3F;
+  float iridescence_thickness_minimum = 100, iridescence_thickness_maximum = 400;  ///< nanometres
+
+  std::array<TextureUse, kSlots> textures{};
+  TextureUse& use(Slot slot) { return textures[static_cast<std::size_t>(slot)]; }
+  const TextureUse& use(Slot slot) const { return textures[static_cast<std::size_t>(slot)]; }
+};
+
+/// Triangles with one material, posed: skinned and morphed where the asset says so. Attributes are
+/// by vertex, and empty where there are none.
+struct Mesh {
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front
+  std::vector<Float3> positions;
+  /// Empty: flat, and tangents count for nothing. Need not be of unit length.
+  std::vector<Float3> normals;
+  std::vector<Float4> tangents;          ///< w is the sign of the bitangent
+  std::vector<std::vector<Float2>> uvs;  ///< by number of the set
+  std::vector<Float4> colors;            ///< linear, factors of the base colour
+  std::uint32_t material = kNone;        ///< index in Scene::materials; kNone: the default one
+};
+
+struct Instance {
+  std::uint32_t mesh = 0;
+  Matrix34 to_world = kIdentity;  ///< may mirror, and may be singular
+};
+
+/// A punctual light in the world (KHR_lights_punctual).
+struct Light {
+  enum class Kind : std::uint8_t { directional, point, spot };
+  Kind kind = Kind::point;
+  Float3 intensity{1, 1, 1};  ///< colour times candela, or times lux of a directional light
+  Float3 position{0, 0, 0};
+  Float3 direction{0, 0, -1};                     ///< in which it shines, unit length
+  float range = 0;                                ///< metres; 0: infinite
+  float inner_cone = 0, outer_cone = 0.7853982F;  ///< radians
+};
+
+struct Camera {
+  std::string name;
+  Matrix34 to_world = kIdentity;  ///< it looks along its -z, without scale
+  bool perspective = true;
+  float yfov = 0.7F;          ///< radians
+  float xmag = 1, ymag = 1;   ///< half extents of an orthographic camera
+  float znear = 0, zfar = 0;  ///< 0: none
+};
+
+/// Radiance from far away by direction: an equirectangular image whose middle column is -z, whose
+/// upper row is +y, and which turns to +x on the right.
+struct EnvironmentImage {
+  std::uint32_t width = 0, height = 0;
+  std::vector<Float3> radiance;  ///< rows from the top, finite and not negative
+};
+
+struct Scene {
+  std::vector<Mesh> meshes;
+  std::vector<SceneMaterial> materials;
+  std::vector<Texture> textures;
+  std::vector<Instance> instances;  ///< what is visible
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  std::optional<EnvironmentImage> environment;
+  /// What a user should know of what is drawn differently or not at all, one sentence each.
+  std::vector<std::string> notes;
+};
+
+}  // namespace gltfx::bake
