@@ -40,6 +40,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/"}},
     {"tbb/", {"libgltfx/base/parallel.cpp"}},
     {"meshoptimizer.h", {"libgltfx/model/"}},
+    {"embree3/", {"libgltfx/bake/"}},
     {"CLI/", {"tools/gltfx/command_line.cpp"}},
     {"fmt/", {"libgltfx/", "tools/gltfx/"}},
     {"draco/", {"tools/gltfx_codec/draco_"}},

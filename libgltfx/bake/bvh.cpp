@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/bvh.hpp"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+#include "bake/coverage.hpp"
+#include "bake/sampler.hpp"
+#include "bake/storage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+// How rays treat triangles, which is one Embree geometry each: what needs no questions is asked
+// none.
+enum class Treatment : std::uint8_t { solid, culled, holed };
+constexpr std::size_t kTreatments = 3;
+
+Treatment treatment_of(const SceneMaterial& material) {
+  if (has_holes(material)) return Treatment::holed;
+  return is_culled(material) ? Treatment::culled : Treatment::solid;
+}
+
+// Triangles of meshes that stand in the scene once, in world space, and whose they are. A mesh of
+// many instances is a group of its own, in its own space.
+struct Group {
+  std::vector<std::uint32_t> instances;  // in order
+  std::vector<std::size_t> first;        // triangle of each
+  std::size_t triangles = 0, vertices = 0;
+};
+
+}  // namespace
+
+struct Bvh::State {
+  explicit State(const Scene& s) : scene(s) {}
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (top != nullptr) rtcReleaseScene(top);
+    for (RTCScene each : shared) {
+      if (each != nullptr) rtcReleaseScene(each);
+    }
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  bool build();
+  void group_instances();
+  bool add_group(const Group& group, Treatment treatment);
+  bool add_shared_mesh(std::uint32_t mesh);
+  bool add_instance(std::uint32_t instance);
+  Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
+  float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
+  bool is_front(const Hit& hit, const Vec3& direction) const;
+  static void filter_closest(const RTCFilterFunctionNArguments* args);
+  static void filter_any(const RTCFilterFunctionNArguments* args);
+
+  const Scene& scene;
+  RTCDevice device = nullptr;
+  RTCScene top = nullptr;
+  std::vector<RTCScene> shared;           // by mesh; null where not shared
+  std::array<Group, kTreatments> groups;  // geometry 0, 1, 2 of `top`
+  std::vector<std::uint32_t> instanced;   // instance of geometry kTreatments + i
+  std::vector<float> facing;              // by instance: -1 where the transform mirrors
+  std::size_t triangles = 0;
+};
+
+// What the filters know of the ray. Embree hands back its own part, which is the first one.
+struct Bvh::Tracing {
+  Tracing(const State& s, const Ray& ray, std::uint32_t k)
+      : state(&s), key(k), direction(ray.direction) {
+    rtcInitIntersectContext(&embree);
+  }
+  RTCIntersectContext embree;
+  const State* state;
+  std::uint32_t key;
+  Vec3 direction;
+  float visibility = 1;
+};
+
+namespace {
+
+void set_filters(RTCGeometry geometry, Treatment treatment, RTCFilterFunctionN closest,
+                 RTCFilterFunctionN any) {
+  if (treatment == Treatment::solid) return;
+  rtcSetGeometryIntersectFilterFunction(geometry, closest);
+  rtcSetGeometryOccludedFilterFunction(geometry, any);
+}
+
+void* new_buffer(RTCGeometry geometry, RTCBufferType type, std::size_t count) {
+  const bool vertices = type == RTC_BUFFER_TYPE_VERTEX;
+  return rtcSetNewGeometryBuffer(geometry, type, 0, vertices ? RTC_FORMAT_FLOAT3 : RTC_FORMAT_UINT3,
+                                 12, count);
+}
+
+// Embree takes its own copy, which may be freed once the hierarchy is built of it.
+bool attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, std::uint32_t number) {
+  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene, geometry, number);
+  rtcReleaseGeometry(geometry);
+  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+}
+
+RTCScene new_scene(RTCDevice device) {
+  RTCScene scene = rtcNewScene(device);
+  if (scene != nullptr) {
+    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+  }
+  return scene;
+}
+
+}  // namespace
+
+void Bvh::State::group_instances() {
+  std::vector<std::uint32_t> uses(scene.meshes.size(), 0);
+  for (const Instance& instance : scene.instances) ++uses[instance.mesh];
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    facing.push_back(determinant(instance.to_world) < 0 ? -1.0F : 1.0F);
+    if (mesh.triangles.empty()) continue;
+    triangles += mesh.triangles.size();
+    if (uses[instance.mesh] > 1) {
+      instanced.push_back(i);
+      continue;
+    }
+    Group& group = groups[static_cast<std::size_t>(treatment_of(material_of(scene, mesh)))];
+    group.instances.push_back(i);
+    group.first.push_back(group.triangles);
+    group.triangles += mesh.triangles.size();
+    group.vertices += mesh.positions.size();
+  }
+}
+
+bool Bvh::State::add_group(const Group& group, Treatment treatment) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* points = static_cast<Float3*>(new_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, group.vertices));
+  auto* indices = static_cast<std::array<std::uint32_t, 3>*>(
+      new_buffer(geometry, RTC_BUFFER_TYPE_INDEX, group.triangles));
+  if (points == nullptr || indices == nullptr) {
+    rtcReleaseGeometry(geometry);
+    return false;
+  }
+  std::uint32_t base = 0;
+  for (const std::uint32_t number : group.instances) {
+    const Instance& instance = scene.instances[number];
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    for (const Float3& p : mesh.positions) {
+      *points++ = to_float3(transform_point(instance.to_world, to_vec(p)));
+    }
+    for (const auto& t : mesh.triangles) *indices++ = {t[0] + base, t[1] + base, t[2] + base};
+    base += static_cast<std::uint32_t>(mesh.positions.size());
+  }
+  set_filters(geometry, treatment, filter_closest, filter_any);
+  return attach(device, top, geometry, static_cast<std::uint32_t>(treatment));
+}
+
+bool Bvh::State::add_shared_mesh(std::uint32_t number) {
+  const Mesh& mesh = scene.meshes[number];
+  RTCScene own = new_scene(device);
+  if (own == nullptr) return false;
+  shared[number] = own;
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* points = new_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, mesh.positions.size());
+  auto* indices = new_buffer(geometry, RTC_BUFFER_TYPE_INDEX, mesh.triangles.size());
+  if (points == nullptr || indices == nullptr) {
+    rtcReleaseGeometry(geometry);
+    return false;
+  }
+  std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Float3*>(points));
+  std::copy(mesh.triangles.begin(), mesh.triangles.end(),
+            static_cast<std::array<std::uint32_t, 3>*>(indices));
+  set_filters(geometry, treatment_of(material_of(scene, mesh)), filter_closest, filter_any);
+  if (!attach(device, own, geometry, 0)) return false;
+  rtcCommitScene(own);
+  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+}
+
+bool Bvh::State::add_instance(std::uint32_t index) {
+  const Instance& instance = scene.instances[instanced[index]];
+  if (shared[instance.mesh] == nullptr && !add_shared_mesh(instance.mesh)) return false;
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, shared[instance.mesh]);
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, instance.to_world.data());
+  return attach(device, top, geometry, static_cast<std::uint32_t>(kTreatments + index));
+}
+
+// The device has one thread: with more the order of triangles, and with it which of two at one
+// place is hit, would depend on chance.
+bool Bvh::State::build() {
+  device = rtcNewDevice("threads=1,set_affinity=0");
+  if (device == nullptr) return false;
+  top = new_scene(device);
+  if (top == nullptr) return false;
+  group_instances();
+  for (std::size_t i = 0; i < kTreatments; ++i) {
+    if (groups[i].triangles == 0) continue;
+    if (!add_group(groups[i], static_cast<Treatment>(i))) return false;
+  }
+  shared.assign(scene.meshes.size(), nullptr);
+  for (std::uint32_t i = 0; i < instanced.size(); ++i) {
+    if (!add_instance(i)) return false;
+  }
+  rtcCommitScene(top);
+  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+}
+
+Hit Bvh::State::hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const {
+  Hit hit;
+  if (inst != RTC_INVALID_GEOMETRY_ID) {
+    hit.instance = instanced[inst - kTreatments];
+    hit.triangle = primitive;
+    return hit;
+  }
+  const Group& group = groups[geometry];
+  const auto after = std::upper_bound(group.first.begin(), group.first.end(), primitive);
+  const auto index = static_cast<std::size_t>(after - group.first.begin() - 1);
+  hit.instance = group.instances[index];
+  hit.triangle = primitive - static_cast<std::uint32_t>(group.first[index]);
+  return hit;
+}
+
+// What part of a ray a triangle stops that Embree offers.
+float Bvh::State::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const {
+  hit = hit_of(RTCHitN_instID(args->hit, 1, 0, 0), RTCHitN_geomID(args->hit, 1, 0),
+               RTCHitN_primID(args->hit, 1, 0));
+  hit.u = RTCHitN_u(args->hit, 1, 0);
+  hit.v = RTCHitN_v(args->hit, 1, 0);
+  const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
+  const SceneMaterial& material = material_of(scene, mesh);
+  const auto& tracing = *reinterpret_cast<const Tracing*>(args->context);
+  if (is_culled(material) && !is_front(hit, tracing.direction)) return 0;
+  return has_holes(material) ? coverage_at(scene, mesh, material, hit) : 1.0F;
+}
+
+void Bvh::State::filter_closest(const RTCFilterFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  const auto& tracing = *reinterpret_cast<const Tracing*>(args->context);
+  Hit hit;
+  const float coverage = tracing.state->coverage(args, hit);
+  if (coverage >= 1) return;
+  const std::uint32_t surface = mix_bits(hit.triangle, hit.instance);
+  if (coverage <= unit_float(mix_bits(tracing.key, surface))) args->valid[0] = 0;
+}
+
+void Bvh::State::filter_any(const RTCFilterFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  auto& tracing = *reinterpret_cast<Tracing*>(args->context);
+  Hit hit;
+  tracing.visibility *= 1 - tracing.state->coverage(args, hit);
+  if (tracing.visibility > 0) args->valid[0] = 0;
+}
+
+bool Bvh::State::is_front(const Hit& hit, const Vec3& direction) const {
+  const Instance& instance = scene.instances[hit.instance];
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const auto& [a, b, c] = mesh.triangles[hit.triangle];
+  const Vec3 p = to_vec(mesh.positions[a]);
+  const Vec3 normal = cross(to_vec(mesh.positions[b]) - p, to_vec(mesh.positions[c]) - p);
+  const Vec3 outward = transform_normal(instance.to_world, normal) * facing[hit.instance];
+  return dot(outward, direction) < 0;
+}
+
+namespace {
+
+void start(RTCRay& target, const Ray& ray) {
+  target.org_x = ray.origin.x;
+  target.org_y = ray.origin.y;
+  target.org_z = ray.origin.z;
+  target.tnear = 0;
+  target.dir_x = ray.direction.x;
+  target.dir_y = ray.direction.y;
+  target.dir_z = ray.direction.z;
+  target.time = 0;
+  target.tfar = ray.far;
+  target.mask = 0xFFFFFFFFU;
+  target.id = 0;
+  target.flags = 0;
+}
+
+}  // namespace
+
+Bvh::Bvh(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Bvh::Bvh(Bvh&&) noexcept = default;
+Bvh& Bvh::operator=(Bvh&&) noexcept = default;
+Bvh::~Bvh() = default;
+
+Result<Bvh> Bvh::build(const Scene& scene) {
+  auto state = std::make_unique<State>(scene);
+  if (!state->build()) return Error{"there is not enough memory to prepare the scene for rays"};
+  return Bvh(std::move(state));
+}
+
+std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key) const {
+  Tracing tracing(*state_, ray, key);
+  RTCRayHit query;
+  start(query.ray, ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(state_->top, &tracing.embree, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  Hit hit = state_->hit_of(query.hit.instID[0], query.hit.geomID, query.hit.primID);
+  hit.distance = query.ray.tfar;
+  hit.u = query.hit.u;
+  hit.v = query.hit.v;
+  return hit;
+}
+
+float Bvh::visibility(const Ray& ray) const {
+  Tracing tracing(*state_, ray, 0);
+  RTCRay query;
+  start(query, ray);
+  rtcOccluded1(state_->top, &tracing.embree, &query);
+  return query.tfar < 0 ? 0.0F : tracing.visibility;
+}
+
+bool Bvh::is_front(const Hit& hit, const Vec3& direction) const {
+  return state_->is_front(hit, direction);
+}
+
+std::size_t Bvh::triangles() const { return state_->triangles; }
+
+}  // namespace gltfx::bake

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Low-discrepancy numbers by counter: what a sample of a pixel draws depends on the pixel, the
+/// number of the sample and the draw, not on who else draws or when.
+///
+/// Owen-scrambled Sobol' points in pairs of dimensions, each pair with its own shuffle of the
+/// samples: B. Burley, Practical Hash-based Owen Scrambling (JCGT 2020); hash by N. Vegdahl.
+#pragma once
+
+#include <cstdint>
+
+#include "bake/scene.hpp"
+
+namespace gltfx::bake {
+
+/// A well mixed 32-bit number of another one (the finaliser of C. Wellons' "lowbias32").
+constexpr std::uint32_t mix_bits(std::uint32_t x) {
+  x = (x ^ (x >> 16U)) * 0x7feb352dU;
+  x = (x ^ (x >> 15U)) * 0x846ca68bU;
+  return x ^ (x >> 16U);
+}
+
+constexpr std::uint32_t mix_bits(std::uint32_t a, std::uint32_t b) {
+  return mix_bits(a ^ (mix_bits(b) + 0x9e3779b9U + (a << 6U) + (a >> 2U)));
+}
+
+/// In [0, 1): the upper 24 bits.
+constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1p-24F; }
+
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+  x = ((x >> 1U) & 0x55555555U) | ((x & 0x55555555U) << 1U);
+  x = ((x >> 2U) & 0x33333333U) | ((x & 0x33333333U) << 2U);
+  x = ((x >> 4U) & 0x0f0f0f0fU) | ((x & 0x0f0f0f0fU) << 4U);
+  return __builtin_bswap32(x);
+}
+
+/// A random Owen scrambling of a number whose bits are in reverse order.
+constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeaU;
+  x += seed;
+  x *= (seed >> 16U) | 1U;
+  x ^= x * 0x05526c56U;
+  return x ^ (x * 0x53a22864U);
+}
+
+/// The second dimension of Sobol's sequence, bits in reverse order: the index as a polynomial in x
+/// over the field of two elements, taken at x + 1.
+constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) {
+  index ^= (index & 0xffff0000U) >> 16U;
+  index ^= (index & 0xff00ff00U) >> 8U;
+  index ^= (index & 0xf0f0f0f0U) >> 4U;
+  index ^= (index & 0xccccccccU) >> 2U;
+  return index ^ ((index & 0xaaaaaaaaU) >> 1U);
+}
+
+/// The numbers of one sample of one pixel. Draws are to come in the same order for all samples.
+class SampleStream {
+ public:
+  /// `pixel`: a number of the pixel; `sample`: from 0 on.
+  SampleStream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample)
+      : key_(mix_bits(pixel, seed)), sample_(sample) {}
+
+  /// A point in [0, 1) x [0, 1).
+  Float2 next2() {
+    const std::uint32_t dimension = mix_bits(key_ + 0x9e3779b9U * ++draws_);
+    const std::uint32_t index = reverse_bits(scramble_reversed(reverse_bits(sample_), dimension));
+    return {unit_float(reverse_bits(scramble_reversed(index, mix_bits(dimension + 1)))),
+            unit_float(reverse_bits(
+                scramble_reversed(second_sobol_reversed(index), mix_bits(dimension + 2))))};
+  }
+
+  /// A number in [0, 1).
+  float next() {
+    const std::uint32_t dimension = mix_bits(key_ + 0x9e3779b9U * ++draws_);
+    const std::uint32_t index = reverse_bits(scramble_reversed(reverse_bits(sample_), dimension));
+    return unit_float(reverse_bits(scramble_reversed(index, mix_bits(dimension + 1))));
+  }
+
+  /// A number that tells this sample from all others, for decisions that need no even spread.
+  std::uint32_t key() const { return mix_bits(key_, sample_); }
+
+  /// Goes on as if draws were at that number: paths whose lengths differ stay in step.
+  void seek(std::uint32_t draws) { draws_ = draws; }
+
+ private:
+  std::uint32_t key_, sample_, draws_ = 0;
+};
+
+}  // namespace gltfx::bake

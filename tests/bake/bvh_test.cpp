@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/bvh.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapes.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+const Ray kTowards{{0.25F, 0.5F, 5}, {0, 0, -1}};
+const Ray kFromBehind{{0.25F, 0.5F, -5}, {0, 0, 1}};
+
+Bvh bvh_of(const Scene& scene) {
+  auto bvh = Bvh::build(scene);
+  EXPECT_TRUE(bvh);
+  return *std::move(bvh);
+}
+
+TEST(Bvh, ARayHitsWhereTheTriangleIs) {
+  const Scene scene = scene_of(square());
+  const Bvh bvh = bvh_of(scene);
+  const auto hit = bvh.intersect(kTowards, 0);
+  ASSERT_TRUE(hit);
+  EXPECT_FLOAT_EQ(hit->distance, 5);
+  EXPECT_EQ(hit->instance, 0U);
+  EXPECT_EQ(hit->triangle, 1U);
+  EXPECT_TRUE(bvh.is_front(*hit, kTowards.direction));
+  EXPECT_FALSE(bvh.intersect({{2, 0, 5}, {0, 0, -1}}, 0));
+  EXPECT_EQ(bvh.triangles(), 2U);
+}
+
+TEST(Bvh, WeightsAreThoseOfTheSecondAndThirdVertex) {
+  const Scene scene = scene_of(square());
+  const auto hit = bvh_of(scene).intersect({{0.5F, -0.9F, 5}, {0, 0, -1}}, 0);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->triangle, 0U);
+  const Float3 a{-1, -1, 0};
+  const Float3 b{1, -1, 0};
+  const Float3 c{1, 1, 0};
+  const float w = 1 - hit->u - hit->v;
+  EXPECT_NEAR(w * a[0] + hit->u * b[0] + hit->v * c[0], 0.5F, 1e-5F);
+  EXPECT_NEAR(w * a[1] + hit->u * b[1] + hit->v * c[1], -0.9F, 1e-5F);
+}
+
+TEST(Bvh, BackFacesOfSingleSidedMaterialsAreNotThere) {
+  Scene scene = scene_of(square());
+  EXPECT_FALSE(bvh_of(scene).intersect(kFromBehind, 0));
+  EXPECT_EQ(bvh_of(scene).visibility(kFromBehind), 1);
+  EXPECT_EQ(bvh_of(scene).visibility(kTowards), 0);
+  scene.materials[0].double_sided = true;
+  const Bvh bvh = bvh_of(scene);
+  const auto hit = bvh.intersect(kFromBehind, 0);
+  ASSERT_TRUE(hit);
+  EXPECT_FALSE(bvh.is_front(*hit, kFromBehind.direction));
+  EXPECT_EQ(bvh.visibility(kFromBehind), 0);
+}
+
+TEST(Bvh, AMirrorTurnsTheWindingOver) {
+  Scene scene = scene_of(square());
+  scene.instances[0].to_world[0][0] = -1;
+  EXPECT_TRUE(bvh_of(scene).intersect(kTowards, 0));
+  EXPECT_FALSE(bvh_of(scene).intersect(kFromBehind, 0));
+  scene.instances.push_back({0, moved(5, 0, 0)});  // now a shared mesh
+  EXPECT_TRUE(bvh_of(scene).intersect(kTowards, 0));
+  EXPECT_FALSE(bvh_of(scene).intersect(kFromBehind, 0));
+}
+
+TEST(Bvh, InstancesShareAMesh) {
+  Scene scene = scene_of(square());
+  scene.instances.push_back({0, moved(10, 0, 2, 2)});
+  scene.meshes.push_back(cube());
+  scene.instances.push_back({1, moved(20, 0, 0)});
+  const Bvh bvh = bvh_of(scene);
+  const auto second = bvh.intersect({{11.9F, 0, 5}, {0, 0, -1}}, 0);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->instance, 1U);
+  EXPECT_FLOAT_EQ(second->distance, 3);
+  const auto third = bvh.intersect({{20, 0, 5}, {0, 0, -1}}, 0);
+  ASSERT_TRUE(third);
+  EXPECT_EQ(third->instance, 2U);
+  EXPECT_FLOAT_EQ(third->distance, 4);
+  EXPECT_EQ(bvh.triangles(), 16U);
+}
+
+TEST(Bvh, AMaskCutsHoles) {
+  Scene scene = scene_of(square());
+  scene.materials[0].alpha_mode = AlphaMode::mask;
+  scene.materials[0].base_color[3] = 0.49F;
+  EXPECT_FALSE(bvh_of(scene).intersect(kTowards, 0));
+  EXPECT_EQ(bvh_of(scene).visibility(kTowards), 1);
+  scene.materials[0].base_color[3] = 0.5F;
+  EXPECT_TRUE(bvh_of(scene).intersect(kTowards, 0));
+  EXPECT_EQ(bvh_of(scene).visibility(kTowards), 0);
+}
+
+TEST(Bvh, BlendingIsCoverage) {
+  Scene scene = scene_of(square());
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  scene.materials[0].base_color[3] = 0.25F;
+  scene.instances.push_back({0, moved(0, 0, 1)});
+  const Bvh bvh = bvh_of(scene);
+  EXPECT_FLOAT_EQ(bvh.visibility(kTowards), 0.75F * 0.75F);
+  int first = 0;
+  int second = 0;
+  for (std::uint32_t key = 0; key < 4000; ++key) {
+    const auto hit = bvh.intersect(kTowards, key);
+    first += hit && hit->instance == 1;
+    second += hit && hit->instance == 0;
+  }
+  EXPECT_NEAR(first / 4000.0, 0.25, 0.02);
+  EXPECT_NEAR(second / 4000.0, 0.75 * 0.25, 0.02);
+}
+
+TEST(Bvh, NothingToHitIsNoFault) {
+  const Scene scene;
+  const Bvh bvh = bvh_of(scene);
+  EXPECT_FALSE(bvh.intersect(kTowards, 0));
+  EXPECT_EQ(bvh.visibility(kTowards), 1);
+}
+
+}  // namespace
+}  // namespace gltfx::bake
