@@ -54,7 +54,7 @@ struct Bvh::State {
   bool add_instance(std::uint32_t instance);
   Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
   float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
-  bool is_front(const Hit& hit, const Vec3& direction) const;
+  bool is_front(const Hit& hit, const Vec3d& direction) const;
   static void filter_closest(const RTCFilterFunctionNArguments* args);
   static void filter_any(const RTCFilterFunctionNArguments* args);
 
@@ -64,7 +64,7 @@ struct Bvh::State {
   std::vector<RTCScene> shared;           // by mesh; null where not shared
   std::array<Group, kTreatments> groups;  // geometry 0, 1, 2 of `top`
   std::vector<std::uint32_t> instanced;   // instance of geometry kTreatments + i
-  std::vector<float> facing;              // by instance: -1 where the transform mirrors
+  std::vector<int> facing;                // by instance: -1 where the transform mirrors
   std::size_t triangles = 0;
 };
 
@@ -77,7 +77,7 @@ struct Bvh::Tracing {
   RTCIntersectContext embree;
   const State* state;
   std::uint32_t key;
-  Vec3 direction;
+  Vec3d direction;
   float visibility = 1;
 };
 
@@ -123,7 +123,7 @@ void Bvh::State::group_instances() {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const Mesh& mesh = scene.meshes[instance.mesh];
-    facing.push_back(determinant(instance.to_world) < 0 ? -1.0F : 1.0F);
+    facing.push_back(determinant(instance.to_world) < 0 ? -1 : 1);
     if (mesh.triangles.empty()) continue;
     triangles += mesh.triangles.size();
     if (uses[instance.mesh] > 1) {
@@ -257,28 +257,28 @@ void Bvh::State::filter_any(const RTCFilterFunctionNArguments* args) {
   if (tracing.visibility > 0) args->valid[0] = 0;
 }
 
-bool Bvh::State::is_front(const Hit& hit, const Vec3& direction) const {
+bool Bvh::State::is_front(const Hit& hit, const Vec3d& direction) const {
   const Instance& instance = scene.instances[hit.instance];
   const Mesh& mesh = scene.meshes[instance.mesh];
   const auto& [a, b, c] = mesh.triangles[hit.triangle];
-  const Vec3 p = to_vec(mesh.positions[a]);
-  const Vec3 normal = cross(to_vec(mesh.positions[b]) - p, to_vec(mesh.positions[c]) - p);
-  const Vec3 outward = transform_normal(instance.to_world, normal) * facing[hit.instance];
+  const Vec3d p = to_vec(mesh.positions[a]);
+  const Vec3d normal = cross(to_vec(mesh.positions[b]) - p, to_vec(mesh.positions[c]) - p);
+  const Vec3d outward = transform_normal(instance.to_world, normal) * facing[hit.instance];
   return dot(outward, direction) < 0;
 }
 
 namespace {
 
 void start(RTCRay& target, const Ray& ray) {
-  target.org_x = ray.origin.x;
-  target.org_y = ray.origin.y;
-  target.org_z = ray.origin.z;
+  target.org_x = static_cast<float>(ray.origin.x);
+  target.org_y = static_cast<float>(ray.origin.y);
+  target.org_z = static_cast<float>(ray.origin.z);
   target.tnear = 0;
-  target.dir_x = ray.direction.x;
-  target.dir_y = ray.direction.y;
-  target.dir_z = ray.direction.z;
+  target.dir_x = static_cast<float>(ray.direction.x);
+  target.dir_y = static_cast<float>(ray.direction.y);
+  target.dir_z = static_cast<float>(ray.direction.z);
   target.time = 0;
-  target.tfar = ray.far;
+  target.tfar = static_cast<float>(ray.far);
   target.mask = 0xFFFFFFFFU;
   target.id = 0;
   target.flags = 0;
@@ -320,7 +320,7 @@ float Bvh::visibility(const Ray& ray) const {
   return query.tfar < 0 ? 0.0F : tracing.visibility;
 }
 
-bool Bvh::is_front(const Hit& hit, const Vec3& direction) const {
+bool Bvh::is_front(const Hit& hit, const Vec3d& direction) const {
   return state_->is_front(hit, direction);
 }
 

@@ -28,7 +28,7 @@ class Bvh {
   float visibility(const Ray& ray) const;
 
   /// Whether the front of the triangle is hit, by the winding of its vertices.
-  bool is_front(const Hit& hit, const Vec3& direction) const;
+  bool is_front(const Hit& hit, const Vec3d& direction) const;
 
   /// Triangles of all instances.
   std::size_t triangles() const;

@@ -29,7 +29,7 @@ const SceneMaterial& material_of(const Scene& scene, const Mesh& mesh) {
 bool has_holes(const SceneMaterial& material) { return material.alpha_mode != AlphaMode::opaque; }
 
 bool is_culled(const SceneMaterial& material) {
-  return !material.double_sided && !(material.volume && material.thickness > 0);
+  return !material.double_sided && !material.factors.volumetric();
 }
 
 Float2 uv_at(const Mesh& mesh, std::uint32_t set, const Hit& hit) {
@@ -44,7 +44,7 @@ Float4 color_at(const Mesh& mesh, const Hit& hit) {
 
 float coverage_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& material,
                   const Hit& hit) {
-  float alpha = material.base_color[3] * color_at(mesh, hit)[3];
+  float alpha = material.alpha * color_at(mesh, hit)[3];
   const TextureUse& use = material.use(Slot::base_color);
   if (use.texture != kNone) {
     const Float2 uv = transform_uv(use, uv_at(mesh, use.uv_set, hit));

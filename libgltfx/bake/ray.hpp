@@ -2,24 +2,26 @@
 /// Rays and what they hit.
 #pragma once
 
+#include <gltfx/vec3.hpp>
+
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "bake/scene.hpp"
-#include "bake/vector.hpp"
 
 namespace gltfx::bake {
 
 struct Ray {
-  Vec3 origin;
-  Vec3 direction;  ///< unit length
-  float far = std::numeric_limits<float>::infinity();
+  Vec3d origin;
+  Vec3d direction;  ///< unit length
+  double far = std::numeric_limits<double>::infinity();
 };
 
 /// A point on a triangle of an instance.
 struct Hit {
-  float distance = 0;
+  double distance = 0;
   std::uint32_t instance = 0;  ///< index in Scene::instances
   std::uint32_t triangle = 0;  ///< index in Mesh::triangles
   float u = 0, v = 0;          ///< weights of the second and third vertex
@@ -29,14 +31,15 @@ struct Hit {
 /// between and so far that rounding does not lead back into it (C. Wächter and N. Binder, A Fast
 /// and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems 2019). `size`: of the scene,
 /// which stands for the metre of the original.
-inline Vec3 beside(const Vec3& point, const Vec3& normal, float size) {
-  constexpr float kSteps = 256.0F;           // of the last place
-  const float near = size * (1.0F / 32.0F);  // around the origin a fixed distance does it
-  const float fixed = size * (1.0F / 65536.0F);
-  const auto moved = [near, fixed](float p, float n) {
+inline Vec3d beside(const Vec3d& point, const Vec3d& normal, double size) {
+  constexpr double kSteps = 256;      // of the last place of a float, in which rays are traced
+  const double near = size * 0x1p-5;  // around the origin a fixed distance does it
+  const double fixed = size * 0x1p-16;
+  const auto moved = [near, fixed](double p, double n) {
     if (std::fabs(p) < near) return p + fixed * n;
     const auto steps = static_cast<std::int32_t>(kSteps * n);
-    return std::bit_cast<float>(std::bit_cast<std::int32_t>(p) + (p < 0 ? -steps : steps));
+    const auto bits = std::bit_cast<std::int32_t>(static_cast<float>(p));
+    return static_cast<double>(std::bit_cast<float>(bits + (p < 0 ? -steps : steps)));
   };
   return {moved(point.x, normal.x), moved(point.y, normal.y), moved(point.z, normal.z)};
 }

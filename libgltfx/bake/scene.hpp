@@ -3,6 +3,8 @@
 /// checked it; every index is in range. Right-handed, y up, metres, linear colours (Rec. 709).
 #pragma once
 
+#include <gltfx/material.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +44,8 @@ struct Texture {
   /// Its image could not be had: colours are drawn as a marked checker, other channels read 1.
   bool missing = false;
 };
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// What a material reads from textures. The slot decides channels and colour space.
 enum class Slot : std::uint8_t {
@@ -87,55 +91,28 @@ struct TextureUse {
   std::uint32_t channel = kNone;
 };
 
-enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-/// How the medium inside of a volume scatters, by the text that describes it.
-enum class Scattering : std::uint8_t {
-  none,
-  sss,             ///< scatter_distance, multiscatter_color as its scatterColor
-  volume_scatter,  ///< multiscatter_color, scatter_anisotropy
-  scatter          ///< those and scatter_strength
-};
-
-/// Factors of a material in the words of the specification, with their defaults, and its textures.
+/// A material of the asset: its factors, and the textures that scale them.
 struct SceneMaterial {
   std::string name;
-  Float4 base_color{1, 1, 1, 1};
-  float metallic = 1, roughness = 1;
-  float normal_scale = 1;
-  Float3 emissive{0, 0, 0};  ///< times emissiveStrength
+  /// Factors in the words of the specification. For specular-glossiness the base colour is the
+  /// diffuse factor. Of iridescence the thickness is the maximum.
+  Material factors;
+  float alpha = 1;  ///< of the base colour factor
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5F;
   bool double_sided = false;
-  bool unlit = false;
-  /// KHR_materials_pbrSpecularGlossiness: base_color is diffuseFactor, and metalness is not used.
+  float normal_scale = 1, clearcoat_normal_scale = 1;
+  float iridescence_thickness_minimum = 100;  ///< nanometres
+
+  /// KHR_materials_pbrSpecularGlossiness: what these hold takes the place of metalness, roughness
+  /// and index of refraction.
   bool specular_glossiness = false;
-  Float3 sg_specular{1, 1, 1};
-  float sg_glossiness = 1;
+  Float3 specular{1, 1, 1};
+  float glossiness = 1;
 
-  float ior = 1.5F;  ///< 0: as the text says, Fresnel is 1
-  float specular = 1;
-  Float3 specular_color{1, 1, 1};
-  float transmission = 0;
-  float dispersion = 0;
-  float diffuse_transmission = 0;
-  Float3 diffuse_transmission_color{1, 1, 1};
-
-  bool volume = false;  ///< closed: light is inside of something after it was transmitted
-  float thickness = 0;  ///< 0: thin-walled also with a volume
-  float attenuation_distance = 0;  ///< 0: infinite
-  Float3 attenuation_color{1, 1, 1};
-  Scattering scattering = Scattering::none;
-  float scatter_distance = 0;  ///< 0: infinite
-  Float3 multiscatter_color{0, 0, 0};
-  float scatter_strength = 0;
-  float scatter_anisotropy = 0;
-
-  Float3 sheen_color{0, 0, 0};
-  float sheen_roughness = 0;
-  float clearcoat = 0, clearcoat_roughness = 0, clearcoat_normal_scale = 1;
-  float anisotropy = 0, anisotropy_rotation = 0;  ///< radians
-  float iridescence = 0, iridescence_ior = 1.3F;
-  float iridescence_thickness_minimum = 100, iridescence_thickness_maximum = 400;  ///< nanometres
+  /// The first generation of KHR_materials_translucency: factors.diffuse_transmission is its
+  /// factor, and what passes is tinted by the base colour.
+  bool tinted_by_base_color = false;
 
   std::array<TextureUse, kSlots> textures{};
   TextureUse& use(Slot slot) { return textures[static_cast<std::size_t>(slot)]; }

@@ -2,36 +2,45 @@
 /// From the packed numbers of a scene to those that are calculated with.
 #pragma once
 
+#include <gltfx/vec3.hpp>
+
+#include <cmath>
+
 #include "bake/scene.hpp"
-#include "bake/vector.hpp"
 
 namespace gltfx::bake {
 
-inline Vec3 to_vec(const Float3& a) { return {a[0], a[1], a[2]}; }
-inline Float3 to_float3(const Vec3& a) { return {a.x, a.y, a.z}; }
+inline Vec3d to_vec(const Float3& a) { return {a[0], a[1], a[2]}; }
+inline Float3 to_float3(const Vec3d& a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
 
-inline Vec3 transform_vector(const Matrix34& m, const Vec3& v) {
+inline double length(const Vec3d& a) { return std::sqrt(dot(a, a)); }
+/// Relative luminance of linear Rec. 709.
+constexpr double luminance(const Rgb& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+inline Vec3d transform_vector(const Matrix34& m, const Vec3d& v) {
   return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z,
           m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
           m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
 }
 
-inline Vec3 transform_point(const Matrix34& m, const Vec3& p) {
-  return transform_vector(m, p) + Vec3(m[0][3], m[1][3], m[2][3]);
+inline Vec3d transform_point(const Matrix34& m, const Vec3d& p) {
+  return transform_vector(m, p) + Vec3d(m[0][3], m[1][3], m[2][3]);
 }
 
 /// A normal, by the cofactors of the linear part: right for scales that differ by axis, for mirrors
 /// and for flattened objects. Not of unit length.
-inline Vec3 transform_normal(const Matrix34& m, const Vec3& n) {
-  const Vec3 x(m[0][0], m[1][0], m[2][0]);
-  const Vec3 y(m[0][1], m[1][1], m[2][1]);
-  const Vec3 z(m[0][2], m[1][2], m[2][2]);
+inline Vec3d transform_normal(const Matrix34& m, const Vec3d& n) {
+  const Vec3d x(m[0][0], m[1][0], m[2][0]);
+  const Vec3d y(m[0][1], m[1][1], m[2][1]);
+  const Vec3d z(m[0][2], m[1][2], m[2][2]);
   return cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
 }
 
-inline float determinant(const Matrix34& m) {
-  return dot(Vec3(m[0][0], m[1][0], m[2][0]),
-             cross(Vec3(m[0][1], m[1][1], m[2][1]), Vec3(m[0][2], m[1][2], m[2][2])));
+inline double determinant(const Matrix34& m) {
+  return dot(Vec3d(m[0][0], m[1][0], m[2][0]),
+             cross(Vec3d(m[0][1], m[1][1], m[2][1]), Vec3d(m[0][2], m[1][2], m[2][2])));
 }
 
 }  // namespace gltfx::bake

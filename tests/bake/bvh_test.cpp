@@ -23,7 +23,7 @@ TEST(Bvh, ARayHitsWhereTheTriangleIs) {
   const Bvh bvh = bvh_of(scene);
   const auto hit = bvh.intersect(kTowards, 0);
   ASSERT_TRUE(hit);
-  EXPECT_FLOAT_EQ(hit->distance, 5);
+  EXPECT_DOUBLE_EQ(hit->distance, 5);
   EXPECT_EQ(hit->instance, 0U);
   EXPECT_EQ(hit->triangle, 1U);
   EXPECT_TRUE(bvh.is_front(*hit, kTowards.direction));
@@ -76,21 +76,21 @@ TEST(Bvh, InstancesShareAMesh) {
   const auto second = bvh.intersect({{11.9F, 0, 5}, {0, 0, -1}}, 0);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->instance, 1U);
-  EXPECT_FLOAT_EQ(second->distance, 3);
+  EXPECT_DOUBLE_EQ(second->distance, 3);
   const auto third = bvh.intersect({{20, 0, 5}, {0, 0, -1}}, 0);
   ASSERT_TRUE(third);
   EXPECT_EQ(third->instance, 2U);
-  EXPECT_FLOAT_EQ(third->distance, 4);
+  EXPECT_DOUBLE_EQ(third->distance, 4);
   EXPECT_EQ(bvh.triangles(), 16U);
 }
 
 TEST(Bvh, AMaskCutsHoles) {
   Scene scene = scene_of(square());
   scene.materials[0].alpha_mode = AlphaMode::mask;
-  scene.materials[0].base_color[3] = 0.49F;
+  scene.materials[0].alpha = 0.49F;
   EXPECT_FALSE(bvh_of(scene).intersect(kTowards, 0));
   EXPECT_EQ(bvh_of(scene).visibility(kTowards), 1);
-  scene.materials[0].base_color[3] = 0.5F;
+  scene.materials[0].alpha = 0.5F;
   EXPECT_TRUE(bvh_of(scene).intersect(kTowards, 0));
   EXPECT_EQ(bvh_of(scene).visibility(kTowards), 0);
 }
@@ -98,7 +98,7 @@ TEST(Bvh, AMaskCutsHoles) {
 TEST(Bvh, BlendingIsCoverage) {
   Scene scene = scene_of(square());
   scene.materials[0].alpha_mode = AlphaMode::blend;
-  scene.materials[0].base_color[3] = 0.25F;
+  scene.materials[0].alpha = 0.25F;
   scene.instances.push_back({0, moved(0, 0, 1)});
   const Bvh bvh = bvh_of(scene);
   EXPECT_FLOAT_EQ(bvh.visibility(kTowards), 0.75F * 0.75F);

@@ -2,10 +2,11 @@
 /// Small scenes.
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "bake/scene.hpp"
-#include "bake/vector.hpp"
 
 namespace gltfx::bake {
 
@@ -41,8 +42,10 @@ inline Mesh sphere(float radius = 1, std::uint32_t rings = 24) {
     const float v = static_cast<float>(row) / static_cast<float>(rings);
     for (std::uint32_t column = 0; column <= columns; ++column) {
       const float u = static_cast<float>(column) / static_cast<float>(columns);
-      const float ring = std::sin(v * kPi);
-      const Float3 n{ring * std::sin(u * 2 * kPi), std::cos(v * kPi), ring * std::cos(u * 2 * kPi)};
+      const float ring = std::sin(v * std::numbers::pi_v<float>);
+      const Float3 n{ring * std::sin(u * 2 * std::numbers::pi_v<float>),
+                     std::cos(v * std::numbers::pi_v<float>),
+                     ring * std::cos(u * 2 * std::numbers::pi_v<float>)};
       mesh.normals.push_back(n);
       mesh.positions.push_back({n[0] * radius, n[1] * radius, n[2] * radius});
       mesh.uvs[0].push_back({u, v});
