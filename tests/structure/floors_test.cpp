@@ -46,7 +46,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"draco/", {"tools/gltfx_codec/draco_"}},
     {"OpenImageIO/", {"tools/gltfx_codec/image_"}},
     {"webp/", {"tools/gltfx_codec/webp_"}},
-    {"zlib.h", {"tools/gltfx_codec/png_"}},
+    {"png.h", {"tools/gltfx_codec/png_"}},
 };
 
 const std::vector<std::string_view> kSystemHeaders{

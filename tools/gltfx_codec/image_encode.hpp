@@ -14,7 +14,7 @@ Answer hand_over(std::span<const std::byte> file, Output& output);
 
 // Each encodes the texels that `job.raster` describes; formats and forms have been checked.
 
-/// PNG of every depth and number of channels (W3C, third edition), with zlib alone.
+/// PNG of every depth and number of channels.
 Answer encode_png(const Job& job, std::span<const std::byte> texels, Output& output);
 /// WebP, lossless with quality 0; colours of transparent texels are kept.
 Answer encode_webp(const Job& job, std::span<const std::byte> texels, Output& output);
