@@ -70,23 +70,26 @@ Result<FileState> file_state(const fs::path& path) {
   return state_of(status);
 }
 
+std::optional<Error> check_replaceable(const fs::path& path, const FileState& seen) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return file_error("look at", path, errno);
+  return objection(path, status, seen);
+}
+
 std::optional<Error> replace_file(const fs::path& path, std::string_view bytes,
                                   const FileState& seen) {
   std::error_code fault;
   const fs::path target = fs::canonical(path, fault);
   if (fault) return file_error("look at", path, fault.value());
   struct stat old {};
-  const auto still_as_seen = [&]() -> Trouble {
-    if (::stat(target.c_str(), &old) != 0) return file_error("look at", path, errno);
-    return objection(target, old, seen);
-  };
-  if (auto trouble = still_as_seen()) return trouble;
+  if (::stat(target.c_str(), &old) != 0) return file_error("look at", path, errno);
+  if (auto trouble = objection(target, old, seen)) return trouble;
   TemporaryFile file(target);
   if (auto trouble = file.write(bytes)) return trouble;
   if (auto trouble = dress_as(file, old)) return trouble;
   if (auto trouble = file.make_durable()) return trouble;
   // Writing takes time in which somebody else may have saved the file.
-  if (auto trouble = still_as_seen()) return trouble;
+  if (auto trouble = check_replaceable(target, seen)) return trouble;
   return file.move_over();
 }
 

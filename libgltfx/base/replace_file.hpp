@@ -32,6 +32,9 @@ Result<FileState> file_state(const std::filesystem::path& path);
 std::optional<Error> replace_file(const std::filesystem::path& path, std::string_view bytes,
                                   const FileState& seen);
 
+/// Why replace_file() would refuse now; nothing when it would try.
+std::optional<Error> check_replaceable(const std::filesystem::path& path, const FileState& seen);
+
 /// The same for a file that must not exist yet.
 std::optional<Error> create_file(const std::filesystem::path& path, std::string_view bytes);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/base64.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <exception>
@@ -113,6 +114,23 @@ Result<std::string> decode_base64(std::string_view text) {
   if (!tail) return tail;
   bytes += *tail;
   return bytes;
+}
+
+std::string encode_base64(std::string_view bytes) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  while (!bytes.empty()) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size());
+    std::uint32_t group = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      group |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (16 - 8 * i);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      text += i <= count ? kAlphabet[group >> (18 - 6 * i) & 63U] : '=';
+    }
+    bytes.remove_prefix(count);
+  }
+  return text;
 }
 
 }  // namespace gltfx::container

@@ -14,4 +14,7 @@ namespace gltfx::container {
 /// the first bad character by its place, counted from 1.
 Result<std::string> decode_base64(std::string_view text);
 
+/// The text for bytes, padded.
+std::string encode_base64(std::string_view bytes);
+
 }  // namespace gltfx::container

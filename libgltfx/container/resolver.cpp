@@ -65,7 +65,13 @@ ResolveFault Resolver::open_at(std::string_view path, File& file) const {
   return file.fault;
 }
 
+void Resolver::add(const std::string& path, Bytes bytes) {
+  added_.insert_or_assign(path, std::move(bytes));
+}
+
 Resolved Resolver::open(std::string_view path) const {
+  const auto added = added_.find(path);
+  if (added != added_.end()) return {ResolveFault::none, added->second, false, {}};
   File file;
   Resolved resolved;
   resolved.fault = open_at(path, file);
@@ -80,6 +86,10 @@ Resolved Resolver::open(std::string_view path) const {
 }
 
 ResolveFault Resolver::stat(std::string_view path, std::uint64_t& size) const {
+  if (const auto added = added_.find(path); added != added_.end()) {
+    size = added->second.size();
+    return ResolveFault::none;
+  }
   File file;
   const ResolveFault fault = open_at(path, file);
   size = file.size;

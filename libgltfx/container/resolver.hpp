@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -35,6 +37,9 @@ class Resolver {
   /// Opens `path` (percent-decoded, '/' separated). Symbolic links are followed while they stay
   /// inside the root; only regular files are opened, without blocking.
   Resolved open(std::string_view path) const;
+  /// From now on open() gives these bytes for a path, spelled as container::Uri has it, whatever is
+  /// on the disk: files that are about to be written. Copies that were made before do not know it.
+  void add(const std::string& path, Bytes bytes);
   /// Whether open() would find a file, without reading it. Size in bytes in `size`.
   ResolveFault stat(std::string_view path, std::uint64_t& size) const;
 
@@ -46,6 +51,7 @@ class Resolver {
   ResolveFault unusable_ = ResolveFault::no_root;  ///< why every look-up fails, or none
   std::string problem_;
   Confinement confinement_ = Confinement::automatic;
+  std::map<std::string, Bytes, std::less<>> added_;
 };
 
 }  // namespace gltfx::container

@@ -2,6 +2,7 @@
 #include "json/edit.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "json/writer.hpp"
@@ -25,6 +26,18 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
   }
   out += text.substr(at);
   return out;
+}
+
+std::vector<Edit> merge_edits(std::vector<Edit> a, std::vector<Edit> b) {
+  std::vector<Edit> all;
+  all.reserve(a.size() + b.size());
+  std::merge(std::make_move_iterator(a.begin()), std::make_move_iterator(a.end()),
+             std::make_move_iterator(b.begin()), std::make_move_iterator(b.end()),
+             std::back_inserter(all), [](const Edit& one, const Edit& other) {
+               if (one.span.begin != other.span.begin) return one.span.begin < other.span.begin;
+               return one.span.end < other.span.end;
+             });
+  return all;
 }
 
 void Editor::add(std::uint32_t begin, std::uint32_t end, std::string text) {

@@ -26,6 +26,10 @@ struct Edit {
 /// text and do not overlap, as Editor::take() gives them.
 std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 
+/// The edits of two lists, each as Editor::take() gives them, as one. Precondition: no edit of one
+/// overlaps any of the other. Of two insertions at one place that of `a` comes first.
+std::vector<Edit> merge_edits(std::vector<Edit> a, std::vector<Edit> b);
+
 /// Collects changes to members and elements of one document and turns them into edits. New text
 /// follows the indentation, line ends and spacing of what stands around it. The
 /// document may have recoverable faults; those in the text of removed and replaced values go with

@@ -39,11 +39,6 @@ std::set<std::string> referred_paths(const json::Document& document) {
   return paths;
 }
 
-bool has_bytes(const fs::path& file, std::string_view bytes) {
-  const auto present = container::open_file(file);
-  return present && present->bytes.text() == bytes;
-}
-
 std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
                           const fs::path& folder) {
   if (path.starts_with("..")) {
@@ -58,19 +53,27 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
   }
   const fs::path target = folder / path;
   if (auto trouble = make_folder(target.parent_path())) return trouble;
-  // Another asset of the same run may need the same file, and be writing it now.
-  std::error_code fault;
-  std::optional<Error> trouble;
-  if (!fs::exists(target, fault)) {
-    trouble = create_file(target, resolved.bytes.text());
-    if (!trouble) return std::nullopt;
-  }
-  if (fs::exists(target, fault) && has_bytes(target, resolved.bytes.text())) return std::nullopt;
-  if (trouble) return trouble;
-  return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
+  return put_file(target, resolved.bytes.text());
 }
 
 }  // namespace
+
+bool has_bytes(const fs::path& file, std::string_view bytes) {
+  const auto present = container::open_file(file);
+  return present && present->bytes.text() == bytes;
+}
+
+std::optional<Error> put_file(const fs::path& target, std::string_view bytes) {
+  std::error_code fault;
+  std::optional<Error> trouble;
+  if (!fs::exists(target, fault)) {
+    trouble = create_file(target, bytes);
+    if (!trouble) return std::nullopt;
+  }
+  if (fs::exists(target, fault) && has_bytes(target, bytes)) return std::nullopt;
+  if (trouble) return trouble;
+  return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
+}
 
 std::optional<Error> make_folder(const fs::path& folder) {
   std::error_code fault;

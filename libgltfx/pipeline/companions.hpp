@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "base/result.hpp"
 #include "container/resolver.hpp"
@@ -13,6 +14,13 @@ namespace gltfx {
 
 /// Makes a folder and those above it, as far as they are not there.
 std::optional<Error> make_folder(const std::filesystem::path& folder);
+
+/// Whether a regular file is there and holds these bytes.
+bool has_bytes(const std::filesystem::path& file, std::string_view bytes);
+
+/// Creates a file, whole and durable, unless it is there with the same bytes, which another run may
+/// be writing now. One with other bytes is not overwritten.
+std::optional<Error> put_file(const std::filesystem::path& target, std::string_view bytes);
 
 /// Copies every file below `folder`, under the name by which the document refers to it. One that is
 /// there with the same bytes stays; one with other bytes is not overwritten. References to files

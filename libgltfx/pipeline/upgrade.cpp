@@ -5,6 +5,7 @@
 #include <map>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -20,9 +21,12 @@
 #include "pipeline/resolver_for.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/ambiguity.hpp"
+#include "upgrade/asset_pictures.hpp"
 #include "upgrade/diff.hpp"
 #include "upgrade/glb_rewrite.hpp"
 #include "upgrade/plan.hpp"
+#include "upgrade/render.hpp"
+#include "upgrade/settlement.hpp"
 #include "validate/validator.hpp"
 
 namespace gltfx {
@@ -87,7 +91,10 @@ class Upgrade {
   }
 
   bool plan() {
-    upgrade::Plan plan = upgrade::make_plan(parsed_.document, *schemas_, options_);
+    const model::Asset asset(parsed_.document);
+    upgrade::AssetBytes bytes(asset, container_, resolver_);
+    upgrade::AssetPictures pictures(bytes, upgrade::ImageCache::shared());
+    upgrade::Plan plan = upgrade::make_plan(parsed_.document, *schemas_, options_, &pictures);
     const auto ambiguity = upgrade::find_ambiguity(parsed_, plan);
     report_.actions = std::move(plan.actions);
     edits_ = std::move(plan.edits);
@@ -96,11 +103,13 @@ class Upgrade {
     if (const auto obstacle = upgrade::find_glb_obstacle(container_); obstacle && !edits_.empty()) {
       return fail(UpgradeProblem::refused, "it cannot be written anew: " + *obstacle);
     }
-    report_.changes = !edits_.empty();
+    report_.changes = !edits_.empty() || !plan.additions.empty();
     if (options_.strict && !is_lossless()) {
       return fail(UpgradeProblem::refused,
                   "not everything can be upgraded without loss (--strict)");
     }
+    if (!wants_new_text()) return true;
+    if (!plan.additions.empty() && !settle(plan.additions, bytes, pictures)) return false;
     if (options_.diff) report_.diff = upgrade::unified_diff(*container_.json, edits_, path_);
     return true;
   }
@@ -110,6 +119,48 @@ class Upgrade {
       if (action.fate != UpgradeFate::safe) return false;
     }
     return true;
+  }
+
+  // Images are made only for who wants to see or write what refers to them.
+  bool wants_new_text() const { return options_.diff || wants_to_write(); }
+
+  bool settle(const upgrade::Additions& additions, const upgrade::AssetBytes& bytes,
+              upgrade::Pictures& pictures) {
+    std::vector<std::shared_ptr<const std::string>> images;
+    for (const upgrade::ImageJob& job : additions.images()) {
+      auto file = upgrade::render(job, pictures, upgrade::ImageCache::shared());
+      if (!file) return fail(UpgradeProblem::refused, file.error().message);
+      images.push_back(*std::move(file));
+    }
+    auto settled = upgrade::settle(additions, images, container_, bytes,
+                                   [this](const std::string& path, std::string_view content) {
+                                     return is_free(path, content);
+                                   });
+    if (!settled) return fail(UpgradeProblem::refused, settled.error().message);
+    edits_ = json::merge_edits(std::move(edits_), std::move(settled->edits));
+    bin_ = std::move(settled->bin);
+    files_ = std::move(settled->files);
+    return true;
+  }
+
+  // A new name is one that is free, or taken by the same bytes, where the asset is and where it
+  // goes.
+  bool is_free(const std::string& path, std::string_view content) const {
+    const container::Resolved here = resolver_.open(path);
+    if (here.fault == container::ResolveFault::none
+            ? here.bytes.text() != content
+            : here.fault != container::ResolveFault::not_found) {
+      return false;
+    }
+    const fs::path there = target_folder() / path;
+    std::error_code fault;
+    return !fs::exists(fs::symlink_status(there, fault)) || has_bytes(there, content);
+  }
+
+  fs::path target_folder() const {
+    const fs::path folder =
+        fs::path(options_.output.empty() ? path_ : options_.output).parent_path();
+    return folder.empty() ? fs::path(".") : folder;
   }
 
   bool wants_to_write() const {
@@ -135,19 +186,20 @@ class Upgrade {
       bytes = container::Bytes::from_string(std::move(json));
       return true;
     }
-    auto glb = upgrade::rewrite_glb(container_, json);
+    auto glb = upgrade::rewrite_glb(container_, json, bin_);
     if (!glb) return fail(UpgradeProblem::refused, glb.error().message);
     bytes = container::Bytes::from_string(*std::move(glb));
     return true;
   }
 
-  ErrorCounts errors_of(const container::Container& container) const {
+  ErrorCounts errors_of(const container::Container& container,
+                        const container::Resolver& resolver) const {
     ValidateOptions options;
     options.jobs = 1;
     options.schemas = schemas_;
     ErrorCounts counts;
     for (const Diagnostic& one :
-         validate::validate(container, path_, resolver_, options).diagnostics) {
+         validate::validate(container, path_, resolver, options).diagnostics) {
       if (one.severity == Severity::error) counts[one.code] += one.count;
     }
     return counts;
@@ -155,9 +207,14 @@ class Upgrade {
 
   // The new bytes may have no error that the old ones had not.
   bool is_no_worse(const container::Bytes& bytes) {
-    const ErrorCounts after = errors_of(container::open_bytes(bytes, path_));
+    container::Resolver with_files = resolver_;
+    for (const upgrade::NewFile& file : files_) {
+      with_files.add(file.path,
+                     container::Bytes(std::as_bytes(std::span(*file.bytes)), file.bytes));
+    }
+    const ErrorCounts after = errors_of(container::open_bytes(bytes, path_), with_files);
     if (after.empty()) return true;
-    const ErrorCounts before = errors_of(container_);
+    const ErrorCounts before = errors_of(container_, resolver_);
     for (const auto& [code, count] : after) {
       const auto known = before.find(code);
       if (known != before.end() && known->second >= count) continue;
@@ -169,7 +226,17 @@ class Upgrade {
     return true;
   }
 
+  // Before the asset that refers to them.
+  std::optional<Error> write_files() const {
+    for (const upgrade::NewFile& file : files_) {
+      if (auto trouble = put_file(target_folder() / file.path, *file.bytes)) return trouble;
+    }
+    return std::nullopt;
+  }
+
   std::optional<Error> write_in_place(std::string_view bytes) {
+    if (auto trouble = check_replaceable(path_, state_)) return trouble;
+    if (auto trouble = write_files()) return trouble;
     if (!options_.backup) return replace_file(path_, bytes, state_);
     const fs::path copy = path_ + ".bak";
     if (auto trouble = create_file(copy, container_.bytes.text())) return trouble;
@@ -182,13 +249,14 @@ class Upgrade {
   std::optional<Error> write_elsewhere(std::string_view bytes) {
     const fs::path target = options_.output;
     std::error_code fault;
-    if (fs::equivalent(target, path_, fault)) return replace_file(path_, bytes, state_);
-    const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
+    if (fs::equivalent(target, path_, fault)) return write_in_place(bytes);
+    const fs::path folder = target_folder();
     const fs::path own = fs::path(path_).parent_path();
     if (auto trouble = make_folder(folder)) return trouble;
     if (!fs::equivalent(folder, own.empty() ? fs::path(".") : own, fault)) {
       if (auto trouble = copy_companions(parsed_.document, resolver_, folder)) return trouble;
     }
+    if (auto trouble = write_files()) return trouble;
     return write_file(target, bytes);
   }
 
@@ -200,6 +268,8 @@ class Upgrade {
   container::Container container_;
   json::Parsed parsed_;
   std::vector<json::Edit> edits_;
+  std::string bin_;                      ///< goes behind the BIN chunk
+  std::vector<upgrade::NewFile> files_;  ///< that the new document refers to
   UpgradeReport report_;
 };
 

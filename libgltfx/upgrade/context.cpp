@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "upgrade/context.hpp"
 
-#include "model/asset.hpp"
 #include "model/mesh.hpp"
 
 namespace gltfx::upgrade {
@@ -19,10 +18,10 @@ void add_materials(const json::Document& document, json::NodeId primitive,
   }
 }
 
-std::unordered_set<std::uint64_t> users_of(const json::Document& document,
+std::unordered_set<std::uint64_t> users_of(const model::Asset& asset,
                                            const std::string& attribute) {
   std::unordered_set<std::uint64_t> materials;
-  const model::Asset asset(document);
+  const json::Document& document = asset.document();
   for (const json::NodeId mesh : asset.elements(model::RootArray::meshes)) {
     if (mesh == json::kNoNode) continue;
     for (const json::NodeId primitive : model::primitives(document, mesh)) {
@@ -37,19 +36,10 @@ std::unordered_set<std::uint64_t> users_of(const json::Document& document,
 
 }  // namespace
 
-std::uint64_t Context::texture_count() {
-  if (!textures) {
-    const json::NodeId list = document.find(document.root(), "textures");
-    const bool there = list != json::kNoNode && document.is_array(list);
-    textures = there ? document.array_size(list) : 0;
-  }
-  return *textures;
-}
-
 bool Context::is_used_with(const std::string& attribute, std::uint64_t material) {
   auto users = attribute_users.find(attribute);
   if (users == attribute_users.end()) {
-    users = attribute_users.emplace(attribute, users_of(document, attribute)).first;
+    users = attribute_users.emplace(attribute, users_of(asset, attribute)).first;
   }
   return users->second.count(material) > 0;
 }

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "json/edit.hpp"
+#include "model/asset.hpp"
 #include "schema/holds.hpp"
 #include "upgrade/plan.hpp"
 #include "upgrade/pointers.hpp"
@@ -27,17 +27,24 @@ struct Carrier {
 
 /// State of one plan. Keeps references to all it is made of.
 struct Context {
-  Context(const json::Document& read, const schema::Set& known, const UpgradeOptions& wanted)
+  Context(const json::Document& read, const schema::Set& known, const UpgradeOptions& wanted,
+          Pictures* of_document)
       : document(read),
+        asset(read),
         set(known),
         options(wanted),
+        pictures(of_document),
         pointers(read),
         holds(read, known),
-        editor(read) {}
+        editor(read) {
+    plan.additions = Additions(read);
+  }
 
   const json::Document& document;
+  const model::Asset asset;
   const schema::Set& set;
   const UpgradeOptions& options;
+  Pictures* const pictures;  ///< null: nobody can look at pixels
   const Pointers pointers;
   schema::Holds holds;
   json::Editor editor;
@@ -47,10 +54,9 @@ struct Context {
   std::map<json::NodeId, std::vector<json::NodeId>> dropped;
   /// By attribute: materials of the primitives that have it.
   std::unordered_map<std::string, std::unordered_set<std::uint64_t>> attribute_users;
-  std::optional<std::uint64_t> textures;  ///< their number, once somebody asked
 
   /// Number of textures in the document.
-  std::uint64_t texture_count();
+  std::uint64_t texture_count() const { return asset.count(model::RootArray::textures); }
   /// Whether a primitive with that attribute uses the material, also by way of an extension.
   bool is_used_with(const std::string& attribute, std::uint64_t material);
 };

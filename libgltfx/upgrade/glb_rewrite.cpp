@@ -34,6 +34,28 @@ bool is_harmless(const container::ContainerFault& fault) {
   return std::find(kHarmless.begin(), kHarmless.end(), fault.code) != kHarmless.end();
 }
 
+std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
+
+void append_chunk_header(std::string& out, std::uint64_t length, std::uint32_t type) {
+  append_little_endian(out, length);
+  append_little_endian(out, type);
+}
+
+/// What follows the JSON chunk: the BIN chunk's data, and all before and behind that chunk.
+struct Rest {
+  std::string_view before, bin, behind;
+};
+
+Rest rest_of(const container::Container& container, bool bin_changes) {
+  const container::Chunk& chunk = container.chunks.front();
+  const std::size_t begin = chunk.offset + chunk.length;
+  const std::string_view old = container.bytes.text();
+  if (!bin_changes || !container.bin) return {{}, {}, old.substr(begin)};
+  const container::Chunk& bin = *container.bin;
+  return {old.substr(begin, bin.header_offset - begin), old.substr(bin.offset, bin.length),
+          old.substr(bin.offset + bin.length)};
+}
+
 }  // namespace
 
 std::optional<std::string> find_glb_obstacle(const container::Container& container) {
@@ -45,25 +67,30 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
   return std::nullopt;
 }
 
-Result<std::string> rewrite_glb(const container::Container& container, std::string_view json) {
-  const std::string_view old = container.bytes.text();
-  const container::Chunk& chunk = container.chunks.front();
-  const std::string_view rest = old.substr(chunk.offset + chunk.length);
-  // What lies behind the last chunk is none of the asset and not counted.
-  const std::uint64_t end = container.chunks.back().offset + container.chunks.back().length;
+Result<std::string> rewrite_glb(const container::Container& container, std::string_view json,
+                                std::string_view more) {
+  const Rest rest = rest_of(container, !more.empty());
   json = without_padding(json);
-  const std::size_t padded = (json.size() + kAlignment - 1) / kAlignment * kAlignment;
-  const std::uint64_t total =
-      kHeader + kChunkHeader + std::uint64_t{padded} + (end - chunk.offset - chunk.length);
+  const std::size_t bin_size = padded(rest.bin.size() + more.size());
+  const std::uint64_t added = more.empty() ? 0 : kChunkHeader + std::uint64_t{bin_size};
+  // What lies behind the last chunk is none of the asset and not counted.
+  const std::size_t end = container.chunks.back().offset + container.chunks.back().length;
+  const std::size_t uncounted = container.bytes.size() - end;
+  const std::uint64_t total = kHeader + kChunkHeader + std::uint64_t{padded(json.size())} +
+                              rest.before.size() + added + rest.behind.size() - uncounted;
   if (total > UINT32_MAX) return Error{"the new file would be longer than a GLB can be (4 GiB)"};
-  std::string bytes(old.substr(0, kHeader - 4));  // magic and version
-  bytes.reserve(total + (old.size() - end));
+  std::string bytes(container.bytes.text().substr(0, kHeader - 4));  // magic and version
+  bytes.reserve(total + uncounted);
   append_little_endian(bytes, total);
-  append_little_endian(bytes, padded);
-  append_little_endian(bytes, container::kChunkJson);
+  append_chunk_header(bytes, padded(json.size()), container::kChunkJson);
   bytes += json;
-  bytes.append(padded - json.size(), ' ');
-  bytes += rest;
+  bytes.append(padded(json.size()) - json.size(), ' ');
+  bytes += rest.before;
+  if (!more.empty()) {
+    append_chunk_header(bytes, bin_size, container::kChunkBin);
+    bytes.append(rest.bin).append(more).append(bin_size - rest.bin.size() - more.size(), '\0');
+  }
+  bytes += rest.behind;
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "upgrade/channel_move.hpp"
 #include "upgrade/context.hpp"
 
 namespace gltfx::upgrade {
@@ -22,9 +23,14 @@ class ObjectPlan {
  private:
   /// A step with what it finds in the document.
   struct Found {
+    Found(const schema::UpgradeStep* taken, json::NodeId found) : step(taken), value(found) {}
     const schema::UpgradeStep* step;
     json::NodeId value;
-    std::string json;  ///< new text of the value; empty: it stays
+    std::string json;   ///< new text of the value; empty: it stays
+    bool gone = false;  ///< it is not carried over
+    /// The texture that it shows from now on; nothing: as before.
+    std::optional<ImageJob> image;
+    std::optional<std::uint64_t> sampler;  ///< of that texture
   };
   using Problem = std::optional<std::string>;
 
@@ -34,6 +40,12 @@ class ObjectPlan {
   Problem judge_company() const;
   Problem judge_steps();
   Problem find_moved(const schema::UpgradeStep& step);
+  Problem find_channel(const schema::UpgradeStep& step, Found& found);
+  bool fold(const schema::UpgradeStep& step, double constant, Found& found);
+  void weigh_evidence(const schema::UpgradeStep& step, const ChannelMove& move);
+  std::string factor_of(const schema::UpgradeStep& step) const;
+  json::NodeId texture_index(const Found& found) const;
+  void show(const Found& found, std::uint64_t texture);
   Problem find_copied(const schema::UpgradeStep& step);
   Problem fill_copy(Found& found);
   Problem check_value(const std::string& name, json::NodeId value);

@@ -172,14 +172,14 @@ void settle_dropped(Context& context) {
 }  // namespace
 
 Plan make_plan(const json::Document& document, const schema::Set& set,
-               const UpgradeOptions& options) {
+               const UpgradeOptions& options, Pictures* pictures) {
   std::vector<const schema::Extension*> legacy;
   for (const schema::Extension& extension : set.extensions()) {
     const bool named = document.key_id(extension.name) != json::kNoKey;
     if (!extension.upgrade.to.empty() && named) legacy.push_back(&extension);
   }
   if (legacy.empty()) return {};
-  Context context(document, set, options);
+  Context context(document, set, options, pictures);
   NameList used(document, "extensionsUsed");
   NameList required(document, "extensionsRequired");
   for (const schema::Extension* extension : legacy) {

@@ -12,27 +12,23 @@
 #include "json/document.hpp"
 #include "json/edit.hpp"
 #include "schema/set.hpp"
+#include "upgrade/additions.hpp"
+#include "upgrade/pictures.hpp"
 
 namespace gltfx::upgrade {
-
-/// A texture whose image has the right values in another channel than the successor reads.
-struct TextureJob {
-  std::string pointer;        ///< of the slot in the old document
-  std::uint64_t texture = 0;  ///< index into the root's textures
-  std::string swizzle;        ///< "r>a"
-};
 
 /// Pure data; nothing was changed yet.
 struct Plan {
   std::vector<UpgradeAction> actions;  ///< by extension, then in the order of the document
-  std::vector<TextureJob> textures;    ///< what the actions that need an image wait for
   std::vector<json::Edit> edits;       ///< of the actions that are done; for json::apply_edits()
+  Additions additions;                 ///< that they refer to; settle() makes further edits of it
 };
 
 /// Plans for a document that was read to its end; where it has faults, find_ambiguity() says
 /// whether the plan can be trusted. Time is linear in its size but for the number of extensions.
-/// Only `generation` and `unsafe` of the options are looked at.
+/// Only `generation`, `unsafe` and `pack` of the options are looked at. `pictures` are the
+/// document's images; without them what needs pixels is left alone.
 Plan make_plan(const json::Document& document, const schema::Set& set,
-               const UpgradeOptions& options);
+               const UpgradeOptions& options, Pictures* pictures = nullptr);
 
 }  // namespace gltfx::upgrade

@@ -19,7 +19,7 @@ class Set;
 enum class UpgradeFate : std::uint8_t {
   safe,    ///< the same picture by the published texts, and nothing in the file speaks against it
   unsafe,  ///< something is lost: done when asked for
-  needs_image,  ///< a channel of an image has to be moved first: the object is left alone
+  needs_image,  ///< a channel of an image has to be moved, which cannot be read: left alone
   impossible,   ///< a fault or another extension stands against it: the object is left alone
 };
 /// "safe", "unsafe", "needs an image", "not possible".
@@ -43,6 +43,12 @@ struct UpgradeOptions {
   bool unsafe = false;  ///< do what loses something, too
   /// A file in which something cannot be done without loss is an error and is not written.
   bool strict = false;
+  /// Put colour and factor of diffuse transmission into one image, where that changes no texel that
+  /// somebody reads.
+  bool pack = false;
+  /// Take out textures, images and buffer views that nothing refers to any more because of this
+  /// upgrade.
+  bool prune = false;
   bool diff = false;  ///< fill UpgradeReport::diff
 
   bool in_place = false;  ///< replace the file

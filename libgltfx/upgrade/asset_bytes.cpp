@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "upgrade/asset_bytes.hpp"
+
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/checked.hpp"
+#include "container/uri.hpp"
+#include "model/buffer_view.hpp"
+#include "model/fields.hpp"
+
+namespace gltfx::upgrade {
+namespace {
+
+using container::Bytes;
+using container::UriKind;
+using model::RootArray;
+
+constexpr std::uint64_t kNoBuffer = UINT64_MAX;
+
+Storage storage_of(const std::string& uri) {
+  if (uri.empty()) return Storage::nowhere;
+  return container::classify_uri(uri).kind == UriKind::data ? Storage::data_uri : Storage::file;
+}
+
+}  // namespace
+
+json::NodeId AssetBytes::element(RootArray array, std::uint64_t index) const {
+  return index < asset_.count(array) ? asset_.elements(array)[index] : json::kNoNode;
+}
+
+Result<Bytes> AssetBytes::uri_bytes(const std::string& uri) const {
+  const container::Uri reference = container::classify_uri(uri);
+  if (reference.kind == UriKind::data) {
+    const auto split = container::split_data_uri(uri);
+    if (!split) return split.error();
+    auto decoded = container::decode_payload(*split);
+    if (!decoded) return decoded.error();
+    return Bytes::from_string(*std::move(decoded));
+  }
+  if (reference.kind != UriKind::relative_path) return Error{"its URI names no file of the asset"};
+  container::Resolved file = resolver_.open(reference.path);
+  if (file.fault != container::ResolveFault::none) {
+    return Error{container::describe(file.fault, reference.normalized, file.problem)};
+  }
+  if (file.git_lfs_pointer) {
+    return Error{fmt::format("{} is a Git-LFS pointer; 'git lfs pull' fetches the file itself",
+                             reference.normalized)};
+  }
+  return std::move(file.bytes);
+}
+
+Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
+  const auto known = buffers_.find(index);
+  if (known != buffers_.end()) return known->second;
+  const json::NodeId object = element(RootArray::buffers, index);
+  if (object == json::kNoNode) return Error{"there is no such buffer"};
+  const std::string uri = model::string_member(asset_.document(), object, "uri");
+  if (!uri.empty()) {
+    auto bytes = uri_bytes(uri);
+    if (bytes) buffers_.emplace(index, *bytes);
+    return bytes;
+  }
+  if (index != 0 || !container_.bin) return Error{"its buffer has no bytes"};
+  return container_.bytes.part(container_.bin->offset, container_.bin->length);
+}
+
+std::uint64_t AssetBytes::buffer_of(json::NodeId image) const {
+  const auto view = asset_.index(image, "bufferView", RootArray::buffer_views);
+  if (!view) return kNoBuffer;
+  const json::NodeId object = asset_.elements(RootArray::buffer_views)[*view];
+  const auto buffer = asset_.index(object, "buffer", RootArray::buffers);
+  return buffer ? *buffer : kNoBuffer;
+}
+
+Result<Bytes> AssetBytes::view_bytes(json::NodeId image) {
+  const auto index = asset_.index(image, "bufferView", RootArray::buffer_views);
+  if (!index) return Error{"it has neither a URI nor a buffer view"};
+  const model::BufferView view =
+      model::read_buffer_view(asset_, asset_.elements(RootArray::buffer_views)[*index]);
+  if (!view.buffer || !view.byte_length) return Error{"its buffer view is broken"};
+  auto bytes = buffer(*view.buffer);
+  if (!bytes) return bytes;
+  const std::uint64_t offset = view.byte_offset.value_or(0);
+  if (!fits(offset, *view.byte_length, bytes->size())) {
+    return Error{"its buffer view reaches beyond the buffer"};
+  }
+  return bytes->part(offset, *view.byte_length);
+}
+
+Result<Bytes> AssetBytes::image(std::uint64_t index) {
+  const json::NodeId object = element(RootArray::images, index);
+  if (object == json::kNoNode) return Error{"there is no such image"};
+  const std::string uri = model::string_member(asset_.document(), object, "uri");
+  return uri.empty() ? view_bytes(object) : uri_bytes(uri);
+}
+
+Storage AssetBytes::image_storage(std::uint64_t index) const {
+  const json::NodeId object = element(RootArray::images, index);
+  if (object == json::kNoNode) return Storage::nowhere;
+  const std::string uri = model::string_member(asset_.document(), object, "uri");
+  if (!uri.empty()) return storage_of(uri);
+  return buffer_of(object) == kNoBuffer ? Storage::nowhere : Storage::buffer_view;
+}
+
+Storage AssetBytes::buffer_storage(std::uint64_t index) const {
+  const json::NodeId object = element(RootArray::buffers, index);
+  if (object == json::kNoNode) return Storage::nowhere;
+  const std::string uri = model::string_member(asset_.document(), object, "uri");
+  if (!uri.empty()) return storage_of(uri);
+  return index == 0 && container_.bin ? Storage::bin_chunk : Storage::nowhere;
+}
+
+std::string AssetBytes::image_file_uri(std::uint64_t index) const {
+  json::NodeId object = element(RootArray::images, index);
+  if (object == json::kNoNode) return {};
+  if (image_storage(index) == Storage::buffer_view) {
+    object = element(RootArray::buffers, buffer_of(object));
+  }
+  std::string uri = model::string_member(asset_.document(), object, "uri");
+  return storage_of(uri) == Storage::file ? uri : std::string();
+}
+
+}  // namespace gltfx::upgrade

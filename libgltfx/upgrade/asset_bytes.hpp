@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The bytes behind buffers and images of an asset, read when somebody asks.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+
+#include "base/result.hpp"
+#include "container/container.hpp"
+#include "container/resolver.hpp"
+#include "model/asset.hpp"
+
+namespace gltfx::upgrade {
+
+/// Where the bytes of a buffer or image stand.
+enum class Storage : std::uint8_t { nowhere, file, data_uri, buffer_view, bin_chunk };
+
+/// Keeps references to all it is made of. Not thread-safe.
+class AssetBytes {
+ public:
+  AssetBytes(const model::Asset& asset, const container::Container& container,
+             const container::Resolver& resolver)
+      : asset_(asset), container_(container), resolver_(resolver) {}
+
+  const model::Asset& asset() const { return asset_; }
+  /// The bytes of an element of the root's images or buffers, or a sentence about why there are
+  /// none. Those of a buffer may be fewer than it says.
+  Result<container::Bytes> image(std::uint64_t index);
+  Result<container::Bytes> buffer(std::uint64_t index);
+  Storage image_storage(std::uint64_t index) const;
+  Storage buffer_storage(std::uint64_t index) const;
+  /// The URI of the file that an image stands in or that its buffer view leads to, as written;
+  /// empty where there is none.
+  std::string image_file_uri(std::uint64_t index) const;
+
+ private:
+  json::NodeId element(model::RootArray array, std::uint64_t index) const;
+  Result<container::Bytes> uri_bytes(const std::string& uri) const;
+  Result<container::Bytes> view_bytes(json::NodeId image);
+  std::uint64_t buffer_of(json::NodeId image) const;
+
+  const model::Asset& asset_;
+  const container::Container& container_;
+  const container::Resolver& resolver_;
+  std::unordered_map<std::uint64_t, container::Bytes> buffers_;  ///< those that were asked for
+};
+
+}  // namespace gltfx::upgrade

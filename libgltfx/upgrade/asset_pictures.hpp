@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The images of an asset, decoded when a plan asks for them.
+#pragma once
+
+#include <unordered_map>
+
+#include "upgrade/asset_bytes.hpp"
+#include "upgrade/image_cache.hpp"
+#include "upgrade/pictures.hpp"
+
+namespace gltfx::upgrade {
+
+/// Keeps references to what it is made of. Not thread-safe; `cache` may be shared with others that
+/// run meanwhile.
+class AssetPictures : public Pictures {
+ public:
+  AssetPictures(AssetBytes& bytes, ImageCache& cache) : bytes_(bytes), cache_(cache) {}
+
+  const Picture& picture(std::uint64_t image) override;
+  std::shared_ptr<const codec::Image> pixels(std::uint64_t image) override;
+  std::uint64_t same_as(std::uint64_t image) override;
+
+ private:
+  AssetBytes& bytes_;
+  ImageCache& cache_;
+  std::unordered_map<std::uint64_t, Picture> pictures_;
+  std::unordered_map<std::uint64_t, std::uint64_t> same_;
+  std::unordered_multimap<std::uint64_t, std::uint64_t> by_hash_;  ///< images that differ
+};
+
+}  // namespace gltfx::upgrade
