@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/companions.hpp"
 
-#include <set>
 #include <string>
 #include <system_error>
 
@@ -16,28 +15,6 @@ namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Members called "uri", wherever extensions put them; extras are nobody's business.
-std::set<std::string> referred_paths(const json::Document& document) {
-  std::set<std::string> paths;
-  const json::KeyId extras = document.key_id("extras");
-  const json::KeyId uri = document.key_id("uri");
-  for (json::NodeId id = 0; id < document.node_count();) {
-    const json::Node& node = document.node(id);
-    if (node.kind == json::Kind::key && node.next == extras) {
-      id = document.next(id + 1);
-      continue;
-    }
-    if (node.kind == json::Kind::key && node.next == uri && document.is_string(id + 1)) {
-      container::Uri reference = container::classify_uri(document.string(id + 1));
-      if (reference.kind == container::UriKind::relative_path) {
-        paths.insert(std::move(reference.path));
-      }
-    }
-    ++id;
-  }
-  return paths;
-}
 
 std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
                           const fs::path& folder) {
@@ -73,6 +50,27 @@ std::optional<Error> put_file(const fs::path& target, std::string_view bytes) {
   if (fs::exists(target, fault) && has_bytes(target, bytes)) return std::nullopt;
   if (trouble) return trouble;
   return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
+}
+
+std::set<std::string> referred_paths(const json::Document& document) {
+  std::set<std::string> paths;
+  const json::KeyId extras = document.key_id("extras");
+  const json::KeyId uri = document.key_id("uri");
+  for (json::NodeId id = 0; id < document.node_count();) {
+    const json::Node& node = document.node(id);
+    if (node.kind == json::Kind::key && node.next == extras) {
+      id = document.next(id + 1);
+      continue;
+    }
+    if (node.kind == json::Kind::key && node.next == uri && document.is_string(id + 1)) {
+      container::Uri reference = container::classify_uri(document.string(id + 1));
+      if (reference.kind == container::UriKind::relative_path) {
+        paths.insert(std::move(reference.path));
+      }
+    }
+    ++id;
+  }
+  return paths;
 }
 
 std::optional<Error> make_folder(const fs::path& folder) {

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "base/result.hpp"
@@ -11,6 +13,10 @@
 #include "json/document.hpp"
 
 namespace gltfx {
+
+/// The files that a document refers to, relative to its folder, as container::Uri::path has them:
+/// members called "uri", wherever extensions put them; extras are nobody's business.
+std::set<std::string> referred_paths(const json::Document& document);
 
 /// Makes a folder and those above it, as far as they are not there.
 std::optional<Error> make_folder(const std::filesystem::path& folder);

@@ -79,6 +79,17 @@ TEST_F(Hook, ThatUpgradesFailsOnceAndPassesThen) {
   EXPECT_EQ(try_hook("gltfx-upgrade-check").code, 0);
 }
 
+TEST_F(Hook, ACommitThatOnlyDeletesATextureIsNotSkipped) {
+  folder_.write("assets/leaf.gltf", R"({"asset":{"version":"2.0"},"images":[{"uri":"leaf.png"}]})");
+  folder_.write("assets/leaf.png", read_file(fixture("good/leaf_color.png")));
+  commit("assets");
+  shell("git rm -q leaf.png", "assets");
+  const Outcome outcome =
+      shell("pre-commit try-repo ../hooks gltfx-validate --color never", "assets");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("'leaf.gltf' refers to 'leaf.png'"));
+}
+
 TEST_F(Hook, ThatUpgradesFailsWhileSomethingIsLeft) {
   folder_.write("assets/shop.gltf", read_file(fixture("legacy/upgraded/shop.gltf")));
   const Outcome outcome = try_hook("gltfx-upgrade");

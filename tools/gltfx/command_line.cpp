@@ -61,6 +61,7 @@ class Declaration {
     app_.add_flag("--version", version_, "Versions of gltfx and of what it was built with");
     declare_validate();
     declare_upgrade();
+    declare_hook();
     declare_explain();
     declare_rules();
     declare_schema();
@@ -75,6 +76,7 @@ class Declaration {
   void declare_filters(CLI::App& app);
   void declare_budgets(CLI::App& app);
   void declare_upgrade();
+  void declare_hook();
   void declare_explain();
   void declare_rules();
   void declare_schema();
@@ -171,6 +173,12 @@ void Declaration::declare_upgrade() {
   add_common(app, upgrade_.common);
 }
 
+// For the help: read() takes the word away, so that the verb behind it has its own options.
+void Declaration::declare_hook() {
+  CLI::App& app = verb("hook", "Run a verb over the assets that a commit touches");
+  describe_positional(app, "VERB", "validate or upgrade, with their options");
+}
+
 void Declaration::declare_explain() {
   CLI::App& app = verb("explain", "Say why a rule exists, with a bad and a good example");
   describe_positional(app, "CODE", "Codes as reports print them, in any case");
@@ -261,7 +269,22 @@ CommandLine command_of(std::string_view verb, Result<Wanted> wanted) {
   return CommandLine(std::in_place_type<Request>, std::in_place_type<Wanted>, *std::move(wanted));
 }
 
+CommandLine hooked(CommandLine line) {
+  auto* wanted = std::get_if<Request>(&line);
+  if (wanted == nullptr) return line;
+  if (auto* validate = std::get_if<ValidateRequest>(wanted)) {
+    return Request(HookRequest{std::move(*validate)});
+  }
+  if (auto* upgrade = std::get_if<UpgradeRequest>(wanted)) {
+    return Request(HookRequest{std::move(*upgrade)});
+  }
+  return usage_error("hook", "hook: only validate and upgrade go with it.");
+}
+
 CommandLine Declaration::request(std::string_view verb) const {
+  if (verb == "hook") {
+    return usage_error(verb, "hook: name the verb to run: validate or upgrade, with its options.");
+  }
   if (verb == "validate") return command_of(verb, request_of(validate_));
   if (verb == "upgrade") return command_of(verb, request_of(upgrade_));
   if (verb == "explain") return command_of(verb, request_of(explain_));
@@ -281,6 +304,12 @@ std::string empty_value(int argc, const char* const* argv) {
 }
 
 CommandLine Declaration::read(int argc, const char* const* argv) {
+  const bool hook = argc > 2 && argv[1] == std::string_view("hook") && argv[2][0] != '-';
+  if (hook) {
+    --argc;
+    ++argv;
+    validate_.hook = upgrade_.hook = true;
+  }
   const char* const* mark =
       std::find(argv + std::min(argc, 1), argv + argc, std::string_view("--"));
   if (mark != argv + argc) after_mark_.assign(mark + 1, argv + argc);
@@ -304,7 +333,7 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   }
   if (version_) return Answer{version_text(), {}, ExitCode::ok};
   if (verbs.empty()) return Answer{{}, help(), ExitCode::usage};
-  return request(verb);
+  return hook ? hooked(request(verb)) : request(verb);
 }
 
 }  // namespace

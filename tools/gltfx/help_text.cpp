@@ -38,6 +38,16 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade old.glb -o new.glb --unsafe --generation v2
 )";
 
+constexpr std::string_view kHookExamples =
+    R"(Assets are those that are staged, and those in the index that refer to a staged texture or buffer,
+also one that is gone. Fails while a file that they refer to is not staged.
+
+Examples:
+  gltfx hook upgrade --check             in .git/hooks/pre-commit
+  gltfx hook upgrade --in-place          names what is to be staged then
+  gltfx hook validate --fail-on warning
+)";
+
 constexpr std::string_view kExplainExamples = R"(Examples:
   gltfx explain UNDEFINED_PROPERTY
   gltfx explain value_not_in_range
@@ -57,6 +67,7 @@ constexpr std::string_view kSchemaExamples = R"(Examples:
 std::string_view examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
   if (verb == "upgrade") return kUpgradeExamples;
+  if (verb == "hook") return kHookExamples;
   if (verb == "explain") return kExplainExamples;
   if (verb == "rules") return kRulesExamples;
   if (verb == "schema") return kSchemaExamples;

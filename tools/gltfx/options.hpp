@@ -64,6 +64,11 @@ struct UpgradeRequest {
   std::vector<std::string> schema_folders;
 };
 
+/// A verb over the assets that a commit touches; its paths are names that changed besides.
+struct HookRequest {
+  std::variant<ValidateRequest, UpgradeRequest> verb;
+};
+
 struct ExplainRequest {
   CommonOptions common;
   std::vector<std::string> codes;
@@ -85,8 +90,8 @@ struct SchemaRequest {
   std::vector<std::string> schema_folders;
 };
 
-using Request =
-    std::variant<ValidateRequest, UpgradeRequest, ExplainRequest, RulesRequest, SchemaRequest>;
+using Request = std::variant<ValidateRequest, UpgradeRequest, HookRequest, ExplainRequest,
+                             RulesRequest, SchemaRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.

@@ -60,7 +60,7 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   Reading reading;
   ValidateRequest request;
   read_common(reading, words.common, request.common);
-  reading.require(!words.paths.empty(),
+  reading.require(words.hook || !words.paths.empty(),
                   "validate: name at least one file, folder or glob; '-' is standard input.");
   request.paths.words = words.paths;
   reading.set(request.targets, parse_targets(words.formats));
@@ -86,10 +86,13 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   Reading reading;
   UpgradeRequest request;
   read_common(reading, words.common, request.common);
-  reading.require(!words.paths.empty(), "upgrade: name at least one file, folder or glob.");
+  reading.require(words.hook || !words.paths.empty(),
+                  "upgrade: name at least one file, folder or glob.");
   reading.require(std::find(words.paths.begin(), words.paths.end(), "-") == words.paths.end(),
                   "upgrade: standard input has no file beside which anything could be found or "
                   "written; name a file ('./-' for one that is called '-').");
+  reading.require(!words.hook || words.output.empty(),
+                  "hook: the files of a commit stay where they are; leave out --output.");
   const bool writes = words.in_place || !words.output.empty();
   reading.require(!words.in_place || words.output.empty(),
                   "upgrade: --in-place and --output exclude each other.");

@@ -23,6 +23,7 @@ struct ValidateWords {
   std::string max_draw_calls = "0", max_file_size = "0";
   std::string root, baseline, write_baseline;
   bool quiet = false;
+  bool hook = false;  ///< the paths may be left out
 };
 
 struct UpgradeWords {
@@ -31,6 +32,7 @@ struct UpgradeWords {
   std::string output, generation = "auto", root;
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
        strict = false, quiet = false;
+  bool hook = false;  ///< as above
 };
 
 struct ExplainWords {

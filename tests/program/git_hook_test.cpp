@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `gltfx hook` in repositories of git: what it looks at, and when it holds a commit up.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program/upgrade_support.hpp"
+
+namespace gltfx::program {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string asset_with(const std::string& uri) {
+  return R"({"asset":{"version":"2.0"},"images":[{"uri":")" + uri + R"("}],)" +
+         R"("textures":[{"source":0}],"materials":[{"emissiveTexture":{"index":0}}]})";
+}
+
+const std::string kPointer =
+    "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') +
+    "\nsize 12345\n";
+
+class GitHook : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (bash("command -v git").code != 0) GTEST_SKIP() << "git is not installed";
+    picture_ = read_file(fixture("good/leaf_color.png"));
+    shell("git init -q . && git config user.name a && git config user.email a@example.com");
+  }
+  Outcome shell(const std::string& line, const std::string& where = {}) const {
+    return bash(line, {(folder_.path() / where).native(),
+                       {},
+                       {{"HOME", folder_.path().native()}, {"GIT_CONFIG_NOSYSTEM", "1"}}});
+  }
+  void commit() const {
+    const Outcome outcome = shell("git add -A && git commit -qm x");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  Outcome hook(const std::string& words, const std::string& where = {}) const {
+    return shell("\"$GLTFX\" hook " + words, where);
+  }
+  std::string content(const std::string& name) const {
+    return read_file((folder_.path() / name).native());
+  }
+
+  container::test::TempFolder folder_;
+  std::string picture_;
+};
+
+TEST_F(GitHook, LooksAtWhatIsStagedAndAtNothingElse) {
+  folder_.write("old.gltf", kLegacy);
+  commit();
+  EXPECT_EQ(hook("upgrade --check").code, 0);
+  EXPECT_EQ(hook("upgrade --check").out, "");
+  folder_.write("new.gltf", kLegacy);
+  EXPECT_EQ(hook("upgrade --check").code, 0);  // not staged
+  shell("git add new.gltf");
+  const Outcome outcome = hook("upgrade --check");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("new.gltf"), Not(HasSubstr("old.gltf"))));
+}
+
+TEST_F(GitHook, FixesAndNamesWhatIsToBeStaged) {
+  folder_.write("a b/it's.gltf", kLegacy);
+  shell("git add -A");
+  const Outcome outcome = hook("upgrade --in-place");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(content("a b/it's.gltf"), kUpgraded);
+  EXPECT_THAT(outcome.out, HasSubstr("\n  git add -- 'a b/it'\\''s.gltf'\n"));
+  EXPECT_EQ(shell(outcome.out.substr(outcome.out.find("git add"))).code, 0);
+  EXPECT_EQ(hook("upgrade --in-place").code, 0);
+}
+
+TEST_F(GitHook, AFileThatIsNotStagedBreaksTheCommitUntilItIs) {
+  folder_.write("tree/leaf.gltf", asset_with("maps/new.png"));
+  folder_.write("tree/maps/new.png", picture_);
+  shell("git add tree/leaf.gltf");
+  for (const std::string verb : {"validate", "upgrade --check"}) {
+    const Outcome outcome = hook(verb);
+    EXPECT_EQ(outcome.code, 1) << verb;
+    EXPECT_THAT(outcome.out, HasSubstr("  git add -- tree/maps/new.png\n"));
+  }
+  EXPECT_THAT(hook("upgrade --check", "tree").out, HasSubstr("  git add -- maps/new.png\n"));
+  shell("git add -A");
+  EXPECT_EQ(hook("validate").code, 0);
+}
+
+TEST_F(GitHook, NamesWithEveryKindOfByteAreTakenAsTheyAre) {
+  folder_.write("-o [x]\n\x1b.gltf", kLegacy);
+  folder_.write(":(glob)/leaf.gltf", asset_with("%3A%20'%C3%A4.png"));
+  folder_.write(":(glob)/: '\xC3\xA4.png", picture_);
+  shell("git add -- ./-o* ./:*/*.gltf");
+  const Outcome outcome = hook("upgrade --in-place");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n  git add -- $'./-o [x]\\012\\033.gltf' "
+                                     "'./:(glob)/: '\\''\xC3\xA4.png'\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("\x1b")));
+  EXPECT_EQ(shell(outcome.out.substr(outcome.out.find("git add"))).code, 0);
+  EXPECT_EQ(hook("upgrade --in-place").code, 0);
+}
+
+TEST_F(GitHook, AChangedRenamedOrDeletedTextureChecksItsOwners) {
+  folder_.write("deep/leaf.gltf", asset_with("../maps/leaf.png"));
+  folder_.write("other.gltf", kSound);
+  folder_.write("maps/leaf.png", picture_);
+  commit();
+  folder_.write("maps/leaf.png", "no picture at all");
+  shell("git add -A");
+  const Outcome changed = hook("validate");
+  EXPECT_EQ(changed.code, 1);
+  EXPECT_THAT(changed.out, AllOf(HasSubstr("deep/leaf.gltf"), Not(HasSubstr("other.gltf"))));
+  shell("git checkout -q HEAD -- maps && git mv maps/leaf.png maps/tree.png");
+  const Outcome renamed = hook("upgrade --check");
+  EXPECT_EQ(renamed.code, 1);
+  EXPECT_THAT(renamed.out,
+              HasSubstr("'deep/leaf.gltf' refers to 'maps/leaf.png', which is neither"));
+  shell("git reset -q --hard && git rm -q --cached maps/leaf.png");
+  const Outcome deleted = hook("upgrade --check");
+  EXPECT_EQ(deleted.code, 1);  // still in the folder, but no longer in the repository
+  EXPECT_THAT(deleted.out, HasSubstr("git add -- maps/leaf.png"));
+}
+
+TEST_F(GitHook, OwnersAreSearchedInTheIndexNotInTheFolder) {
+  folder_.write("leaf.gltf", asset_with("leaf.png"));
+  folder_.write("leaf.png", picture_);
+  commit();
+  folder_.write("leaf.gltf", kSound);                   // not staged
+  folder_.write("stray.gltf", asset_with("leaf.png"));  // not tracked
+  shell("git rm -q --cached leaf.png");
+  const Outcome outcome = hook("upgrade --check");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("'leaf.gltf' is not as it is staged"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("stray")));
+}
+
+TEST_F(GitHook, BinaryAssetsHaveOwnedFilesToo) {
+  std::string glb = read_file(fixture("legacy/lantern.glb"));
+  folder_.write("lantern.glb", glb);
+  folder_.write("a.bin", "1234");
+  commit();
+  folder_.write("a.bin", "4321");
+  shell("git add -A");
+  EXPECT_EQ(hook("upgrade --check").out, "");  // nobody refers to it
+}
+
+TEST_F(GitHook, NamesThatAreGivenCountAsChanged) {
+  folder_.write("leaf.gltf", kLegacy);
+  folder_.write("maps/leaf.gltf", asset_with("leaf.png"));
+  folder_.write("maps/leaf.png", "no picture");
+  commit();
+  EXPECT_EQ(hook("upgrade --check leaf.gltf").code, 1);
+  EXPECT_THAT(hook("validate leaf.png", "maps").out, HasSubstr("leaf.gltf"));
+  EXPECT_EQ(hook("validate ../leaf.gltf", "maps").code, 0);
+  EXPECT_EQ(hook("validate /").code, 3);
+}
+
+TEST_F(GitHook, WhatGitLeavesOutOnPurposeIsOnlyNoted) {
+  folder_.write(".gitignore", "*.png\n");
+  folder_.write("leaf.gltf", asset_with("leaf.png"));
+  folder_.write("leaf.png", picture_);
+  shell("git add -A");
+  const Outcome outcome = hook("validate");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("note: 'leaf.gltf' refers to 'leaf.png', which .gitignore"));
+}
+
+TEST_F(GitHook, ANewTextureThatLfsWouldNotKeepIsWarnedOf) {
+  folder_.write(".gitattributes", "*.jpg filter=lfs -text\n");
+  folder_.write("leaf.gltf", asset_with("leaf.png"));
+  folder_.write("leaf.png", picture_);
+  folder_.write("old.jpg", kPointer);
+  // As if the filter had been there: the pointer is what the index holds.
+  shell("git -c filter.lfs.clean=cat -c filter.lfs.required=false add -A");
+  const Outcome outcome = hook("validate");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("warning: 'leaf.png' would not be kept by Git LFS, as"),
+                                 HasSubstr("  git lfs track '*.png'\n")));
+  folder_.write(".gitattributes", "*.jpg filter=lfs\n*.png filter=lfs\n");
+  shell("git -c filter.lfs.clean=cat -c filter.lfs.required=false add -A");
+  EXPECT_THAT(hook("validate").out, Not(HasSubstr("LFS")));
+}
+
+TEST_F(GitHook, AssetsThatAreLfsPointersAreReadInTheFolder) {
+  folder_.write("leaf.gltf", kPointer);
+  shell("git add -A && git commit -qm x");
+  folder_.write("leaf.gltf", asset_with("leaf.png"));
+  folder_.write("leaf.png", picture_);
+  shell("git add leaf.png");
+  EXPECT_THAT(hook("validate").out, HasSubstr("1 file checked"));
+}
+
+TEST_F(GitHook, FilesInASubmoduleAreItsOwnBusiness) {
+  folder_.write("sub/leaf.png", picture_);
+  shell(
+      "git init -q . && git config user.name a && git config user.email a@example.com && "
+      "git add -A && git commit -qm x",
+      "sub");
+  folder_.write("leaf.gltf", asset_with("sub/leaf.png"));
+  const Outcome added = shell("git add leaf.gltf && git add sub 2>/dev/null; git ls-files -s sub");
+  ASSERT_THAT(added.out, HasSubstr("160000"));
+  EXPECT_EQ(hook("validate").code, 0);
+  shell("git commit -qm x");
+  shell("git commit -q --allow-empty -m y", "sub");
+  shell("git add sub");
+  EXPECT_THAT(hook("validate").out, HasSubstr("1 file checked"));  // the submodule's commit changed
+}
+
+TEST_F(GitHook, OutsideOfARepositoryItCannotRun) {
+  const Outcome outcome =
+      bash("\"$GLTFX\" hook validate", {folder_.path().native(), {}, {{"GIT_DIR", "/nowhere"}}});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no working tree of git"));
+  EXPECT_EQ(bash("PATH= \"$GLTFX\" hook validate").code, 3);
+}
+
+TEST_F(GitHook, OnlyVerbsThatReadAssetsGoWithIt) {
+  for (const std::string words : {"", "rules", "upgrade -o x.gltf", "nonsense"}) {
+    EXPECT_EQ(hook(words).code, 2) << words;
+  }
+  EXPECT_EQ(hook("--help").code, 0);
+  EXPECT_THAT(hook("upgrade --help").out, HasSubstr("--in-place"));
+}
+
+}  // namespace
+}  // namespace gltfx::program

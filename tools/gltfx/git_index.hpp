@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a commit is about to hold: the index of the repository around the working directory.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "git.hpp"
+
+namespace gltfx::tool {
+
+/// Paths below the top folder of the working tree, with '/', whatever bytes they have.
+using RepositoryName = std::string;
+
+struct IndexEntry {
+  std::string mode;    ///< "100644", of a symbolic link "120000", of a submodule "160000"
+  std::string object;  ///< in hexadecimal digits
+};
+
+/// Read once, then constant. The calls ask git again; an Error says that it failed.
+class GitIndex {
+ public:
+  static Result<GitIndex> open();
+
+  const std::map<RepositoryName, IndexEntry>& entries() const { return entries_; }
+  /// A regular file of that name.
+  const IndexEntry* file(const RepositoryName& name) const;
+  /// Whether the path leads into a submodule or through a symbolic link, where the index of this
+  /// repository does not say what is there.
+  bool leads_elsewhere(const RepositoryName& name) const;
+
+  /// The name of a path of the working directory; nothing for one outside the working tree.
+  std::optional<RepositoryName> name_of(const std::string& path) const;
+  /// The path of a name, from the working directory.
+  std::string path_of(const RepositoryName& name) const;
+
+  /// What differs between the last commit and the index: names with git's letter, 'A' for a new
+  /// one, 'D' for one that is gone. A rename is both.
+  Result<std::map<RepositoryName, char>> staged() const;
+  /// What differs between the index and the working tree.
+  Result<std::set<RepositoryName>> unstaged() const;
+  /// Those of the names that .gitignore leaves out.
+  std::set<RepositoryName> ignored(const std::set<RepositoryName>& names) const;
+  /// Those of the names that .gitattributes sends to Git LFS.
+  Result<std::set<RepositoryName>> kept_by_lfs(const std::set<RepositoryName>& names) const;
+  /// Calls `visit` with each file's beginning: all of a text, the JSON of a GLB.
+  std::optional<Error> read(
+      const std::vector<RepositoryName>& names,
+      const std::function<void(const RepositoryName&, std::string&&)>& visit) const;
+
+ private:
+  explicit GitIndex(std::string top) : git_(std::move(top)) {}
+  Result<std::string> ask(const std::vector<std::string>& arguments,
+                          std::string_view input = {}) const;
+  std::optional<Error> read_entries();
+
+  Git git_;
+  std::map<RepositoryName, IndexEntry> entries_;
+};
+
+}  // namespace gltfx::tool

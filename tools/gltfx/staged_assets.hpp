@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Which assets a commit touches, and whether it holds all that they refer to.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "git_index.hpp"
+
+namespace gltfx::tool {
+
+using References = std::map<RepositoryName, std::set<RepositoryName>>;
+
+/// Assets of a repository with the files that they refer to.
+class StagedAssets {
+ public:
+  explicit StagedAssets(const GitIndex& index) : index_(index) {}
+
+  /// Finds the assets among `names`, and in the index those that refer to others of them. All names
+  /// may be gone.
+  std::optional<Error> find(const std::set<RepositoryName>& names);
+  /// Looks once more, into the working tree, at what the found ones refer to.
+  void look_at_files();
+
+  const std::set<RepositoryName>& found() const { return found_; }
+  /// Of all that was looked at; names that lead out of the repository are left out.
+  const References& references() const { return references_; }
+
+ private:
+  void note(const RepositoryName& asset, std::string&& bytes);
+  void note_file(const RepositoryName& asset);
+
+  const GitIndex& index_;
+  std::set<RepositoryName> found_;
+  References references_;
+};
+
+/// What stands against a commit.
+struct CommitCheck {
+  std::set<RepositoryName> to_stage;                 ///< they are there, and only have to be staged
+  std::map<RepositoryName, RepositoryName> missing;  ///< with an asset that refers to them
+  std::map<RepositoryName, RepositoryName> ignored;  ///< the same, left out by .gitignore
+  std::map<RepositoryName, RepositoryName> not_lfs;  ///< with one beside it that Git LFS keeps
+};
+
+/// `staged` as GitIndex gives it.
+Result<CommitCheck> check_commit(const GitIndex& index, const StagedAssets& assets,
+                                 const std::map<RepositoryName, char>& staged);
+
+/// A word of a shell's command line that stands for `text`, without anything that could drive a
+/// terminal.
+std::string shell_word(std::string_view text);
+
+}  // namespace gltfx::tool
