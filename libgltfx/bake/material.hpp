@@ -7,7 +7,53 @@
 
 #include <optional>
 
+#include "bake/bsdf.hpp"
+
 namespace gltfx::bake {
+
+/// The material as a graph of nodes, seen from v (v.z > 0). `eta`: IOR behind the surface over that
+/// on the viewer's side.
+inline auto material_graph(const Material& m, const Vec3d& v, double eta, bool conserving) {
+  const Microfacets alpha = microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation);
+  const bool volume = m.volumetric();
+  const Fresnel ior = dielectric_fresnel(m, volume ? eta : 1);
+  const double scatter_strength =
+      m.scattering == Scattering::unified && !volume ? m.scatter_strength : 0;
+
+  // clang-format off
+  const auto diffuse_bsdf = mix(
+      diffuse_brdf(m.base_color),
+      diffuse_btdf(m.diffuse_transmission_color),
+      m.diffuse_transmission);
+
+  const auto transmitted_bsdf = mix(
+      specular_btdf(alpha, v, volume, eta) * m.base_color,
+      scatter_bsdf(m.scatter_color, m.scatter_anisotropy),
+      scatter_strength);
+
+  const auto dielectric_brdf = fresnel_mix(
+      ior,
+      /*base*/ mix(diffuse_bsdf, transmitted_bsdf, m.transmission),
+      /*layer*/ specular_brdf(alpha, v),
+      v, held_below(ior, alpha, v, m, conserving));
+
+  const auto metal_brdf = conductor_fresnel(
+      conductor_fresnel_of(m),
+      specular_brdf(alpha, v), v);
+
+  const auto material = mix(dielectric_brdf, metal_brdf, m.metallic);
+
+  const auto sheen_material = sheen_layer(
+      m.sheen_color, sheen_brdf(m.sheen_roughness, v), material,
+      SheenScaling(m.sheen_color, m.sheen_roughness, v, conserving));
+
+  return fresnel_coat(
+      /*ior*/ 1.5,
+      /*weight*/ m.clearcoat,
+      /*base*/ sheen_material,
+      /*layer*/ clearcoat_brdf(CoatFrame(m.clearcoat_normal), microfacets(m.clearcoat_roughness), v));
+  // clang-format on
+}
 
 /// Value and density of one direction, as multiple importance sampling needs them together.
 struct Evaluation {
@@ -24,9 +70,16 @@ class Bsdf {
   Evaluation evaluate(const Vec3d& l) const;
   std::optional<MaterialSample> sample(const Random3& random) const;
   /// Whether all lobes are mirrors or ideal refractions, so that evaluate() gives 0 everywhere.
-  bool is_delta() const;
-  /// Whether some light gets to the other side.
-  bool transmits() const;
+  bool is_delta() const { return graph_.is_delta; }
+  /// Albedo by quadrature, as gltfx::integrate().
+  Albedo integrate(int resolution) const;
+
+ private:
+  using Graph = decltype(material_graph(Material(), Vec3d(), 1.0, true));
+
+  bool flipped_;  // seen from behind: all is mirrored at the surface
+  Vec3d v_;
+  Graph graph_;
 };
 
 }  // namespace gltfx::bake

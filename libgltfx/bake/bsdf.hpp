@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The operators that mix lobes, with the names of the specification (Appendix B and the texts of
+/// the material extensions). Nodes hold their operands by value: a material is one object.
+///
+/// Where the texts leave something open or contradict themselves, it is decided here:
+///
+/// 1. Half vector of transmitted light: the light is mirrored into the viewer's hemisphere
+///    (Directions), for the Fresnel weight of diffuse_btdf too, which the text of
+///    KHR_materials_diffuse_transmission leaves open. Then dt 0 and dt 1 reflect alike, and a plane
+///    whose two colours are equal looks the same whatever the factor. The step functions of G_T
+///    are read with the mirrored direction; taken literally they would cut the lobe of rough thin
+///    walls where its reflected twin is whole.
+/// 2. Refraction (KHR_materials_volume) uses H_TR for the lobe and its Fresnel weight. The prose
+///    asks for the angle "on the dense side", the formulas beside it use the thinner side, as
+///    Schlick's curve needs it: the formulas hold. Total reflection is 1 for all colours.
+/// 3. Radiance is not scaled by eta^2 on entering a volume: what enters leaves again, and the
+///    formula of the text is normalised so that the lobe takes 1 - F.
+/// 4. Anisotropy turns and stretches specular_btdf like specular_brdf, as "this microfacet lobe is
+///    exactly the same". The clamp of V_GGX_anisotropic to 1 is left out: it is no part of the
+///    model, and would darken grazing angles only where there is anisotropy.
+/// 5. ior 0 is an infinite IOR: F0 is 1 times the specular colour, dispersion has no effect. (For
+///    refraction, where the mode is not to be used, a number so large that light goes straight in.)
+/// 6. KHR_materials_subsurface writes sigma_s = (1 - log c) / d in one place and -log(c) / d in the
+///    other; the second follows from the definition by Beer's law and is that of its predecessor.
+///    A colour of 0 would make a medium infinitely dense: it counts as 1e-6.
+/// 7. KHR_materials_scatter at strength 0 says "therefore rho_ss = 0"; the fit gives 6e-6 there.
+///    Strength 0 is no scattering.
+/// 8. The thin film always has air outside, as in the text, and lies below the clearcoat without an
+///    interface between. A base of F0 above 0.9999 gets the phase that the text's code gives it.
+/// 9. A clearcoat with a normal of its own is a BRDF about that normal: its cosine replaces that of
+///    the base. Clearcoat and sheen cover both sides of a surface.
+/// 10. The prose of KHR_materials_diffuse_transmission multiplies the colour texture by the factor
+///    of the strength; its formula, by the colour factor: the formula holds. (That is done where
+///    textures are read.)
+#pragma once
+
+#include <gltfx/material.hpp>
+
+#include "bake/clearcoat.hpp"
+#include "bake/conserving.hpp"
+#include "bake/fresnel.hpp"
+#include "bake/lobes.hpp"
+
+namespace gltfx::bake {
+
+/// Hands the leaves below a node to visitor(leaf, probability); those that are never chosen not.
+template <class Node, class Visitor>
+void visit_node(const Node& node, Visitor& visitor, double probability) {
+  if (probability <= 0) return;
+  if constexpr (requires { node.visit(visitor, probability); }) {
+    node.visit(visitor, probability);
+  } else {
+    visitor(node, probability);
+  }
+}
+
+/// mix(bsdf0, bsdf1, factor) = (1 - factor) * bsdf0 + factor * bsdf1
+template <class Bsdf0, class Bsdf1>
+struct mix : Lobe {
+  Bsdf0 bsdf0;
+  Bsdf1 bsdf1;
+  double factor;
+  double chance;  ///< of sampling bsdf1
+
+  mix(const Bsdf0& a, const Bsdf1& b, double f) : bsdf0(a), bsdf1(b), factor(f) {
+    power = (1 - f) * a.power + f * b.power;
+    chance = power > 0 ? f * b.power / power : f;
+    is_delta = (chance >= 1 || a.is_delta) && (chance <= 0 || b.is_delta);
+  }
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (factor <= 0) return bsdf0.eval(d, through);
+    if (factor >= 1) return bsdf1.eval(d, through);
+    return (1 - factor) * bsdf0.eval(d, through) + factor * bsdf1.eval(d, through);
+  }
+  double pdf(const Directions& d) const {
+    if (chance <= 0) return bsdf0.pdf(d);
+    if (chance >= 1) return bsdf1.pdf(d);
+    return (1 - chance) * bsdf0.pdf(d) + chance * bsdf1.pdf(d);
+  }
+  Proposal sample(const Vec3d& v, Random3 r) const {
+    return choose(chance, r.lobe) ? bsdf1.sample(v, r) : bsdf0.sample(v, r);
+  }
+  template <class Visitor>
+  void visit(Visitor& visitor, double probability) const {
+    visit_node(bsdf0, visitor, probability * (1 - chance));
+    visit_node(bsdf1, visitor, probability * chance);
+  }
+};
+
+/// conductor_fresnel(f0, bsdf): tints a BSDF by the Fresnel term of a metal;
+/// iridescent_conductor_layer where there is a film.
+template <class Bsdf>
+struct conductor_fresnel : Lobe {
+  Fresnel fresnel;
+  Bsdf bsdf;
+
+  conductor_fresnel(const Fresnel& f, const Bsdf& b, const Vec3d& v)
+      : Lobe{max_value(f.at(v.z)) * b.power, b.is_delta}, fresnel(f), bsdf(b) {}
+  Rgb eval(const Directions& d, const Through& through) const {
+    const Rgb value = bsdf.eval(d, through);
+    return value.x == 0 ? Rgb() : value * fresnel.at(d.v_h);
+  }
+  double pdf(const Directions& d) const { return bsdf.pdf(d); }
+  Proposal sample(const Vec3d& v, const Random3& r) const { return bsdf.sample(v, r); }
+  template <class Visitor>
+  void visit(Visitor& visitor, double probability) const {
+    visit_node(bsdf, visitor, probability);
+  }
+};
+
+/// fresnel_mix(ior, base, layer): the layer reflects what the Fresnel term says, the base gets the
+/// rest; in the form of KHR_materials_specular, `fr * layer + (1 - max_value(fr)) * base`, and as
+/// iridescent_dielectric_layer (rgb_mix) where there is a film.
+template <class Base, class Layer>
+struct fresnel_mix : Lobe {
+  Fresnel fresnel;
+  Base base;
+  Layer layer;
+  Held held;
+  double chance;  ///< of sampling the layer
+
+  fresnel_mix(const Fresnel& f, const Base& b, const Layer& l, const Vec3d& v, const Held& h)
+      : fresnel(f), base(b), layer(l), held(h) {
+    const Rgb fr = f.at(v.z);
+    const double reflected = max_value(fr) * l.power;
+    const double passed = (1 - max_value(fr)) * b.power;
+    power = reflected + passed;
+    // Facets are inclined: what the flat surface says of either part is a guess.
+    chance = b.power <= 0 ? 1 : max_value(f.f90) <= 0 && f.eta >= 1 ? 0 : reflected / power;
+    if (chance > 0 && chance < 1) chance = std::fmin(std::fmax(chance, 0.02), 0.98);
+    is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);
+  }
+  Rgb eval(const Directions& d, const Through& through) const {
+    const Rgb fr = fresnel.at(d.v_h);
+    const Rgb reflected = fr * layer.eval(d, through);
+    if (base.power <= 0) return reflected;
+    const double rest = 1 - max_value(fr);
+    Through below{through.diffuse * rest * held.factor(d.l.z), through.specular * rest};
+    if (d.opposite && fresnel.eta != 1) {
+      const double cosine = dot(d.v, refraction_half(d, fresnel.eta));
+      below.specular = through.specular * (1 - max_value(fresnel.at(cosine)));
+    }
+    return reflected + base.eval(d, below);
+  }
+  double pdf(const Directions& d) const {
+    if (chance >= 1) return layer.pdf(d);
+    return chance * layer.pdf(d) + (1 - chance) * base.pdf(d);
+  }
+  Proposal sample(const Vec3d& v, Random3 r) const {
+    return choose(chance, r.lobe) ? layer.sample(v, r) : base.sample(v, r);
+  }
+  template <class Visitor>
+  void visit(Visitor& visitor, double probability) const {
+    visit_node(base, visitor, probability * (1 - chance));
+    visit_node(layer, visitor, probability * chance);
+  }
+};
+
+/// Sheen on top of a base: the albedo scaling of KHR_materials_sheen.
+template <class Base>
+struct sheen_layer : Lobe {
+  Rgb color;
+  sheen_brdf brdf;
+  Base base;
+  SheenScaling scaling;
+  double chance;  ///< of sampling the sheen
+
+  sheen_layer(const Rgb& c, const sheen_brdf& s, const Base& b, const SheenScaling& e)
+      : color(c), brdf(s), base(b), scaling(e) {
+    const double sheen = e.strength * e.albedo_v;
+    power = sheen + (1 - std::fmin(sheen, 1)) * b.power;
+    chance = e.strength <= 0 ? 0 : std::fmin(std::fmax(sheen / power, 0.02), 1);
+    is_delta = chance <= 0 && b.is_delta;
+  }
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (scaling.strength <= 0) return base.eval(d, through);
+    const SheenScaling::Weights weights = scaling.weights(d.l.z);
+    return color * brdf.eval(d, through) * weights.sheen + base.eval(d, through) * weights.base;
+  }
+  double pdf(const Directions& d) const {
+    if (chance <= 0) return base.pdf(d);
+    return chance * brdf.pdf(d) + (1 - chance) * base.pdf(d);
+  }
+  Proposal sample(const Vec3d& v, Random3 r) const {
+    return choose(chance, r.lobe) ? brdf.sample(v, r) : base.sample(v, r);
+  }
+  template <class Visitor>
+  void visit(Visitor& visitor, double probability) const {
+    visit_node(base, visitor, probability * (1 - chance));
+    visit_node(brdf, visitor, probability * chance);
+  }
+};
+
+/// fresnel_coat(normal, ior, weight, base, layer) of KHR_materials_clearcoat. Its Fresnel term
+/// takes the angle to the coat's normal.
+template <class Base>
+struct fresnel_coat : Lobe {
+  Base base;
+  clearcoat_brdf layer;
+  double fr;      ///< weight times Fresnel
+  double chance;  ///< of sampling the layer
+
+  fresnel_coat(double ior, double weight, const Base& b, const clearcoat_brdf& l)
+      : base(b), layer(l), fr(weight * schlick(f0_of_ior(ior, 1), std::fabs(l.v.z))) {
+    power = fr + (1 - fr) * b.power;
+    chance = fr <= 0 ? 0 : fr / power;
+    is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);
+  }
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (fr <= 0) return base.eval(d, through);
+    return (1 - fr) * base.eval(d, through) + fr * layer.eval(d, through);
+  }
+  double pdf(const Directions& d) const {
+    if (chance <= 0) return base.pdf(d);
+    return (1 - chance) * base.pdf(d) + chance * layer.pdf(d);
+  }
+  Proposal sample(const Vec3d& v, Random3 r) const {
+    return choose(chance, r.lobe) ? layer.sample(v, r) : base.sample(v, r);
+  }
+  template <class Visitor>
+  void visit(Visitor& visitor, double probability) const {
+    visit_node(base, visitor, probability * (1 - chance));
+    visit_node(layer, visitor, probability * chance);
+  }
+};
+
+}  // namespace gltfx::bake

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The layer of KHR_materials_clearcoat: specular_brdf about a normal of its own.
+#pragma once
+
+#include "bake/lobes.hpp"
+
+namespace gltfx::bake {
+
+/// A turned frame; of no effect when its normal is +z.
+struct CoatFrame {
+  Vec3d x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+
+  CoatFrame() = default;
+  /// With the tangent as near to +x as it can be.
+  explicit CoatFrame(const Vec3d& normal);
+  Vec3d into(const Vec3d& w) const { return {dot(w, x), dot(w, y), dot(w, z)}; }
+  Vec3d out_of(const Vec3d& w) const { return w.x * x + w.y * y + w.z * z; }
+};
+
+/// clearcoat_brdf = specular_brdf(normal, alpha). Values are those of a BRDF about +z: the cosine
+/// to its own normal is in, that to +z divided out.
+struct clearcoat_brdf : Lobe {
+  CoatFrame frame;
+  Vec3d v;  ///< in that frame; below its horizon nothing is reflected
+  specular_brdf brdf;
+
+  clearcoat_brdf(const CoatFrame& f, const Microfacets& facets, const Vec3d& viewer)
+      : frame(f), v(f.into(viewer)), brdf(facets, v) {
+    power = 1;
+    is_delta = brdf.is_delta;
+  }
+  Directions in_frame(const Directions& d) const {
+    Directions turned(v, frame.into(d.l), d.measure, d.lobes);
+    turned.opposite = turned.opposite || d.opposite || v.z <= 0;
+    return turned;
+  }
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (d.l.z <= 0) return {};
+    const Directions turned = in_frame(d);
+    return brdf.eval(turned, through) * (turned.l.z / d.l.z);
+  }
+  double pdf(const Directions& d) const { return brdf.pdf(in_frame(d)); }
+  Proposal sample(const Vec3d&, const Random3& r) const {
+    if (v.z <= 0) return {{}, Measure::solid_angle, false};
+    Proposal p = brdf.sample(v, r);
+    p.l = frame.out_of(p.l);
+    p.valid = p.valid && p.l.z > 0;
+    return p;
+  }
+};
+
+}  // namespace gltfx::bake

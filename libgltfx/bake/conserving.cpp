@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/conserving.hpp"
+
+#include <algorithm>
+
+#include "bake/albedo.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+// A little more than the tables can be wrong by.
+double table_margin(double cosine) { return 3e-5 / (cosine + 0.001); }
+
+// Schlick's curve through a point: its F0 when it ends at `f90`.
+double f0_through(double reflectance, double f90, double cosine) {
+  const double w = pow5(1 - cosine);
+  return (reflectance - f90 * w) / (1 - w);
+}
+
+struct Shares {
+  double layer = 0;  // what the layer reflects
+  double base = 0;   // what 1 - F hands on to diffuse lobes
+};
+
+// Inside a volume, where total reflection makes a curve that is in no table.
+Shares integrate_shares(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
+  constexpr int kSteps = 8;
+  const double stretched = facets.stretched(v);
+  Shares sum;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const double a = (i / kSteps + 0.5) / kSteps;
+    const double b = (i % kSteps + 0.5) / kSteps;
+    const Vec3d h = facets.smooth() ? Vec3d(0, 0, 1) : facets.sample_normal(v, a, b);
+    const double v_h = dot(v, h);
+    const Vec3d l = 2 * v_h * h - v;
+    if (l.z > 0) {
+      const double weight = facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched);
+      sum.layer += weight * max_value(fresnel.at(v_h));
+    }
+    sum.base += 1 - max_value(fresnel.at(Directions(v, cosine_hemisphere(a, b)).v_h));
+  }
+  return {sum.layer / (kSteps * kSteps), sum.base / (kSteps * kSteps)};
+}
+
+}  // namespace
+
+Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
+    : active_(true),
+      inside_(fresnel.eta < 1),
+      roughness_t_(std::sqrt(facets.alpha_t)),
+      roughness_b_(std::sqrt(facets.alpha_b)),
+      f90_(max_value(fresnel.f90)) {
+  if (inside_) {
+    const Shares shares = integrate_shares(fresnel, facets, v);
+    share_v_ = shares.base > 0 ? std::clamp((1 - shares.layer) / shares.base, 0.0, 1.0) : 1;
+    return;
+  }
+  highest_f0_ = lowest_f0_ = max_value(fresnel.f0);
+  if (fresnel.film.strength > 0) {
+    f90_ = 1;
+    for (double cosine = 0.1; cosine <= 1; cosine += 0.075) {
+      const double f0 = f0_through(max_value(fresnel.at(cosine)), f90_, cosine);
+      highest_f0_ = std::clamp(f0, highest_f0_, 1.0);
+      lowest_f0_ = std::clamp(f0, 0.0, lowest_f0_);
+    }
+  }
+  share_v_ = std::min(1.0, share(v.z));
+}
+
+double Held::share(double cosine) const {
+  const SpecularAlbedo along = specular_albedo(roughness_b_, cosine);
+  double reflected = highest_f0_ * along.constant + f90_ * along.rising;
+  if (roughness_t_ != roughness_b_) {
+    const SpecularAlbedo across = specular_albedo(roughness_t_, cosine);
+    reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising);
+  }
+  const double left = 1 - reflected - f90_ * table_margin(cosine);
+  const double handed_on = 1 - lowest_f0_ - (f90_ - lowest_f0_) * diffuse_fresnel(cosine);
+  return handed_on > 0 ? std::max(0.0, left / handed_on) : 1;
+}
+
+double Held::factor(double n_l) const {
+  if (!active_) return 1;
+  return inside_ ? share_v_ : std::min(share_v_, share(n_l));
+}
+
+SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v, bool conserve)
+    : strength(max_value(color)), roughness(sheen_roughness), conserving(conserve) {
+  if (strength > 0) albedo_v = sheen_albedo(roughness, v.z);
+}
+
+SheenScaling::Weights SheenScaling::weights(double n_l) const {
+  double highest = strength * std::max(albedo_v, sheen_albedo(roughness, n_l));
+  if (conserving) highest += strength * table_margin(n_l);
+  return {conserving ? 1 / std::max(1.0, highest) : 1, std::max(0.0, 1 - highest)};
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What keeps layered materials from reflecting more than they receive, and the albedo scaling of
+/// sheen.
+///
+/// The sample implementation weights diffuse light by 1 - F(V.H), averaged over all lights. At
+/// grazing angles that is far more than what a smooth layer leaves. The conserving mode holds the
+/// diffuse light back by min(1, s(V), s(L)), where s is what the layer leaves over what the sample
+/// implementation hands on: it is reciprocal, never gains, and changes nothing where the sample
+/// implementation conserves energy. (C. Kulla and A. Conty, Revisiting Physically Based Shading at
+/// Imageworks, 2017, fill up what is missing, too; that would depart from the texts everywhere.)
+#pragma once
+
+#include "bake/fresnel.hpp"
+#include "bake/microfacet.hpp"
+
+namespace gltfx::bake {
+
+/// The factor for the diffuse lobes below an interface.
+class Held {
+ public:
+  /// Nothing is held back.
+  Held() = default;
+  Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);
+
+  /// For a light under a cosine.
+  double factor(double n_l) const;
+
+ private:
+  double share(double cosine) const;
+
+  bool active_ = false;
+  bool inside_ = false;
+  double share_v_ = 1;
+  double roughness_t_ = 1, roughness_b_ = 1;
+  double highest_f0_ = 0, lowest_f0_ = 0;  ///< curves of Schlick around the Fresnel term
+  double f90_ = 1;
+};
+
+/// What is held back below the dielectric interface of a material: nothing in spec mode, or without
+/// diffuse lobes.
+inline Held held_below(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v,
+                       const Material& material, bool conserving) {
+  const bool scatters = material.scattering == Scattering::unified && !material.volumetric();
+  const bool diffuse = material.metallic < 1 && (material.transmission < 1 || scatters);
+  return conserving && diffuse ? Held(fresnel, facets, v) : Held();
+}
+
+/// Weights of a sheen and of what is below it.
+struct SheenScaling {
+  double strength = 0;  ///< of the sheen: its strongest colour
+  double roughness = 0;
+  double albedo_v = 0;  ///< of a white sheen towards the viewer
+  bool conserving = false;
+
+  struct Weights {
+    double sheen, base;
+  };
+
+  SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v, bool conserve);
+  /// For a light under a cosine.
+  Weights weights(double n_l) const;
+};
+
+}  // namespace gltfx::bake

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The leaves of the material: BRDFs and BTDFs, with the names of the specification.
+///
+/// Each has eval (the value, without the cosine), sample (a direction) and pdf (the density of it);
+/// `power`, a guess at its albedo that mixtures choose by; `is_delta`, whether it is without width.
+/// visit() hands a leaf to a function, together with the probability of being chosen.
+#pragma once
+
+#include "bake/microfacet.hpp"
+#include "bake/sheen.hpp"
+
+namespace gltfx::bake {
+
+/// What all leaves share.
+struct Lobe {
+  double power = 0;
+  bool is_delta = false;
+};
+
+/// diffuse_brdf(color): Lambert.
+struct diffuse_brdf : Lobe {
+  Rgb color;
+
+  explicit diffuse_brdf(const Rgb& c) : Lobe{max_value(c)}, color(c) {}
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (!d.reflects(kDiffuseReflect, Measure::solid_angle)) return {};
+    return color * (through.diffuse * inv_pi);
+  }
+  double pdf(const Directions& d) const {
+    return d.reflects(kAllLobes, Measure::solid_angle) ? d.l.z * inv_pi : 0;
+  }
+  Proposal sample(const Vec3d&, const Random3& r) const { return {cosine_hemisphere(r.u, r.v)}; }
+};
+
+/// diffuse_btdf(color): Lambert on the other side.
+struct diffuse_btdf : Lobe {
+  Rgb color;
+
+  explicit diffuse_btdf(const Rgb& c) : Lobe{max_value(c)}, color(c) {}
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (!d.transmits(kDiffuseTransmit, Measure::solid_angle)) return {};
+    return color * (through.diffuse * inv_pi);
+  }
+  double pdf(const Directions& d) const {
+    return d.transmits(kAllLobes, Measure::solid_angle) ? d.l.z * inv_pi : 0;
+  }
+  Proposal sample(const Vec3d&, const Random3& r) const {
+    return {mirrored(cosine_hemisphere(r.u, r.v))};
+  }
+};
+
+/// specular_brdf(alpha): a microfacet BRDF; a mirror when it is smooth.
+struct specular_brdf : Lobe {
+  Microfacets facets;
+  double v_stretched;
+
+  specular_brdf(const Microfacets& f, const Vec3d& v)
+      : Lobe{1, f.smooth()}, facets(f), v_stretched(f.stretched(v)) {}
+  Rgb eval(const Directions& d, const Through& through) const {
+    return Rgb(value(d) * through.specular);
+  }
+  /// Without what is above it.
+  double value(const Directions& d) const {
+    if (is_delta) return hits(d, kSpecularReflect) ? 1 / d.v.z : 0;
+    if (!d.reflects(kSpecularReflect, Measure::solid_angle)) return 0;
+    return facets.visibility(d.v, v_stretched, d.l) * facets.distribution(d.h);
+  }
+  double pdf(const Directions& d) const {
+    if (is_delta) return hits(d, kAllLobes) ? 1 : 0;
+    if (!d.reflects(kAllLobes, Measure::solid_angle)) return 0;
+    return facets.visible_normals(d.v, v_stretched, d.h) / 4;
+  }
+  Proposal sample(const Vec3d& v, const Random3& r) const {
+    if (is_delta) return {{-v.x, -v.y, v.z}, Measure::delta};
+    const Vec3d h = facets.sample_normal(v, r.u, r.v);
+    const Vec3d l = 2 * dot(v, h) * h - v;
+    return {l, Measure::solid_angle, l.z > 0};
+  }
+
+ private:
+  static bool hits(const Directions& d, Lobes lobe) {
+    return d.reflects(lobe, Measure::delta) && 1 - d.h.z < 1e-12;
+  }
+};
+
+/// specular_btdf(alpha) of a thin wall (KHR_materials_transmission), and the refracting one of a
+/// volume's boundary (KHR_materials_volume; B. Walter et al., Microfacet Models for Refraction
+/// through Rough Surfaces, 2007). Tinted: `specular_btdf * color`.
+struct specular_btdf : Lobe {
+  Microfacets facets;
+  double v_stretched;
+  double eta;  ///< IOR on the light's side over that on the viewer's; 1: nothing is refracted
+  bool refracts;
+  Rgb color{1, 1, 1};
+
+  /// `volume`: the surface bounds one. A boundary between equal media leaves light alone, however
+  /// rough it is.
+  specular_btdf(const Microfacets& f, const Vec3d& v, bool volume, double relative_ior)
+      : Lobe{1, f.smooth() || (volume && std::fabs(relative_ior - 1) < 1e-9)},
+        facets(f),
+        v_stretched(f.stretched(v)),
+        eta(relative_ior),
+        refracts(volume && std::fabs(relative_ior - 1) >= 1e-9) {}
+  specular_btdf operator*(const Rgb& tint) const {
+    specular_btdf tinted = *this;
+    tinted.color = tint;
+    tinted.power = max_value(tint);
+    return tinted;
+  }
+
+  /// Half vector of a pair of directions on the viewer's side: H_T, or H_TR.
+  Vec3d half(const Directions& d) const { return refracts ? refraction_half(d, eta) : d.h; }
+  Rgb eval(const Directions& d, const Through& through) const;
+  double pdf(const Directions& d) const;
+  Proposal sample(const Vec3d& v, const Random3& r) const;
+
+ private:
+  bool hits(const Directions& d, Lobes lobe) const;
+  /// Density of directions over that of normals.
+  double jacobian(double v_h, double l_h) const;
+};
+
+/// scatter_bsdf(color, g) of KHR_materials_scatter: Lambert on both sides.
+struct scatter_bsdf : Lobe {
+  Rgb color;
+  double forward;
+
+  scatter_bsdf(const Rgb& c, double g) : Lobe{max_value(c)}, color(c), forward((1 + g) / 2) {}
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (d.measure != Measure::solid_angle) return {};
+    if ((d.lobes & (d.opposite ? kDiffuseTransmit : kDiffuseReflect)) == 0) return {};
+    return color * ((d.opposite ? forward : 1 - forward) * through.diffuse * inv_pi);
+  }
+  double pdf(const Directions& d) const {
+    if (d.measure != Measure::solid_angle) return 0;
+    return (d.opposite ? forward : 1 - forward) * d.l.z * inv_pi;
+  }
+  Proposal sample(const Vec3d&, const Random3& r) const {
+    double u = r.u;
+    const bool onwards = choose(forward, u);
+    const Vec3d l = cosine_hemisphere(u, r.v);
+    return {onwards ? mirrored(l) : l};
+  }
+};
+
+/// sheen_brdf: fibres that stand up. Chosen uniformly over the hemisphere, as it is strongest at
+/// grazing angles.
+struct sheen_brdf : Lobe {
+  Fibres fibres;
+  double lambda_v;
+  double n_v;
+
+  sheen_brdf(double sheen_roughness, const Vec3d& v)
+      : Lobe{1}, fibres(sheen_roughness), lambda_v(fibres.lambda(v.z)), n_v(v.z) {}
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (!d.reflects(kSpecularReflect, Measure::solid_angle) || d.l.z <= 0) return {};
+    return Rgb(fibres.distribution(d.h.z) * fibres.visibility(n_v, lambda_v, d.l.z) *
+               through.specular);
+  }
+  double pdf(const Directions& d) const {
+    return d.reflects(kAllLobes, Measure::solid_angle) ? inv_pi / 2 : 0;
+  }
+  Proposal sample(const Vec3d&, const Random3& r) const { return {uniform_hemisphere(r.u, r.v)}; }
+};
+
+}  // namespace gltfx::bake

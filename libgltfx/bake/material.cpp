@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/material.hpp"
+
+#include <algorithm>
+
+namespace gltfx::bake {
+namespace {
+
+constexpr double kGrazing = 1e-7;     // cosine below which nothing can be told from the horizon
+constexpr double kInfiniteIor = 1e4;  // for ior 0, where light is refracted all the same
+
+// IOR behind the surface over that in front of it.
+double relative_ior(const Material& m, int channel) {
+  if (m.ior == 0) return kInfiniteIor;
+  const bool disperses = m.dispersion > 0 && channel >= 0 && channel < 3;
+  const double ior = disperses ? dispersed_ior(m.ior, m.dispersion)[channel] : m.ior;
+  return ior / m.outside_ior;
+}
+
+// As the mirrored surface has it.
+Material seen_from_behind(const Material& material) {
+  Material m = material;
+  m.clearcoat_normal.x = -m.clearcoat_normal.x;
+  m.clearcoat_normal.y = -m.clearcoat_normal.y;
+  return m;
+}
+
+Vec3d in_front(const Vec3d& v) { return {v.x, v.y, std::max(std::fabs(v.z), kGrazing)}; }
+
+}  // namespace
+
+Bsdf::Bsdf(const Material& m, const Vec3d& v, const ShaderOptions& options)
+    : flipped_(v.z < 0),
+      v_(in_front(v)),
+      graph_(flipped_
+                 ? material_graph(seen_from_behind(m), v_, 1 / relative_ior(m, options.channel),
+                                  options.mode == ShaderMode::conserving)
+                 : material_graph(m, v_, relative_ior(m, options.channel),
+                                  options.mode == ShaderMode::conserving)) {}
+
+Evaluation Bsdf::evaluate(const Vec3d& l) const {
+  if (std::fabs(l.z) < kGrazing) return {};
+  const Directions d(v_, flipped_ ? mirrored(l) : l);
+  return {graph_.eval(d, {}), graph_.pdf(d)};
+}
+
+std::optional<MaterialSample> Bsdf::sample(const Random3& random) const {
+  const Proposal p = graph_.sample(v_, random);
+  if (!p.valid || std::fabs(p.l.z) < kGrazing) return std::nullopt;
+  const Directions d(v_, p.l, p.measure);
+  const double density = graph_.pdf(d);
+  if (!(density > 0)) return std::nullopt;
+  const Rgb weight = graph_.eval(d, {}) * (d.l.z / density);
+  if (!(max_value(weight) > 0)) return std::nullopt;
+  return MaterialSample{flipped_ ? mirrored(p.l) : p.l, weight, density,
+                        p.measure == Measure::delta};
+}
+
+namespace {
+
+// Sums what all leaves send back of an environment of radiance 1: directions as each leaf would
+// take them, weighted against the density of them all.
+template <class Graph>
+class Integration {
+ public:
+  Integration(const Graph& graph, const Vec3d& v, int resolution)
+      : graph_(graph), v_(v), resolution_(resolution) {}
+
+  template <class Leaf>
+  void operator()(const Leaf& leaf, double probability) {
+    if (leaf.is_delta) {
+      add(leaf.sample(v_, {}), probability);
+      return;
+    }
+    for (int i = 0; i < resolution_; ++i) {
+      const double t = (i + 0.5) / resolution_;  // crowds towards both ends, where integrands bend
+      const double share = probability * 6 * t * (1 - t) / (resolution_ * resolution_);
+      for (int j = 0; j < resolution_; ++j) {
+        const double turn = (j + 0.5) / resolution_;
+        add(leaf.sample(v_, {0.5, t * t * (3 - 2 * t), turn}), share);
+      }
+    }
+  }
+
+  Albedo albedo() const {
+    Albedo sum = sum_;
+    sum.total =
+        sum.diffuse_reflect + sum.diffuse_transmit + sum.specular_reflect + sum.specular_transmit;
+    return sum;
+  }
+
+ private:
+  void add(const Proposal& p, double share) {
+    if (!p.valid || std::fabs(p.l.z) < kGrazing) return;
+    Directions d(v_, p.l, p.measure);
+    const double density = graph_.pdf(d);
+    if (!(density > 0)) return;
+    const auto value = [&](Lobes lobe) {
+      d.lobes = lobe;
+      return graph_.eval(d, {}) * (share * d.l.z / density);
+    };
+    sum_.diffuse_reflect += value(kDiffuseReflect);
+    sum_.diffuse_transmit += value(kDiffuseTransmit);
+    sum_.specular_reflect += value(kSpecularReflect);
+    sum_.specular_transmit += value(kSpecularTransmit);
+  }
+
+  const Graph& graph_;
+  Vec3d v_;
+  int resolution_;
+  Albedo sum_;
+};
+
+}  // namespace
+
+Albedo Bsdf::integrate(int resolution) const {
+  Integration<Graph> integration(graph_, v_, resolution);
+  visit_node(graph_, integration, 1);
+  return integration.albedo();
+}
+
+}  // namespace gltfx::bake
+
+namespace gltfx {
+
+Material specular_glossiness(const Rgb& diffuse, const Rgb& specular, double glossiness) {
+  Material m;
+  m.base_color = diffuse;
+  m.specular_color = specular;
+  m.roughness = 1 - glossiness;
+  m.metallic = 0;
+  m.ior = 0;
+  return m;
+}
+
+void add_translucency(Material& material, double factor) {
+  material.diffuse_transmission = factor;
+  material.diffuse_transmission_color = material.base_color;
+}
+
+Rgb evaluate(const Material& material, const Vec3d& v, const Vec3d& l,
+             const ShaderOptions& options) {
+  return material.unlit ? Rgb() : bake::Bsdf(material, v, options).evaluate(l).f;
+}
+
+double pdf(const Material& material, const Vec3d& v, const Vec3d& l, const ShaderOptions& options) {
+  return material.unlit ? 0 : bake::Bsdf(material, v, options).evaluate(l).pdf;
+}
+
+std::optional<MaterialSample> sample(const Material& material, const Vec3d& v,
+                                     const Random3& random, const ShaderOptions& options) {
+  if (material.unlit) return std::nullopt;
+  return bake::Bsdf(material, v, options).sample(random);
+}
+
+Albedo integrate(const Material& material, const Vec3d& v, const ShaderOptions& options,
+                 int resolution) {
+  if (material.unlit) return {};
+  return bake::Bsdf(material, v, options).integrate(std::max(resolution, 1));
+}
+
+Rgb emitted(const Material& material, const Vec3d& v) {
+  if (material.unlit) return material.base_color;
+  const double cosine = std::fabs(dot(v, material.clearcoat_normal));
+  const double coat = material.clearcoat * bake::schlick(bake::f0_of_ior(1.5, 1), cosine);
+  return material.emissive * (1 - coat);
+}
+
+}  // namespace gltfx

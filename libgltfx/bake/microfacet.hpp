@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The Trowbridge-Reitz (GGX) distribution of microfacets with the Smith profile, isotropic and
+/// anisotropic: Appendix B, KHR_materials_transmission, KHR_materials_anisotropy; E. Heitz,
+/// Understanding the Masking-Shadowing Function (JCGT 2014).
+#pragma once
+
+#include "bake/directions.hpp"
+
+namespace gltfx::bake {
+
+/// Below this alpha (roughness 0.01) a lobe is narrower than what any picture shows: it is taken as
+/// a mirror, which Appendix B asks for at 0.
+inline constexpr double kSmoothAlpha = 1e-4;
+
+struct Microfacets {
+  double alpha_t = 1, alpha_b = 1;  ///< along and across the direction of anisotropy
+  double cosine = 1, sine = 0;      ///< that direction, from the tangent
+  bool isotropic() const { return alpha_t == alpha_b; }
+  bool smooth() const { return alpha_b <= kSmoothAlpha && alpha_t <= kSmoothAlpha; }
+
+  Vec3d turned(const Vec3d& w) const {
+    if (isotropic()) return w;
+    return {cosine * w.x + sine * w.y, cosine * w.y - sine * w.x, w.z};
+  }
+  Vec3d turned_back(const Vec3d& w) const {
+    if (isotropic()) return w;
+    return {cosine * w.x - sine * w.y, cosine * w.y + sine * w.x, w.z};
+  }
+
+  /// D
+  double distribution(const Vec3d& half) const {
+    const Vec3d h = turned(half);
+    const double sum = square(h.x / alpha_t) + square(h.y / alpha_b) + square(h.z);
+    return 1 / (pi * alpha_t * alpha_b * square(sum));
+  }
+
+  /// sqrt(alpha^2 + (1 - alpha^2) (N.w)^2) of the texts.
+  double stretched(const Vec3d& direction) const {
+    const Vec3d w = turned(direction);
+    return std::sqrt(square(alpha_t * w.x) + square(alpha_b * w.y) + square(w.z));
+  }
+
+  /// Height-correlated masking and shadowing over 4 |N.L| |N.V|.
+  double visibility(const Vec3d& v, double v_stretched, const Vec3d& l) const {
+    return 0.5 / (l.z * v_stretched + v.z * stretched(l));
+  }
+  /// The separable form over 4 |N.L| |N.V|.
+  double separable_visibility(const Vec3d& v, double v_stretched, const Vec3d& l) const {
+    return 1 / ((l.z + stretched(l)) * (v.z + v_stretched));
+  }
+
+  /// Density of normals seen from v, over v.h.
+  double visible_normals(const Vec3d& v, double v_stretched, const Vec3d& h) const {
+    return 2 / (v.z + v_stretched) * distribution(h);
+  }
+
+  /// A normal with the density above (J. Dupuy and A. Benyoub, Sampling Visible GGX Normals with
+  /// Spherical Caps, 2023).
+  Vec3d sample_normal(const Vec3d& viewer, double u, double v) const {
+    const Vec3d w = turned(viewer);
+    const Vec3d stretch = normalize({alpha_t * w.x, alpha_b * w.y, w.z});
+    const double z = (1 - u) * (1 + stretch.z) - stretch.z;
+    const double radius = std::sqrt(std::fmax(0.0, 1 - z * z));
+    const double phi = 2 * pi * v;
+    const Vec3d cap(radius * std::cos(phi) + stretch.x, radius * std::sin(phi) + stretch.y,
+                    z + stretch.z);
+    return turned_back(normalize({alpha_t * cap.x, alpha_b * cap.y, std::fmax(1e-12, cap.z)}));
+  }
+};
+
+/// KHR_materials_anisotropy: the direction's alpha grows, the other keeps the material's.
+inline Microfacets microfacets(double roughness, double anisotropy = 0, double rotation = 0) {
+  const double alpha = square(roughness);
+  if (anisotropy == 0) return {alpha, alpha, 1, 0};
+  const double along = alpha + (1 - alpha) * square(anisotropy);
+  return {along, std::fmax(alpha, kSmoothAlpha), std::cos(rotation), std::sin(rotation)};
+}
+
+}  // namespace gltfx::bake
