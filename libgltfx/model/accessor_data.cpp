@@ -197,6 +197,24 @@ void AccessorData::copy(std::byte* to, std::uint64_t first, std::size_t count) c
   }
 }
 
+// Sparse indices increase, as for replace(): half of what is left falls away at each step.
+void AccessorData::read_one(std::byte* to, std::uint64_t index) const {
+  copy(to, index, 1);
+  std::uint64_t first = 0;
+  std::uint64_t last = sparse_count_;
+  while (first < last) {
+    const std::uint64_t middle = first + (last - first) / 2;
+    if (sparse_indices_.index(middle) < index) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
+  }
+  if (first == sparse_count_ || sparse_indices_.index(first) != index) return;
+  const std::size_t size = std::size_t{component_size_} * components_;
+  std::memcpy(to, sparse_values_.view().data() + first * size, size);
+}
+
 void AccessorData::replace(std::byte* to, std::uint64_t first, std::size_t count,
                            std::uint64_t& next) const {
   const std::size_t size = std::size_t{component_size_} * components_;

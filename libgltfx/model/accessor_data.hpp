@@ -69,6 +69,9 @@ class AccessorData {
     replace(to, first, count, next);
   }
 
+  /// Copies one element, wherever it is. Precondition: `index` is below count().
+  void read_one(std::byte* to, std::uint64_t index) const;
+
   /// Calls `visit(values, elements, first)` over all elements in order: `values` has
   /// elements * components() numbers and is only valid during the call, `first` is the index of the
   /// first element. T is the component's type. Where the data lies packed nothing is copied.

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/data/decode_views.hpp"
 
-#include <cstring>
-#include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "base/parallel.hpp"
-#include "model/meshopt_view.hpp"
+#include "model/meshopt_decode.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -19,24 +15,7 @@ namespace {
 namespace meshopt = model::meshopt;
 using meshopt::Fault;
 
-// What may be decoded of one asset: all of one of a usual size, and what streams of usual data
-// hold. A stream of nothing but zeros holds a thousand times its size, and views may share it.
-constexpr std::uint64_t kFreeBytes = std::uint64_t{128} << 20U;
-constexpr std::uint64_t kBytesPerByte = 8;
-
-// A view on its way.
-struct Job {
-  std::uint32_t index = 0;  ///< of the buffer view
-  model::MeshoptView view;
-  container::Bytes stream;
-  std::optional<container::Bytes> plain;  ///< the copy for readers without the extension
-  bool affordable = false;                ///< within what may be decoded, all views together
-  // What decoding gives.
-  Fault fault = Fault::none;
-  meshopt::Misfits misfits{};
-  bool differs = false;
-  container::Bytes elements{};
-};
+using Job = model::DecodedStream;
 
 std::string_view mode_text(meshopt::Mode mode) {
   constexpr std::string_view kTexts[] = {"attributes", "triangles", "indices"};
@@ -84,70 +63,19 @@ std::string sentence(const Job& job, Fault fault) {
   }
 }
 
-// Only numbers as they were; triangles may begin with another of their corners.
-bool is_exact(const meshopt::Layout& layout) {
-  return layout.filter == meshopt::Filter::none && layout.mode != meshopt::Mode::triangles;
-}
-
-void decode(Job& job) {
-  const meshopt::Layout& layout = job.view.layout;
-  const auto size = static_cast<std::size_t>(*layout.decoded_size());
-  const auto memory = std::make_shared_for_overwrite<std::byte[]>(size);
-  const std::span<std::byte> elements(memory.get(), size);
-  job.fault = meshopt::decode(job.stream.view(), layout, elements);
-  if (job.fault != Fault::none) return;
-  job.misfits = meshopt::find_misfits(layout, elements);
-  if (job.misfits.count != 0) return;
-  meshopt::apply_filter(layout, elements);
-  if (!job.plain) {
-    job.elements = container::Bytes(elements, memory);
-  } else if (is_exact(layout) && job.plain->size() == size) {
-    job.differs = std::memcmp(job.plain->view().data(), elements.data(), size) != 0;
-  }
-}
-
-class Decoding {
+class Reporting {
  public:
-  Decoding(const Context& context, model::ResourceData& resources, Sink& sink)
+  Reporting(const Context& context, model::ResourceData& resources, Sink& sink)
       : context_(context), resources_(resources), sink_(sink) {}
 
   void run() {
-    collect();
-    parallel_ordered(
-        jobs_.size(), context_.options.jobs,
-        [&](std::size_t i) {
-          if (jobs_[i].fault == Fault::none && jobs_[i].affordable) decode(jobs_[i]);
-        },
-        [&](std::size_t i) { finish(jobs_[i]); });
+    for (Job& job :
+         model::decode_streams(context_.asset, context_.views, resources_, context_.options.jobs)) {
+      finish(job);
+    }
   }
 
  private:
-  // What memory there may be is settled here, view by view, whatever the number of threads.
-  void collect() {
-    const auto& views = context_.views.buffer_views;
-    std::uint64_t left = kFreeBytes;
-    for (const auto& buffer : resources_.buffers) {
-      if (buffer) left += buffer->size() * kBytesPerByte;
-    }
-    for (std::uint32_t i = 0; i < views.size(); ++i) {
-      auto view = model::read_meshopt_view(context_.asset, views[i].node);
-      if (!view) continue;
-      auto stream = model::stream_bytes(*view, resources_);
-      if (!stream) continue;
-      Job job{i, *view, *std::move(stream), plain_bytes(views[i])};
-      job.fault = meshopt::check_size(job.stream.view(), view->layout);
-      const auto size = view->layout.decoded_size();
-      job.affordable = size && *size <= left;
-      if (job.affordable && job.fault == Fault::none) left -= *size;
-      jobs_.push_back(std::move(job));
-    }
-  }
-
-  std::optional<container::Bytes> plain_bytes(const model::BufferView& view) const {
-    if (!view.byte_length) return std::nullopt;
-    return resources_.part(context_.document, view, 0, *view.byte_length);
-  }
-
   void report(const Job& job, std::string_view code, std::string message) const {
     const Path root;
     const Path views(root, "bufferViews");
@@ -184,13 +112,12 @@ class Decoding {
   const Context& context_;
   model::ResourceData& resources_;
   Sink& sink_;
-  std::vector<Job> jobs_;
 };
 
 }  // namespace
 
 void decode_views(const Context& context, model::ResourceData& resources, Sink& sink) {
-  if (!context.khronos()) Decoding(context, resources, sink).run();
+  if (!context.khronos()) Reporting(context, resources, sink).run();
 }
 
 }  // namespace gltfx::validate

@@ -19,31 +19,10 @@ namespace {
 using model::Accessor;
 using model::AccessorData;
 using model::ComponentType;
-using model::ElementType;
 using model::Format;
 
-ComponentType component_of(codec::Component component) {
-  static constexpr ComponentType kTypes[] = {
-      ComponentType::int8,  ComponentType::uint8,  ComponentType::int16,   ComponentType::uint16,
-      ComponentType::int32, ComponentType::uint32, ComponentType::float32, ComponentType::none};
-  return kTypes[static_cast<std::size_t>(component)];
-}
-
-// What glTF calls elements of so many components; none where it has no such type.
-ElementType element_of(std::uint32_t components) {
-  static constexpr ElementType kTypes[] = {ElementType::none, ElementType::scalar,
-                                           ElementType::vec2, ElementType::vec3, ElementType::vec4};
-  return components < std::size(kTypes) ? kTypes[components] : ElementType::none;
-}
-
-// Bitstreams do not say reliably whether integers are normalized: encoders leave that out.
-Format format_of(const codec::DracoAttribute& attribute, const Accessor& accessor) {
-  return {element_of(attribute.components), component_of(attribute.component),
-          accessor.format.normalized};
-}
-
 std::string text_of(const codec::DracoAttribute& attribute) {
-  const Format format{element_of(attribute.components), component_of(attribute.component), false};
+  const Format format = model::format_of(attribute, false);
   if (format.known()) return model::format_text(format);
   return fmt::format("{} components of a type that glTF lacks", attribute.components);
 }
@@ -71,7 +50,7 @@ class PrimitiveCheck {
 
   void run() {
     const json::Document& document = phase_.context.document;
-    const json::NodeId ids = model::object_member(document, site_.object, "attributes");
+    const json::NodeId ids = model::object_member(document, site_.reference.object, "attributes");
     if (ids != json::kNoNode) {
       for (const auto member : document.members(ids)) {
         const auto id = document.unsigned_integer(member.value);
@@ -108,10 +87,8 @@ class PrimitiveCheck {
     const auto attribute = std::find_if(plain.begin(), plain.end(),
                                         [&](const auto& each) { return each.name == name; });
     if (attribute == plain.end()) return;  // said of the extension
-    const auto decoded =
-        std::find_if(mesh_.attributes.begin(), mesh_.attributes.end(),
-                     [&](const codec::DracoAttribute& each) { return each.id == id; });
-    if (decoded == mesh_.attributes.end()) {
+    const codec::DracoAttribute* decoded = model::find_attribute(mesh_, id);
+    if (decoded == nullptr) {
       return report(name, value, "DRACO_ATTRIBUTE_ID_UNKNOWN",
                     fmt::format("The bitstream has no attribute with id {}.", id));
     }
@@ -126,7 +103,7 @@ class PrimitiveCheck {
                     const codec::DracoAttribute& decoded) {
     const Format& format = accessor(index).format;
     if (!format.known()) return false;
-    if (format_of(decoded, accessor(index)) == format) return true;
+    if (model::format_of(decoded, format.normalized) == format) return true;
     report(name, value, "DRACO_FORMAT_MISMATCH",
            fmt::format("The bitstream holds {}, but accessor {} is {}.", text_of(decoded), index,
                        model::format_text(format)));
@@ -174,7 +151,8 @@ class PrimitiveCheck {
                                         mesh_.faces, count, index, *target.count));
     }
     const ComponentType type = target.format.component;
-    if (!model::can_index_elements(type) || target.format.type != ElementType::scalar) return;
+    if (!model::can_index_elements(type) || target.format.type != model::ElementType::scalar)
+      return;
     if (mesh_.points > 0 && !model::value_range(type).contains(mesh_.points - 1.0)) {
       return report_indices("DRACO_INDEX_TYPE_TOO_SMALL",
                             fmt::format("The bitstream holds {} points, which {} cannot count.",

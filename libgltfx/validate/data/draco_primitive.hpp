@@ -2,11 +2,11 @@
 /// One primitive and the mesh that its bitstream holds.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "codec/client.hpp"
+#include "model/draco.hpp"
 #include "model/mesh.hpp"
 #include "validate/data/phases.hpp"
 
@@ -16,8 +16,7 @@ struct DracoPrimitive {
   std::uint32_t mesh = 0;
   std::uint32_t index = 0;  ///< in the mesh
   const model::Primitive* primitive = nullptr;
-  json::NodeId object = json::kNoNode;  ///< of the extension
-  std::size_t payload = 0;              ///< position among the payloads
+  model::DracoReference reference;
 };
 
 /// Calls `use` with the path of the primitive.

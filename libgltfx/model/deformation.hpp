@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Morph targets and skins applied to vertices (specification sections 3.7.2.2 and 3.7.3).
+#pragma once
+
+#include <span>
+
+#include "model/geometry.hpp"
+
+namespace gltfx::model {
+
+/// Adds the morph targets by their weights. Targets with weight 0, and those whose data cannot be
+/// read, change nothing.
+void morph(const PrimitiveData& data, std::span<const float> weights,
+           std::span<const std::uint32_t> tex_coords, Geometry& geometry);
+
+/// Moves vertices with their joints. Weights that do not add up to 1 are brought there; a vertex
+/// without weights follows its first joint. Nothing happens where joints or weights cannot be read.
+void skin(const PrimitiveData& data, std::span<const Affine> joints, Geometry& geometry);
+
+}  // namespace gltfx::model

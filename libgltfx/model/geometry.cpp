@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/geometry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/checked.hpp"
+#include "model/deformation.hpp"
+
+namespace gltfx::model {
+namespace {
+
+constexpr std::uint32_t kNoRestart = UINT32_MAX;
+
+template <std::size_t N>
+bool is_finite(const std::array<float, N>& values) {
+  return std::all_of(values.begin(), values.end(), [](float each) { return std::isfinite(each); });
+}
+
+// To length 1; what has none, or none that can be told, becomes zero.
+template <std::size_t N>
+void normalize_direction(std::array<float, N>& vector) {
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    square += static_cast<double>(vector[k]) * static_cast<double>(vector[k]);
+  }
+  const double factor = square > 0 && std::isfinite(square) ? 1 / std::sqrt(square) : 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    vector[k] = factor > 0 ? static_cast<float>(static_cast<double>(vector[k]) * factor) : 0;
+  }
+}
+
+class GeometryReader {
+ public:
+  GeometryReader(const PrimitiveData& data, const GeometryRequest& request, Geometry& geometry)
+      : data_(data), request_(request), geometry_(geometry) {}
+
+  GeometryFault read(MemoryBudget& budget) {
+    const auto positions = data_.open(SemanticKind::position);
+    if (!positions || positions->components() != 3) return GeometryFault::no_positions;
+    if (positions->count() >= kNoRestart) return GeometryFault::too_large;
+    count_ = static_cast<std::size_t>(positions->count());
+    if (!budget.take(size())) return GeometryFault::too_large;
+    geometry_.positions.resize(count_);
+    read_elements(*positions, geometry_.positions);
+    read_attributes();
+    read_triangles();
+    morph(data_, request_.weights, request_.tex_coords, geometry_);
+    if (!request_.joints.empty()) skin(data_, request_.joints, geometry_);
+    finish();
+    return geometry_.triangles.empty() ? GeometryFault::empty : GeometryFault::none;
+  }
+
+ private:
+  bool has(SemanticKind kind) const { return data_.primitive().find(kind) != nullptr; }
+
+  std::uint64_t index_count() const {
+    if (data_.packed() != nullptr) return data_.packed()->indices.size();
+    const auto& indices = data_.primitive().indices;
+    if (!indices) return count_;
+    return data_.source().views.accessors[*indices].count.value_or(0);
+  }
+
+  // Bytes of all that will be read.
+  Checked size() const {
+    std::uint64_t vertex = sizeof(float) * (3 + 2 * request_.tex_coords.size());
+    if (has(SemanticKind::normal)) vertex += sizeof(float) * 3;
+    if (has(SemanticKind::tangent)) vertex += sizeof(float) * 4;
+    if (has(SemanticKind::color)) vertex += sizeof(float) * 4;
+    const Checked triangles = checked_mul(index_count(), sizeof(Triangle));
+    return triangles ? checked_add(*triangles, count_ * vertex) : std::nullopt;
+  }
+
+  // True when there are as many elements as vertices. An attribute without bytes is all zeros: of
+  // use to morph targets, and for texture coordinates.
+  template <std::size_t N>
+  bool read(SemanticKind kind, std::uint64_t set, unsigned least, Vectors<N>& to) const {
+    const Attribute* attribute = data_.primitive().find(kind, set);
+    if (attribute == nullptr) return false;
+    const auto elements = data_.open(kind, set);
+    if (!elements && !is_implied(*attribute)) return false;
+    if (elements && (elements->count() != count_ || elements->components() < least ||
+                     elements->components() > N)) {
+      return false;
+    }
+    to.resize(count_);
+    if (elements) read_elements(*elements, to);
+    return true;
+  }
+
+  bool is_implied(const Attribute& attribute) const {
+    if (!attribute.accessor || data_.packed() != nullptr) return false;
+    const Accessor& accessor = data_.source().views.accessors[*attribute.accessor];
+    return accessor.count == count_ && !accessor.buffer_view && accessor.sparse == json::kNoNode;
+  }
+
+  void read_attributes() {
+    read(SemanticKind::normal, 0, 3, geometry_.normals);
+    // Tangents without normals have no surface to lie in.
+    if (!geometry_.normals.empty()) read(SemanticKind::tangent, 0, 4, geometry_.tangents);
+    for (const std::uint32_t set : request_.tex_coords) {
+      read(SemanticKind::texcoord, set, 2, geometry_.tex_coords.emplace_back());
+    }
+    if (!has(SemanticKind::color)) return;
+    geometry_.colors.assign(count_, {1, 1, 1, 1});
+    if (!read(SemanticKind::color, 0, 3, geometry_.colors)) geometry_.colors.clear();
+  }
+
+  void read_triangles() {
+    const auto vertices = static_cast<std::uint32_t>(count_);
+    if (const codec::DracoMesh* mesh = data_.packed()) {
+      TriangleAssembly assembly(Mode::triangles, vertices, kNoRestart, geometry_.triangles);
+      geometry_.triangles.reserve(mesh->indices.size() / 3);
+      for (const std::uint32_t index : mesh->indices) assembly.add(index);
+      return;
+    }
+    const Mode mode = *data_.primitive().mode;
+    if (data_.primitive().indices_node == json::kNoNode) {
+      TriangleAssembly assembly(mode, vertices, kNoRestart, geometry_.triangles);
+      for (std::uint32_t i = 0; i < vertices; ++i) assembly.add(i);
+      return;
+    }
+    const auto indices = data_.open(data_.primitive().indices);
+    if (indices && can_index_elements(indices->format().component)) read_indices(*indices, mode);
+  }
+
+  void read_indices(const AccessorData& indices, Mode mode) {
+    const auto restart = static_cast<std::uint32_t>(value_range(indices.format().component).most);
+    TriangleAssembly assembly(mode, static_cast<std::uint32_t>(count_), restart,
+                              geometry_.triangles);
+    with_component_type(indices.format().component, [&](auto zero) {
+      using T = decltype(zero);
+      if constexpr (std::is_unsigned_v<T>) {
+        indices.visit<T>([&](const T* values, std::size_t elements, std::uint64_t) {
+          for (std::size_t i = 0; i < elements * indices.components(); ++i) assembly.add(values[i]);
+        });
+      }
+    });
+  }
+
+  void finish() {
+    for (auto& normal : geometry_.normals) normalize_direction(normal);
+    for (auto& tangent : geometry_.tangents) {
+      normalize_direction(tangent);
+      tangent[3] = tangent[3] < 0 ? -1.0F : 1.0F;
+    }
+    for (auto& color : geometry_.colors) {
+      for (float& value : color) value = std::clamp(value, 0.0F, 1.0F);
+    }
+    std::erase_if(geometry_.triangles, [&](const Triangle& triangle) {
+      return !std::all_of(triangle.begin(), triangle.end(),
+                          [&](std::uint32_t i) { return is_finite(geometry_.positions[i]); });
+    });
+  }
+
+  const PrimitiveData& data_;
+  const GeometryRequest& request_;
+  Geometry& geometry_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+PrimitiveData::PrimitiveData(const GeometrySource& source, const Primitive& primitive)
+    : source_(source), primitive_(primitive), reference_(read_draco(source.asset, primitive)) {
+  if (reference_) packed_ = source.draco.mesh(reference_->buffer_view);
+}
+
+std::optional<AccessorData> PrimitiveData::open(SemanticKind kind, std::uint64_t set) const {
+  const Attribute* attribute = primitive_.find(kind, set);
+  if (attribute == nullptr || !attribute->accessor) return std::nullopt;
+  const auto id =
+      packed_ != nullptr ? draco_id(source_.asset, *reference_, attribute->name) : std::nullopt;
+  if (!id) return open(attribute->accessor);
+  const codec::DracoAttribute* found = find_attribute(*packed_, *id);
+  if (found == nullptr) return std::nullopt;
+  const bool normalized = source_.views.accessors[*attribute->accessor].format.normalized;
+  return AccessorData::packed(format_of(*found, normalized), packed_->points,
+                              {found->values, packed_->owner}, found->quantization_step);
+}
+
+std::optional<AccessorData> PrimitiveData::open(
+    const std::optional<std::uint32_t>& accessor) const {
+  if (!accessor) return std::nullopt;
+  return AccessorData::open(source_.asset, source_.views, source_.resources,
+                            source_.views.accessors[*accessor], Malformed::unusable);
+}
+
+std::string_view fault_text(GeometryFault fault) {
+  static constexpr std::array<std::string_view, 6> kTexts{
+      "can be drawn",
+      "has points or lines only, which are not drawn",
+      "has no positions that can be read",
+      "is compressed and could not be decoded",
+      "asks for more memory than its bytes can be worth",
+      "has no triangle with an area"};
+  return kTexts[static_cast<std::size_t>(fault)];
+}
+
+GeometryFault read_geometry(const GeometrySource& source, const Primitive& primitive,
+                            const GeometryRequest& request, MemoryBudget& budget,
+                            Geometry& geometry) {
+  if (!primitive.mode || !draws_triangles(*primitive.mode)) return GeometryFault::no_triangles;
+  const PrimitiveData data(source, primitive);
+  const GeometryFault fault = GeometryReader(data, request, geometry).read(budget);
+  const bool undecoded = data.packed() == nullptr && read_draco(source.asset, primitive);
+  return fault == GeometryFault::no_positions && undecoded ? GeometryFault::packed : fault;
+}
+
+}  // namespace gltfx::model

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Nodes that draw their mesh many times: EXT_mesh_gpu_instancing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/affine.hpp"
+#include "model/memory_budget.hpp"
+#include "model/resource_data.hpp"
+#include "model/views.hpp"
+
+namespace gltfx::model {
+
+/// Where the copies of a node's mesh are, in the space of the node.
+struct Instancing {
+  bool readable = true;  ///< false: data that is missing, of another form, or beyond the budget
+  std::vector<Affine> transforms;
+};
+
+/// Nothing when the node draws its mesh once, as usual.
+std::optional<Instancing> read_instancing(const Asset& asset, const Views& views,
+                                          const ResourceData& resources, const Node& node,
+                                          MemoryBudget& budget);
+
+}  // namespace gltfx::model

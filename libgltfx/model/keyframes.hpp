@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Animations at one moment: curves between keyframes (specification section 3.11 and appendix C),
+/// and what their channels set.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/accessor_data.hpp"
+#include "model/animation.hpp"
+#include "model/properties.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::model {
+
+/// The keyframes of one sampler.
+struct Curve {
+  AccessorData times;   ///< seconds, increasing
+  AccessorData values;  ///< as many elements as keyframes times values_per_keyframe() times width
+  Interpolation interpolation = Interpolation::linear;
+};
+
+/// What a curve is at `time`: before the first keyframe the first value, behind the last one the
+/// last. `width` elements belong together, such as the weights of all morph targets. Rotations are
+/// turned along the shorter arc and have length 1. Empty when the elements do not suffice.
+std::vector<float> value_at(const Curve& curve, double time, std::uint64_t width, bool rotation);
+
+/// What an animation says at one moment.
+struct AnimationSample {
+  AnimatedValues values;
+  std::vector<std::string> notes;  ///< channels that were left out and why, a sentence each
+};
+
+/// Evaluates all channels of animation `index` at `time` in seconds: those of nodes and those of
+/// KHR_animation_pointer. Takes memory for no more numbers than a scene can mean.
+AnimationSample sample_animation(const Asset& asset, const Views& views,
+                                 const ResourceData& resources, const schema::Set& schemas,
+                                 std::uint32_t index, double time);
+
+}  // namespace gltfx::model

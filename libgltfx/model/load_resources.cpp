@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/load_resources.hpp"
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "container/resolve_fault.hpp"
+#include "container/uri.hpp"
+#include "model/fields.hpp"
+#include "model/meshopt_decode.hpp"
+
+namespace gltfx::model {
+namespace {
+
+using container::Bytes;
+
+class Loader {
+ public:
+  Loader(const container::Container& container, const container::Resolver& resolver,
+         const Asset& asset, const Views& views)
+      : container_(container), resolver_(resolver), asset_(asset), views_(views) {}
+
+  LoadedResources run(unsigned jobs) {
+    const auto& buffers = asset_.elements(RootArray::buffers);
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+      loaded_.data.buffers.push_back(load_buffer(buffers[i], i));
+    }
+    decode_views(jobs);
+    const auto& images = asset_.elements(RootArray::images);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      loaded_.data.images.push_back(load_image(images[i], i));
+    }
+    return std::move(loaded_);
+  }
+
+ private:
+  const json::Document& document() const { return asset_.document(); }
+
+  void note(std::string_view what, std::size_t index, std::string_view why) {
+    loaded_.notes.push_back(fmt::format("{} {} {}.", what, index, why));
+  }
+
+  std::optional<Bytes> load_buffer(json::NodeId object, std::size_t index) {
+    if (object == json::kNoNode) return std::nullopt;
+    const auto length = unsigned_member(document(), object, "byteLength");
+    const bool has_uri = document().holds(object, "uri");
+    const bool glb = !has_uri && index == 0 && container_.bin.has_value();
+    auto bytes =
+        glb ? std::optional(container_.bytes.part(static_cast<std::size_t>(container_.bin->offset),
+                                                  static_cast<std::size_t>(container_.bin->length)))
+            : fetch("Buffer", object, index);
+    if (!bytes || !length || bytes->size() >= *length) return bytes;
+    note("Buffer", index, "has fewer bytes than it declares");
+    return std::nullopt;
+  }
+
+  // The bytes that `uri` names. Without one there is nothing to fetch and nothing to say.
+  std::optional<Bytes> fetch(std::string_view what, json::NodeId object, std::size_t index) {
+    const json::NodeId member = document().find(object, "uri");
+    if (member == json::kNoNode || !document().is_string(member)) return std::nullopt;
+    std::string buffer;
+    const std::string_view text = document().string(member, buffer);
+    const container::Uri uri = container::classify_uri(text);
+    if (uri.kind == container::UriKind::data) return decode(what, index, text);
+    if (uri.kind != container::UriKind::relative_path) {
+      note(what, index, "has a URI that is not fetched");
+      return std::nullopt;
+    }
+    container::Resolved resolved = resolver_.open(uri.path);
+    if (resolved.git_lfs_pointer) {
+      note(what, index, fmt::format("is a Git-LFS pointer, {}", gltfx::quoted(uri.normalized)));
+      return std::nullopt;
+    }
+    if (resolved.fault == container::ResolveFault::none) return std::move(resolved.bytes);
+    loaded_.notes.push_back(
+        fmt::format("{} {}: {}", what, index,
+                    container::describe(resolved.fault, uri.normalized, resolved.problem)));
+    return std::nullopt;
+  }
+
+  std::optional<Bytes> decode(std::string_view what, std::size_t index, std::string_view text) {
+    const auto split = container::split_data_uri(text);
+    if (split) {
+      if (auto decoded = container::decode_payload(*split)) {
+        return Bytes::from_string(*std::move(decoded));
+      }
+    }
+    note(what, index, "has a data URI that cannot be decoded");
+    return std::nullopt;
+  }
+
+  void decode_views(unsigned jobs) {
+    for (DecodedStream& stream : decode_streams(asset_, views_, loaded_.data, jobs)) {
+      if (!stream.problem().empty()) note("Buffer view", stream.index, stream.problem());
+      if (stream.plain || stream.elements.empty()) continue;
+      const bool rounded = stream.view.layout.filter != meshopt::Filter::none;
+      loaded_.data.decoded_views.emplace(views_.buffer_views[stream.index].node,
+                                         DecodedView{std::move(stream.elements), rounded});
+    }
+  }
+
+  ImageData load_image(json::NodeId object, std::size_t index) {
+    ImageData image;
+    if (object == json::kNoNode) return image;
+    image.bytes = fetch("Image", object, index);
+    const auto view = asset_.index(object, "bufferView", RootArray::buffer_views);
+    if (!image.bytes && view) {
+      const BufferView& source = views_.buffer_views[*view];
+      image.bytes = loaded_.data.part(document(), source, 0, source.byte_length.value_or(0));
+    }
+    if (!image.bytes) return image;
+    const image::Sniffed sniffed = image::sniff(image.bytes->view());
+    if (sniffed.known) image.format = sniffed.format;
+    const auto header = image::read_header(image.bytes->view());
+    if (const auto* read = std::get_if<image::Header>(&header)) image.header = *read;
+    return image;
+  }
+
+  const container::Container& container_;
+  const container::Resolver& resolver_;
+  const Asset& asset_;
+  const Views& views_;
+  LoadedResources loaded_;
+};
+
+}  // namespace
+
+LoadedResources load_resources(const container::Container& container,
+                               const container::Resolver& resolver, const Asset& asset,
+                               const Views& views, unsigned jobs) {
+  return Loader(container, resolver, asset, views).run(jobs);
+}
+
+}  // namespace gltfx::model

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/tangent_space.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "base/checked.hpp"
+
+namespace gltfx::model {
+namespace {
+
+constexpr std::uint32_t kNone = UINT32_MAX;
+
+template <std::size_t N>
+Vector3 wide(const std::array<float, N>& from) {
+  return {static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])};
+}
+
+Vector3 minus(const Vector3& a, const Vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+// What is left of `a` in the plane across `normal`, with length 1.
+Vector3 in_plane(const Vector3& a, const Vector3& normal) {
+  const double along = dot(a, normal);
+  return unit(
+      Vector3{a[0] - along * normal[0], a[1] - along * normal[1], a[2] - along * normal[2]});
+}
+
+Vector3 any_across(const Vector3& normal) {
+  const Vector3 axis = std::abs(normal[0]) < 0.7 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
+  return in_plane(axis, normal);
+}
+
+/// A triangle as the algorithm sees it. Corners are numbered 3 * triangle + 0, 1, 2.
+struct Face {
+  std::array<std::uint32_t, 3> welded{};  ///< vertices that are equal count as one
+  std::array<std::uint32_t, 3> beyond{kNone, kNone, kNone};  ///< face across edge k to k + 1
+  Vector3 tangent{};                                         ///< along which u grows, length 1
+  bool plain = false;       ///< coordinates run around it as its corners do
+  bool shapeless = false;   ///< no area in texture or space, or no direction: joins any group
+  bool degenerate = false;  ///< two corners in one place: no part of the surface
+};
+
+/// One side of an edge between two welded vertices.
+struct Edge {
+  std::uint32_t low, high;
+  bool backward;         ///< from high to low
+  std::uint32_t corner;  ///< it begins at
+
+  bool joins(const Edge& other) const { return low == other.low && high == other.high; }
+  bool operator<(const Edge& other) const {
+    return std::tie(low, high, backward, corner) <
+           std::tie(other.low, other.high, other.backward, other.corner);
+  }
+};
+
+/// Corners that share a tangent.
+struct Group {
+  std::uint32_t vertex = kNone;  ///< welded
+  bool plain = false;
+  Vector3 sum{};
+};
+
+class TangentSpace {
+ public:
+  TangentSpace(Geometry& geometry, std::size_t tex_coord)
+      : geometry_(geometry),
+        uvs_(geometry.tex_coords[tex_coord]),
+        faces_(geometry.triangles.size()),
+        groups_of_(geometry.triangles.size() * 3, kNone) {}
+
+  void group() {
+    weld();
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) describe(f);
+    find_neighbours();
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        if (!faces_[f].shapeless && groups_of_[f * 3 + k] == kNone) grow(f, k);
+      }
+    }
+    adopt();
+  }
+
+  // Vertices that there will be when each has one tangent.
+  std::uint64_t vertices_after() { return geometry_.positions.size() + split(false); }
+
+  void write() {
+    geometry_.tangents.resize(geometry_.positions.size());
+    split(true);
+  }
+
+ private:
+  // By a table with open addresses: a million vertices are usual.
+  void weld() {
+    const auto count = static_cast<std::uint32_t>(geometry_.positions.size());
+    std::size_t size = 16;
+    while (size < std::size_t{count} * 2) size *= 2;
+    std::vector<std::uint32_t> table(size, kNone);
+    std::vector<std::uint32_t> firsts(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      std::size_t at = hash(i) & (size - 1);
+      while (table[at] != kNone && !is_equal(table[at], i)) at = (at + 1) & (size - 1);
+      if (table[at] == kNone) table[at] = i;
+      firsts[i] = table[at];
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        faces_[f].welded[k] = firsts[geometry_.triangles[f][k]];
+      }
+    }
+  }
+
+  bool is_equal(std::uint32_t a, std::uint32_t b) const {
+    return geometry_.positions[a] == geometry_.positions[b] &&
+           geometry_.normals[a] == geometry_.normals[b] && uvs_[a] == uvs_[b];
+  }
+
+  std::size_t hash(std::uint32_t i) const {
+    std::uint64_t sum = 0;
+    const auto mix = [&sum](float value) {
+      const float plus_zero = value + 0.0F;  // both zeros are equal
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &plus_zero, sizeof(bits));
+      sum = (sum ^ bits) * 0x9E3779B97F4A7C15U;
+      sum ^= sum >> 29U;
+    };
+    for (const float value : geometry_.positions[i]) mix(value);
+    for (const float value : geometry_.normals[i]) mix(value);
+    for (const float value : uvs_[i]) mix(value);
+    return static_cast<std::size_t>(sum);
+  }
+
+  Vector3 position(const Face& face, std::size_t k) const {
+    return wide(geometry_.positions[face.welded[k % 3]]);
+  }
+
+  void describe(std::uint32_t f) {
+    Face& face = faces_[f];
+    const Vector3 d1 = minus(position(face, 1), position(face, 0));
+    const Vector3 d2 = minus(position(face, 2), position(face, 0));
+    const auto uv = [&](std::size_t k, std::size_t axis) {
+      return static_cast<double>(uvs_[face.welded[k]][axis]) -
+             static_cast<double>(uvs_[face.welded[0]][axis]);
+    };
+    const double area = uv(1, 0) * uv(2, 1) - uv(1, 1) * uv(2, 0);
+    face.plain = area > 0;
+    const Vector3 zero{};
+    face.degenerate = d1 == zero || d2 == zero || d1 == d2;
+    const double sign = face.plain ? 1 : -1;
+    Vector3 along{};
+    Vector3 across{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      along[i] = sign * (uv(2, 1) * d1[i] - uv(1, 1) * d2[i]);
+      across[i] = sign * (uv(1, 0) * d2[i] - uv(2, 0) * d1[i]);
+    }
+    face.tangent = unit(along);
+    face.shapeless = face.degenerate || !std::isfinite(area) || area == 0 || face.tangent == zero ||
+                     unit(across) == zero;
+  }
+
+  // Faces on both sides of an edge run along it in opposite directions. Where there are more than
+  // two the first that runs one way goes with the first that runs the other, and so on.
+  void find_neighbours() {
+    std::vector<Edge> edges;
+    edges.reserve(faces_.size() * 3);
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      for (std::uint32_t k = 0; k < 3 && !faces_[f].degenerate; ++k) {
+        const std::uint32_t from = faces_[f].welded[k];
+        const std::uint32_t to = faces_[f].welded[(k + 1) % 3];
+        edges.push_back({std::min(from, to), std::max(from, to), from > to, f * 3 + k});
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t first = 0; first < edges.size();) {
+      std::size_t back = first;
+      while (back < edges.size() && edges[back].joins(edges[first]) && !edges[back].backward)
+        ++back;
+      std::size_t end = back;
+      while (end < edges.size() && edges[end].joins(edges[first])) ++end;
+      for (std::size_t i = 0; first + i < back && back + i < end; ++i) {
+        connect(edges[first + i].corner, edges[back + i].corner);
+      }
+      first = end;
+    }
+  }
+
+  void connect(std::uint32_t a, std::uint32_t b) {
+    faces_[a / 3].beyond[a % 3] = b / 3;
+    faces_[b / 3].beyond[b % 3] = a / 3;
+  }
+
+  void grow(std::uint32_t face, std::uint32_t corner) {
+    const auto id = static_cast<std::uint32_t>(groups_.size());
+    groups_.push_back({faces_[face].welded[corner], faces_[face].plain, {}});
+    std::vector<std::uint32_t> waiting{face};
+    while (!waiting.empty()) {
+      const std::uint32_t f = waiting.back();
+      waiting.pop_back();
+      if (f == kNone) continue;
+      const auto k = join(f, id);
+      if (k == kNone) continue;
+      waiting.push_back(faces_[f].beyond[k]);
+      waiting.push_back(faces_[f].beyond[(k + 2) % 3]);
+    }
+  }
+
+  // The corner with which a face joins a group, or kNone.
+  std::uint32_t join(std::uint32_t f, std::uint32_t id) {
+    Face& face = faces_[f];
+    Group& group = groups_[id];
+    const auto* const at = std::find(face.welded.begin(), face.welded.end(), group.vertex);
+    const auto k = static_cast<std::uint32_t>(at - face.welded.begin());
+    if (k == 3 || groups_of_[f * 3 + k] != kNone) return kNone;
+    const bool untouched = groups_of_[f * 3] == kNone && groups_of_[f * 3 + 1] == kNone &&
+                           groups_of_[f * 3 + 2] == kNone;
+    if (face.shapeless && untouched) face.plain = group.plain;
+    if (face.plain != group.plain) return kNone;
+    groups_of_[f * 3 + k] = id;
+    if (!face.shapeless) add(face, k, group);
+    return k;
+  }
+
+  void add(const Face& face, std::uint32_t k, Group& group) const {
+    const Vector3 normal = wide(geometry_.normals[group.vertex]);
+    const Vector3 here = position(face, k);
+    const Vector3 before = in_plane(minus(position(face, k + 2), here), normal);
+    const Vector3 after = in_plane(minus(position(face, k + 1), here), normal);
+    const double angle = std::acos(std::clamp(dot(before, after), -1.0, 1.0));
+    const Vector3 tangent = in_plane(face.tangent, normal);
+    for (std::size_t i = 0; i < 3; ++i) group.sum[i] += angle * tangent[i];
+  }
+
+  // What has no group takes that of another corner with the same vertex.
+  void adopt() {
+    if (std::find(groups_of_.begin(), groups_of_.end(), kNone) == groups_of_.end()) return;
+    std::unordered_map<std::uint32_t, std::uint32_t> groups;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) groups.try_emplace(groups_[g].vertex, g);
+    for (std::size_t corner = 0; corner < groups_of_.size(); ++corner) {
+      if (groups_of_[corner] != kNone) continue;
+      const std::uint32_t vertex = faces_[corner / 3].welded[corner % 3];
+      const auto [found, fresh] =
+          groups.try_emplace(vertex, static_cast<std::uint32_t>(groups_.size()));
+      if (fresh) groups_.push_back({vertex, false, {}});
+      groups_of_[corner] = found->second;
+    }
+  }
+
+  std::array<float, 4> tangent_of(const Group& group) const {
+    const Vector3 normal = wide(geometry_.normals[group.vertex]);
+    Vector3 tangent = in_plane(group.sum, normal);
+    if (tangent == Vector3{}) tangent = any_across(normal);
+    return {static_cast<float>(tangent[0]), static_cast<float>(tangent[1]),
+            static_cast<float>(tangent[2]), group.plain ? -1.0F : 1.0F};
+  }
+
+  // Gives each vertex the tangent of the first of its corners, and the corners that disagree
+  // vertices of their own. Returns how many those are; changes nothing unless told to.
+  std::uint64_t split(bool write) {
+    std::vector<std::uint32_t> first(geometry_.positions.size(), kNone);
+    std::unordered_map<std::uint64_t, std::uint32_t> others;
+    for (std::size_t corner = 0; corner < groups_of_.size(); ++corner) {
+      std::uint32_t& vertex = geometry_.triangles[corner / 3][corner % 3];
+      const std::uint32_t group = groups_of_[corner];
+      if (first[vertex] == kNone) {
+        first[vertex] = group;
+        if (write) geometry_.tangents[vertex] = tangent_of(groups_[group]);
+      }
+      if (first[vertex] == group) continue;
+      const auto copy = static_cast<std::uint32_t>(first.size() + others.size());
+      const auto [found, fresh] = others.try_emplace(std::uint64_t{vertex} << 32U | group, copy);
+      if (!write) continue;
+      if (fresh) duplicate(vertex, tangent_of(groups_[group]));
+      vertex = found->second;
+    }
+    return others.size();
+  }
+
+  void duplicate(std::uint32_t vertex, const std::array<float, 4>& tangent) {
+    const auto copy = [vertex](auto& list) {
+      if (list.empty()) return;
+      const auto element = list[vertex];
+      list.push_back(element);
+    };
+    copy(geometry_.positions);
+    copy(geometry_.normals);
+    copy(geometry_.colors);
+    for (auto& set : geometry_.tex_coords) copy(set);
+    geometry_.tangents.push_back(tangent);
+  }
+
+  Geometry& geometry_;
+  const Vectors<2>& uvs_;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> groups_of_;  ///< by corner
+  std::vector<Group> groups_;
+};
+
+}  // namespace
+
+bool generate_tangents(Geometry& geometry, std::size_t tex_coord, MemoryBudget& budget) {
+  const std::uint64_t vertex = sizeof(float) * (3 + 3 + 4 + 4 + 2 * geometry.tex_coords.size());
+  TangentSpace space(geometry, tex_coord);
+  space.group();
+  const std::uint64_t after = space.vertices_after();
+  const std::uint64_t added = after - geometry.positions.size();
+  const Checked size = checked_mul(added, vertex);
+  const std::uint64_t own = geometry.positions.size() * sizeof(float) * 4;
+  if (after >= kNone || !size || !budget.take(checked_add(*size, own))) return false;
+  space.write();
+  return true;
+}
+
+}  // namespace gltfx::model

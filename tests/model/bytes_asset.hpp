@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+/// An asset whose only buffer is made along with it, for tests of what reads data.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "json/parse.hpp"
+#include "model/draco.hpp"
+#include "model/geometry.hpp"
+
+namespace gltfx::test {
+
+/// Collects accessors, each on a buffer view of its own.
+class Accessors {
+ public:
+  /// The index of the new accessor. `more` goes into its object: `, "normalized": true`.
+  int add(const std::string& type, int component, std::size_t count, const std::string& bytes,
+          const std::string& more = {}) {
+    const int view = add_view(bytes);
+    return add_plain(R"({"bufferView": )" + std::to_string(view) + R"(, "type": ")" + type +
+                     R"(", "componentType": )" + std::to_string(component) + R"(, "count": )" +
+                     std::to_string(count) + more + "}");
+  }
+  /// One that is written as it is.
+  int add_plain(const std::string& object) {
+    accessors_ += (count_ == 0 ? "" : ", ") + object;
+    return count_++;
+  }
+  int add_view(const std::string& bytes, const std::string& more = {}) {
+    views_ += (view_count_ == 0 ? "" : ", ") + std::string(R"({"buffer": 0, "byteOffset": )") +
+              std::to_string(bytes_.size()) + R"(, "byteLength": )" + std::to_string(bytes.size()) +
+              more + "}";
+    bytes_ += bytes;
+    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
+    return view_count_++;
+  }
+
+  const std::string& bytes() const { return bytes_; }
+  /// The three root arrays as members.
+  std::string json(const std::string& uri = {}) const {
+    std::string text(R"("accessors": [)");
+    text.append(accessors_).append(R"(], "bufferViews": [)").append(views_);
+    text.append(R"(], "buffers": [{"byteLength": )").append(std::to_string(bytes_.size()));
+    if (!uri.empty()) text.append(R"(, "uri": ")").append(uri).append("\"");
+    return text.append("}]");
+  }
+
+ private:
+  int count_ = 0;
+  int view_count_ = 0;
+  std::string accessors_, views_, bytes_;
+};
+
+/// The parsed asset with its buffer.
+class BytesAsset {
+ public:
+  /// `members`: those of the root object beside the accessors.
+  BytesAsset(const Accessors& accessors, const std::string& members) {
+    std::string text("{");
+    text.append(accessors.json()).append(members.empty() ? "" : ", ").append(members).append("}");
+    document_ = json::parse(share_text(std::move(text))).document;
+    asset_ = std::make_unique<model::Asset>(document_);
+    views_ = model::Views(*asset_);
+    resources_.buffers.emplace_back(container::Bytes::from_string(std::string(accessors.bytes())));
+    draco_.add_all(*asset_, views_, resources_);
+  }
+
+  const model::Asset& asset() const { return *asset_; }
+  const model::Views& views() const { return views_; }
+  const model::ResourceData& resources() const { return resources_; }
+  model::DracoMeshes& draco() { return draco_; }
+  const model::Primitive& primitive() const { return views_.meshes[0].primitives[0]; }
+
+  struct Read {
+    model::GeometryFault fault = model::GeometryFault::none;
+    model::Geometry geometry;
+  };
+  /// The first primitive of the first mesh.
+  Read read(const model::GeometryRequest& request = {}, std::uint64_t budget = 1U << 20U) const {
+    const model::GeometrySource source{*asset_, views_, resources_, draco_};
+    model::MemoryBudget left(budget);
+    Read read;
+    read.fault = model::read_geometry(source, primitive(), request, left, read.geometry);
+    return read;
+  }
+
+ private:
+  json::Document document_;
+  std::unique_ptr<model::Asset> asset_;
+  model::Views views_;
+  model::ResourceData resources_;
+  model::DracoMeshes draco_;
+};
+
+/// A mesh of one primitive, as the member "meshes".
+inline std::string one_mesh(const std::string& attributes, const std::string& more = {}) {
+  return R"("meshes": [{"primitives": [{"attributes": {)" + attributes + "}" + more + "}]}]";
+}
+
+}  // namespace gltfx::test

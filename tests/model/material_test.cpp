@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials, textures, lights, cameras and variants as numbers.
+#include "model/material.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/asset_text.hpp"
+#include "model/camera.hpp"
+#include "model/light.hpp"
+#include "model/variants.hpp"
+#include "model/views.hpp"
+
+namespace gltfx::model {
+namespace {
+
+using test::AssetText;
+using testing::ElementsAre;
+using testing::FloatEq;
+using testing::IsEmpty;
+
+const std::string kTextures = R"("textures": [{}, {}, {}, {}])";
+
+Material material(const std::string& object, const AnimatedValues& animated = {}) {
+  const AssetText file(R"({"materials": [)" + object + "], " + kTextures + "}");
+  return read_material(file.asset, 0, &animated);
+}
+Material extended(const std::string& extensions) {
+  return material(R"({"extensions": {)" + extensions + "}}");
+}
+
+TEST(Material, DefaultsAreThoseOfTheSpecification) {
+  const Material m = material("{}");
+  EXPECT_THAT(m.base_color_factor, ElementsAre(1, 1, 1, 1));
+  EXPECT_EQ(m.metallic_factor, 1);
+  EXPECT_EQ(m.roughness_factor, 1);
+  EXPECT_THAT(m.emissive_factor, ElementsAre(0, 0, 0));
+  EXPECT_EQ(m.emissive_strength, 1);
+  EXPECT_EQ(m.alpha_mode, AlphaMode::opaque);
+  EXPECT_EQ(m.alpha_cutoff, 0.5F);
+  EXPECT_FALSE(m.double_sided || m.unlit || m.specular_glossiness || m.volume.exists);
+  EXPECT_EQ(m.ior, 1.5F);
+  EXPECT_EQ(m.specular.factor, 1);
+  EXPECT_THAT(m.specular.color_factor, ElementsAre(1, 1, 1));
+  EXPECT_TRUE(std::isinf(m.volume.attenuation_distance));
+  EXPECT_TRUE(std::isinf(m.subsurface.scatter_distance));
+  EXPECT_EQ(m.iridescence.ior, 1.3F);
+  EXPECT_EQ(m.diffuse_transmission.channel, 3U);
+  int slots = 0;
+  for_each_slot(m, [&](const TextureSlot&) { ++slots; });
+  EXPECT_EQ(slots, 0);
+}
+
+TEST(Material, CoreMembers) {
+  const Material m = material(R"({"name": "oak", "pbrMetallicRoughness": {
+ "baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.6,
+ "baseColorTexture": {"index": 1, "texCoord": 2}, "metallicRoughnessTexture": {"index": 2}},
+ "normalTexture": {"index": 3, "scale": 2}, "occlusionTexture": {"index": 0, "strength": 0.25},
+ "emissiveTexture": {"index": 9}, "emissiveFactor": [1, 0.5, 0], "alphaMode": "MASK",
+ "alphaCutoff": 0.75, "doubleSided": true})");
+  EXPECT_EQ(m.name, "oak");
+  EXPECT_THAT(m.base_color_factor, ElementsAre(0.1F, 0.2F, 0.3F, 0.4F));
+  EXPECT_EQ(m.metallic_factor, 0.5F);
+  EXPECT_EQ(m.roughness_factor, 0.6F);
+  EXPECT_EQ(m.base_color_texture.texture, 1U);
+  EXPECT_EQ(m.base_color_texture.tex_coord, 2U);
+  EXPECT_EQ(m.metallic_roughness_texture.texture, 2U);
+  EXPECT_EQ(m.normal_texture.texture, 3U);
+  EXPECT_EQ(m.normal_scale, 2);
+  EXPECT_EQ(m.occlusion_strength, 0.25F);
+  EXPECT_FALSE(m.emissive_texture.texture) << "there is no texture 9";
+  EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(m.alpha_cutoff, 0.75F);
+  EXPECT_TRUE(m.double_sided);
+}
+
+TEST(Material, NumbersOutOfRangeAreBroughtIntoIt) {
+  const Material m =
+      material(R"({"pbrMetallicRoughness": {"metallicFactor": 7, "roughnessFactor": -1},
+ "emissiveFactor": [2, 0, "x"], "extensions": {"KHR_materials_ior": {"ior": 0.5},
+ "KHR_materials_volume": {"attenuationDistance": 0}, "KHR_materials_dispersion": {"dispersion": 1e300}}})");
+  EXPECT_EQ(m.metallic_factor, 1);
+  EXPECT_EQ(m.roughness_factor, 0);
+  EXPECT_THAT(m.emissive_factor, ElementsAre(0, 0, 0));
+  EXPECT_EQ(m.ior, 1);
+  EXPECT_TRUE(std::isinf(m.volume.attenuation_distance));
+  EXPECT_TRUE(std::isfinite(m.dispersion));
+}
+
+TEST(Material, LayersOfExtensions) {
+  const Material m = extended(R"("KHR_materials_ior": {"ior": 0},
+ "KHR_materials_emissive_strength": {"emissiveStrength": 5},
+ "KHR_materials_specular": {"specularFactor": 0.5, "specularColorFactor": [2, 1, 0], "specularTexture": {"index": 0}, "specularColorTexture": {"index": 1}},
+ "KHR_materials_sheen": {"sheenColorFactor": [0.1, 0.2, 0.3], "sheenRoughnessFactor": 0.4, "sheenColorTexture": {"index": 0}, "sheenRoughnessTexture": {"index": 1}},
+ "KHR_materials_clearcoat": {"clearcoatFactor": 0.5, "clearcoatRoughnessFactor": 0.25, "clearcoatTexture": {"index": 1}, "clearcoatRoughnessTexture": {"index": 2}, "clearcoatNormalTexture": {"index": 3, "scale": 0.5}},
+ "KHR_materials_anisotropy": {"anisotropyStrength": 0.75, "anisotropyRotation": 1.5, "anisotropyTexture": {"index": 2}},
+ "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.4, "iridescenceThicknessMinimum": 200, "iridescenceThicknessMaximum": 300, "iridescenceTexture": {"index": 0}, "iridescenceThicknessTexture": {"index": 3}},
+ "KHR_materials_dispersion": {"dispersion": 0.5},
+ "KHR_materials_transmission": {"transmissionFactor": 0.9, "transmissionTexture": {"index": 1}})");
+  EXPECT_EQ(m.ior, 0) << "zero has a meaning of its own";
+  EXPECT_EQ(m.emissive_strength, 5);
+  EXPECT_THAT(m.specular.color_factor, ElementsAre(2, 1, 0));
+  EXPECT_THAT(m.sheen.color_factor, ElementsAre(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(m.sheen.roughness_factor, 0.4F);
+  EXPECT_EQ(m.clearcoat.roughness_factor, 0.25F);
+  EXPECT_EQ(m.clearcoat.normal_scale, 0.5F);
+  EXPECT_EQ(m.anisotropy.rotation, 1.5F);
+  EXPECT_EQ(m.iridescence.thickness_minimum, 200);
+  EXPECT_EQ(m.iridescence.thickness_texture.texture, 3U);
+  EXPECT_EQ(m.dispersion, 0.5F);
+  EXPECT_EQ(m.transmission_factor, 0.9F);
+  int slots = 0;
+  for_each_slot(m, [&](const TextureSlot&) { ++slots; });
+  EXPECT_EQ(slots, 11);
+}
+
+TEST(Material, Media) {
+  const Material m = extended(R"(
+ "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 0.5, "attenuationColor": [0.9, 0.8, 0.7], "thicknessTexture": {"index": 0}},
+ "KHR_materials_sss": {"scatterDistance": 0.01, "scatterColor": [0.5, 0.25, 0.125]},
+ "KHR_materials_volume_scatter": {"multiscatterColorFactor": [0.1, 0.2, 0.3], "scatterAnisotropy": -2},
+ "KHR_materials_scatter": {"scatterFactor": 0.5, "scatterTexture": {"index": 2}, "multiscatterColorFactor": [0.3, 0.2, 0.1], "scatterAnisotropy": 0.5})");
+  EXPECT_TRUE(m.volume.exists);
+  EXPECT_EQ(m.volume.thickness_factor, 2);
+  EXPECT_EQ(m.volume.attenuation_distance, 0.5F);
+  EXPECT_THAT(m.subsurface.scatter_color, ElementsAre(0.5F, 0.25F, 0.125F));
+  EXPECT_THAT(m.volume_scatter.multiscatter_color, ElementsAre(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(m.volume_scatter.anisotropy, -0.999F);
+  EXPECT_EQ(m.scatter.strength_factor, 0.5F);
+  EXPECT_EQ(m.scatter.strength_texture.texture, 2U);
+  EXPECT_THAT(m.scatter.multiscatter_color_factor, ElementsAre(0.3F, 0.2F, 0.1F));
+  const Material later = extended(R"("KHR_materials_subsurface": {"scatterDistance": 3},
+ "KHR_materials_volume_scatter": {"multiscatterColor": [0.5, 0.5, 0.5]})");
+  EXPECT_EQ(later.subsurface.scatter_distance, 3);
+  EXPECT_THAT(later.volume_scatter.multiscatter_color, ElementsAre(0.5F, 0.5F, 0.5F));
+}
+
+TEST(Material, SpecularGlossiness) {
+  const Material m =
+      extended(R"("KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.1, 0.2, 0.3, 0.4],
+ "specularFactor": [0.5, 0.6, 0.7], "glossinessFactor": 0.8, "diffuseTexture": {"index": 1},
+ "specularGlossinessTexture": {"index": 2}}, "KHR_materials_unlit": {})");
+  ASSERT_TRUE(m.specular_glossiness);
+  EXPECT_THAT(m.specular_glossiness->diffuse_factor, ElementsAre(0.1F, 0.2F, 0.3F, 0.4F));
+  EXPECT_THAT(m.specular_glossiness->specular_factor, ElementsAre(0.5F, 0.6F, 0.7F));
+  EXPECT_EQ(m.specular_glossiness->glossiness_factor, 0.8F);
+  EXPECT_EQ(m.specular_glossiness->diffuse_texture.texture, 1U);
+  EXPECT_EQ(m.specular_glossiness->specular_glossiness_texture.texture, 2U);
+  EXPECT_TRUE(m.unlit);
+}
+
+TEST(Material, DiffuseTransmissionAndItsForerunners) {
+  const DiffuseTransmission now =
+      extended(R"("KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.5,
+ "diffuseTransmissionColorFactor": [0.1, 0.2, 0.3], "diffuseTransmissionTexture": {"index": 1},
+ "diffuseTransmissionColorTexture": {"index": 2}}, "KHR_materials_translucency": {"translucencyFactor": 1})")
+          .diffuse_transmission;
+  EXPECT_EQ(now.factor, 0.5F);
+  EXPECT_EQ(now.channel, 3U);
+  EXPECT_THAT(now.color_factor, ElementsAre(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(now.texture.texture, 1U);
+  EXPECT_EQ(now.color_texture.texture, 2U);
+
+  const std::string base =
+      R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.6, 0.7, 1], "baseColorTexture": {"index": 3}})";
+  const DiffuseTransmission first =
+      material(
+          "{" + base +
+          R"(, "extensions": {"KHR_materials_translucency": {"translucencyFactor": 0.75, "translucencyTexture": 0}}})")
+          .diffuse_transmission;
+  EXPECT_EQ(first.factor, 0.75F);
+  EXPECT_EQ(first.channel, 0U) << "the first generation read R";
+  EXPECT_EQ(first.texture.texture, 0U) << "a bare index";
+  EXPECT_THAT(first.color_factor, ElementsAre(0.5F, 0.6F, 0.7F));
+  EXPECT_EQ(first.color_texture.texture, 3U);
+
+  for (const std::string name : {"KHR_materials_translucency", "3DS_materials_translucency"}) {
+    const DiffuseTransmission later =
+        material(
+            "{" + base + R"(, "extensions": {")" + name +
+            R"(": {"translucencyFactor": 0.25, "translucencyColorFactor": [0.5, 1, 1], "translucencyTexture": {"index": 1}}}})")
+            .diffuse_transmission;
+    EXPECT_EQ(later.factor, 0.25F);
+    EXPECT_EQ(later.channel, 3U);
+    EXPECT_THAT(later.color_factor, ElementsAre(0.5F, 1, 1));
+    EXPECT_FALSE(later.color_texture.texture);
+  }
+}
+
+TEST(Material, AnAnimationTakesThePlaceOfWhatIsWritten) {
+  const AnimatedValues animated{
+      {"/materials/0/pbrMetallicRoughness/baseColorFactor", {0, 0.5F, 2, 1}},
+      {"/materials/0/emissiveFactor", {1, 1}},
+      {"/materials/0/normalTexture/scale", {3}},
+      {"/materials/0/normalTexture/extensions/KHR_texture_transform/offset", {4, 5}},
+      {"/materials/0/extensions/KHR_materials_ior/ior", {2}},
+      {"/materials/00/alphaCutoff", {0.25F}},
+      {"/materials/1/alphaCutoff", {0.25F}}};
+  const Material m = material(R"({"emissiveFactor": [0.5, 0, 0], "normalTexture": {"index": 0,
+ "extensions": {"KHR_texture_transform": {"rotation": 1}}}, "extensions": {"KHR_materials_ior": {}}})",
+                              animated);
+  EXPECT_THAT(m.base_color_factor, ElementsAre(0, 0.5F, 1, 1)) << "limited like any other";
+  EXPECT_THAT(m.emissive_factor, ElementsAre(0.5F, 0, 0)) << "two numbers are no colour";
+  EXPECT_EQ(m.normal_scale, 3);
+  EXPECT_THAT(m.normal_texture.offset, ElementsAre(4, 5));
+  EXPECT_EQ(m.normal_texture.rotation, 1);
+  EXPECT_EQ(m.ior, 2);
+  EXPECT_EQ(m.alpha_cutoff, 0.5F);
+}
+
+TEST(Texture, SamplersHaveTheirNumbers) {
+  const AssetText file(R"({"images": [{}, {}], "samplers": [
+ {"wrapS": 33071, "wrapT": 33648, "magFilter": 9728, "minFilter": 9728},
+ {"minFilter": 9985}, {"minFilter": 9986}, {"minFilter": 9729, "wrapS": 10497}],
+ "textures": [{"source": 1}, {"sampler": 0, "source": 7}, {"sampler": 1}, {"sampler": 2}, {"sampler": 3},
+  {"source": 0, "extensions": {"EXT_texture_webp": {"source": 1}, "VENDOR_other": 3}}]})");
+  const auto read = [&](std::size_t i) {
+    return read_texture(file.asset, file.asset.elements(RootArray::textures)[i]);
+  };
+  EXPECT_EQ(read(0).sampler, Sampler());
+  EXPECT_THAT(read(0).images, ElementsAre(1));
+  EXPECT_EQ(read(1).sampler, (Sampler{Wrap::clamp_to_edge, Wrap::mirrored_repeat, Filter::nearest,
+                                      Filter::nearest, false, Filter::linear}));
+  EXPECT_THAT(read(1).images, IsEmpty());
+  EXPECT_EQ(read(2).sampler.minify, Filter::linear);
+  EXPECT_EQ(read(2).sampler.between_mipmaps, Filter::nearest);
+  EXPECT_EQ(read(3).sampler.minify, Filter::nearest);
+  EXPECT_EQ(read(3).sampler.between_mipmaps, Filter::linear);
+  EXPECT_FALSE(read(4).sampler.mipmaps);
+  EXPECT_THAT(read(5).images, ElementsAre(1, 0)) << "the format of the extension comes first";
+}
+
+TEST(Texture, TransformsMayReplaceTheSet) {
+  const Material m = material(R"({"normalTexture": {"index": 0, "texCoord": 1, "extensions":
+ {"KHR_texture_transform": {"offset": [0.5, 1], "rotation": 0.25, "scale": [2, 3], "texCoord": 4}}}})");
+  EXPECT_EQ(m.normal_texture.tex_coord, 4U);
+  EXPECT_THAT(m.normal_texture.offset, ElementsAre(0.5F, 1));
+  EXPECT_EQ(m.normal_texture.rotation, 0.25F);
+  EXPECT_THAT(m.normal_texture.scale, ElementsAre(2, 3));
+}
+
+TEST(Lights, KindsAndDefaults) {
+  const AssetText file(R"({"nodes": [{"extensions": {"KHR_lights_punctual": {"light": 1}}}, {}],
+ "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "color": [1, 0, 0], "intensity": 3},
+ {"type": "spot", "spot": {"innerConeAngle": 0.9, "outerConeAngle": 0.5}, "range": 7}, {"type": "moon"}, {"type": "point", "name": "lamp"}]}}})");
+  const auto lights = read_lights(file.asset);
+  ASSERT_EQ(lights.size(), 4U);
+  EXPECT_EQ(lights[0]->type, LightType::directional);
+  EXPECT_EQ(lights[0]->intensity, 3);
+  EXPECT_THAT(lights[0]->color, ElementsAre(1, 0, 0));
+  EXPECT_EQ(lights[1]->range, 7);
+  EXPECT_EQ(lights[1]->inner_cone_angle, 0.5F) << "never beyond the outer one";
+  EXPECT_FALSE(lights[2]);
+  EXPECT_EQ(lights[3]->name, "lamp");
+  EXPECT_TRUE(std::isinf(lights[3]->range));
+  EXPECT_FLOAT_EQ(lights[3]->outer_cone_angle, 0.7853982F);
+  const Views views(file.asset);
+  EXPECT_EQ(light_of(file.asset, views.nodes[0]), 1U);
+  EXPECT_FALSE(light_of(file.asset, views.nodes[1]));
+  const AnimatedValues bright{{"/extensions/KHR_lights_punctual/lights/3/intensity", {9}}};
+  EXPECT_EQ(read_lights(file.asset, &bright)[3]->intensity, 9);
+}
+
+TEST(Cameras, BothProjections) {
+  const AssetText file(R"({"cameras": [
+ {"type": "perspective", "name": "eye", "perspective": {"yfov": 0.5, "znear": 0.1, "aspectRatio": 2}},
+ {"type": "orthographic", "orthographic": {"xmag": -2, "ymag": 1, "znear": 0, "zfar": 10}},
+ {"type": "perspective", "perspective": {"yfov": 4}}, {"type": "orthographic"}]})");
+  const auto eye = read_camera(file.asset, 0);
+  ASSERT_TRUE(eye);
+  EXPECT_EQ(eye->name, "eye");
+  EXPECT_TRUE(eye->perspective);
+  EXPECT_EQ(eye->y_fov, 0.5F);
+  EXPECT_EQ(eye->aspect_ratio, 2);
+  EXPECT_EQ(eye->z_near, 0.1F);
+  EXPECT_TRUE(std::isinf(eye->z_far));
+  const auto plan = read_camera(file.asset, 1);
+  ASSERT_TRUE(plan);
+  EXPECT_FALSE(plan->perspective);
+  EXPECT_EQ(plan->x_mag, 2);
+  EXPECT_EQ(plan->z_far, 10);
+  EXPECT_FALSE(read_camera(file.asset, 2));
+  EXPECT_FALSE(read_camera(file.asset, 3));
+}
+
+TEST(Variants, MappingsChooseTheMaterial) {
+  const AssetText file(
+      R"({"extensions": {"KHR_materials_variants": {"variants": [{"name": "red"}, {"name": "blue"}, {}]}},
+ "materials": [{}, {}, {}], "meshes": [{"primitives": [{"attributes": {}, "material": 0, "extensions":
+ {"KHR_materials_variants": {"mappings": [{"material": 1, "variants": [0, 2]}, {"material": 9, "variants": [1]}]}}}]}]})");
+  EXPECT_THAT(variant_names(file.asset), ElementsAre("red", "blue", ""));
+  const Views views(file.asset);
+  const Primitive& primitive = views.meshes[0].primitives[0];
+  EXPECT_EQ(material_of(file.asset, primitive, std::nullopt), 0U);
+  EXPECT_EQ(material_of(file.asset, primitive, 0), 1U);
+  EXPECT_EQ(material_of(file.asset, primitive, 2), 1U);
+  EXPECT_EQ(material_of(file.asset, primitive, 1), 0U) << "there is no material 9";
+  EXPECT_EQ(material_of(file.asset, primitive, 7), 0U);
+}
+
+}  // namespace
+}  // namespace gltfx::model
