@@ -61,6 +61,16 @@ void Editor::replace_scalar(NodeId value, std::string json) {
   add(span.begin, span.end, std::move(json));
 }
 
+void Editor::enclose(NodeId container, NodeId value, std::string_view name) {
+  const Layout layout = layout_.of(container);
+  std::string before = "{" + layout.padding;
+  append_string(before, name);
+  before += layout.colon;
+  const Span span = document_.span(value);
+  add(span.begin, span.begin, std::move(before));
+  add(span.end, span.end, layout.padding + "}");
+}
+
 void Editor::remove(NodeId container, NodeId item) { changes_[container].removed.insert(item); }
 
 void Editor::append_member(NodeId object, std::string_view name, std::string_view json) {

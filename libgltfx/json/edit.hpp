@@ -44,6 +44,9 @@ class Editor {
   void replace(NodeId container, NodeId value, std::string_view json);
   /// Puts a number, literal or string in the place of another.
   void replace_scalar(NodeId value, std::string json);
+  /// Makes a value, which stays as it is, the only member of a new object in its place. The line is
+  /// not broken; spacing follows that of `container`, which holds the value.
+  void enclose(NodeId container, NodeId value, std::string_view name);
   /// Takes out a member (by its key) or an element of `container`, with the comma it needs.
   void remove(NodeId container, NodeId item);
   /// Adds a member behind those of an object.

@@ -98,7 +98,7 @@ class Upgrade {
     const auto ambiguity = upgrade::find_ambiguity(parsed_, plan);
     report_.actions = std::move(plan.actions);
     edits_ = std::move(plan.edits);
-    if (report_.actions.empty()) return true;
+    if (report_.due() == 0) return true;
     if (ambiguity) return fail(UpgradeProblem::refused, *ambiguity);
     if (const auto obstacle = upgrade::find_glb_obstacle(container_); obstacle && !edits_.empty()) {
       return fail(UpgradeProblem::refused, "it cannot be written anew: " + *obstacle);
@@ -116,7 +116,7 @@ class Upgrade {
 
   bool is_lossless() const {
     for (const UpgradeAction& action : report_.actions) {
-      if (action.fate != UpgradeFate::safe) return false;
+      if (action.is_due() && (action.fate != UpgradeFate::safe || action.lossy)) return false;
     }
     return true;
   }

@@ -69,8 +69,13 @@ void exchange(Archive& archive, Generation& generation) {
 
 template <class Archive>
 void exchange(Archive& archive, UpgradeStep& step) {
-  archive(step.copy, step.from, step.to, step.take, step.swizzle, step.accept_index,
+  archive(step.kind, step.from, step.to, step.otherwise, step.take, step.swizzle, step.accept_index,
           step.generations);
+}
+
+template <class Archive>
+void exchange(Archive& archive, UpgradeStay& stay) {
+  archive(stay.generations, stay.because);
 }
 
 template <class Archive>
@@ -80,7 +85,9 @@ void exchange(Archive& archive, UpgradeLoss& loss) {
 
 template <class Archive>
 void exchange(Archive& archive, Upgrade& upgrade) {
-  archive(upgrade.to, upgrade.strength, upgrade.hidden_by, upgrade.steps, upgrade.losses);
+  archive(upgrade.to, upgrade.alternatives, upgrade.opt_in, upgrade.together, upgrade.conversion,
+          upgrade.blocked_by, upgrade.stays, upgrade.strength, upgrade.hidden_by, upgrade.steps,
+          upgrade.losses);
 }
 
 template <class Archive>

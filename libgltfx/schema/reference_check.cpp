@@ -26,7 +26,12 @@ class ReferenceCheck {
     for (SourceId id = 0; id < build_.sources.size(); ++id) {
       if (!build_.sources[id].is_extension()) continue;
       generations(id);
+      const std::size_t faults = build_.faults.size();
       upgrade(id);
+      if (build_.faults.size() > faults && is_outdated(id)) {
+        build_.faults.keep(faults);
+        set_.extensions[build_.extension_of[id]].upgrade = {};
+      }
     }
     nesting();
   }
@@ -178,43 +183,96 @@ class ReferenceCheck {
     }
   }
 
+  TypeId object_type(const Extension& extension) const {
+    return set_.shapes[extension.homes.front().second].type;
+  }
+
+  // An upgrade of ours may lead to an extension that a file of the user describes otherwise: then
+  // there is none.
+  bool is_outdated(SourceId id) const {
+    return !build_.sources[id].from_user &&
+           std::any_of(build_.sources.begin(), build_.sources.end(),
+                       [](const Source& source) { return source.from_user; });
+  }
+
   // What an upgrade takes has to exist on the extension's object, what it gives on its successor's.
   void upgrade(SourceId id) {
     const Extension& extension = set_.extensions[build_.extension_of[id]];
-    if (extension.upgrade.to.empty() || extension.homes.empty()) return;
     const Site root{id, build_.sources[id].document.root()};
     const Site at = build_.member(build_.member(root, "x-gltfx"), "upgrade");
-    const auto successor = set_.extension_ids.find(extension.upgrade.to);
-    const bool described =
-        successor != set_.extension_ids.end() && !set_.extensions[successor->second].homes.empty();
-    if (!described) {
-      return unknown(build_.member(at, "to"), extension.upgrade.to,
-                     "no extension that is described", extension_names());
+    if (!at.exists() || extension.homes.empty()) return;
+    const Upgrade& upgrade = extension.upgrade;
+    for (const UpgradeStay& stay : upgrade.stays) {
+      known_generations(extension, stay.generations, build_.member(at, "stays"));
     }
-    const auto type_of = [&](const Extension& of) {
-      return set_.shapes[of.homes.front().second].type;
-    };
-    const TypeId own = type_of(extension);
-    if (!extension.upgrade.strength.empty()) {
-      has_member(own, extension.upgrade.strength, build_.member(at, "strength"));
+    if (upgrade.to.empty()) {
+      if (upgrade.stays.empty()) build_.faults.add(at, "'to' is missing: nothing else is said");
+      return;
     }
-    upgrade_steps(extension, own, type_of(set_.extensions[successor->second]),
-                  build_.member(at, "steps"));
+    const Extension* successor = described(upgrade.to, build_.member(at, "to"));
+    if (successor == nullptr) return;
+    for (const std::string& other : upgrade.alternatives) {
+      described(other, build_.member(at, "alternatives"));
+    }
+    const TypeId own = object_type(extension);
+    if (!upgrade.strength.empty()) {
+      has_member(own, upgrade.strength, build_.member(at, "strength"));
+    }
+    upgrade_steps(extension, own, object_type(*successor), build_.member(at, "steps"));
+  }
+
+  const Extension* described(const std::string& name, Site at) {
+    const auto found = set_.extension_ids.find(name);
+    if (found != set_.extension_ids.end() && !set_.extensions[found->second].homes.empty()) {
+      return &set_.extensions[found->second];
+    }
+    unknown(at, name, "no extension that is described", extension_names());
+    return nullptr;
   }
 
   void upgrade_steps(const Extension& extension, TypeId own, TypeId new_type, Site list) {
+    if (!list.exists()) return;
     std::size_t index = 0;
     for (const json::NodeId element : build_.document(list).elements(list.node)) {
       const UpgradeStep& step = extension.upgrade.steps[index++];
       const Site at{list.source, element};
-      if (!step.copy) has_member(own, step.from, build_.member(at, "from"));
-      has_member(new_type, step.to, build_.member(at, "to"));
-      for (const std::string& name : step.generations) {
-        std::vector<std::string_view> names;
-        for (const Generation& known : extension.generations) names.push_back(known.name);
-        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-        unknown(build_.member(at, "generations"), name, "no generation of the extension", names);
+      const bool place = step.kind == UpgradeStep::Kind::place;
+      if (step.from.empty() && (!place || step.otherwise.empty())) {
+        build_.faults.add(at, "'from' is missing");
       }
+      if (step.kind != UpgradeStep::Kind::copy && !step.from.empty()) {
+        has_member(own, step.from, build_.member(at, "from"));
+      }
+      if (place) {
+        has_place(extension.homes.front().first, step.to, build_.member(at, "to"));
+      } else {
+        has_member(new_type, step.to, build_.member(at, "to"));
+      }
+      known_generations(extension, step.generations, build_.member(at, "generations"));
+    }
+  }
+
+  void known_generations(const Extension& extension, const std::vector<std::string>& wanted,
+                         Site at) {
+    std::vector<std::string_view> names;
+    for (const Generation& known : extension.generations) names.push_back(known.name);
+    for (const std::string& name : wanted) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+      unknown(at, name, "no generation of the extension", names);
+    }
+  }
+
+  // A path of members from an object of that type.
+  void has_place(TypeId home, const std::string& path, Site at) {
+    std::vector<std::string> steps;
+    for (std::size_t from = 0; from <= path.size();) {
+      const std::size_t end = std::min(path.find('/', from), path.size());
+      steps.push_back(path.substr(from, end - from));
+      from = end + 1;
+    }
+    Place place{home, kNone};
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (!step(place, steps, i, at)) return;
     }
   }
 

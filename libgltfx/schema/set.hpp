@@ -154,10 +154,15 @@ struct Generation {
 
 /// How one member comes to the successor of an extension.
 struct UpgradeStep {
-  /// Copied from the object that carries the extension, else moved within the extension's own.
-  bool copy = false;
+  enum class Kind : std::uint8_t {
+    move,   ///< within the extension's own object
+    copy,   ///< from the object that carries the extension
+    place,  ///< to the object that carries the extension
+  };
+  Kind kind = Kind::move;
   std::string from;        ///< member; of a copy a path of members, "pbrMetallicRoughness/x"
-  std::string to;          ///< member of the successor's object
+  std::string to;          ///< member of the successor's object; of a place a path from the carrier
+  std::string otherwise;   ///< JSON text to write where there is no `from`; empty: none
   std::uint64_t take = 0;  ///< that many numbers of a list, the first ones; 0: the value as it is
   std::string swizzle;     ///< "r>a": the texture needs an image whose A is the old R
   bool accept_index = false;             ///< a bare index stands for {"index": n}
@@ -166,14 +171,27 @@ struct UpgradeStep {
 
 /// What an upgrade cannot carry over.
 struct UpgradeLoss {
-  std::string vertex_attribute;          ///< that the old extension read and the new one does not
+  /// That the old extension read and the new one does not; empty: lost in any case.
+  std::string vertex_attribute;
   std::vector<std::string> generations;  ///< that lose it; empty: all
+  std::string because;
+};
+
+/// Why objects of some generations have no way to anything.
+struct UpgradeStay {
+  std::vector<std::string> generations;  ///< empty: all
   std::string because;
 };
 
 /// The way from an extension to its successor.
 struct Upgrade {
-  std::string to;                   ///< empty: there is none
+  std::string to;                         ///< empty: there is none
+  std::vector<std::string> alternatives;  ///< other successors, one of which may be asked for
+  std::string opt_in;                ///< why it is done only when asked for by name; empty: always
+  bool together = false;             ///< all objects of a document, or none
+  std::string conversion;            ///< code that does what steps cannot say; empty: none
+  std::vector<Relation> blocked_by;  ///< extensions beside which an object stays
+  std::vector<UpgradeStay> stays;
   std::string strength;             ///< member that turns the effect off when it is 0
   std::vector<Relation> hidden_by;  ///< extensions beside which the effect is not seen
   std::vector<UpgradeStep> steps;

@@ -51,6 +51,11 @@ class FaultList {
     add({value.source, value.node - 1}, std::move(message));
   }
   bool empty() const { return faults_.empty(); }
+  std::size_t size() const { return faults_.size(); }
+  /// Takes back all faults but the first `count`.
+  void keep(std::size_t count) {
+    faults_.erase(faults_.begin() + static_cast<std::ptrdiff_t>(count), faults_.end());
+  }
   /// All faults, by file and place.
   std::vector<SchemaFault> take();
 

@@ -130,23 +130,29 @@ constexpr std::array kGeneration{
 };
 
 constexpr std::array kUpgrade{
-    Word{"to", F::extension_name, K::none, true},
-    Word{"strength", F::nonempty_text},
-    Word{"hiddenBy", F::relations},
-    Word{"steps", F::upgrade_steps, K::none, true},
-    Word{"losses", F::upgrade_losses},
+    Word{"to", F::extension_name},   Word{"alternatives", F::names},
+    Word{"optIn", F::nonempty_text}, Word{"together", F::flag},
+    Word{"convert", F::conversion},  Word{"strength", F::nonempty_text},
+    Word{"hiddenBy", F::relations},  Word{"blockedBy", F::relations},
+    Word{"steps", F::upgrade_steps}, Word{"losses", F::upgrade_losses},
+    Word{"stays", F::upgrade_stays},
 };
 constexpr std::array kUpgradeStep{
     Word{"step", F::step_kind, K::none, true},
-    Word{"from", F::nonempty_text, K::none, true},
+    Word{"from", F::nonempty_text},
     Word{"to", F::nonempty_text, K::none, true},
+    Word{"otherwise", F::any},
     Word{"take", F::count},
     Word{"swizzle", F::swizzle},
     Word{"accept", F::accepted_form},
     Word{"generations", F::names},
 };
 constexpr std::array kUpgradeLoss{
-    Word{"vertexAttribute", F::nonempty_text, K::none, true},
+    Word{"vertexAttribute", F::nonempty_text},
+    Word{"generations", F::names},
+    Word{"because", F::nonempty_text, K::none, true},
+};
+constexpr std::array kUpgradeStay{
     Word{"generations", F::names},
     Word{"because", F::nonempty_text, K::none, true},
 };
@@ -160,7 +166,8 @@ constexpr std::array<std::string_view, 10> kMutable{"bool",     "int",    "float
                                                     "float4x4", "float[]"};
 constexpr std::array<std::string_view, 2> kColorSpaces{"linear", "srgb"};
 constexpr std::array<std::string_view, 2> kSeverities{"error", "warning"};
-constexpr std::array<std::string_view, 2> kStepKinds{"move", "copy"};
+constexpr std::array<std::string_view, 3> kStepKinds{"move", "copy", "place"};
+constexpr std::array<std::string_view, 3> kConversions{"scattering", "specular-glossiness", "xmp"};
 constexpr std::array<std::string_view, 1> kAcceptedForms{"index"};
 constexpr std::array<std::string_view, 3> kRequirements{"always", "without-fallback",
                                                         "recommended"};
@@ -198,12 +205,14 @@ std::span<const Word> words(Context context) {
       return kUpgradeStep;
     case Context::upgrade_loss:
       return kUpgradeLoss;
+    case Context::upgrade_stay:
+      return kUpgradeStay;
   }
   return {};
 }
 
 std::string_view context_name(Context context) {
-  constexpr std::array<std::string_view, 12> kNames{"a schema file",
+  constexpr std::array<std::string_view, 13> kNames{"a schema file",
                                                     "a schema",
                                                     "x-gltfx",
                                                     "x-gltfx of an extension",
@@ -214,7 +223,8 @@ std::string_view context_name(Context context) {
                                                     "a generation",
                                                     "an upgrade",
                                                     "a step of an upgrade",
-                                                    "a loss of an upgrade"};
+                                                    "a loss of an upgrade",
+                                                    "what stays in an upgrade"};
   return kNames[static_cast<std::size_t>(context)];
 }
 
@@ -246,6 +256,8 @@ std::span<const std::string_view> listed_values(Form form) {
       return kStepKinds;
     case Form::accepted_form:
       return kAcceptedForms;
+    case Form::conversion:
+      return kConversions;
     default:
       return {};
   }

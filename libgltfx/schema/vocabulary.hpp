@@ -105,8 +105,10 @@ enum class Form : std::uint8_t {
   upgrade,
   upgrade_steps,
   upgrade_losses,
+  upgrade_stays,
   step_kind,
   accepted_form,
+  conversion,
   swizzle,
 };
 
@@ -130,7 +132,8 @@ enum class Context : std::uint8_t {
   generation,
   upgrade,
   upgrade_step,
-  upgrade_loss
+  upgrade_loss,
+  upgrade_stay
 };
 
 /// The words an object of that kind may have.

@@ -108,6 +108,8 @@ class FileCheck {
         return each_element(node, word, Context::upgrade_step);
       case Form::upgrade_losses:
         return each_element(node, word, Context::upgrade_loss);
+      case Form::upgrade_stays:
+        return each_element(node, word, Context::upgrade_stay);
       case Form::semantics:
         return each_member(node, word, Context::attribute);
       default:

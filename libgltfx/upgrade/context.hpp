@@ -3,9 +3,13 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "json/edit.hpp"
@@ -18,11 +22,20 @@ namespace gltfx::upgrade {
 
 /// An object with extensions, one of which is legacy.
 struct Carrier {
-  std::string array;        ///< root array it stands in: "materials"
+  std::string array;        ///< member of the root it stands in: "materials", "asset"; empty: root
   std::uint64_t index = 0;  ///< there
+  bool single = false;      ///< it is that member itself, which is no array
   json::NodeId host = json::kNoNode;
   json::NodeId extensions = json::kNoNode;  ///< its member of that name
   json::NodeId object = json::kNoNode;      ///< the legacy extension's value there
+
+  std::string pointer() const;  ///< "/materials/3"
+};
+
+/// Where a member of a carrier comes from in this run.
+struct Origin {
+  json::NodeId value = json::kNoNode;  ///< kNoNode: it is gone, so that its default holds
+  std::vector<std::string> path;       ///< of the value, from the carrier
 };
 
 /// State of one plan. Keeps references to all it is made of.
@@ -52,13 +65,29 @@ struct Context {
   /// Members to take out of objects of extensions, by the host; settled at the end, because an
   /// object that loses all of them goes itself.
   std::map<json::NodeId, std::vector<json::NodeId>> dropped;
+  /// Values of legacy objects that are extensions of their carriers no more.
+  std::unordered_set<json::NodeId> gone;
+  /// Extensions that carriers have got, by the carrier's object.
+  std::set<std::pair<json::NodeId, std::string>> given;
+  /// Members of carriers that have got another value, by the carrier's object and their path.
+  std::map<std::pair<json::NodeId, std::string>, Origin> moved;
   /// By attribute: materials of the primitives that have it.
   std::unordered_map<std::string, std::unordered_set<std::uint64_t>> attribute_users;
 
+  /// Whether a carrier has an extension, as far as this run has come.
+  bool has_beside(const Carrier& carrier, const std::string& extension) const;
+  /// The value of a member of a carrier ("pbrMetallicRoughness/baseColorFactor"), likewise.
+  Origin origin_of(const Carrier& carrier, const std::string& path) const;
   /// Number of textures in the document.
   std::uint64_t texture_count() const { return asset.count(model::RootArray::textures); }
   /// Whether a primitive with that attribute uses the material, also by way of an extension.
   bool is_used_with(const std::string& attribute, std::uint64_t material);
 };
+
+/// "a/b/c" into its members.
+std::vector<std::string> split_path(std::string_view path);
+/// What `path` leads to from an object, or kNoNode.
+json::NodeId find_path(const json::Document& document, json::NodeId object,
+                       std::span<const std::string> path);
 
 }  // namespace gltfx::upgrade

@@ -58,7 +58,7 @@ Decision decide_by_name(const json::Document& document, const schema::Extension&
             fmt::format("{} does not fit: {}", generation.name,
                         other.empty() ? "what it needs is missing" : "it has " + other)};
   }
-  return {nullptr, {}, fmt::format("there is no generation {}", quoted(wanted))};
+  return {};
 }
 
 }  // namespace
@@ -76,7 +76,10 @@ bool is_called(const schema::Generation& generation, std::string_view word) {
 Decision decide_generation(const json::Document& document, const schema::Extension& extension,
                            json::NodeId object, std::string_view wanted) {
   if (extension.generations.empty()) return {};
-  if (wanted != "auto") return decide_by_name(document, extension, object, wanted);
+  // A name that is another extension's says nothing of this one.
+  const bool named = std::any_of(extension.generations.begin(), extension.generations.end(),
+                                 [&](const auto& one) { return is_called(one, wanted); });
+  if (named) return decide_by_name(document, extension, object, wanted);
   for (const schema::Generation& generation : extension.generations) {
     if (fits(document, object, generation)) {
       return {&generation, reason(document, extension, object, generation), {}};

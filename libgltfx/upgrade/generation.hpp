@@ -17,7 +17,8 @@ struct Decision {
   std::string problem;  ///< why the wanted generation cannot be it
 };
 
-/// `wanted` is "auto" or one of the names in a generation's ("v2/v3" has two).
+/// `wanted` is one of the names in a generation's ("v2/v3" has two); any other word, such as
+/// "auto", leaves it to the members.
 Decision decide_generation(const json::Document& document, const schema::Extension& extension,
                            json::NodeId object, std::string_view wanted);
 

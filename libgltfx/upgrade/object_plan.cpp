@@ -13,16 +13,6 @@
 namespace gltfx::upgrade {
 namespace {
 
-std::vector<std::string> split(std::string_view path) {
-  std::vector<std::string> steps;
-  while (true) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    steps.emplace_back(path.substr(0, end));
-    if (end == path.size()) return steps;
-    path.remove_prefix(end + 1);
-  }
-}
-
 std::vector<json::Number> numbers_of(const json::Document& document, json::NodeId list) {
   std::vector<json::Number> numbers;
   if (document.kind(list) != json::Kind::number_array) return numbers;
@@ -34,24 +24,28 @@ std::vector<json::Number> numbers_of(const json::Document& document, json::NodeI
 
 }  // namespace
 
-ObjectPlan::ObjectPlan(Context& context, const schema::Extension& extension, Carrier carrier)
+ObjectPlan::ObjectPlan(Context& context, const schema::Extension& extension,
+                       const schema::Extension& successor, Carrier carrier)
     : context_(context),
       document_(context.document),
       extension_(extension),
-      successor_(context.set.extensions()[context.set.find_extension(extension.upgrade.to)]),
-      carrier_(std::move(carrier)) {}
+      successor_(successor),
+      carrier_(std::move(carrier)),
+      placements_(context, carrier_),
+      conversion_(make_conversion(extension.upgrade.conversion)) {}
+
+UpgradeAction ObjectPlan::refuse(std::string why) {
+  action_.fate = UpgradeFate::impossible;
+  action_.notes.push_back(std::move(why));
+  return action_;
+}
 
 UpgradeAction ObjectPlan::judge() {
-  action_.pointer =
-      fmt::format("/{}/{}/extensions/{}", carrier_.array, carrier_.index, extension_.name);
+  action_.pointer = fmt::format("{}/extensions/{}", carrier_.pointer(), extension_.name);
   action_.from = extension_.name;
-  action_.to = extension_.upgrade.to;
-  const auto refuse = [this](std::string why) {
-    action_.fate = UpgradeFate::impossible;
-    action_.notes.push_back(std::move(why));
-    return action_;
-  };
+  action_.to = successor_.name;
   if (!document_.is_object(carrier_.object)) return refuse("it is no object");
+  if (Problem problem = blocker()) return refuse(*std::move(problem));
   if (const Problem why = reason_to_go()) {
     if (is_pointed_at({"extensions", extension_.name})) {
       return refuse(*why + ", but an animation or graph points into it");
@@ -68,7 +62,12 @@ UpgradeAction ObjectPlan::judge() {
   action_.decision = decision.because;
   if (Problem problem = judge_company()) return refuse(*std::move(problem));
   if (Problem problem = judge_steps()) return refuse(*std::move(problem));
-  if (!action_.removed) note_losses();
+  if (conversion_ != nullptr) {
+    if (Problem problem = conversion_->judge(bench())) return refuse(*std::move(problem));
+  }
+  if (action_.removed) return action_;
+  note_overwritten();
+  note_losses();
   return action_;
 }
 
@@ -77,17 +76,29 @@ bool ObjectPlan::is_pointed_at(const std::vector<std::string>& steps) const {
 }
 
 bool ObjectPlan::has_beside(const std::string& extension) const {
-  return document_.find(carrier_.extensions, extension) != json::kNoNode;
+  return context_.has_beside(carrier_, extension);
+}
+
+ObjectPlan::Problem ObjectPlan::blocker() const {
+  for (const schema::Relation& other : extension_.upgrade.blocked_by) {
+    if (has_beside(other.extension)) {
+      return fmt::format("{} stands beside it: {}", other.extension, other.because);
+    }
+  }
+  return std::nullopt;
 }
 
 // Objects without effect.
-ObjectPlan::Problem ObjectPlan::reason_to_go() const {
+ObjectPlan::Problem ObjectPlan::reason_to_go() {
   const schema::Upgrade& upgrade = extension_.upgrade;
-  if (has_beside(upgrade.to)) {
-    return fmt::format("{} stands beside it already and is what readers use", upgrade.to);
+  if (has_beside(successor_.name)) {
+    return fmt::format("{} stands beside it already and is what readers use", successor_.name);
   }
   for (const schema::Relation& hider : upgrade.hidden_by) {
     if (has_beside(hider.extension)) return fmt::format("without effect: {}", hider.because);
+  }
+  if (conversion_ != nullptr) {
+    if (Problem why = conversion_->reason_to_go(bench())) return why;
   }
   if (upgrade.strength.empty() ||
       is_pointed_at({"extensions", extension_.name, upgrade.strength})) {
@@ -100,11 +111,17 @@ ObjectPlan::Problem ObjectPlan::reason_to_go() const {
   return fmt::format("without effect: {} is 0", upgrade.strength);
 }
 
-ObjectPlan::Problem ObjectPlan::judge_company() const {
+// What the successor excludes is in the way. What only the old one excludes was not to be seen.
+ObjectPlan::Problem ObjectPlan::judge_company() {
   for (const schema::Relation& excluded : successor_.excludes) {
-    if (!has_beside(excluded.extension)) continue;
+    if (excluded.extension == extension_.name || !has_beside(excluded.extension)) continue;
     return fmt::format("{} must not stand beside {}: {}", successor_.name, excluded.extension,
                        excluded.because);
+  }
+  for (const schema::Relation& excluded : extension_.excludes) {
+    if (!has_beside(excluded.extension)) continue;
+    lose(fmt::format("{}, which must not stand beside {}, takes effect: {}", excluded.extension,
+                     extension_.name, excluded.because));
   }
   return std::nullopt;
 }
@@ -117,12 +134,46 @@ bool ObjectPlan::applies(const std::vector<std::string>& generations) const {
 ObjectPlan::Problem ObjectPlan::judge_steps() {
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
     if (!applies(step.generations)) continue;
-    if (document_.find(carrier_.object, step.to) != json::kNoNode) {
+    const bool place = step.kind == schema::UpgradeStep::Kind::place;
+    if (!place && step.to != step.from &&
+        document_.find(carrier_.object, step.to) != json::kNoNode) {
       return fmt::format("it has a member {} already", gltfx::quoted(step.to));
     }
-    if (Problem problem = step.copy ? find_copied(step) : find_moved(step)) return problem;
+    if (Problem problem = find(step)) return problem;
   }
   return std::nullopt;
+}
+
+ObjectPlan::Problem ObjectPlan::find(const schema::UpgradeStep& step) {
+  switch (step.kind) {
+    case schema::UpgradeStep::Kind::copy:
+      return find_copied(step);
+    case schema::UpgradeStep::Kind::place:
+      return find_placed(step);
+    case schema::UpgradeStep::Kind::move:
+      break;
+  }
+  return find_moved(step);
+}
+
+// A value of the object, or another text, goes to a member of the carrier; what is there goes.
+ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
+  const std::vector<std::string> path = split_path(step.to);
+  if (is_pointed_at(path)) {
+    return fmt::format("an animation changes {}, which was not seen", step.to);
+  }
+  const json::NodeId value =
+      step.from.empty() ? json::kNoNode : document_.find(carrier_.object, step.from);
+  if (value == json::kNoNode) return placements_.put(step.to, step.otherwise);
+  if (Problem problem = check_value(step.from, value)) return problem;
+  found_.emplace_back(&step, value);
+  return placements_.put(step.to, std::string(document_.raw(value)));
+}
+
+void ObjectPlan::note_overwritten() {
+  for (const std::string& path : placements_.overwritten()) {
+    action_.notes.push_back(fmt::format("{} is overwritten", path));
+  }
 }
 
 ObjectPlan::Problem ObjectPlan::check_value(const std::string& name, json::NodeId value) {
@@ -145,7 +196,12 @@ ObjectPlan::Problem ObjectPlan::check_texture(const std::string& name, json::Nod
 
 ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
   const json::NodeId value = document_.find(carrier_.object, step.from);
-  if (value == json::kNoNode) return std::nullopt;
+  if (value == json::kNoNode) {
+    if (step.otherwise.empty()) return std::nullopt;
+    found_.emplace_back(&step, value);
+    found_.back().json = step.otherwise;
+    return std::nullopt;
+  }
   Found found{&step, value};
   if (step.accept_index && document_.is_number(value)) {
     if (Problem problem = check_texture(step.from, value)) return problem;
@@ -214,7 +270,7 @@ void ObjectPlan::weigh_evidence(const schema::UpgradeStep& step, const ChannelMo
 bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& texture) {
   const std::string factor = factor_of(step);
   const auto factors = std::find_if(found_.begin(), found_.end(), [&](const Found& each) {
-    return !each.step->copy && each.step->from == factor;
+    return each.step->kind == schema::UpgradeStep::Kind::move && each.step->from == factor;
   });
   if (factors == found_.end() || is_pointed_at({"extensions", extension_.name, factor}) ||
       is_pointed_at({"extensions", extension_.name, step.from})) {
@@ -234,22 +290,20 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
 }
 
 ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
-  const std::vector<std::string> path = split(step.from);
-  json::NodeId value = carrier_.host;
-  for (const std::string& name : path) value = document_.find(value, name);
-  Found found{&step, value};
-  if (value != json::kNoNode) {
-    if (Problem problem = fill_copy(found)) return problem;
+  const Origin origin = context_.origin_of(carrier_, step.from);
+  Found found{&step, origin.value};
+  if (origin.value != json::kNoNode) {
+    if (Problem problem = fill_copy(found, origin.path)) return problem;
     if (!found.json.empty()) found_.push_back(std::move(found));
   }
-  if (is_pointed_at(path)) {
+  if (is_pointed_at(origin.path)) {
     lose(fmt::format("{} is animated; the copy in {} stays as it is now", step.from, step.to));
   }
   return std::nullopt;
 }
 
 // The new text of what is copied; none where it is the default.
-ObjectPlan::Problem ObjectPlan::fill_copy(Found& found) {
+ObjectPlan::Problem ObjectPlan::fill_copy(Found& found, const std::vector<std::string>& path) {
   const schema::UpgradeStep& step = *found.step;
   const schema::TypeId type = context_.set.shape(successor_.homes.front().second).type;
   const schema::ShapeId shape = context_.set.find_property(type, step.to)->shape;
@@ -269,7 +323,7 @@ ObjectPlan::Problem ObjectPlan::fill_copy(Found& found) {
     if (!context_.holds(items, {found.value, &number})) return problem;
     list.append(1, list.empty() ? '[' : ',').append(number.span.in(document_.text()));
   }
-  const bool animated = is_pointed_at(split(step.from));
+  const bool animated = is_pointed_at(path);
   if (animated || !is_default(step.to, numbers)) found.json = std::move(list).append(1, ']');
   return std::nullopt;
 }
@@ -293,8 +347,15 @@ void ObjectPlan::lose(std::string note) {
 void ObjectPlan::note_losses() {
   for (const schema::UpgradeLoss& loss : extension_.upgrade.losses) {
     if (!applies(loss.generations)) continue;
-    if (carrier_.array != "materials") continue;
-    if (context_.is_used_with(loss.vertex_attribute, carrier_.index)) {
+    if (loss.vertex_attribute.empty()) {
+      if (extension_.upgrade.opt_in.empty()) {
+        lose(loss.because);
+      } else {
+        action_.lossy = true;
+        action_.notes.push_back(loss.because);
+      }
+    } else if (carrier_.array == "materials" &&
+               context_.is_used_with(loss.vertex_attribute, carrier_.index)) {
       lose(fmt::format("{}: {}", loss.vertex_attribute, loss.because));
     }
   }
@@ -302,26 +363,39 @@ void ObjectPlan::note_losses() {
 
 void ObjectPlan::apply() {
   const json::NodeId key = carrier_.object - 1;
+  context_.gone.insert(carrier_.object);
   if (action_.removed) {
     context_.dropped[carrier_.host].push_back(key);
     return;
   }
-  context_.editor.rename(key, extension_.upgrade.to);
-  for (const Found& found : found_) {
-    if (found.gone) {
-      context_.editor.remove(carrier_.object, found.value - 1);
-      continue;
-    }
-    if (found.step->copy) {
-      context_.editor.append_member(carrier_.object, found.step->to, found.json);
-      continue;
-    }
-    context_.editor.rename(found.value - 1, found.step->to);
-    if (found.image) {
-      show(found, context_.plan.additions.add_texture(*found.image, found.sampler));
-    } else if (!found.json.empty()) {
-      context_.editor.replace(carrier_.object, found.value, found.json);
-    }
+  context_.given.insert({carrier_.host, successor_.name});
+  context_.editor.rename(key, successor_.name);
+  for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
+    const bool place = step.kind == schema::UpgradeStep::Kind::place && applies(step.generations);
+    if (place) context_.moved[{carrier_.host, step.to}] = {};
+  }
+  for (const Found& found : found_) apply(found);
+  if (conversion_ != nullptr) conversion_->apply(bench());
+  placements_.apply();
+}
+
+void ObjectPlan::apply(const Found& found) {
+  const schema::UpgradeStep& step = *found.step;
+  json::Editor& editor = context_.editor;
+  if (found.gone) return editor.remove(carrier_.object, found.value - 1);
+  if (step.kind == schema::UpgradeStep::Kind::place) {
+    context_.moved[{carrier_.host, step.to}] = {found.value,
+                                                {"extensions", extension_.name, step.from}};
+    return editor.remove(carrier_.object, found.value - 1);
+  }
+  if (step.kind == schema::UpgradeStep::Kind::copy || found.value == json::kNoNode) {
+    return editor.append_member(carrier_.object, step.to, found.json);
+  }
+  if (step.to != step.from) editor.rename(found.value - 1, step.to);
+  if (found.image) {
+    show(found, context_.plan.additions.add_texture(*found.image, found.sampler));
+  } else if (!found.json.empty()) {
+    editor.replace(carrier_.object, found.value, found.json);
   }
 }
 

@@ -2,23 +2,29 @@
 /// The fate of one legacy object: judged first, changed only when it is to be done.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "upgrade/channel_move.hpp"
 #include "upgrade/context.hpp"
+#include "upgrade/conversion.hpp"
+#include "upgrade/placements.hpp"
 
 namespace gltfx::upgrade {
 
 class ObjectPlan {
  public:
-  ObjectPlan(Context& context, const schema::Extension& extension, Carrier carrier);
+  ObjectPlan(Context& context, const schema::Extension& extension,
+             const schema::Extension& successor, Carrier carrier);
 
   /// What is to become of it, and why.
   UpgradeAction judge();
   /// Puts the changes into the context's editor. Precondition: judge() found it possible.
   void apply();
+  /// Extensions that the carrier gets beside the successor.
+  std::vector<std::string> further_extensions() const { return placements_.extensions(); }
 
  private:
   /// A step with what it finds in the document.
@@ -36,9 +42,13 @@ class ObjectPlan {
 
   bool is_pointed_at(const std::vector<std::string>& steps) const;
   bool has_beside(const std::string& extension) const;
-  Problem reason_to_go() const;
-  Problem judge_company() const;
+  Workbench bench() { return {context_, carrier_, extension_, successor_, placements_, action_}; }
+  Problem reason_to_go();
+  Problem blocker() const;
+  UpgradeAction refuse(std::string why);
+  Problem judge_company();
   Problem judge_steps();
+  Problem find(const schema::UpgradeStep& step);
   Problem find_moved(const schema::UpgradeStep& step);
   Problem find_channel(const schema::UpgradeStep& step, Found& found);
   bool fold(const schema::UpgradeStep& step, double constant, Found& found);
@@ -46,20 +56,25 @@ class ObjectPlan {
   std::string factor_of(const schema::UpgradeStep& step) const;
   json::NodeId texture_index(const Found& found) const;
   void show(const Found& found, std::uint64_t texture);
+  Problem find_placed(const schema::UpgradeStep& step);
+  void note_overwritten();
   Problem find_copied(const schema::UpgradeStep& step);
-  Problem fill_copy(Found& found);
+  Problem fill_copy(Found& found, const std::vector<std::string>& path);
   Problem check_value(const std::string& name, json::NodeId value);
   Problem check_texture(const std::string& name, json::NodeId index);
   void note_losses();
   bool applies(const std::vector<std::string>& generations) const;
   bool is_default(const std::string& property, const std::vector<json::Number>& numbers) const;
   void lose(std::string note);
+  void apply(const Found& found);
 
   Context& context_;
   const json::Document& document_;
   const schema::Extension& extension_;
   const schema::Extension& successor_;
   const Carrier carrier_;
+  Placements placements_;
+  std::unique_ptr<Conversion> conversion_;
   std::string generation_;
   std::vector<Found> found_;
   UpgradeAction action_;

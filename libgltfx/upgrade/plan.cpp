@@ -2,13 +2,19 @@
 #include "upgrade/plan.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
 #include "base/json_pointer.hpp"
 #include "json/writer.hpp"
+#include "model/fields.hpp"
+#include "upgrade/carriers.hpp"
+#include "upgrade/choice.hpp"
 #include "upgrade/context.hpp"
+#include "upgrade/generation.hpp"
 #include "upgrade/name_list.hpp"
 #include "upgrade/object_plan.hpp"
 
@@ -22,15 +28,25 @@ std::string_view upgrade_fate_name(UpgradeFate fate) {
       return "unsafe";
     case UpgradeFate::needs_image:
       return "needs an image";
+    case UpgradeFate::on_request:
+      return "on request";
+    case UpgradeFate::no_successor:
+      return "no successor";
     case UpgradeFate::impossible:
       break;
   }
   return "not possible";
 }
 
-std::uint64_t UpgradeReport::left() const {
+std::uint64_t UpgradeReport::due() const {
   return static_cast<std::uint64_t>(std::count_if(
-      actions.begin(), actions.end(), [](const UpgradeAction& action) { return !action.done; }));
+      actions.begin(), actions.end(), [](const UpgradeAction& action) { return action.is_due(); }));
+}
+
+std::uint64_t UpgradeReport::left() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(actions.begin(), actions.end(),
+                    [](const UpgradeAction& action) { return action.is_due() && !action.done; }));
 }
 
 }  // namespace gltfx
@@ -38,84 +54,136 @@ std::uint64_t UpgradeReport::left() const {
 namespace gltfx::upgrade {
 namespace {
 
-// Root arrays whose elements carry an extension.
-std::vector<std::string> arrays_of(const schema::Set& set, const schema::Extension& extension) {
-  std::vector<std::string> arrays;
-  const schema::TypeId root = set.find_type("glTF");
-  if (root == schema::kNone) return arrays;
-  for (const schema::Property& property : set.type(root).properties) {
-    if (property.shape == schema::kNone) continue;
-    const schema::ShapeId items = set.shape(property.shape).items;
-    if (items == schema::kNone) continue;
-    for (const auto& [home, shape] : extension.homes) {
-      if (set.shape(items).type == home) arrays.push_back(property.name);
-    }
-  }
-  return arrays;
-}
-
 /// One legacy extension in one document.
 class ExtensionPlan {
  public:
   ExtensionPlan(Context& context, const schema::Extension& extension)
-      : context_(context), document_(context.document), extension_(extension) {}
+      : context_(context),
+        document_(context.document),
+        extension_(extension),
+        choice_(choose(context.options, extension)) {}
 
   void run(NameList& used, NameList& required) {
-    for (const std::string& array : arrays_of(context_.set, extension_)) plan_array(array);
+    if (choice_.wish == Wish::no) return;
+    for (Carrier& carrier : carriers_of(document_, context_.set, extension_)) {
+      judge(std::move(carrier));
+    }
+    if (extension_.upgrade.together) hold_together();
+    for (Judged& one : judged_) settle(one);
     if (converted_ + removed_ == 0) return;
     settle_names(used, required);
     settle_pointers();
   }
 
  private:
-  void plan_array(const std::string& array) {
-    const json::NodeId list = document_.find(document_.root(), array);
-    if (list == json::kNoNode || document_.kind(list) != json::Kind::array) return;
-    std::uint64_t index = 0;
-    for (const json::NodeId host : document_.elements(list)) {
-      const json::NodeId extensions = document_.find(host, "extensions");
-      const json::NodeId object = document_.find(extensions, extension_.name);
-      if (object != json::kNoNode) plan_object({array, index, host, extensions, object});
-      ++index;
+  struct Judged {
+    Carrier carrier;
+    UpgradeAction action;
+    std::unique_ptr<ObjectPlan> plan;  ///< null where nothing can be done
+  };
+
+  bool is_doable(const UpgradeAction& action) const {
+    return action.fate == UpgradeFate::safe ||
+           (action.fate == UpgradeFate::unsafe && context_.options.unsafe);
+  }
+
+  void judge(Carrier carrier) {
+    if (auto action = action_without_plan(carrier)) {
+      judged_.push_back({std::move(carrier), *std::move(action), nullptr});
+      return;
+    }
+    const schema::Extension& successor =
+        context_.set.extensions()[context_.set.find_extension(choice_.to)];
+    auto plan = std::make_unique<ObjectPlan>(context_, extension_, successor, carrier);
+    UpgradeAction action = plan->judge();
+    judged_.push_back({std::move(carrier), std::move(action), std::move(plan)});
+  }
+
+  // What has no successor, or is not done unless somebody asks for it.
+  std::optional<UpgradeAction> action_without_plan(const Carrier& carrier) const {
+    const Decision decision =
+        decide_generation(document_, extension_, carrier.object, context_.options.generation);
+    const std::string generation = decision.generation ? decision.generation->name : "";
+    UpgradeAction action;
+    action.pointer = carrier.pointer() + "/extensions/" + extension_.name;
+    action.from = extension_.name;
+    action.to = choice_.to;
+    for (const schema::UpgradeStay& stay : extension_.upgrade.stays) {
+      const auto& names = stay.generations;
+      if (!names.empty() && std::find(names.begin(), names.end(), generation) == names.end()) {
+        continue;
+      }
+      const bool named = !context_.options.only.empty() || !context_.options.to.empty();
+      action.fate = named ? UpgradeFate::impossible : UpgradeFate::no_successor;
+      action.to.clear();
+      action.generation = generation;
+      action.decision = decision.because;
+      action.notes.push_back(stay.because);
+      return action;
+    }
+    if (choice_.wish != Wish::offered) return std::nullopt;
+    action.fate = UpgradeFate::on_request;
+    action.notes.push_back("--only " + extension_.name + ": " + extension_.upgrade.opt_in);
+    return action;
+  }
+
+  // All objects or none: one that stays, or stands where nobody expects it, keeps the others.
+  void hold_together() {
+    const auto doable = static_cast<std::size_t>(
+        std::count_if(judged_.begin(), judged_.end(),
+                      [this](const Judged& one) { return is_doable(one.action); }));
+    if (doable == count_occurrences()) return;
+    for (Judged& one : judged_) {
+      if (!is_doable(one.action)) continue;
+      one.action.fate = UpgradeFate::impossible;
+      one.action.notes.emplace_back("others of the document stay, and all of them go together");
     }
   }
 
-  void plan_object(const Carrier& carrier) {
-    ObjectPlan object(context_, extension_, carrier);
-    UpgradeAction action = object.judge();
-    action.done = action.fate == UpgradeFate::safe ||
-                  (action.fate == UpgradeFate::unsafe && context_.options.unsafe);
-    if (action.done) {
-      object.apply();
-      (action.removed ? removed_ : converted_) += 1;
-      if (!action.removed) done_.insert(carrier.array + "/" + std::to_string(carrier.index));
+  void settle(Judged& one) {
+    one.action.done = is_doable(one.action);
+    if (one.action.done) {
+      one.plan->apply();
+      (one.action.removed ? removed_ : converted_) += 1;
+      if (!one.action.removed) {
+        done_.insert(one.carrier.pointer());
+        for (std::string& name : one.plan->further_extensions()) given_.insert(std::move(name));
+      }
     }
-    context_.plan.actions.push_back(std::move(action));
+    context_.plan.actions.push_back(std::move(one.action));
   }
 
-  // Objects of the extension that stay, also where they should not be.
-  std::size_t count_left() const {
+  // Objects of the extension, also where they should not be.
+  std::size_t count_occurrences() const {
     const json::KeyId name = document_.key_id(extension_.name);
+    const json::KeyId extras = document_.key_id("extras");
     std::size_t count = 0;
-    for (json::NodeId id = 0; id < document_.node_count(); ++id) {
+    for (json::NodeId id = 0; id < document_.node_count();) {
       const json::Node& node = document_.node(id);
-      count += node.kind == json::Kind::key && node.next == name ? 1U : 0U;
+      const bool key = node.kind == json::Kind::key;
+      count += key && node.next == name ? 1U : 0U;
+      id = key && node.next == extras ? document_.next(id + 1) : id + 1;
     }
-    return count - converted_ - removed_;
+    return count;
   }
 
   void settle_names(NameList& used, NameList& required) {
     const std::string& from = extension_.name;
-    const std::string& to = extension_.upgrade.to;
-    left_ = count_left();
+    const std::string& to = choice_.to;
+    left_ = count_occurrences() - converted_ - removed_;
     const bool was_required = required.has(from);
     for (NameList* list : {&used, &required}) {
       if (left_ == 0 && converted_ > 0) list->replace(from, to);
       if (left_ == 0 && converted_ == 0) list->remove(from);
     }
     if (converted_ == 0) return;
+    given_.insert(to);
     used.add(to);
     if (was_required) required.add(to);
+    for (const std::string& name : given_) {
+      used.add(name);
+      if (was_required) required.add(name);
+    }
   }
 
   // "/materials/3/extensions/OLD/member/..." becomes "/materials/3/extensions/NEW/other/...".
@@ -125,37 +193,48 @@ class ExtensionPlan {
         continue;
       }
       const bool every = Pointers::is_template(use) && left_ == 0 && removed_ == 0;
-      if (every || done_.count(use.steps[0] + "/" + use.steps[1]) > 0) rename(use);
+      if (every || done_.count("/" + use.steps[0] + "/" + use.steps[1]) > 0) rename(use);
     }
   }
 
   void rename(const PointerUse& use) {
     std::string pointer;
-    for (std::size_t i = 0; i < use.steps.size(); ++i) {
-      std::string_view step = use.steps[i];
-      if (i == 3) step = extension_.upgrade.to;
-      if (i == 4) step = new_name(step);
-      append_pointer_step(pointer, step);
-    }
+    const std::string_view member = use.steps.size() > 4 ? use.steps[4] : std::string_view();
+    std::vector<std::string> steps(use.steps.begin(), use.steps.begin() + 2);
+    for (std::string& step : new_place(member)) steps.push_back(std::move(step));
+    const std::size_t rest = std::min<std::size_t>(use.steps.size(), 5);
+    steps.insert(steps.end(), use.steps.begin() + static_cast<std::ptrdiff_t>(rest),
+                 use.steps.end());
+    for (const std::string& step : steps) append_pointer_step(pointer, step);
     std::string json;
     json::append_string(json, pointer);
     context_.editor.replace_scalar(use.node, std::move(json));
   }
 
-  std::string_view new_name(std::string_view member) const {
+  // Where a member of the old object, or with no name the object, is now from the carrier.
+  std::vector<std::string> new_place(std::string_view member) const {
+    std::vector<std::string> path{"extensions", choice_.to};
+    if (member.empty()) return path;
+    path.emplace_back(member);
     for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
-      if (!step.copy && step.from == member) return step.to;
+      if (step.kind == schema::UpgradeStep::Kind::copy || step.from != member) continue;
+      if (step.kind == schema::UpgradeStep::Kind::place) return split_path(step.to);
+      path.back() = step.to;
+      return path;
     }
-    return member;
+    return path;
   }
 
   Context& context_;
   const json::Document& document_;
   const schema::Extension& extension_;
+  const Choice choice_;
+  std::vector<Judged> judged_;
   std::size_t converted_ = 0;
   std::size_t removed_ = 0;
   std::size_t left_ = 0;
-  std::unordered_set<std::string> done_;  ///< "materials/3"
+  std::set<std::string> given_;           ///< names of extensions that the document has now
+  std::unordered_set<std::string> done_;  ///< "/materials/3"
 };
 
 void settle_dropped(Context& context) {
@@ -169,15 +248,52 @@ void settle_dropped(Context& context) {
   }
 }
 
+// Extensions that may stand in the document, those first on whose results others build: what puts
+// values into its carrier before what copies them from there.
+std::vector<const schema::Extension*> legacy_of(const json::Document& document,
+                                                const schema::Set& set) {
+  std::vector<const schema::Extension*> legacy;
+  for (const schema::Extension& extension : set.extensions()) {
+    const bool named = document.key_id(extension.name) != json::kNoKey;
+    const bool known = !extension.upgrade.to.empty() || !extension.upgrade.stays.empty();
+    if (known && named) legacy.push_back(&extension);
+  }
+  const auto order = [](const schema::Extension* extension) {
+    const auto& steps = extension->upgrade.steps;
+    const bool places = std::any_of(steps.begin(), steps.end(), [](const auto& step) {
+      return step.kind == schema::UpgradeStep::Kind::place;
+    });
+    if (!extension->upgrade.opt_in.empty()) return 2;
+    return places ? 0 : 1;
+  };
+  std::stable_sort(legacy.begin(), legacy.end(),
+                   [&](const auto* a, const auto* b) { return order(a) < order(b); });
+  return legacy;
+}
+
+// Another format than glTF 2.0, in which nothing here has a meaning.
+std::optional<UpgradeAction> old_version(const json::Document& document) {
+  const json::NodeId asset = document.find(document.root(), "asset");
+  const std::string version = model::string_member(document, asset, "version");
+  if (!version.starts_with("1.")) return std::nullopt;
+  UpgradeAction action;
+  action.pointer = "/asset/version";
+  action.from = "glTF " + version;
+  action.fate = UpgradeFate::no_successor;
+  action.notes.emplace_back("glTF 1.0 is another format: a converter to glTF 2.0 comes first");
+  return action;
+}
+
 }  // namespace
 
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options, Pictures* pictures) {
-  std::vector<const schema::Extension*> legacy;
-  for (const schema::Extension& extension : set.extensions()) {
-    const bool named = document.key_id(extension.name) != json::kNoKey;
-    if (!extension.upgrade.to.empty() && named) legacy.push_back(&extension);
+  if (auto action = old_version(document)) {
+    Plan plan;
+    plan.actions.push_back(*std::move(action));
+    return plan;
   }
+  const std::vector<const schema::Extension*> legacy = legacy_of(document, set);
   if (legacy.empty()) return {};
   Context context(document, set, options, pictures);
   NameList used(document, "extensionsUsed");

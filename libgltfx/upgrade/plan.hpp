@@ -26,8 +26,8 @@ struct Plan {
 
 /// Plans for a document that was read to its end; where it has faults, find_ambiguity() says
 /// whether the plan can be trusted. Time is linear in its size but for the number of extensions.
-/// Only `generation`, `unsafe` and `pack` of the options are looked at. `pictures` are the
-/// document's images; without them what needs pixels is left alone.
+/// `generation`, `only`, `to`, `ior`, `unsafe` and `pack` of the options are looked at. `pictures`
+/// are the document's images; without them what needs pixels is left alone.
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options, Pictures* pictures = nullptr);
 

@@ -83,6 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Pair{Context::upgrade, meta()["$defs"]["upgrade"]},
                     Pair{Context::upgrade_step, meta()["$defs"]["upgradeStep"]},
                     Pair{Context::upgrade_loss, meta()["$defs"]["upgradeLoss"]},
+                    Pair{Context::upgrade_stay, meta()["$defs"]["upgradeStay"]},
                     Pair{Context::companion, meta()["$defs"]["companions"]["items"]}));
 
 class VocabularyList : public testing::TestWithParam<std::pair<Form, Json>> {};
@@ -101,6 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
                   meta()["$defs"]["extension"]["properties"]["mustBeRequired"]["enum"]},
         std::pair{Form::mutable_type, meta()["$defs"]["word"]["properties"]["mutable"]["enum"]},
         std::pair{Form::step_kind, meta()["$defs"]["upgradeStep"]["properties"]["step"]["enum"]},
+        std::pair{Form::conversion, meta()["$defs"]["upgrade"]["properties"]["convert"]["enum"]},
         std::pair{Form::accepted_form,
                   meta()["$defs"]["upgradeStep"]["properties"]["accept"]["enum"]},
         std::pair{Form::color_space, meta()["$defs"]["slot"]["properties"]["colorSpace"]["enum"]},

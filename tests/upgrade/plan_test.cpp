@@ -174,10 +174,12 @@ TEST(Plan, SomethingElseThanAnObjectIsLeftAlone) {
 TEST(Plan, BesideAnExtensionThatExcludesTheSuccessorItStays) {
   const std::string text =
       R"({"materials":[{"extensions":{"KHR_materials_pbrSpecularGlossiness":{},)"
-      R"("KHR_materials_translucency":{"translucencyFactor":1}}}]})";
+      R"("KHR_materials_volume":{},"KHR_materials_translucency":{"translucencyFactor":1}}}]})";
   const Upgraded result = upgraded(text);
   EXPECT_EQ(result.text, text);
-  EXPECT_THAT(result.only().notes, Contains(HasSubstr("KHR_materials_pbrSpecularGlossiness")));
+  EXPECT_THAT(result.plan.actions.at(0).notes, Contains(HasSubstr("KHR_materials_volume")));
+  EXPECT_THAT(result.plan.actions.at(1).notes,
+              Contains(HasSubstr("KHR_materials_pbrSpecularGlossiness")));
 }
 
 TEST(Plan, ObjectsWithoutEffectGoWithAllThatIsEmptyThen) {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,13 @@ inline Upgraded upgraded(const std::string& text, const UpgradeOptions& options 
   result.plan = make_plan(parsed.document, *schema::builtin_set(), options);
   result.text = json::apply_edits(text, result.plan.edits);
   return result;
+}
+
+/// A run that is limited to these legacy extensions.
+inline UpgradeOptions only(std::vector<std::string> names) {
+  UpgradeOptions options;
+  options.only = std::move(names);
+  return options;
 }
 
 /// A document with one material: `material` are its members before its extensions, `legacy` those

@@ -164,6 +164,12 @@ void Declaration::declare_upgrade() {
   app.add_flag("--unsafe", upgrade_.unsafe, "Do what loses something, too");
   app.add_flag("--strict", upgrade_.strict,
                "Leave files alone in which something cannot be done without loss");
+  add_list(app, "--only", upgrade_.only, "NAME",
+           "Only this legacy extension, also one that needs asking for (repeatable)");
+  add_list(app, "--to", upgrade_.to, "NAME",
+           "Only what can become this extension; chooses among several (repeatable)");
+  add_word(app, "--ior", upgrade_.ior, "N",
+           "For specular-glossiness: 0 is exact, 1000 for viewers that do not know 0 (default: 0)");
   add_word(app, "--generation", upgrade_.generation, "NAME",
            "Read legacy objects as v1, v2 or v3 (default: auto, by their members)");
   add_word(app, "--root", upgrade_.root, "DIR",

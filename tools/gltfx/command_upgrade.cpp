@@ -2,6 +2,7 @@
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "schema/compile.hpp"
 #include "schema_sources.hpp"
 #include "suggestion.hpp"
+#include "upgrade/choice.hpp"
 #include "upgrade_text.hpp"
 
 namespace gltfx::tool {
@@ -51,16 +53,28 @@ std::vector<std::string> generation_names(const schema::Set& set) {
   return names;
 }
 
+// An Error about the first name that is none of those known.
+std::optional<Error> unknown_name(std::string_view option, const std::vector<std::string>& wanted,
+                                  const std::vector<std::string>& known) {
+  for (const std::string& name : wanted) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return Error{
+        fmt::format("{}: {} is none of {}.", option, gltfx::quoted(name), fmt::join(known, ", "))};
+  }
+  return std::nullopt;
+}
+
 Result<UpgradeOptions> options_of(const UpgradeRequest& request) {
   UpgradeOptions options = request.upgrade;
   if (auto problem = check_root(options.root)) return *std::move(problem);
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();
   options.schemas = *schemas ? *std::move(schemas) : schema::builtin_set();
-  const std::vector<std::string> names = generation_names(*options.schemas);
-  if (std::find(names.begin(), names.end(), options.generation) == names.end()) {
-    return Error{fmt::format("--generation: {} is none of {}.", gltfx::quoted(options.generation),
-                             fmt::join(names, ", "))};
+  const schema::Set& set = *options.schemas;
+  for (auto problem : {unknown_name("--generation", {options.generation}, generation_names(set)),
+                       unknown_name("--only", options.only, upgrade::legacy_names(set)),
+                       unknown_name("--to", options.to, upgrade::successor_names(set))}) {
+    if (problem) return *std::move(problem);
   }
   return options;
 }
@@ -121,7 +135,7 @@ class UpgradeRun {
         break;
     }
     const bool unfinished = writing() && report.left() > 0;
-    const bool to_do = request_.check && !report.actions.empty();
+    const bool to_do = request_.check && report.due() > 0;
     return unfinished || to_do ? ExitCode::findings : ExitCode::ok;
   }
 

@@ -36,6 +36,8 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade assets/ --check             for CI: 1 when there is something to do
   gltfx upgrade assets/ -o current/         the same tree there, with what the assets refer to
   gltfx upgrade old.glb -o new.glb --unsafe --generation v2
+  gltfx upgrade wax.gltf --only KHR_materials_sss --in-place   a draft: on request
+  gltfx upgrade wax.gltf --to KHR_materials_scatter --in-place
 )";
 
 constexpr std::string_view kHookExamples =

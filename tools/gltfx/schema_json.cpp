@@ -203,6 +203,8 @@ void write_extension(Writer& writer, const Set& set, schema::ExtensionId id) {
   write_attributes(writer, "instanceAttributes", extension.instance_attributes);
   write_generations(writer, extension.generations);
   member_if(writer, "upgradesTo", extension.upgrade.to);
+  members_if(writer, "upgradesToOther", extension.upgrade.alternatives);
+  member_if(writer, "upgradeOnRequest", extension.upgrade.opt_in);
   writer.key("objects");
   writer.begin_array();
   for (const schema::TypeId type : types_of(set, id)) write_type(writer, set, type);

@@ -114,8 +114,18 @@ std::string extension_facts(const Set& set, const schema::Extension& extension) 
   for (const schema::Generation& generation : extension.generations) {
     facts.add("generation", generation.name + ": " + generation.description);
   }
-  if (!extension.upgrade.to.empty()) {
-    facts.add("upgrade", fmt::format("gltfx upgrade brings it to {}", extension.upgrade.to));
+  const schema::Upgrade& upgrade = extension.upgrade;
+  if (!upgrade.to.empty()) {
+    std::string text = fmt::format("gltfx upgrade brings it to {}", upgrade.to);
+    if (!upgrade.alternatives.empty()) {
+      text += fmt::format(" or {}", fmt::join(upgrade.alternatives, ", "));
+    }
+    if (!upgrade.opt_in.empty()) text += fmt::format(", on request: {}", upgrade.opt_in);
+    facts.add("upgrade", text);
+  }
+  for (const schema::UpgradeStay& stay : upgrade.stays) {
+    const std::string which = fmt::format("{}", fmt::join(stay.generations, ", "));
+    facts.add("stays", which.empty() ? stay.because : which + ": " + stay.because);
   }
   facts.add("specification", extension.spec);
   return facts.text();

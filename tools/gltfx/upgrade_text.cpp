@@ -14,11 +14,13 @@ namespace {
 
 std::string outcome(const UpgradeAction& action, bool refused) {
   const std::string_view fate = upgrade_fate_name(action.fate);
+  if (!action.is_due()) return fmt::format("left alone, {}", fate);
   if (!action.done && refused && action.fate == UpgradeFate::safe) {
     return "left alone with the whole file";
   }
   if (!action.done) return fmt::format("left alone: {}", fate);
-  return action.removed ? "removed" : fmt::format("to {}, {}", action.to, fate);
+  if (action.removed) return "removed";
+  return fmt::format("to {}, {}", action.to, action.lossy ? "with loss" : fate);
 }
 
 std::string action_text(const UpgradeAction& action, bool refused, const Style& style) {
@@ -40,8 +42,9 @@ void UpgradeSummary::add(const UpgradeReport& report) {
   } else {
     ++files;
   }
-  objects += report.actions.size();
-  done += report.actions.size() - report.left();
+  objects += report.due();
+  others += report.actions.size() - report.due();
+  done += report.due() - report.left();
   written += report.written ? 1U : 0U;
 }
 
@@ -55,12 +58,15 @@ std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
 
 std::string upgrade_summary_text(const UpgradeSummary& summary, bool writing) {
   using report::counted;
+  const std::string others =
+      summary.others == 0 ? "" : fmt::format(" ({} left alone)", summary.others);
   std::vector<std::string> parts;
   if (summary.files > 0 && summary.objects == 0) {
-    parts.push_back(counted(summary.files, "file") + ", nothing legacy");
+    parts.push_back(fmt::format("{}, nothing {}{}", counted(summary.files, "file"),
+                                summary.others == 0 ? "legacy" : "to upgrade", others));
   } else if (summary.files > 0) {
-    parts.push_back(fmt::format("{}, {}: {} {}, {} {}", counted(summary.files, "file"),
-                                counted(summary.objects, "legacy object"), summary.done,
+    parts.push_back(fmt::format("{}, {}{}: {} {}, {} {}", counted(summary.files, "file"),
+                                counted(summary.objects, "legacy object"), others, summary.done,
                                 writing ? "upgraded" : "can be upgraded",
                                 summary.objects - summary.done,
                                 writing ? "left" : "would be left"));

@@ -15,7 +15,8 @@ namespace gltfx::tool {
 struct UpgradeSummary {
   std::uint64_t files = 0;       ///< that were read
   std::uint64_t unreadable = 0;  ///< that were not
-  std::uint64_t objects = 0;     ///< legacy ones
+  std::uint64_t objects = 0;     ///< legacy ones that the run is about
+  std::uint64_t others = 0;      ///< those on request, or without a successor
   std::uint64_t done = 0;        ///< of these: upgraded, or to be upgraded when nothing is written
   std::uint64_t written = 0;     ///< files
   void add(const UpgradeReport& report);

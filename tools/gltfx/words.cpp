@@ -101,6 +101,10 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
                   "--in-place and --output.");
   reading.require(!words.backup || words.in_place, "upgrade: --backup goes with --in-place.");
   request.paths.words = words.paths;
+  reading.require(words.ior == "0" || words.ior == "1000", "upgrade: --ior is 0 or 1000.");
+  request.upgrade.ior = words.ior == "0" ? 0 : 1000;
+  request.upgrade.only = words.only;
+  request.upgrade.to = words.to;
   request.upgrade.generation = words.generation;
   request.upgrade.unsafe = words.unsafe;
   request.upgrade.strict = words.strict;

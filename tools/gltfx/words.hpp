@@ -28,8 +28,8 @@ struct ValidateWords {
 
 struct UpgradeWords {
   CommonWords common;
-  std::vector<std::string> paths, schema_files, schema_folders;
-  std::string output, generation = "auto", root;
+  std::vector<std::string> paths, schema_files, schema_folders, only, to;
+  std::string output, generation = "auto", root, ior = "0";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
        strict = false, quiet = false;
   bool hook = false;  ///< as above

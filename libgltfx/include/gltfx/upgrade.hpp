@@ -19,10 +19,12 @@ class Set;
 enum class UpgradeFate : std::uint8_t {
   safe,    ///< the same picture by the published texts, and nothing in the file speaks against it
   unsafe,  ///< something is lost: done when asked for
-  needs_image,  ///< a channel of an image has to be moved, which cannot be read: left alone
-  impossible,   ///< a fault or another extension stands against it: the object is left alone
+  needs_image,   ///< a channel of an image has to be moved, which cannot be read: left alone
+  impossible,    ///< a fault or another extension stands against it: the object is left alone
+  on_request,    ///< done only when it is asked for by name, which it was not
+  no_successor,  ///< there is nothing it could become
 };
-/// "safe", "unsafe", "needs an image", "not possible".
+/// "safe", "unsafe", "needs an image", "not possible", "on request", "no successor".
 std::string_view upgrade_fate_name(UpgradeFate fate);
 
 /// One object of a legacy extension. Owns its text.
@@ -32,14 +34,26 @@ struct UpgradeAction {
   std::string generation;  ///< as which generation it was read; empty when there is only one
   std::string decision;    ///< why as that one; empty when there is only one
   UpgradeFate fate = UpgradeFate::safe;
+  bool lossy = false;              ///< something is lost that goes with what was asked for by name
   bool removed = false;            ///< it has no effect, so it goes and nothing takes its place
   bool done = false;               ///< part of the new document
   std::vector<std::string> notes;  ///< what is lost, repaired or in the way; sentences without stop
+
+  /// Whether it is part of what was asked for: it is done, or left to do.
+  bool is_due() const {
+    return fate != UpgradeFate::on_request && fate != UpgradeFate::no_successor;
+  }
 };
 
 struct UpgradeOptions {
   /// "auto", or the name of a generation: every legacy object is read as that one.
   std::string generation = "auto";
+  /// Names of legacy extensions, and of successors, to which the upgrade is limited. Both empty:
+  /// all legacy extensions but those whose schema says that they are upgraded on request.
+  std::vector<std::string> only, to;
+  /// What takes the place of the index of refraction of specular-glossiness materials: 0 is exact,
+  /// 1000 for readers that do not know 0.
+  double ior = 0;
   bool unsafe = false;  ///< do what loses something, too
   /// A file in which something cannot be done without loss is an error and is not written.
   bool strict = false;
@@ -81,7 +95,9 @@ struct UpgradeReport {
   std::string written_to;
   std::string diff;  ///< unified, of the JSON text; raw asset text
 
-  /// Legacy objects that stay as they are.
+  /// Legacy objects that are part of what was asked for.
+  std::uint64_t due() const;
+  /// Those of them that stay as they are.
   std::uint64_t left() const;
 };
 

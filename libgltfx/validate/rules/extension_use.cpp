@@ -163,8 +163,11 @@ void report_unknown(const Entry& entry) {
 std::string successor_help(const schema::Extension& extension) {
   if (extension.successor.empty()) return {};
   const bool mendable = extension.upgrade.to == extension.successor;
-  return fmt::format("its successor is {}{}", extension.successor,
-                     mendable ? "; 'gltfx upgrade' brings the file there" : "");
+  std::string help = fmt::format("its successor is {}", extension.successor);
+  if (!mendable) return help;
+  const bool on_request = !extension.upgrade.opt_in.empty();
+  return fmt::format("{}; 'gltfx upgrade{}{}' brings the file there", help,
+                     on_request ? " --only " : "", on_request ? extension.name : "");
 }
 
 void report_status(const Entry& entry, const schema::Extension& extension) {

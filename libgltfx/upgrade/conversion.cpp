@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "upgrade/conversion.hpp"
+
+namespace gltfx::upgrade {
+
+bool Workbench::is_pointed_at(std::string_view path) const {
+  return context.pointers.lead_below(carrier.array, std::to_string(carrier.index),
+                                     split_path(path));
+}
+
+bool Workbench::is_own_pointed_at(std::string_view member) const {
+  const std::vector<std::string> path{"extensions", extension.name, std::string(member)};
+  return context.pointers.lead_below(carrier.array, std::to_string(carrier.index), path);
+}
+
+void Workbench::drop(std::string_view name) const {
+  const json::NodeId value = member(name);
+  if (value != json::kNoNode) context.editor.remove(carrier.object, value - 1);
+}
+
+std::unique_ptr<Conversion> make_conversion(std::string_view name) {
+  if (name == "scattering") return make_scattering();
+  if (name == "specular-glossiness") return make_specular_glossiness();
+  if (name == "xmp") return make_xmp();
+  return nullptr;
+}
+
+}  // namespace gltfx::upgrade

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The arithmetic of media that scatter light. Per channel R, G, B; lengths in metres, coefficients
+/// in 1/m.
+#pragma once
+
+#include <array>
+
+namespace gltfx::upgrade {
+
+using Rgb = std::array<double, 3>;
+
+/// Coefficient of a medium that leaves `color` of white light after `distance`: -ln(color) /
+/// distance. A channel that is 0 counts as 1e-6.
+Rgb coefficient(const Rgb& color, double distance);
+
+/// Single-scatter albedo for a multi-scatter albedo in 0 .. 1 and isotropic scattering (Kulla and
+/// Conty 2017, as in KHR_materials_volume_scatter).
+double single_scatter_albedo(double multi_scatter);
+
+/// The inverse: multi-scatter albedo, cut to 0 .. 1. 1 gives 1.
+double multi_scatter_albedo(double single_scatter);
+
+/// A medium as KHR_materials_volume and its scattering extension state it.
+struct Medium {
+  Rgb attenuation_color;        ///< colour after attenuation_distance; absorption and scattering
+  double attenuation_distance;  ///< mean free path: 1 / the mean of the three coefficients
+  Rgb multi_scatter_color;
+};
+
+/// The medium that scatters and absorbs with these coefficients, which are not all 0.
+Medium medium_of(const Rgb& scattering, const Rgb& absorption);
+
+}  // namespace gltfx::upgrade

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// KHR_xmp becomes JSON-LD.
+#include <gmock/gmock.h>
+
+#include "support.hpp"
+
+namespace gltfx::upgrade::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kDublinCore = R"("dc":"http://purl.org/dc/elements/1.1/")";
+const std::string kRdf = R"("rdf":"http://www.w3.org/1999/02/22-rdf-syntax-ns#")";
+
+std::string document(const std::string& packets, const std::string& context = kDublinCore,
+                     const std::string& others = "") {
+  return R"({"extensionsUsed":["KHR_xmp"],)" + others + R"("extensions":{"KHR_xmp":{"@context":{)" +
+         context + R"(},"packets":[)" + packets + "]}}}";
+}
+
+Json packet_after(const std::string& packet, const std::string& context = kDublinCore) {
+  const Json root = upgraded(document(packet, context)).json();
+  return root["extensions"]["KHR_xmp_json_ld"]["packets"][0];
+}
+
+TEST(Xmp, TheContextGoesIntoEveryPacket) {
+  const Upgraded result = upgraded(document(R"({"dc:format":"a"},{"@id":"x","dc:format":"b"})"));
+  EXPECT_EQ(result.json()["extensions"].dump(),
+            R"({"KHR_xmp_json_ld":{"packets":[{"dc:format":"a","@context":{)" + kDublinCore +
+                R"(},"@id":""},{"@id":"x","dc:format":"b","@context":{)" + kDublinCore + "}}]}}");
+  EXPECT_THAT(result.json()["extensionsUsed"], testing::ElementsAre("KHR_xmp_json_ld"));
+  EXPECT_EQ(result.only().fate, UpgradeFate::safe);
+}
+
+TEST(Xmp, ArraysSayWhetherTheirOrderCounts) {
+  const Json packet =
+      packet_after(R"({"dc:creator":["b","a"],"dc:subject":["x"],"dc:date":[],"dc:type":["t"]})");
+  EXPECT_EQ(packet["dc:creator"].dump(), R"({"@list":["b","a"]})");
+  EXPECT_EQ(packet["dc:subject"].dump(), R"({"@set":["x"]})");
+  EXPECT_EQ(packet["dc:date"].dump(), R"({"@list":[]})");
+  EXPECT_EQ(packet["dc:type"].dump(), R"({"@set":["t"]})");
+}
+
+TEST(Xmp, ArraysThatNobodyKnowsKeepTheirOrder) {
+  const Upgraded result =
+      upgraded(document(R"({"a:numbers":[1,2]},{"a:numbers":[3]})", R"("a":"urn:a")"));
+  EXPECT_EQ(result.json()["extensions"]["KHR_xmp_json_ld"]["packets"][0]["a:numbers"].dump(),
+            R"({"@list":[1,2]})");
+  EXPECT_THAT(result.only().notes,
+              testing::ElementsAre("the array 'a:numbers' is taken for an ordered one"));
+}
+
+TEST(Xmp, LanguagesBecomeAlternatives) {
+  const Json packet = packet_after(R"({"dc:title":{"en-us":"My \u00e4","it-it":"Mio"}})");
+  EXPECT_EQ(packet["dc:title"].dump(),
+            R"({"@type":"rdf:Alt","rdf:_1":{"@language":"en-us","@value":"My ä"},)"
+            R"("rdf:_2":{"@language":"it-it","@value":"Mio"}})");
+  EXPECT_EQ(packet["@context"].dump(), "{" + kDublinCore + "," + kRdf + "}");
+}
+
+TEST(Xmp, APrefixOfRdfIsReused) {
+  const Json packet =
+      packet_after(R"({"dc:title":{"en":"x"}})",
+                   kDublinCore + R"(,"r":"http://www.w3.org/1999/02/22-rdf-syntax-ns#")");
+  EXPECT_EQ(packet["dc:title"]["@type"], "r:Alt");
+  EXPECT_TRUE(packet["dc:title"].contains("r:_1"));
+}
+
+TEST(Xmp, StructuresStayAndWhatIsInThemFollows) {
+  const Json packet = packet_after(
+      R"({"xmpMM:Pantry":[{"dc:title":{"en":"x"},"a:b":{"a:c":["y"]}}],"a:d":{"a:e":"f"}})",
+      kDublinCore + R"(,"xmpMM":"http://ns.adobe.com/xap/1.0/mm/","a":"urn:a")");
+  EXPECT_EQ(packet["xmpMM:Pantry"].dump(),
+            R"({"@set":[{"dc:title":{"@type":"rdf:Alt","rdf:_1":{"@language":"en",)"
+            R"("@value":"x"}},"a:b":{"a:c":{"@list":["y"]}}}]})");
+  EXPECT_EQ(packet["a:d"].dump(), R"({"a:e":"f"})");
+}
+
+TEST(Xmp, TheDocumentsLayoutIsFollowed) {
+  const std::string text =
+      "{\n  \"extensions\": {\n    \"KHR_xmp\": {\n      \"@context\": {},\n      \"packets\": [\n"
+      "        {\n          \"dc:creator\": [\n            \"a\"\n          ]\n        }\n"
+      "      ]\n    }\n  }\n}\n";
+  EXPECT_THAT(
+      upgraded(text).text,
+      HasSubstr("          \"dc:creator\": {\"@list\": [\n            \"a\"\n          ]},\n"
+                "          \"@context\": {},\n          \"@id\": \"\"\n        }\n"));
+}
+
+TEST(Xmp, EveryReferenceIsRenamed) {
+  const std::string reference = R"({"extensions":{"KHR_xmp":{"packet":0}}})";
+  std::string others = R"("asset":)" + reference + ",";
+  for (const char* array : {"scenes", "nodes", "meshes", "materials", "images", "animations"}) {
+    others.append("\"").append(array).append(R"(":[{},)").append(reference).append("],");
+  }
+  const Upgraded result = upgraded(document(R"({"dc:format":"a"})", kDublinCore, others));
+  EXPECT_EQ(result.plan.actions.size(), 8U);
+  EXPECT_EQ(result.text.find("\"KHR_xmp\""), std::string::npos) << result.text;
+  EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());
+}
+
+class XmpLeft : public testing::TestWithParam<std::pair<std::string, const char*>> {};
+
+TEST_P(XmpLeft, Alone) {
+  const auto& [text, says] = GetParam();
+  const Upgraded result = upgraded(text);
+  EXPECT_EQ(result.text, text);
+  std::vector<std::string> notes;
+  for (const UpgradeAction& action : result.plan.actions) {
+    EXPECT_EQ(action.fate, UpgradeFate::impossible);
+    notes.insert(notes.end(), action.notes.begin(), action.notes.end());
+  }
+  EXPECT_THAT(notes, Contains(HasSubstr(says)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Upgrade, XmpLeft,
+    testing::Values(
+        std::pair{document("{},7"), "a packet is no object"},
+        std::pair{document(R"({"@context":{}})"), "@context already"},
+        std::pair{document("{}", R"("dc":7)"), "@context is not valid"},
+        std::pair{document(R"({"dc:title":{"en":"x"}})", R"("rdf":"urn:x")"), "something else"},
+        std::pair{std::string(R"({"extensions":{"KHR_xmp":{"@context":{}}}})"), "packets"},
+        std::pair{std::string(R"({"asset":{"extensions":{"KHR_xmp":{"packet":0}}}})"), "no packet"},
+        std::pair{
+            document("{}", kDublinCore, R"("nodes":[{"extensions":{"KHR_xmp":{"packet":1}}}],)"),
+            "all of them go together"},
+        std::pair{
+            document("{}", kDublinCore, R"("textures":[{"extensions":{"KHR_xmp":{"packet":0}}}],)"),
+            "all of them go together"}));
+
+}  // namespace
+}  // namespace gltfx::upgrade::test
