@@ -133,6 +133,100 @@ TEST(SpecularGlossiness, ADefaultDiffuseColourIsNoTint) {
   EXPECT_EQ(extension_of(upgraded(text)).dump(), R"({"diffuseTransmissionFactor":0.7})");
 }
 
+// Textures.
+
+// One image: RGBA whose alpha has these values at least and at most.
+class OneImage : public Pictures {
+ public:
+  OneImage(std::uint32_t least, std::uint32_t greatest) {
+    picture_.image.width = picture_.image.height = 4;
+    picture_.image.channels = 4;
+    picture_.image.statistics = {};
+    picture_.image.statistics[3] = {least, greatest, 0, 0};
+  }
+  const Picture& picture(std::uint64_t image) override { return image == 0 ? picture_ : none_; }
+  std::shared_ptr<const codec::Image> pixels(std::uint64_t) override { return nullptr; }
+  std::uint64_t same_as(std::uint64_t image) override { return image; }
+
+ private:
+  Picture picture_;
+  Picture none_{"it is not there", {}, false};
+};
+
+const std::string kTextures = R"("samplers":[{}],"images":[{}],)";
+
+std::string textured(const std::string& legacy, const std::string& root = "") {
+  std::string text = document(
+      R"("specularGlossinessTexture":{"index":1,"texCoord":1,"extras":{"index":1}})" + legacy, "",
+      kTextures + root);
+  const std::string plain = R"("textures":[{},{}])";
+  return text.replace(text.find(plain), plain.size(),
+                      R"("textures":[{},{"sampler":0,"source":0}])");
+}
+
+TEST(SpecularGlossiness, GlossinessInAlphaBecomesRoughnessInGreen) {
+  OneImage image(3, 200);
+  const Upgraded result = upgraded(textured(R"(,"glossinessFactor":0.5)"), {}, &image);
+  EXPECT_EQ(result.json()["materials"][0].dump(),
+            R"({"extensions":{"KHR_materials_specular":{"specularColorTexture":)"
+            R"({"index":1,"texCoord":1,"extras":{"index":1}}},"KHR_materials_ior":{"ior":0}},)"
+            R"("pbrMetallicRoughness":{"metallicFactor":0,"metallicRoughnessTexture":)"
+            R"({"index":2,"texCoord":1,"extras":{"index":1}},"roughnessFactor":1}})");
+  const Additions& made = result.plan.additions;
+  ASSERT_EQ(made.textures().size(), 1U);
+  EXPECT_EQ(made.textures()[0].sampler, 0U);
+  ASSERT_EQ(made.images().size(), 1U);
+  const ImageJob wanted{{ChannelSource::constant(1), ChannelSource::of(0, 3, -0.5, 1),
+                         ChannelSource::constant(0), ChannelSource::constant(1)}};
+  EXPECT_EQ(made.images()[0], wanted);
+}
+
+TEST(SpecularGlossiness, OneGlossinessForAllTexelsIsAFactor) {
+  const auto material = [](const std::string& legacy, std::uint32_t alpha) {
+    OneImage image(alpha, alpha);
+    const Upgraded result = upgraded(textured(legacy), {}, &image);
+    EXPECT_TRUE(result.plan.additions.empty());
+    return result.json()["materials"][0]["pbrMetallicRoughness"].dump();
+  };
+  EXPECT_EQ(material(R"(,"glossinessFactor":0.5)", 255),
+            R"({"metallicFactor":0,"roughnessFactor":0.5})");
+  EXPECT_EQ(material(R"(,"glossinessFactor":0.5)", 51),
+            R"({"metallicFactor":0,"roughnessFactor":0.9})");
+  EXPECT_EQ(material("", 0), R"({"metallicFactor":0,"roughnessFactor":1})");
+}
+
+TEST(SpecularGlossiness, WithoutGlossinessTheTextureNeedNotBeRead) {
+  EXPECT_EQ(upgraded(textured(R"(,"glossinessFactor":0)"))
+                .json()["materials"][0]["pbrMetallicRoughness"]
+                .dump(),
+            R"({"metallicFactor":0,"roughnessFactor":1})");
+}
+
+TEST(SpecularGlossiness, ATextureThatCannotBeReadKeepsTheMaterial) {
+  const std::string text = textured("");
+  EXPECT_EQ(upgraded(text).text, text);
+  EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::needs_image);
+  OneImage image(0, 255);
+  const std::string without = document(R"("specularGlossinessTexture":{"index":0})");
+  const Upgraded result = upgraded(without, {}, &image);
+  EXPECT_EQ(result.text, without);
+  EXPECT_THAT(result.only().notes, Contains(HasSubstr("no image")));
+}
+
+TEST(SpecularGlossiness, AnAnimatedTransformWouldDriveTwoTextures) {
+  const std::string text = textured(
+      "", R"("animations":[{"p":"/materials/0/extensions/KHR_materials_pbrSpecularGlossiness/)"
+          R"(specularGlossinessTexture/extensions/KHR_texture_transform/offset"}],)");
+  OneImage varied(0, 255);
+  const Upgraded left = upgraded(text, {}, &varied);
+  EXPECT_EQ(left.only().fate, UpgradeFate::impossible);
+  EXPECT_TRUE(left.plan.additions.empty());
+  OneImage even(255, 255);
+  EXPECT_EQ(upgraded(text, {}, &even).json()["animations"][0]["p"],
+            "/materials/0/extensions/KHR_materials_specular/specularColorTexture/extensions/"
+            "KHR_texture_transform/offset");
+}
+
 // Pointers of animations.
 
 std::string animated(const std::string& pointer) {
@@ -155,6 +249,12 @@ TEST(SpecularGlossiness, PointersFollow) {
                           R"("diffuseTexture":{"index":0})"),
             "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/"
             "offset");
+}
+
+TEST(SpecularGlossiness, AnAnimatedGlossinessIsLeftAlone) {
+  const std::string text = document("", "", animated("extensions/" + kName + "/glossinessFactor"));
+  EXPECT_EQ(upgraded(text).text, text);
+  EXPECT_THAT(upgraded(text).only().notes, Contains(HasSubstr("glossinessFactor is animated")));
 }
 
 TEST(SpecularGlossiness, AnAnimationOfTheFallbackStandsInTheWay) {

@@ -28,11 +28,12 @@ struct Upgraded {
   const UpgradeAction& only() const { return plan.actions.at(0); }
 };
 
-inline Upgraded upgraded(const std::string& text, const UpgradeOptions& options = {}) {
+inline Upgraded upgraded(const std::string& text, const UpgradeOptions& options = {},
+                         Pictures* pictures = nullptr) {
   const json::Parsed parsed = json::parse(std::string_view(text));
   EXPECT_TRUE(parsed.ok()) << text;
   Upgraded result;
-  result.plan = make_plan(parsed.document, *schema::builtin_set(), options);
+  result.plan = make_plan(parsed.document, *schema::builtin_set(), options, pictures);
   result.text = json::apply_edits(text, result.plan.edits);
   return result;
 }
