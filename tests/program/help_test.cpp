@@ -47,6 +47,7 @@ const std::vector<Verb>& verbs() {
       {"upgrade",
        {"PATH", "--in-place", "--output", "--backup", "--check", "--diff", "--unsafe", "--strict",
         "--generation", "--root", "--schema", "--schema-dir", "--quiet", "--jobs", "--color"}},
+      {"hook", {"VERB"}},
       {"explain", {"CODE", "--jobs", "--color"}},
       {"rules", {"--format", "--jobs", "--color"}},
       {"schema", {"NAME", "--format", "--schema", "--schema-dir", "--jobs", "--color"}},
