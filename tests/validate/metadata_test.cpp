@@ -67,6 +67,18 @@ TEST(Metadata, OfTheOlderExtensionSharesItsPrefixes) {
             Lines{"XMP_PREFIX_UNKNOWN /extensions/KHR_xmp/packets/1/xmp:b"});
 }
 
+TEST(Metadata, OfTheOlderExtensionHasLanguagesWithoutPrefix) {
+  const auto title = [](const std::string& value) {
+    return findings(R"("extensionsUsed": ["KHR_xmp"], "extensions": {"KHR_xmp": {"@context":
+      {"dc": "http://purl.org/dc/elements/1.1/"}, "packets": [{"dc:title": )" +
+                        value + "}]}}",
+                    {"XMP"});
+  };
+  EXPECT_EQ(title(R"({"en-us": "x", "x-default": "y"})"), Lines{});
+  EXPECT_EQ(title(R"({"en-us": 1})"),
+            Lines{"XMP_NAME_WITHOUT_PREFIX /extensions/KHR_xmp/packets/0/dc:title/en-us"});
+}
+
 TEST(Metadata, MayBeDeepAndWide) {
   std::string deep = "1", wide;
   for (int i = 0; i < 400; ++i) deep = R"({"dc:a": )" + deep + "}";

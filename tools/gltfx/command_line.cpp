@@ -169,7 +169,7 @@ void Declaration::declare_upgrade() {
   add_list(app, "--to", upgrade_.to, "NAME",
            "Only what can become this extension; chooses among several (repeatable)");
   add_word(app, "--ior", upgrade_.ior, "N",
-           "For specular-glossiness: 0 is exact, 1000 for viewers that do not know 0 (default: 0)");
+           "For specular-glossiness: 0 (default), or 1000 for viewers that do not know 0");
   add_word(app, "--generation", upgrade_.generation, "NAME",
            "Read legacy objects as v1, v2 or v3 (default: auto, by their members)");
   add_word(app, "--root", upgrade_.root, "DIR",

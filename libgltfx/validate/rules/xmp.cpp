@@ -103,12 +103,23 @@ class PacketCheck {
                            fmt::format("{}:Alt", prefixes_.rdf());
   }
 
+  // The languages of a text in KHR_xmp: {"en-us": "text"}. Members of structures have prefixes.
+  bool is_dictionary(json::NodeId object) const {
+    if (!document_.is_object(object)) return false;
+    for (const auto member : document_.members(object)) {
+      const bool prefixed = document_.key(member.key_id).find(':') != std::string_view::npos;
+      if (prefixed || !document_.is_string(member.value)) return false;
+    }
+    return true;
+  }
+
   void check_member(const Frame& frame, const Entry& entry) {
     const Path path(frame.path, entry.name);
     const bool keyword = entry.name.starts_with('@');
     if (entry.name == "@context") return;
     if (!keyword && !check_name(entry, path)) return;
     if (frame.is_languages && !keyword) return check_language(entry, path);
+    if (!json_ld_ && is_dictionary(entry.value)) return;
     if (document_.is_object(entry.value)) return open(entry.value, Path(frame.path, entry.name));
     if (!document_.is_array(entry.value)) return;
     if (json_ld_ && entry.name != "@list" && entry.name != "@set" && entry.name != "@type") {
