@@ -30,6 +30,11 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 /// overlaps any of the other. Of two insertions at one place that of `a` comes first.
 std::vector<Edit> merge_edits(std::vector<Edit> a, std::vector<Edit> b);
 
+/// What `second` (edits of the text that `first` makes of `text`) come to as edits of `text`
+/// itself. Both lists are as Editor::take() gives them.
+std::vector<Edit> chain_edits(std::string_view text, std::span<const Edit> first,
+                              std::span<const Edit> second);
+
 /// Collects changes to members and elements of one document and turns them into edits. New text
 /// follows the indentation, line ends and spacing of what stands around it. The
 /// document may have recoverable faults; those in the text of removed and replaced values go with
@@ -47,6 +52,8 @@ class Editor {
   /// Makes a value, which stays as it is, the only member of a new object in its place. The line is
   /// not broken; spacing follows that of `container`, which holds the value.
   void enclose(NodeId container, NodeId value, std::string_view name);
+  /// Puts text in the place of a number, be it a node or an element of a number_array.
+  void replace_text(Span span, std::string text) { add(span.begin, span.end, std::move(text)); }
   /// Takes out a member (by its key) or an element of `container`, with the comma it needs.
   void remove(NodeId container, NodeId item);
   /// Adds a member behind those of an object.

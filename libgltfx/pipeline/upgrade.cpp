@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <new>
@@ -14,6 +15,7 @@
 
 #include "base/parallel.hpp"
 #include "base/replace_file.hpp"
+#include "base/stale_files.hpp"
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "json/parse.hpp"
@@ -24,7 +26,10 @@
 #include "upgrade/asset_pictures.hpp"
 #include "upgrade/diff.hpp"
 #include "upgrade/glb_rewrite.hpp"
+#include "upgrade/orphans.hpp"
 #include "upgrade/plan.hpp"
+#include "upgrade/prune.hpp"
+#include "upgrade/references.hpp"
 #include "upgrade/render.hpp"
 #include "upgrade/settlement.hpp"
 #include "validate/validator.hpp"
@@ -58,6 +63,8 @@ class Upgrade {
     report_.error = std::move(error);
     for (UpgradeAction& action : report_.actions) action.done = false;
     report_.changes = false;
+    report_.new_files.clear();
+    report_.orphans.clear();
     return false;
   }
 
@@ -108,8 +115,11 @@ class Upgrade {
       return fail(UpgradeProblem::refused,
                   "not everything can be upgraded without loss (--strict)");
     }
-    if (!wants_new_text()) return true;
-    if (!plan.additions.empty() && !settle(plan.additions, bytes, pictures)) return false;
+    if (wants_new_text() && !plan.additions.empty() && !settle(plan.additions, bytes, pictures)) {
+      return false;
+    }
+    if (report_.changes && asset.count(model::RootArray::textures) > 0)
+      look_for_orphans(plan.released, bytes);
     if (options_.diff) report_.diff = upgrade::unified_diff(*container_.json, edits_, path_);
     return true;
   }
@@ -138,9 +148,47 @@ class Upgrade {
                                    });
     if (!settled) return fail(UpgradeProblem::refused, settled.error().message);
     edits_ = json::merge_edits(std::move(edits_), std::move(settled->edits));
-    bin_ = std::move(settled->bin);
+    bin_.more = std::move(settled->bin);
     files_ = std::move(settled->files);
+    for (const upgrade::NewFile& file : files_) report_.new_files.push_back(file.path);
     return true;
+  }
+
+  // What additions refer to is not missed: they stand behind everything that was there before.
+  void look_for_orphans(const std::vector<std::uint64_t>& released, upgrade::AssetBytes& bytes) {
+    const std::string text = json::apply_edits(*container_.json, edits_);
+    const json::Parsed now = json::parse(std::string_view(text));
+    const upgrade::References before(parsed_.document, *schemas_);
+    const upgrade::References after(now.document, *schemas_);
+    const upgrade::Orphans orphans =
+        upgrade::find_orphans(parsed_.document, before, released, now.document, after);
+    for (const auto& [array, indices] : orphans) {
+      for (const std::uint64_t index : indices) {
+        UpgradeOrphan orphan{fmt::format("/{}/{}", array, index), 0, false};
+        if (array == "images") orphan.bytes = size_of_image(bytes, index);
+        report_.orphans.push_back(std::move(orphan));
+      }
+    }
+    if (options_.prune && !report_.orphans.empty()) prune(now.document, after, orphans, bytes);
+  }
+
+  static std::uint64_t size_of_image(upgrade::AssetBytes& bytes, std::uint64_t index) {
+    const auto content = bytes.image(index);
+    return content ? content->size() : 0;
+  }
+
+  void prune(const json::Document& now, const upgrade::References& references,
+             const upgrade::Orphans& orphans, const upgrade::AssetBytes& bytes) {
+    std::optional<std::uint64_t> bin_size;
+    if (bytes.buffer_storage(0) == upgrade::Storage::bin_chunk) bin_size = container_.bin->length;
+    auto pruned = upgrade::prune(now, references, orphans, bin_size);
+    if (!pruned) {
+      report_.orphans_kept = pruned.error().message;
+      return;
+    }
+    edits_ = json::chain_edits(*container_.json, edits_, pruned->edits);
+    bin_.cut = std::move(pruned->cut);
+    for (UpgradeOrphan& orphan : report_.orphans) orphan.removed = true;
   }
 
   // A new name is one that is free, or taken by the same bytes, where the asset is and where it
@@ -229,12 +277,15 @@ class Upgrade {
   // Before the asset that refers to them.
   std::optional<Error> write_files() const {
     for (const upgrade::NewFile& file : files_) {
-      if (auto trouble = put_file(target_folder() / file.path, *file.bytes)) return trouble;
+      const fs::path target = target_folder() / file.path;
+      remove_stale_files(target);
+      if (auto trouble = put_file(target, *file.bytes)) return trouble;
     }
     return std::nullopt;
   }
 
   std::optional<Error> write_in_place(std::string_view bytes) {
+    remove_stale_files(path_);
     if (auto trouble = check_replaceable(path_, state_)) return trouble;
     if (auto trouble = write_files()) return trouble;
     if (!options_.backup) return replace_file(path_, bytes, state_);
@@ -257,6 +308,7 @@ class Upgrade {
       if (auto trouble = copy_companions(parsed_.document, resolver_, folder)) return trouble;
     }
     if (auto trouble = write_files()) return trouble;
+    remove_stale_files(target);
     return write_file(target, bytes);
   }
 
@@ -268,7 +320,7 @@ class Upgrade {
   container::Container container_;
   json::Parsed parsed_;
   std::vector<json::Edit> edits_;
-  std::string bin_;                      ///< goes behind the BIN chunk
+  upgrade::BinChange bin_;
   std::vector<upgrade::NewFile> files_;  ///< that the new document refers to
   UpgradeReport report_;
 };

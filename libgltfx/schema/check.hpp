@@ -56,13 +56,20 @@ class MemberVisitor {
   MemberVisitor& operator=(const MemberVisitor&) = default;
 };
 
+/// Called for each index of the document, also one that leads nowhere: the array that is meant,
+/// such as "/textures" (empty for one that is not reached from the root), the index, and the bytes
+/// of the text it stands in.
+using ReferenceVisitor =
+    std::function<void(std::string_view array, std::uint64_t index, Span span)>;
+
 struct CheckOptions {
   Scope scope = Scope::all;
   Part part = Part::all;
   /// Scope::khronos: the document that is checked, in which the walk hides members with a broken
   /// value, for they count as absent. Null leaves it as it is.
   json::Document* shown = nullptr;
-  MemberVisitor* members = nullptr;  ///< Scope::khronos
+  MemberVisitor* members = nullptr;              ///< Scope::khronos
+  const ReferenceVisitor* references = nullptr;  ///< Part::all
 };
 
 /// A texture slot that is filled.

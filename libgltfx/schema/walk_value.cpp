@@ -79,6 +79,7 @@ bool Walker::value(ShapeId id, json::NodeId node, Step step) {
         return false;
       break;
     case Plan::index: {
+      if (options_.references != nullptr) break;
       if (kind != json::Kind::number || !is_small_index(node, index)) break;
       const TargetPlan& target = tables_.targets[plan.target];
       if (target.pointer.empty() || target.steps_over) break;

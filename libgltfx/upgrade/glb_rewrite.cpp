@@ -36,9 +36,22 @@ bool is_harmless(const container::ContainerFault& fault) {
 
 std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 
-void append_chunk_header(std::string& out, std::uint64_t length, std::uint32_t type) {
-  append_little_endian(out, length);
+void append_chunk(std::string& out, std::uint32_t type, std::string_view data, char filler) {
+  append_little_endian(out, padded(data.size()));
   append_little_endian(out, type);
+  out += data;
+  out.append(padded(data.size()) - data.size(), filler);
+}
+
+std::string changed(std::string_view bin, const BinChange& change) {
+  std::string data;
+  std::size_t at = 0;
+  for (const ByteRange& range : change.cut) {
+    data += bin.substr(at, range.begin - at);
+    at = range.end;
+  }
+  data += bin.substr(at);
+  return data += change.more;
 }
 
 /// What follows the JSON chunk: the BIN chunk's data, and all before and behind that chunk.
@@ -68,11 +81,11 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 }
 
 Result<std::string> rewrite_glb(const container::Container& container, std::string_view json,
-                                std::string_view more) {
-  const Rest rest = rest_of(container, !more.empty());
+                                const BinChange& change) {
+  const Rest rest = rest_of(container, !change.empty());
+  const std::string bin = changed(rest.bin, change);
   json = without_padding(json);
-  const std::size_t bin_size = padded(rest.bin.size() + more.size());
-  const std::uint64_t added = more.empty() ? 0 : kChunkHeader + std::uint64_t{bin_size};
+  const std::uint64_t added = change.empty() ? 0 : kChunkHeader + std::uint64_t{padded(bin.size())};
   // What lies behind the last chunk is none of the asset and not counted.
   const std::size_t end = container.chunks.back().offset + container.chunks.back().length;
   const std::size_t uncounted = container.bytes.size() - end;
@@ -82,14 +95,9 @@ Result<std::string> rewrite_glb(const container::Container& container, std::stri
   std::string bytes(container.bytes.text().substr(0, kHeader - 4));  // magic and version
   bytes.reserve(total + uncounted);
   append_little_endian(bytes, total);
-  append_chunk_header(bytes, padded(json.size()), container::kChunkJson);
-  bytes += json;
-  bytes.append(padded(json.size()) - json.size(), ' ');
+  append_chunk(bytes, container::kChunkJson, json, ' ');
   bytes += rest.before;
-  if (!more.empty()) {
-    append_chunk_header(bytes, bin_size, container::kChunkBin);
-    bytes.append(rest.bin).append(more).append(bin_size - rest.bin.size() - more.size(), '\0');
-  }
+  if (!change.empty()) append_chunk(bytes, container::kChunkBin, bin, '\0');
   bytes += rest.behind;
   return bytes;
 }

@@ -66,6 +66,7 @@ UpgradeAction ObjectPlan::judge() {
     if (Problem problem = conversion_->judge(bench())) return refuse(*std::move(problem));
   }
   if (action_.removed) return action_;
+  if (context_.options.pack) pack();
   note_overwritten();
   note_losses();
   return action_;
@@ -170,78 +171,6 @@ ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
   return std::nullopt;
 }
 
-// The index of the texture that a texture info, or a bare index, names.
-json::NodeId ObjectPlan::texture_index(const Found& found) const {
-  return document_.is_number(found.value) ? found.value : document_.find(found.value, "index");
-}
-
-// The member that the texels of a step are multiplied by; empty: none.
-std::string ObjectPlan::factor_of(const schema::UpgradeStep& step) const {
-  const schema::TypeId type = context_.set.shape(extension_.homes.front().second).type;
-  const schema::Property* property =
-      type == schema::kNone ? nullptr : context_.set.find_property(type, step.from);
-  if (property == nullptr || property->shape == schema::kNone) return {};
-  const auto& slot = context_.set.shape(property->shape).slot;
-  return slot ? slot->scaled_by : std::string();
-}
-
-ObjectPlan::Problem ObjectPlan::find_channel(const schema::UpgradeStep& step, Found& found) {
-  const std::uint64_t texture = document_.unsigned_integer(texture_index(found)).value_or(0);
-  const ChannelMove move =
-      judge_channel_move(context_.asset, texture, step.swizzle, context_.pictures);
-  const std::string wanted = fmt::format("texture {} has in {} what {} reads in {}", texture,
-                                         step.swizzle.front(), step.to, step.swizzle.back());
-  if (move.kind == ChannelMove::Kind::impossible) {
-    action_.fate = UpgradeFate::needs_image;
-    action_.notes.push_back(fmt::format("{}, but {}", wanted, move.problem));
-    return std::nullopt;
-  }
-  if (!move.note.empty()) {
-    action_.notes.push_back(
-        fmt::format("texture {} is read by its fallback ({})", texture, move.note));
-  }
-  weigh_evidence(step, move);
-  if (move.constant && fold(step, *move.constant, found)) return std::nullopt;
-  if (move.kind == ChannelMove::Kind::reuse) return std::nullopt;
-  action_.notes.push_back(wanted + ": it gets an image of its own");
-  found.image = move.job;
-  found.sampler = move.sampler;
-  return std::nullopt;
-}
-
-// A map whose new channel says something, too, may come from a generation that read it there.
-void ObjectPlan::weigh_evidence(const schema::UpgradeStep& step, const ChannelMove& move) {
-  const bool told = context_.options.generation != "auto" || extension_.generations.size() < 2;
-  if (told || !move.target_varies || move.kind == ChannelMove::Kind::reuse) return;
-  lose(
-      fmt::format("the image of {} varies in {} as well, where another generation has the values; "
-                  "--generation decides",
-                  step.from, step.swizzle.back()));
-}
-
-// A texture that is the same everywhere is a number: it goes into the factor.
-bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& texture) {
-  const std::string factor = factor_of(step);
-  const auto factors = std::find_if(found_.begin(), found_.end(), [&](const Found& each) {
-    return each.step->kind == schema::UpgradeStep::Kind::move && each.step->from == factor;
-  });
-  if (factors == found_.end() || is_pointed_at({"extensions", extension_.name, factor}) ||
-      is_pointed_at({"extensions", extension_.name, step.from})) {
-    return false;
-  }
-  texture.gone = true;
-  texture.json.clear();
-  action_.notes.push_back(constant == 1
-                              ? fmt::format("{} is full in all texels and goes", step.from)
-                              : fmt::format("{} is {} in all texels: it goes into {}", step.from,
-                                            number_text(constant), factor));
-  if (constant == 1) return true;
-  const double product = document_.number(factors->value).value * constant;
-  factors->json = number_text(product);
-  if (product == 0 && factor == extension_.upgrade.strength) action_.removed = true;
-  return true;
-}
-
 ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
   const Origin origin = context_.origin_of(carrier_, step.from);
   Found found{&step, origin.value};
@@ -335,6 +264,7 @@ void ObjectPlan::apply() {
 void ObjectPlan::apply(const Found& found) {
   const schema::UpgradeStep& step = *found.step;
   json::Editor& editor = context_.editor;
+  if (found.image || found.gone) release(found);
   if (found.gone) return editor.remove(carrier_.object, found.value - 1);
   if (step.kind == schema::UpgradeStep::Kind::place) {
     context_.moved[{carrier_.host, step.to}] = {found.value,
@@ -342,22 +272,14 @@ void ObjectPlan::apply(const Found& found) {
     return editor.remove(carrier_.object, found.value - 1);
   }
   if (step.kind == schema::UpgradeStep::Kind::copy || found.value == json::kNoNode) {
+    if (found.image) return show_copy(found);
     return editor.append_member(carrier_.object, step.to, found.json);
   }
   if (step.to != step.from) editor.rename(found.value - 1, step.to);
   if (found.image) {
-    show(found, context_.plan.additions.add_texture(*found.image, found.sampler));
+    show(found);
   } else if (!found.json.empty()) {
     editor.replace(carrier_.object, found.value, found.json);
-  }
-}
-
-void ObjectPlan::show(const Found& found, std::uint64_t texture) {
-  if (found.json.empty()) {
-    context_.editor.replace_scalar(texture_index(found), std::to_string(texture));
-  } else {
-    context_.editor.replace(carrier_.object, found.value,
-                            fmt::format(R"({{"index":{}}})", texture));
   }
 }
 

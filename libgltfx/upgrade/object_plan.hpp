@@ -37,6 +37,7 @@ class ObjectPlan {
     /// The texture that it shows from now on; nothing: as before.
     std::optional<ImageJob> image;
     std::optional<std::uint64_t> sampler;  ///< of that texture
+    bool shared = false;                   ///< a copy whose original shows that texture, too
   };
   using Problem = std::optional<std::string>;
 
@@ -55,7 +56,12 @@ class ObjectPlan {
   void weigh_evidence(const schema::UpgradeStep& step, const ChannelMove& move);
   std::string factor_of(const schema::UpgradeStep& step) const;
   json::NodeId texture_index(const Found& found) const;
-  void show(const Found& found, std::uint64_t texture);
+  void pack();
+  std::string pack(Found& factor, Found& colour);
+  void release(const Found& found);
+  std::string new_texture(const Found& found);
+  void show(const Found& found);
+  void show_copy(const Found& found);
   Problem find_placed(const schema::UpgradeStep& step);
   void note_overwritten();
   Problem find_copied(const schema::UpgradeStep& step);

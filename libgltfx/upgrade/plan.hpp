@@ -21,7 +21,10 @@ namespace gltfx::upgrade {
 struct Plan {
   std::vector<UpgradeAction> actions;  ///< by extension, then in the order of the document
   std::vector<json::Edit> edits;       ///< of the actions that are done; for json::apply_edits()
-  Additions additions;                 ///< that they refer to; settle() makes further edits of it
+  /// Textures that some slot showed and shows no more, also by an index that no schema knows as
+  /// one.
+  std::vector<std::uint64_t> released;
+  Additions additions;  ///< that they refer to; settle() makes further edits of it
 };
 
 /// Plans for a document that was read to its end; where it has faults, find_ambiguity() says

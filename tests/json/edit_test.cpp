@@ -270,5 +270,36 @@ TEST(Edit, RandomChangesGiveWhatATreeWouldAndLeaveTheRest) {
   }
 }
 
+// Edits at random places of a text, none of which overlap.
+std::vector<Edit> random_edits(const std::string& text, std::mt19937& random) {
+  std::vector<Edit> edits;
+  const auto below = [&](std::size_t most) {
+    return static_cast<std::uint32_t>(random() % (most + 1));
+  };
+  for (std::uint32_t at = below(5); at <= text.size(); at += below(5) + 1) {
+    const std::uint32_t end = std::min(at + below(4), static_cast<std::uint32_t>(text.size()));
+    edits.push_back({{at, end}, std::string(below(3), static_cast<char>('A' + below(25)))});
+    at = end;
+  }
+  return edits;
+}
+
+TEST(ChainEdits, OneAfterTheOtherIsTheSameAsBothTogether) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 2000; ++round) {
+    const std::string text = std::string("abcdefghijklmnopqrstuvwxyz").substr(0, random() % 27);
+    const std::vector<Edit> first = random_edits(text, random);
+    const std::string between = apply_edits(text, first);
+    const std::vector<Edit> second = random_edits(between, random);
+    EXPECT_EQ(apply_edits(text, chain_edits(text, first, second)), apply_edits(between, second));
+  }
+}
+
+TEST(MergeEdits, TwoListsBecomeOne) {
+  const std::vector<Edit> a{{{0, 1}, "A"}, {{4, 4}, "+"}};
+  const std::vector<Edit> b{{{2, 3}, "C"}, {{4, 4}, "-"}};
+  EXPECT_EQ(apply_edits("abcd", merge_edits(a, b)), "AbCd+-");
+}
+
 }  // namespace
 }  // namespace gltfx::json

@@ -24,7 +24,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "reads which property a channel moves, to move it before it is drawn"},
     {"libgltfx/model/light.cpp", "reads the lights of the extension as numbers, to draw by them"},
     {"libgltfx/model/material.cpp",
-     "reads the materials of the extensions as numbers: every one means something else to a shader"},
+     "reads the materials of the extensions as numbers: every one means something else to a "
+     "shader"},
     {"libgltfx/model/meshopt_view.hpp", "decodes the payloads of the two extensions it names"},
     {"libgltfx/model/pose.cpp", "asks the extension whether a node is to be seen"},
     {"libgltfx/model/texture.cpp", "reads how a slot moves its texture coordinates"},
@@ -33,6 +34,9 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "computes the values of one extension from those of two, and from which successor is chosen"},
     {"libgltfx/upgrade/convert_specular_glossiness.cpp",
      "an option chooses the value that another extension gets"},
+    {"libgltfx/upgrade/packing.cpp",
+     "compares what two textures show, for which the transform's members count with their "
+     "defaults"},
     {"libgltfx/validate/data/extension_checks.cpp",
      "what numbers of attributes mean: the vocabulary states their formats only"},
     {"libgltfx/validate/rules/animation_pointer.cpp",

@@ -170,6 +170,10 @@ void Declaration::declare_upgrade() {
            "Only what can become this extension; chooses among several (repeatable)");
   add_word(app, "--ior", upgrade_.ior, "N",
            "For specular-glossiness: 0 (default), or 1000 for viewers that do not know 0");
+  app.add_flag("--pack", upgrade_.pack,
+               "Put colour and factor of one material into one image where that is exact");
+  app.add_flag("--prune", upgrade_.prune,
+               "Take out textures and images that the upgrade left without use");
   add_word(app, "--generation", upgrade_.generation, "NAME",
            "Read legacy objects as v1, v2 or v3 (default: auto, by their members)");
   add_word(app, "--root", upgrade_.root, "DIR",

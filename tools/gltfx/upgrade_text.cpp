@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "upgrade_text.hpp"
 
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,28 @@ std::string action_text(const UpgradeAction& action, bool refused, const Style& 
   return text;
 }
 
+std::string orphans_text(const UpgradeReport& report) {
+  if (report.orphans.empty()) return {};
+  constexpr std::size_t kMost = 8;
+  std::string names;
+  std::uint64_t bytes = 0;
+  bool removed = true;
+  for (const UpgradeOrphan& orphan : report.orphans) {
+    if (&orphan < report.orphans.data() + kMost) names.append(1, ' ').append(orphan.pointer);
+    bytes += orphan.bytes;
+    removed = removed && orphan.removed;
+  }
+  std::string text =
+      fmt::format("not used any more ({}):{}{}; {}", report::counted(bytes, "byte"), names,
+                  report.orphans.size() > kMost ? " ..." : "", removed ? "removed" : "kept");
+  if (!report.orphans_kept.empty()) {
+    fmt::format_to(std::back_inserter(text), ": {}", report.orphans_kept);
+  } else if (!removed) {
+    text += ", --prune takes them out";
+  }
+  return wrapped(printable(text), 2);
+}
+
 }  // namespace
 
 void UpgradeSummary::add(const UpgradeReport& report) {
@@ -53,6 +77,10 @@ std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
   std::string text = printable(report.path) + "\n";
   const bool refused = report.problem != UpgradeProblem::none;
   for (const UpgradeAction& action : report.actions) text += action_text(action, refused, style);
+  for (const std::string& file : report.new_files) {
+    text += fmt::format("  new file: {}\n", printable(file));
+  }
+  text += orphans_text(report);
   return text;
 }
 

@@ -108,6 +108,8 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   request.upgrade.generation = words.generation;
   request.upgrade.unsafe = words.unsafe;
   request.upgrade.strict = words.strict;
+  request.upgrade.pack = words.pack;
+  request.upgrade.prune = words.prune;
   request.upgrade.diff = words.diff;
   request.upgrade.in_place = words.in_place;
   request.upgrade.backup = words.backup;

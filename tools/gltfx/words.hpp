@@ -31,7 +31,7 @@ struct UpgradeWords {
   std::vector<std::string> paths, schema_files, schema_folders, only, to;
   std::string output, generation = "auto", root, ior = "0";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
-       strict = false, quiet = false;
+       strict = false, pack = false, prune = false, quiet = false;
   bool hook = false;  ///< as above
 };
 

@@ -45,6 +45,13 @@ struct UpgradeAction {
   }
 };
 
+/// An object that nothing refers to any more because of an upgrade.
+struct UpgradeOrphan {
+  std::string pointer;      ///< in the old document
+  std::uint64_t bytes = 0;  ///< of an image: those of its file or buffer view
+  bool removed = false;     ///< not part of the new document
+};
+
 struct UpgradeOptions {
   /// "auto", or the name of a generation: every legacy object is read as that one.
   std::string generation = "auto";
@@ -93,6 +100,9 @@ struct UpgradeReport {
   bool changes = false;  ///< the new document differs from the old one
   bool written = false;  ///< the new bytes are durable at `written_to`
   std::string written_to;
+  std::vector<std::string> new_files;  ///< that the new document refers to, from its folder
+  std::vector<UpgradeOrphan> orphans;  ///< by root array, in its order
+  std::string orphans_kept;            ///< why they stay although they were to go, without stop
   std::string diff;  ///< unified, of the JSON text; raw asset text
 
   /// Legacy objects that are part of what was asked for.

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures of a legacy object whose channels move.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "upgrade/object_plan.hpp"
+#include "upgrade/packing.hpp"
+
+namespace gltfx::upgrade {
+
+// The index of the texture that a texture info, or a bare index, names.
+json::NodeId ObjectPlan::texture_index(const Found& found) const {
+  return document_.is_number(found.value) ? found.value : document_.find(found.value, "index");
+}
+
+// The member that the texels of a step are multiplied by; empty: none.
+std::string ObjectPlan::factor_of(const schema::UpgradeStep& step) const {
+  const schema::TypeId type = context_.set.shape(extension_.homes.front().second).type;
+  const schema::Property* property =
+      type == schema::kNone ? nullptr : context_.set.find_property(type, step.from);
+  if (property == nullptr || property->shape == schema::kNone) return {};
+  const auto& slot = context_.set.shape(property->shape).slot;
+  return slot ? slot->scaled_by : std::string();
+}
+
+ObjectPlan::Problem ObjectPlan::find_channel(const schema::UpgradeStep& step, Found& found) {
+  const std::uint64_t texture = document_.unsigned_integer(texture_index(found)).value_or(0);
+  const ChannelMove move =
+      judge_channel_move(context_.asset, texture, step.swizzle, context_.pictures);
+  const std::string wanted = fmt::format("texture {} has in {} what {} reads in {}", texture,
+                                         step.swizzle.front(), step.to, step.swizzle.back());
+  if (move.kind == ChannelMove::Kind::impossible) {
+    action_.fate = UpgradeFate::needs_image;
+    action_.notes.push_back(fmt::format("{}, but {}", wanted, move.problem));
+    return std::nullopt;
+  }
+  if (!move.note.empty()) {
+    action_.notes.push_back(
+        fmt::format("texture {} is read by its fallback ({})", texture, move.note));
+  }
+  weigh_evidence(step, move);
+  if (move.constant && fold(step, *move.constant, found)) return std::nullopt;
+  if (move.kind == ChannelMove::Kind::reuse) return std::nullopt;
+  action_.notes.push_back(wanted + ": it gets an image of its own");
+  found.image = move.job;
+  found.sampler = move.sampler;
+  return std::nullopt;
+}
+
+// A map whose new channel says something, too, may come from a generation that read it there.
+void ObjectPlan::weigh_evidence(const schema::UpgradeStep& step, const ChannelMove& move) {
+  const bool told = context_.options.generation != "auto" || extension_.generations.size() < 2;
+  if (told || !move.target_varies || move.kind == ChannelMove::Kind::reuse) return;
+  lose(
+      fmt::format("the image of {} varies in {} as well, where another generation has the values; "
+                  "--generation decides",
+                  step.from, step.swizzle.back()));
+}
+
+// A texture that is the same everywhere is a number: it goes into the factor.
+bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& texture) {
+  const std::string factor = factor_of(step);
+  const auto factors = std::find_if(found_.begin(), found_.end(), [&](const Found& each) {
+    return each.step->kind == schema::UpgradeStep::Kind::move && each.step->from == factor;
+  });
+  if (factors == found_.end() || is_pointed_at({"extensions", extension_.name, factor}) ||
+      is_pointed_at({"extensions", extension_.name, step.from})) {
+    return false;
+  }
+  texture.gone = true;
+  texture.json.clear();
+  action_.notes.push_back(constant == 1
+                              ? fmt::format("{} is full in all texels and goes", step.from)
+                              : fmt::format("{} is {} in all texels: it goes into {}", step.from,
+                                            number_text(constant), factor));
+  if (constant == 1) return true;
+  const double product = document_.number(factors->value).value * constant;
+  factors->json = number_text(product);
+  if (product == 0 && factor == extension_.upgrade.strength) action_.removed = true;
+  return true;
+}
+
+// A factor that gets a new image, and a colour that is copied: RGB and A of one image.
+void ObjectPlan::pack() {
+  const auto factor = std::find_if(found_.begin(), found_.end(), [](const Found& each) {
+    return each.image && each.step->kind == schema::UpgradeStep::Kind::move &&
+           each.step->swizzle.back() == 'a';
+  });
+  const auto colour = std::find_if(found_.begin(), found_.end(), [&](const Found& each) {
+    return each.step->kind == schema::UpgradeStep::Kind::copy && each.step->take == 0 &&
+           document_.find(each.value, "index") != json::kNoNode;
+  });
+  if (factor == found_.end() || colour == found_.end()) return;
+  const std::string obstacle = pack(*factor, *colour);
+  if (!obstacle.empty()) action_.notes.push_back("not packed with the colour: " + obstacle);
+}
+
+std::string ObjectPlan::pack(Found& factor, Found& colour) {
+  if (!lie_alike(document_, factor.value, colour.value)) {
+    return "the textures lie differently on the surface";
+  }
+  if (context_.moved.count({carrier_.host, colour.step->from}) != 0) {
+    return "the colour comes from another extension that is upgraded";
+  }
+  if (is_pointed_at(split_path(colour.step->from)) ||
+      is_pointed_at({"extensions", extension_.name, factor.step->from})) {
+    return "an animation moves one of the textures";
+  }
+  const std::uint64_t texture =
+      document_.unsigned_integer(document_.find(colour.value, "index")).value_or(0);
+  const TextureSource source = texture_source(context_.asset, texture, *context_.pictures);
+  if (!source.problem.empty()) return source.problem;
+  if (!sample_alike(context_.asset, factor.sampler, source.sampler)) {
+    return "the textures are sampled differently";
+  }
+  constexpr std::uint8_t kAlpha = 3;
+  const std::uint64_t map = factor.image->channels[kAlpha].image.value_or(0);
+  const std::string obstacle =
+      packing_obstacle(context_.pictures->picture(source.image), context_.pictures->picture(map));
+  if (!obstacle.empty()) return obstacle;
+  for (std::uint8_t i = 0; i < kAlpha; ++i) {
+    factor.image->channels[i] = ChannelSource::of(source.image, i);
+  }
+  colour.image = factor.image;
+  colour.sampler = factor.sampler;
+  const json::NodeId mode = document_.find(carrier_.host, "alphaMode");
+  colour.shared = mode == json::kNoNode || document_.raw(mode) == R"("OPAQUE")";
+  action_.notes.push_back(fmt::format("{} and {} share that image{}", factor.step->to,
+                                      colour.step->to,
+                                      colour.shared ? " with " + colour.step->from : ""));
+  return {};
+}
+
+void ObjectPlan::release(const Found& found) {
+  const auto index = document_.unsigned_integer(texture_index(found));
+  if (index) context_.plan.released.push_back(*index);
+}
+
+std::string ObjectPlan::new_texture(const Found& found) {
+  return std::to_string(context_.plan.additions.add_texture(*found.image, found.sampler));
+}
+
+void ObjectPlan::show_copy(const Found& found) {
+  const std::string texture = new_texture(found);
+  const json::NodeId index = texture_index(found);
+  const std::uint32_t begin = document_.span(found.value).begin;
+  const Span place{document_.span(index).begin - begin, document_.span(index).end - begin};
+  std::string info(document_.raw(found.value));
+  info.replace(place.begin, place.size(), texture);
+  context_.editor.append_member(carrier_.object, found.step->to, info);
+  if (found.shared) context_.editor.replace_scalar(index, texture);
+}
+
+void ObjectPlan::show(const Found& found) {
+  const std::string texture = new_texture(found);
+  if (found.json.empty()) return context_.editor.replace_scalar(texture_index(found), texture);
+  context_.editor.replace(carrier_.object, found.value, fmt::format(R"({{"index":{}}})", texture));
+}
+
+}  // namespace gltfx::upgrade
