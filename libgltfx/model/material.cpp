@@ -95,15 +95,9 @@ class MaterialReader {
     to.texture = lenient_slot(from, "translucencyTexture");
     const bool own_color =
         renamed || has(from, "translucencyColorFactor") || has(from, "translucencyColorTexture");
-    if (own_color) {
-      to.color_factor = from.numbers("translucencyColorFactor", to.color_factor, kUnitLimits);
-      to.color_texture = lenient_slot(from, "translucencyColorTexture");
-      return;
-    }
-    to.channel = 0;
-    const auto& base = result_.base_color_factor;
-    to.color_factor = {base[0], base[1], base[2]};
-    to.color_texture = result_.base_color_texture;
+    to.first_generation = !own_color;
+    to.color_factor = from.numbers("translucencyColorFactor", to.color_factor, kUnitLimits);
+    to.color_texture = lenient_slot(from, "translucencyColorTexture");
   }
 
   bool has(const Properties& owner, std::string_view name) const {
@@ -118,7 +112,6 @@ class MaterialReader {
 
   void read_media() {
     const Properties volume = material_.extension("KHR_materials_volume");
-    result_.volume.exists = volume.exists();
     result_.volume.thickness_factor = volume.number("thicknessFactor", 0, kPositiveLimits);
     result_.volume.thickness_texture = slot(volume, "thicknessTexture");
     result_.volume.attenuation_distance = distance(volume, "attenuationDistance");

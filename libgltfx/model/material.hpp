@@ -28,19 +28,19 @@ struct SpecularGlossiness {
   TextureSlot specular_glossiness_texture;  ///< RGB in sRGB, glossiness in A
 };
 
-/// KHR_materials_diffuse_transmission, or its forerunner translucency. Of the first generation of
-/// that, the colour is the base colour, and the factor stands in R.
+/// KHR_materials_diffuse_transmission, or its forerunner translucency.
 struct DiffuseTransmission {
   float factor = 0;
-  TextureSlot texture;
-  unsigned channel = 3;  ///< of the texture that holds the factor
+  TextureSlot texture;  ///< A
+  /// The first generation of the forerunner: the factor stands in R, and the colour is the base
+  /// colour.
+  bool first_generation = false;
   Color color_factor{1, 1, 1};
   TextureSlot color_texture;  ///< sRGB
 };
 
 /// KHR_materials_volume.
 struct Volume {
-  bool exists = false;            ///< the material has the extension
   float thickness_factor = 0;     ///< 0: a thin wall. In the units of the mesh
   TextureSlot thickness_texture;  ///< G
   float attenuation_distance = std::numeric_limits<float>::infinity();  ///< metres

@@ -70,9 +70,9 @@ struct Group {
 
 class TangentSpace {
  public:
-  TangentSpace(Geometry& geometry, std::size_t tex_coord)
+  TangentSpace(Geometry& geometry, const Vectors<2>& coordinates)
       : geometry_(geometry),
-        uvs_(geometry.tex_coords[tex_coord]),
+        uvs_(coordinates),
         faces_(geometry.triangles.size()),
         groups_of_(geometry.triangles.size() * 3, kNone) {}
 
@@ -304,9 +304,9 @@ class TangentSpace {
 
 }  // namespace
 
-bool generate_tangents(Geometry& geometry, std::size_t tex_coord, MemoryBudget& budget) {
+bool generate_tangents(Geometry& geometry, const Vectors<2>& coordinates, MemoryBudget& budget) {
   const std::uint64_t vertex = sizeof(float) * (3 + 3 + 4 + 4 + 2 * geometry.tex_coords.size());
-  TangentSpace space(geometry, tex_coord);
+  TangentSpace space(geometry, coordinates);
   space.group();
   const std::uint64_t after = space.vertices_after();
   const std::uint64_t added = after - geometry.positions.size();

@@ -22,7 +22,8 @@ testing::Matcher<std::array<float, 4>> near(float x, float y, float z, float w) 
 
 bool generate(Geometry& geometry, std::uint64_t budget = 1U << 20U) {
   MemoryBudget left(budget);
-  return generate_tangents(geometry, 0, left);
+  const Vectors<2> coordinates = geometry.tex_coords[0];
+  return generate_tangents(geometry, coordinates, left);
 }
 
 // Two triangles in the plane z = 0; texture coordinates run to the right and, as images do, down.

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/scene_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "codec/client.hpp"
+#include "model/camera.hpp"
+#include "model/instancing.hpp"
+#include "model/keyframes.hpp"
+#include "model/light.hpp"
+#include "model/load_resources.hpp"
+#include "pipeline/scene_meshes.hpp"
+
+namespace gltfx {
+namespace {
+
+using model::Affine;
+using model::NodeIndex;
+using model::RootArray;
+using model::Vector3;
+
+// What decoded data is worth in bytes of the asset: compressed geometry and images of usual size.
+constexpr std::uint64_t kWorth = 32;
+
+bake::Float3 narrow(const Vector3& from) {
+  return {static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2])};
+}
+
+bake::Matrix34 rows_of(const Affine& affine) {
+  bake::Matrix34 rows{};
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) rows[r][c] = static_cast<float>(affine.columns[c][r]);
+  }
+  return rows;
+}
+
+bool is_finite(const bake::Matrix34& matrix) {
+  return std::all_of(matrix.begin(), matrix.end(), [](const bake::Float4& row) {
+    return std::all_of(row.begin(), row.end(), [](float value) { return std::isfinite(value); });
+  });
+}
+
+// Where a camera is and looks, whatever the scale of its node.
+Affine without_scale(const Affine& world) {
+  Affine frame = world;
+  frame.columns[2] = model::unit(world.columns[2]);
+  if (frame.columns[2] == Vector3{}) frame.columns[2] = {0, 0, 1};
+  frame.columns[0] = model::unit(model::cross(world.columns[1], frame.columns[2]));
+  if (frame.columns[0] == Vector3{}) {
+    const Vector3 axis = std::abs(frame.columns[2][1]) < 0.9 ? Vector3{0, 1, 0} : Vector3{1, 0, 0};
+    frame.columns[0] = model::unit(model::cross(axis, frame.columns[2]));
+  }
+  frame.columns[1] = model::cross(frame.columns[2], frame.columns[0]);
+  return frame;
+}
+
+bake::Light to_light(const model::Light& from, const Affine& world) {
+  bake::Light light;
+  light.kind = static_cast<bake::Light::Kind>(from.type);
+  for (std::size_t i = 0; i < 3; ++i) light.intensity[i] = from.color[i] * from.intensity;
+  light.position = narrow(world.columns[3]);
+  const Vector3 direction = model::unit(world.vector({0, 0, -1}));
+  if (direction != Vector3{}) light.direction = narrow(direction);
+  light.range = std::isfinite(from.range) ? from.range : 0;
+  light.inner_cone = from.inner_cone_angle;
+  light.outer_cone = from.outer_cone_angle;
+  return light;
+}
+
+bake::Camera to_camera(const model::Camera& from, const Affine& world) {
+  bake::Camera camera;
+  camera.name = from.name;
+  camera.to_world = rows_of(without_scale(world));
+  camera.perspective = from.perspective;
+  if (from.perspective) camera.yfov = from.y_fov;
+  if (!from.perspective) camera.xmag = from.x_mag;
+  if (!from.perspective) camera.ymag = from.y_mag;
+  camera.znear = from.z_near;
+  camera.zfar = std::isfinite(from.z_far) ? from.z_far : 0;
+  return camera;
+}
+
+std::uint64_t bytes_of(const model::ResourceData& resources) {
+  std::uint64_t bytes = 0;
+  for (const auto& buffer : resources.buffers) {
+    if (buffer) bytes = saturating_add(bytes, buffer->size());
+  }
+  for (const auto& image : resources.images) {
+    if (image.bytes) bytes = saturating_add(bytes, image.bytes->size());
+  }
+  return bytes;
+}
+
+std::uint64_t budget_for(const model::ResourceData& resources, const SceneOptions& options) {
+  const Checked worth = checked_mul(bytes_of(resources), kWorth);
+  return saturating_add(options.free_bytes, worth.value_or(0));
+}
+
+/// One scene on its way.
+class SceneBuilder {
+ public:
+  SceneBuilder(const model::Asset& asset, const model::Views& views,
+               const model::ResourceData& resources, const schema::Set& schemas,
+               const SceneOptions& options, SceneNotes& notes)
+      : asset_(asset),
+        views_(views),
+        resources_(resources),
+        options_(options),
+        notes_(notes),
+        vertex_budget_(budget_for(resources, options)),
+        pixel_budget_(budget_for(resources, options)) {
+    animate(schemas);
+  }
+
+  bake::Scene run() {
+    const model::SceneRoots roots = model::choose_scene(asset_, views_, options_.scene);
+    if (!roots.note.empty() && !views_.nodes.empty()) notes_.add(roots.note);
+    const model::Pose pose = model::compute_pose(asset_, views_, roots, animated_);
+    model::DracoMeshes draco;
+    draco.add_all(asset_, views_, resources_);
+    draco.decode(codec::Client::shared(), options_.jobs);
+    const model::GeometrySource source{asset_, views_, resources_, draco};
+    SceneTextures textures(asset_, resources_, notes_, scene_);
+    SceneMaterials materials(asset_, animated_, textures, scene_);
+    SceneMeshes meshes(source, pose, animated_, options_.variant, materials, vertex_budget_, notes_,
+                       scene_);
+    place_all(pose, meshes);
+    textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_);
+    return std::move(scene_);
+  }
+
+ private:
+  void animate(const schema::Set& schemas) {
+    if (!options_.animation || *options_.animation >= asset_.count(RootArray::animations)) return;
+    model::AnimationSample sample = model::sample_animation(asset_, views_, resources_, schemas,
+                                                            *options_.animation, options_.time);
+    animated_ = std::move(sample.values);
+    for (std::string& note : sample.notes) notes_.add(std::move(note));
+  }
+
+  void place_all(const model::Pose& pose, SceneMeshes& meshes) {
+    const auto lights = model::read_lights(asset_, &animated_);
+    for (NodeIndex node = 0; node < views_.nodes.size(); ++node) {
+      if (pose.in_scene[node] != 0) place_camera(node, pose.world[node]);
+      if (pose.visible[node] == 0) continue;
+      const auto light = model::light_of(asset_, views_.nodes[node]);
+      if (light && *light < lights.size() && lights[*light]) {
+        scene_.lights.push_back(to_light(*lights[*light], pose.world[node]));
+      }
+      if (views_.nodes[node].mesh) place_mesh(node, pose.world[node], meshes);
+    }
+    if (views_.nodes.empty()) place_library(meshes);
+  }
+
+  // A file that only brings meshes for others to use shows all of them, in one place.
+  void place_library(SceneMeshes& meshes) {
+    if (views_.meshes.empty()) return;
+    notes_.add("The file has no nodes; its meshes are drawn where they are.");
+    for (std::uint32_t mesh = 0; mesh < views_.meshes.size(); ++mesh) {
+      for (const DrawnMesh& drawn : meshes.use_mesh(mesh)) place(drawn.mesh, Affine());
+    }
+  }
+
+  void place_camera(NodeIndex node, const Affine& world) {
+    if (!views_.nodes[node].camera) return;
+    auto camera = model::read_camera(asset_, *views_.nodes[node].camera, &animated_);
+    if (!camera) return;
+    if (camera->name.empty()) camera->name = asset_.name(views_.nodes[node].object);
+    if (is_finite(rows_of(world))) scene_.cameras.push_back(to_camera(*camera, world));
+  }
+
+  void place_mesh(NodeIndex node, const Affine& world, SceneMeshes& meshes) {
+    const auto copies =
+        model::read_instancing(asset_, views_, resources_, views_.nodes[node], vertex_budget_);
+    if (copies && !copies->readable) {
+      notes_.add(fmt::format("Node {}", node), "has copies that cannot be read");
+      return;
+    }
+    for (const DrawnMesh& drawn : meshes.use(node)) {
+      if (drawn.skinned) {
+        place(drawn.mesh, Affine());
+      } else if (!copies) {
+        place(drawn.mesh, world);
+      } else {
+        for (const Affine& copy : copies->transforms) place(drawn.mesh, world * copy);
+      }
+    }
+  }
+
+  void place(std::uint32_t mesh, const Affine& world) {
+    const bake::Matrix34 to_world = rows_of(world);
+    if (!is_finite(to_world)) {
+      notes_.add("A mesh", "lies at infinity");
+    } else if (!vertex_budget_.take(sizeof(bake::Instance))) {
+      notes_.add("A mesh", "is drawn more often than memory allows");
+    } else {
+      scene_.instances.push_back({mesh, to_world});
+    }
+  }
+
+  const model::Asset& asset_;
+  const model::Views& views_;
+  const model::ResourceData& resources_;
+  const SceneOptions& options_;
+  SceneNotes& notes_;
+  model::MemoryBudget vertex_budget_;
+  model::MemoryBudget pixel_budget_;
+  model::AnimatedValues animated_;
+  bake::Scene scene_;
+};
+
+}  // namespace
+
+bake::Scene build_scene(const container::Container& container, const container::Resolver& resolver,
+                        const json::Document& document, const schema::Set& schemas,
+                        const SceneOptions& options) {
+  SceneNotes notes;
+  const model::Asset asset(document);
+  const model::Views views(asset);
+  model::LoadedResources loaded =
+      model::load_resources(container, resolver, asset, views, options.jobs);
+  for (std::string& note : loaded.notes) notes.add(std::move(note));
+  bake::Scene scene = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run();
+  scene.notes = notes.take();
+  return scene;
+}
+
+}  // namespace gltfx

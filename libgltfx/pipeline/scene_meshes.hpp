@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Meshes of an asset as those of a scene, each pose of each once.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "bake/scene.hpp"
+#include "model/geometry.hpp"
+#include "model/pose.hpp"
+#include "pipeline/scene_materials.hpp"
+#include "pipeline/scene_notes.hpp"
+
+namespace gltfx {
+
+/// A primitive that is drawn.
+struct DrawnMesh {
+  std::uint32_t mesh = 0;  ///< index in the scene
+  bool skinned = false;    ///< stands where it is to be drawn, wherever its node is
+};
+
+/// All references must outlive it.
+class SceneMeshes {
+ public:
+  SceneMeshes(const model::GeometrySource& source, const model::Pose& pose,
+              const model::AnimatedValues& animated, std::optional<std::uint32_t> variant,
+              SceneMaterials& materials, model::MemoryBudget& budget, SceneNotes& notes,
+              bake::Scene& scene)
+      : source_(source),
+        pose_(pose),
+        animated_(animated),
+        variant_(variant),
+        materials_(materials),
+        budget_(budget),
+        notes_(notes),
+        scene_(scene) {}
+
+  /// The primitives of the mesh of a node at the node's pose; none when there is no memory left for
+  /// another pose. The node has a mesh.
+  const std::vector<DrawnMesh>& use(model::NodeIndex node);
+  /// Those of a mesh that no node refers to.
+  const std::vector<DrawnMesh>& use_mesh(std::uint32_t mesh);
+
+ private:
+  /// Mesh, skin or kNone, weights of morph targets unless all are 0.
+  using Key = std::tuple<std::uint32_t, std::uint32_t, std::vector<float>>;
+
+  const std::vector<DrawnMesh>& use(Key key);
+  const std::vector<model::Affine>& joints(std::uint32_t skin);
+  void draw(const model::Primitive& primitive, const Key& key, std::uint32_t index,
+            std::vector<DrawnMesh>& drawn);
+  void add_tangents(const MaterialNeeds& needs, model::Geometry& geometry);
+
+  const model::GeometrySource& source_;
+  const model::Pose& pose_;
+  const model::AnimatedValues& animated_;
+  std::optional<std::uint32_t> variant_;
+  SceneMaterials& materials_;
+  model::MemoryBudget& budget_;
+  SceneNotes& notes_;
+  bake::Scene& scene_;
+  const std::vector<DrawnMesh> nothing_;
+  std::map<Key, std::vector<DrawnMesh>> known_;
+  std::unordered_map<std::uint32_t, std::vector<model::Affine>> joints_;
+};
+
+}  // namespace gltfx

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Assets as text with their buffer inside, and the scenes they become.
+#pragma once
+
+#include <string>
+
+#include "json/parse.hpp"
+#include "model/bytes_asset.hpp"
+#include "model/packed_bytes.hpp"
+#include "pipeline/scene_builder.hpp"
+#include "schema/compile.hpp"
+
+namespace gltfx::test {
+
+inline constexpr int kFloat = 5126;
+inline constexpr int kUnsignedByte = 5121;
+
+/// The scene of a text that stands nowhere: nothing is looked up beside it.
+inline bake::Scene scene_of_text(const std::string& text, const SceneOptions& options = {}) {
+  const auto bytes = container::Bytes::from_string(std::string(text));
+  const container::Container container = container::open_bytes(bytes, "a.gltf");
+  const json::Parsed parsed = json::parse(container.json);
+  EXPECT_FALSE(parsed.document.empty()) << text;
+  if (parsed.document.empty()) return {};
+  return build_scene(container, container::Resolver(), parsed.document, *schema::builtin_set(),
+                     options);
+}
+
+/// `members`: those of the root object beside the accessors.
+inline bake::Scene scene_of(const Accessors& accessors, const std::string& members,
+                            const SceneOptions& options = {}) {
+  std::string text(R"({"asset": {"version": "2.0"}, )");
+  text.append(accessors.json(buffer_uri(accessors.bytes()))).append(", ").append(members);
+  return scene_of_text(text.append("}"), options);
+}
+
+/// A triangle with positions (accessor 0), normals (1) and texture coordinates (2).
+inline Accessors triangle() {
+  Accessors accessors;
+  accessors.add("VEC3", kFloat, 3, floats({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  accessors.add("VEC3", kFloat, 3, floats({0, 0, 1, 0, 0, 1, 0, 0, 1}));
+  accessors.add("VEC2", kFloat, 3, floats({0, 1, 1, 1, 0, 0}));
+  return accessors;
+}
+
+}  // namespace gltfx::test
