@@ -52,7 +52,8 @@ constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) {
   return index ^ ((index & 0xaaaaaaaaU) >> 1U);
 }
 
-/// The numbers of one sample of one pixel. Draws are to come in the same order for all samples.
+/// The numbers of one sample of one pixel, by dimension: each is drawn at most once, as a pair or
+/// as a single number.
 class SampleStream {
  public:
   /// `pixel`: a number of the pixel; `sample`: from 0 on.
@@ -60,29 +61,29 @@ class SampleStream {
       : key_(mix_bits(pixel, seed)), sample_(sample) {}
 
   /// A point in [0, 1) x [0, 1).
-  Float2 next2() {
-    const std::uint32_t dimension = mix_bits(key_ + 0x9e3779b9U * ++draws_);
-    const std::uint32_t index = reverse_bits(scramble_reversed(reverse_bits(sample_), dimension));
-    return {unit_float(reverse_bits(scramble_reversed(index, mix_bits(dimension + 1)))),
-            unit_float(reverse_bits(
-                scramble_reversed(second_sobol_reversed(index), mix_bits(dimension + 2))))};
+  Float2 pair(std::uint32_t dimension) const {
+    const std::uint32_t seed = mix_bits(key_ + 0x9e3779b9U * (dimension + 1));
+    const std::uint32_t index = shuffled(seed);
+    return {unit_float(reverse_bits(scramble_reversed(index, mix_bits(seed + 1)))),
+            unit_float(
+                reverse_bits(scramble_reversed(second_sobol_reversed(index), mix_bits(seed + 2))))};
   }
 
   /// A number in [0, 1).
-  float next() {
-    const std::uint32_t dimension = mix_bits(key_ + 0x9e3779b9U * ++draws_);
-    const std::uint32_t index = reverse_bits(scramble_reversed(reverse_bits(sample_), dimension));
-    return unit_float(reverse_bits(scramble_reversed(index, mix_bits(dimension + 1))));
+  float single(std::uint32_t dimension) const {
+    const std::uint32_t seed = mix_bits(key_ + 0x9e3779b9U * (dimension + 1));
+    return unit_float(reverse_bits(scramble_reversed(shuffled(seed), mix_bits(seed + 1))));
   }
 
   /// A number that tells this sample from all others, for decisions that need no even spread.
   std::uint32_t key() const { return mix_bits(key_, sample_); }
 
-  /// Goes on as if draws were at that number: paths whose lengths differ stay in step.
-  void seek(std::uint32_t draws) { draws_ = draws; }
-
  private:
-  std::uint32_t key_, sample_, draws_ = 0;
+  std::uint32_t shuffled(std::uint32_t seed) const {
+    return reverse_bits(scramble_reversed(reverse_bits(sample_), seed));
+  }
+
+  std::uint32_t key_, sample_;
 };
 
 }  // namespace gltfx::bake

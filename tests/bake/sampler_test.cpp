@@ -16,9 +16,7 @@ TEST(Sampler, PairsAreEvenlySpread) {
     for (const std::uint32_t columns : {1U, 2U, 4U, 8U, 16U, 32U, 64U}) {
       std::set<std::uint32_t> cells;
       for (std::uint32_t sample = 0; sample < 64; ++sample) {
-        SampleStream stream(7, 99, sample);
-        stream.seek(draw);
-        const Float2 p = stream.next2();
+        const Float2 p = SampleStream(7, 99, sample).pair(draw);
         const auto rows = static_cast<float>(64 / columns);
         const auto x = static_cast<std::uint32_t>(p[0] * static_cast<float>(columns));
         const auto y = static_cast<std::uint32_t>(p[1] * rows);
@@ -32,7 +30,7 @@ TEST(Sampler, PairsAreEvenlySpread) {
 TEST(Sampler, SingleNumbersAreEvenlySpread) {
   std::set<std::uint32_t> cells;
   for (std::uint32_t sample = 0; sample < 256; ++sample) {
-    cells.insert(static_cast<std::uint32_t>(SampleStream(1, 2, sample).next() * 256));
+    cells.insert(static_cast<std::uint32_t>(SampleStream(1, 2, sample).single(0) * 256));
   }
   EXPECT_EQ(cells.size(), 256U);
 }
@@ -42,9 +40,9 @@ TEST(Sampler, DrawsAreIndependent) {
   double sum = 0;
   for (std::uint32_t pixel = 0; pixel < 64; ++pixel) {
     for (std::uint32_t sample = 0; sample < 64; ++sample) {
-      SampleStream stream(3, pixel, sample);
-      const Float2 p = stream.next2();
-      const Float2 q = stream.next2();
+      const SampleStream stream(3, pixel, sample);
+      const Float2 p = stream.pair(0);
+      const Float2 q = stream.pair(1);
       sum +=
           (p[0] - 0.5) * (q[0] - 0.5) + (p[1] - 0.5) * (q[1] - 0.5) + (p[0] - 0.5) * (p[1] - 0.5);
     }
@@ -53,12 +51,10 @@ TEST(Sampler, DrawsAreIndependent) {
 }
 
 TEST(Sampler, TheSameCounterDrawsTheSame) {
-  SampleStream a(1, 2, 3);
-  SampleStream b(1, 2, 3);
-  EXPECT_EQ(a.next2(), b.next2());
-  EXPECT_EQ(a.next(), b.next());
-  EXPECT_NE(SampleStream(1, 2, 3).next(), SampleStream(1, 3, 3).next());
-  EXPECT_NE(SampleStream(1, 2, 3).next(), SampleStream(2, 2, 3).next());
+  EXPECT_EQ(SampleStream(1, 2, 3).pair(4), SampleStream(1, 2, 3).pair(4));
+  EXPECT_NE(SampleStream(1, 2, 3).single(4), SampleStream(1, 2, 3).single(5));
+  EXPECT_NE(SampleStream(1, 2, 3).single(0), SampleStream(1, 3, 3).single(0));
+  EXPECT_NE(SampleStream(1, 2, 3).single(0), SampleStream(2, 2, 3).single(0));
   EXPECT_NE(SampleStream(1, 2, 3).key(), SampleStream(1, 2, 4).key());
 }
 

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/denoise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "bake/denoise_planes.hpp"
+#include "bake/regression.hpp"
+#include "bake/storage.hpp"
+#include "base/parallel.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr int kTile = 16;  // pixels along a side that are worked on together
+constexpr int kReach = 8;  // how far neighbours are looked for
+constexpr int kPatch = 2;  // half width of what is compared
+constexpr int kCompared = kTile + 2 * kPatch;
+constexpr float kStrictness = 0.5F;  // squared: differences that are left to noise
+constexpr float kRidge = 1e-3F;
+constexpr float kAlphaScale = 6;
+
+constexpr std::size_t kTerms = 3 + DenoisePlanes::kFeatures;  // 1, x, y
+constexpr std::size_t kProducts = NormalEquations<kTerms>::kProducts;
+using Row = std::array<float, kTile>;
+
+// exp(-x) for x >= 0, near enough, without a call: it is taken for every pair of pixels.
+inline float falling(float x) {
+  float t = std::max(0.0F, 1 - x * (1.0F / 16.0F));
+  t *= t;
+  t *= t;
+  t *= t;
+  return t * t;
+}
+
+// One tile of one half of the samples, judged by the other half.
+class TileFilter {
+ public:
+  TileFilter(const DenoisePlanes& planes, std::uint32_t left, std::uint32_t top, std::size_t half)
+      : p_(planes), left_(static_cast<int>(left)), top_(static_cast<int>(top)), half_(half) {}
+
+  void run() {
+    for (int dy = -kReach; dy <= kReach; ++dy) {
+      for (int dx = -kReach; dx <= kReach; ++dx) {
+        compare(dx, dy);
+        for (int y = 0; y < kTile; ++y) add_row(y, dx, dy);
+      }
+    }
+  }
+
+  bool value(int x, int y, Float3& value) const {
+    NormalEquations<kTerms> equations;
+    const auto column = static_cast<std::size_t>(x);
+    for (std::size_t i = 0; i < kProducts; ++i)
+      equations.products[i] = products_[row(y)][i][column];
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t i = 0; i < kTerms; ++i) {
+        equations.colors[c][i] = colors_[row(y)][c][i][column];
+      }
+    }
+    return equations.solve(kRidge, value);
+  }
+
+ private:
+  static std::size_t row(int y) { return static_cast<std::size_t>(y); }
+
+  // Pixels beyond the edge are those at the edge.
+  std::size_t pixel(int x, int y) const {
+    const int column = std::clamp(x, 0, static_cast<int>(p_.width) - 1);
+    const int line = std::clamp(y, 0, static_cast<int>(p_.height) - 1);
+    return static_cast<std::size_t>(line) * p_.width + static_cast<std::size_t>(column);
+  }
+
+  bool is_inside(int x, int y) const {
+    return x >= 0 && y >= 0 && x < static_cast<int>(p_.width) && y < static_cast<int>(p_.height);
+  }
+
+  // How far the pixels differ from those at an offset, beyond what noise explains.
+  void compare(int dx, int dy) {
+    const Plane& light = p_.y[1 - half_];
+    const Plane& variance = p_.variance[1 - half_];
+    for (int y = 0; y < kCompared; ++y) {
+      for (int x = 0; x < kCompared; ++x) {
+        const std::size_t a = pixel(left_ - kPatch + x, top_ - kPatch + y);
+        const std::size_t b = pixel(left_ - kPatch + x + dx, top_ - kPatch + y + dy);
+        const float difference = light[a] - light[b];
+        const float expected = variance[a] + std::min(variance[a], variance[b]);
+        const float unit = 1e-5F + kStrictness * (variance[a] + variance[b]);
+        distance_[row(y)][row(x)] = (difference * difference - expected) / unit;
+      }
+    }
+    blur_rows();
+  }
+
+  void blur_rows() {
+    for (auto& line : distance_) {
+      std::array<float, kCompared> sums{};
+      for (std::size_t x = 0; x < kTile; ++x) {
+        for (std::size_t k = 0; k <= 2 * kPatch; ++k) sums[x] += line[x + k];
+      }
+      line = sums;
+    }
+  }
+
+  Row weights(int y, int dx, int dy) const {
+    constexpr float kArea = (2 * kPatch + 1) * (2 * kPatch + 1);
+    Row sums{};
+    for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
+      for (std::size_t x = 0; x < kTile; ++x) sums[x] += distance_[row(y) + k][x];
+    }
+    for (std::size_t x = 0; x < kTile; ++x) {
+      const int px = left_ + static_cast<int>(x);
+      const bool there = is_inside(px + dx, top_ + y + dy);
+      sums[x] = there ? falling(std::max(sums[x] / kArea, 0.0F)) : 0.0F;
+    }
+    return sums;
+  }
+
+  // What distinguishes the pixels of a row from those at an offset.
+  std::array<Row, kTerms> terms(int y, int dx, int dy) const {
+    std::array<Row, kTerms> t;
+    t[0].fill(1);
+    t[1].fill(static_cast<float>(dx) / kReach);
+    t[2].fill(static_cast<float>(dy) / kReach);
+    for (std::size_t f = 0; f < DenoisePlanes::kFeatures; ++f) {
+      for (int x = 0; x < kTile; ++x) {
+        const Plane& plane = p_.features[f];
+        t[3 + f][row(x)] =
+            plane[pixel(left_ + x + dx, top_ + y + dy)] - plane[pixel(left_ + x, top_ + y)];
+      }
+    }
+    return t;
+  }
+
+  void add_row(int y, int dx, int dy) {
+    const Row weight = weights(y, dx, dy);
+    const std::array<Row, kTerms> t = terms(y, dx, dy);
+    auto& products = products_[row(y)];
+    std::size_t product = 0;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      Row weighted;
+      for (std::size_t x = 0; x < kTile; ++x) weighted[x] = weight[x] * t[i][x];
+      for (std::size_t j = 0; j <= i; ++j, ++product) {
+        for (std::size_t x = 0; x < kTile; ++x) products[product][x] += weighted[x] * t[j][x];
+      }
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Plane& light = p_.light[half_][c];
+        for (std::size_t x = 0; x < kTile; ++x) {
+          const int column = left_ + static_cast<int>(x) + dx;
+          colors_[row(y)][c][i][x] += weighted[x] * light[pixel(column, top_ + y + dy)];
+        }
+      }
+    }
+  }
+
+  const DenoisePlanes& p_;
+  int left_, top_;
+  std::size_t half_;
+  std::array<std::array<float, kCompared>, kCompared> distance_{};
+  std::array<std::array<Row, kProducts>, kTile> products_{};
+  std::array<std::array<std::array<Row, kTerms>, 3>, kTile> colors_{};
+};
+
+class Denoiser {
+ public:
+  explicit Denoiser(const Film& film) : film_(film), planes_(denoise_planes(film)) {}
+
+  std::vector<Rgb> run(unsigned jobs) {
+    result_.resize(film_.size());
+    const std::uint32_t columns = (film_.width() + kTile - 1) / kTile;
+    const std::uint32_t rows = (film_.height() + kTile - 1) / kTile;
+    parallel_ordered(
+        std::size_t{columns} * rows, jobs,
+        [&](std::size_t tile) {
+          const auto number = static_cast<std::uint32_t>(tile);
+          filter(number % columns * kTile, number / columns * kTile);
+        },
+        [](std::size_t) {});
+    return std::move(result_);
+  }
+
+ private:
+  void filter(std::uint32_t left, std::uint32_t top) {
+    for (std::size_t half = 0; half < 2; ++half) {
+      const auto filter = std::make_unique<TileFilter>(planes_, left, top, half);
+      filter->run();
+      for (std::uint32_t y = 0; y < kTile && top + y < film_.height(); ++y) {
+        for (std::uint32_t x = 0; x < kTile && left + x < film_.width(); ++x) {
+          const std::size_t i = std::size_t{top + y} * film_.width() + left + x;
+          Float3 light{planes_.light[half][0][i], planes_.light[half][1][i],
+                       planes_.light[half][2][i]};
+          filter->value(static_cast<int>(x), static_cast<int>(y), light);
+          result_[i] += share(i, half, light);
+        }
+      }
+    }
+  }
+
+  // Of the finished pixel, with the surface's colour again.
+  Rgb share(std::size_t i, std::size_t half, const Float3& light) const {
+    const PixelSums& sums = film_.at(i);
+    const double count = sums.samples;
+    const double part = half == 0 ? (sums.samples + 1) / 2 : sums.samples / 2;
+    const Rgb scattered(static_cast<double>(light[0] * planes_.albedo[0][i]),
+                        static_cast<double>(light[1] * planes_.albedo[1][i]),
+                        static_cast<double>(light[2] * planes_.albedo[2][i]));
+    return (to_vec(sums.direct) / Rgb(count) + scattered) * (part / count);
+  }
+
+  const Film& film_;
+  DenoisePlanes planes_;
+  std::vector<Rgb> result_;
+};
+
+}  // namespace
+
+std::vector<Rgb> denoise(const Film& film, unsigned jobs) { return Denoiser(film).run(jobs); }
+
+}  // namespace gltfx::bake

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/environment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "bake/storage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Rgb texel(const EnvironmentImage& image, std::int64_t column, std::int64_t row) {
+  const auto width = static_cast<std::int64_t>(image.width);
+  const auto height = static_cast<std::int64_t>(image.height);
+  const std::int64_t x = (column % width + width) % width;
+  const std::int64_t y = std::clamp<std::int64_t>(row, 0, height - 1);
+  return to_vec(image.radiance[static_cast<std::size_t>(y * width + x)]);
+}
+
+// The integral over each texel of the brightness that is read between texels: of linear
+// interpolation the texel itself counts 6/8, its neighbours 1/8 along each axis. So whatever is not
+// black is sampled.
+std::vector<float> weights_of(const EnvironmentImage& image) {
+  const auto width = static_cast<std::int64_t>(image.width);
+  const auto height = static_cast<std::int64_t>(image.height);
+  std::vector<float> weights;
+  weights.reserve(image.radiance.size());
+  for (std::int64_t y = 0; y < height; ++y) {
+    const double ring =
+        std::sin(kPi * (static_cast<double>(y) + 0.5) / static_cast<double>(height));
+    for (std::int64_t x = 0; x < width; ++x) {
+      double sum = 0;
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        for (std::int64_t dx = -1; dx <= 1; ++dx) {
+          const double share = (dx == 0 ? 0.75 : 0.125) * (dy == 0 ? 0.75 : 0.125);
+          sum += share * luminance(texel(image, x + dx, y + dy));
+        }
+      }
+      weights.push_back(static_cast<float>(sum * ring));
+    }
+  }
+  return weights;
+}
+
+}  // namespace
+
+Vec3d direction_of(const Float2& point) {
+  const double turn = (static_cast<double>(point[0]) - 0.5) * 2 * kPi;  // from -z to +x
+  const double down = static_cast<double>(point[1]) * kPi;
+  const double ring = std::sin(down);
+  return {ring * std::sin(turn), std::cos(down), -ring * std::cos(turn)};
+}
+
+Float2 point_of(const Vec3d& direction) {
+  const double turn = std::atan2(direction.x, -direction.z);
+  return {static_cast<float>(turn / (2 * kPi) + 0.5),
+          static_cast<float>(std::acos(std::clamp(direction.y, -1.0, 1.0)) / kPi)};
+}
+
+Environment::Environment(EnvironmentImage image)
+    : image_(std::move(image)), distribution_(image_.width, weights_of(image_)) {}
+
+Rgb Environment::radiance(const Vec3d& direction) const {
+  const Float2 point = point_of(direction);
+  const double x = static_cast<double>(point[0]) * image_.width - 0.5;
+  const double y = static_cast<double>(point[1]) * image_.height - 0.5;
+  const auto left = static_cast<std::int64_t>(std::floor(x));
+  const auto top = static_cast<std::int64_t>(std::floor(y));
+  const double fx = x - std::floor(x);
+  const double fy = y - std::floor(y);
+  const Rgb upper = texel(image_, left, top) * (1 - fx) + texel(image_, left + 1, top) * fx;
+  const Rgb lower = texel(image_, left, top + 1) * (1 - fx) + texel(image_, left + 1, top + 1) * fx;
+  return upper * (1 - fy) + lower * fy;
+}
+
+EnvironmentSample Environment::sample(const Float2& random) const {
+  const Float2 point = distribution_.sample(random);
+  EnvironmentSample sample;
+  sample.direction = direction_of(point);
+  const double ring = std::sin(kPi * static_cast<double>(point[1]));
+  if (ring <= 0) return sample;
+  sample.pdf = distribution_.density(point) / (2 * kPi * kPi * ring);
+  sample.radiance = radiance(sample.direction);
+  return sample;
+}
+
+double Environment::pdf(const Vec3d& direction) const {
+  const double ring = std::sqrt(std::max(0.0, 1 - direction.y * direction.y));
+  if (ring <= 0) return 0;
+  return distribution_.density(point_of(direction)) / (2 * kPi * kPi * ring);
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Light from far away, by direction.
+#pragma once
+
+#include <gltfx/vec3.hpp>
+
+#include "bake/distribution.hpp"
+#include "bake/scene.hpp"
+
+namespace gltfx::bake {
+
+/// Where light comes from, and how likely that direction was.
+struct EnvironmentSample {
+  Vec3d direction;
+  Rgb radiance;
+  double pdf = 0;  ///< per steradian; 0: no sample
+};
+
+/// An equirectangular image that is read between its texels, and sampled by its brightness.
+class Environment {
+ public:
+  /// `image` has at least one texel.
+  explicit Environment(EnvironmentImage image);
+
+  Rgb radiance(const Vec3d& direction) const;
+  EnvironmentSample sample(const Float2& random) const;
+  /// Of sample(), per steradian.
+  double pdf(const Vec3d& direction) const;
+
+ private:
+  EnvironmentImage image_;
+  GridDistribution distribution_;
+};
+
+/// The direction at a point of the unit square over the image, and the other way round.
+Vec3d direction_of(const Float2& point);
+Float2 point_of(const Vec3d& direction);
+
+}  // namespace gltfx::bake

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/framing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bake/storage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr std::size_t kMostPoints = 200000;
+constexpr double kStrayFactor = 3;  // core extents that a point may lie from the middle
+constexpr double kYfov = 28 * std::numbers::pi / 180;
+constexpr double kMargin = 0.90;  // part of the picture that the subject may fill
+
+double component(const Vec3d& v, std::size_t axis) { return v[static_cast<int>(axis)]; }
+
+bool is_sane(const Vec3d& p) {
+  constexpr double kFar = 1e18;  // beyond that there is no ray
+  return std::fabs(p.x) < kFar && std::fabs(p.y) < kFar && std::fabs(p.z) < kFar;
+}
+
+// Corners of triangles, evenly chosen over all instances. Vertices that no triangle uses do not
+// count.
+std::vector<Vec3d> surface_points(const Scene& scene) {
+  std::size_t corners = 0;
+  for (const Instance& each : scene.instances)
+    corners += scene.meshes[each.mesh].triangles.size() * 3;
+  const std::size_t step = corners / kMostPoints + 1;
+  std::vector<Vec3d> points;
+  std::size_t next = 0;  // of the corners that are still to come
+  for (const Instance& each : scene.instances) {
+    const Mesh& mesh = scene.meshes[each.mesh];
+    const std::size_t own = mesh.triangles.size() * 3;
+    for (; next < own; next += step) {
+      const std::uint32_t vertex = mesh.triangles[next / 3][next % 3];
+      const Vec3d p = transform_point(each.to_world, to_vec(mesh.positions[vertex]));
+      if (is_sane(p)) points.push_back(p);
+    }
+    next -= own;
+  }
+  return points;
+}
+
+// Along one axis: from where to where points belong to the subject.
+std::pair<double, double> limits_along(const std::vector<Vec3d>& points, std::size_t axis) {
+  std::vector<double> values;
+  values.reserve(points.size());
+  for (const Vec3d& p : points) values.push_back(component(p, axis));
+  const auto at = [&values](std::size_t index) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  };
+  const double low = at(values.size() / 100);
+  const double high = at(values.size() - 1 - values.size() / 100);
+  return {low, high};
+}
+
+// A plane has no extent along one axis, so what is far away is told by the longest.
+void drop_strays(std::vector<Vec3d>& points) {
+  std::array<std::pair<double, double>, 3> core;
+  double longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    core[axis] = limits_along(points, axis);
+    longest = std::max(longest, core[axis].second - core[axis].first);
+  }
+  if (!(longest > 0)) return;
+  std::erase_if(points, [&](const Vec3d& p) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double middle = (core[axis].first + core[axis].second) / 2;
+      if (std::fabs(component(p, axis) - middle) > kStrayFactor * longest) return true;
+    }
+    return false;
+  });
+}
+
+Vec3d backward_of(const Direction& direction) {
+  const double turn = direction.azimuth * std::numbers::pi / 180;
+  const double rise = direction.elevation * std::numbers::pi / 180;
+  return {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
+}
+
+// Bounds of points in the camera's axes, slanted by the edges of its picture: what decides where a
+// perspective camera has to stand to see them all.
+struct Slanted {
+  double left = -std::numeric_limits<double>::infinity(), right = left, lower = left, upper = left;
+  double nearest = left;
+};
+
+Slanted slant(const std::vector<Vec3d>& points, const View& view, const Vec3d& middle, double wide,
+              double high) {
+  Slanted s;
+  for (const Vec3d& point : points) {
+    const Vec3d p = point - middle;
+    const double x = dot(p, view.right);
+    const double y = dot(p, view.up);
+    const double z = dot(p, view.backward);
+    s.right = std::max(s.right, x + wide * z);
+    s.left = std::max(s.left, -x + wide * z);
+    s.upper = std::max(s.upper, y + high * z);
+    s.lower = std::max(s.lower, -y + high * z);
+    s.nearest = std::max(s.nearest, z);
+  }
+  return s;
+}
+
+}  // namespace
+
+double Subject::size() const { return std::max(length(greatest - least), 1e-12); }
+
+std::optional<Subject> find_subject(const Scene& scene) {
+  Subject subject;
+  subject.points = surface_points(scene);
+  if (subject.points.empty()) return std::nullopt;
+  drop_strays(subject.points);
+  subject.least = subject.greatest = subject.points.front();
+  for (const Vec3d& p : subject.points) {
+    subject.least = {std::min(subject.least.x, p.x), std::min(subject.least.y, p.y),
+                     std::min(subject.least.z, p.z)};
+    subject.greatest = {std::max(subject.greatest.x, p.x), std::max(subject.greatest.y, p.y),
+                        std::max(subject.greatest.z, p.z)};
+  }
+  return subject;
+}
+
+Direction usual_direction(const Subject& subject) {
+  const Vec3d extent = subject.greatest - subject.least;
+  const bool flat = extent.y < 0.2 * std::max(extent.x, extent.z);
+  const bool upright = extent.z < 0.05 * std::max(extent.x, extent.y);  // a picture, a sheet
+  return {upright ? 20.0 : 32.0, flat ? 38.0 : 18.0};
+}
+
+View frame(const Subject& subject, const Direction& direction, double aspect) {
+  View view;
+  view.backward = backward_of(direction);
+  const Vec3d over(0, 1, 0);
+  const bool steep = std::fabs(view.backward.y) > 0.9999;
+  const double turn = direction.azimuth * std::numbers::pi / 180;
+  view.right =
+      steep ? Vec3d(std::cos(turn), 0, -std::sin(turn)) : normalize(cross(over, view.backward));
+  view.up = cross(view.backward, view.right);
+  view.half_height = std::tan(kYfov / 2) * (aspect < 1 ? 1 / aspect : 1);
+  view.half_width = view.half_height * aspect;
+
+  const double wide = view.half_width * kMargin;
+  const double high = view.half_height * kMargin;
+  const Vec3d middle = subject.middle();
+  const Slanted s = slant(subject.points, view, middle, wide, high);
+  double distance = std::max((s.right + s.left) / (2 * wide), (s.upper + s.lower) / (2 * high));
+  distance = std::max(distance, s.nearest + subject.size() * 0.05);
+  const double x = (s.right - s.left) / 2;
+  const double y = (s.upper - s.lower) / 2;
+  view.origin = middle + view.right * x + view.up * y + view.backward * distance;
+  return view;
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/integrator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "bake/light.hpp"
+#include "bake/material.hpp"
+#include "bake/media.hpp"
+#include "bake/storage.hpp"
+#include "bake/studio.hpp"
+#include "bake/surface.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr int kSteps = 1024;          // of a path, in media and on surfaces
+constexpr int kRouletteFrom = 3;      // step
+constexpr double kShadowDepth = 0.7;  // how dark the floor becomes
+
+// Dimensions of the random numbers of one step of a path.
+enum Draw : std::uint32_t {
+  lobe,
+  direction,
+  environment,
+  lamp,
+  roulette,
+  reach,
+  turn,
+  color,
+  kDraws
+};
+constexpr std::uint32_t kFirstDraw = 1;  // after the position in the pixel
+
+// The power heuristic of two strategies (E. Veach, Robust Monte Carlo Methods, 1997).
+double power_weight(double own, double other) {
+  const double a = own * own;
+  const double b = other * other;
+  return a > 0 ? a / (a + b) : 0.0;
+}
+
+// One path, from the camera on.
+class Path {
+ public:
+  Path(const PathSetting& setting, const Ray& ray, const Float2& point, const SampleStream& random)
+      : s_(setting), ray_(ray), point_(point), random_(random) {}
+
+  PathSample run() {
+    for (; step_ < kSteps; ++step_) {
+      const auto hit = s_.bvh.intersect(ray_, random_.key() + static_cast<std::uint32_t>(step_));
+      if (!media_.empty() && scatters_before(hit)) {
+        if (!survives()) break;
+        continue;
+      }
+      if (!hit) {
+        escape();
+        break;
+      }
+      if (!meet(*hit) || !survives()) break;
+    }
+    return result_;
+  }
+
+ private:
+  std::uint32_t dimension(Draw draw) const {
+    return kFirstDraw + static_cast<std::uint32_t>(step_) * kDraws + draw;
+  }
+  Float2 pair(Draw draw) const { return random_.pair(dimension(draw)); }
+  double single(Draw draw) const { return static_cast<double>(random_.single(dimension(draw))); }
+
+  // Whether the path turns inside of a medium; else it is only dimmed on its way.
+  bool scatters_before(const std::optional<Hit>& hit) {
+    const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
+    const MediumStep step = walk(media_.top(), throughput_, far, pair(Draw::reach));
+    throughput_ *= step.weight;
+    if (!step.scattered) return false;
+    const Float2 turn = pair(Draw::turn);
+    ray_.origin += ray_.direction * step.distance;
+    ray_.direction = sample_phase(media_.top(), ray_.direction, static_cast<double>(turn[0]),
+                                  static_cast<double>(turn[1]));
+    straight_ = false;
+    pdf_ = 0;
+    result_.alpha = 1;
+    return true;
+  }
+
+  // Beyond the scene.
+  void escape() {
+    if (straight_) {
+      see_background();
+    } else if (s_.setting.environment) {
+      const Environment& light = *s_.setting.environment;
+      // What a mirror or a medium sent here is found in no other way.
+      const double weight = pdf_ > 0 ? power_weight(pdf_, light.pdf(ray_.direction)) : 1.0;
+      result_.radiance += throughput_ * light.radiance(ray_.direction) * weight;
+    }
+  }
+
+  void see_background() {
+    result_.alpha = 1 - std::clamp(luminance(throughput_), 0.0, 1.0);
+    Rgb behind;
+    if (s_.setting.background == Background::environment && s_.setting.environment) {
+      behind = s_.setting.environment->radiance(ray_.direction);
+    } else if (s_.setting.background == Background::backdrop) {
+      behind = backdrop(static_cast<double>(point_[0]), static_cast<double>(point_[1]));
+    }
+    const Rgb seen = throughput_ * behind;
+    const Rgb shadow = seen * floor_shadow();
+    result_.radiance += seen - shadow;
+    result_.direct += seen;
+    if (surfaces_ == 0) result_.albedo = behind;
+  }
+
+  // What part of the light that falls onto the floor is kept away from it. Only what is kept away
+  // is estimated: where nothing stands in the way there is no noise.
+  double floor_shadow() const {
+    const auto& floor = s_.setting.floor;
+    if (!floor || !s_.setting.environment || ray_.direction.y >= 0) return 0;
+    const double distance = (floor->height - ray_.origin.y) / ray_.direction.y;
+    if (!(distance > 0)) return 0;
+    const Vec3d point = beside(ray_.origin + ray_.direction * distance, Vec3d(0, 1, 0), s_.size);
+    const EnvironmentSample light = s_.setting.environment->sample(pair(Draw::environment));
+    if (!(light.pdf > 0) || light.direction.y <= 0) return 0;
+    const double kept = 1 - static_cast<double>(s_.bvh.visibility({point, light.direction}));
+    const double share = luminance(light.radiance) * light.direction.y / light.pdf;
+    return kept * share / floor->irradiance * kShadowDepth;
+  }
+
+  // A surface: the light it sends, that of lamps on it, and where the path goes on. False where it
+  // ends.
+  bool meet(const Hit& hit) {
+    const bool front = s_.bvh.is_front(hit, ray_.direction);
+    Surface surface = surface_at(s_.scene, hit, ray_, front);
+    const Vec3d v = surface.frame.to_local(-ray_.direction);
+    if (surfaces_ == 0) note(hit, surface);
+    const Rgb own = throughput_ * emitted(surface.material, v);
+    result_.radiance += own;
+    if (straight_) result_.direct += own;
+    result_.alpha = 1;
+    if (surface.material.unlit || surfaces_ >= s_.bounces) return false;
+    if (surface.flat_normal == Vec3d()) return false;
+    ++surfaces_;
+    surface.material.outside_ior = media_.ior_around(hit.instance);
+    follow_one_color(surface.material);
+    const Bsdf bsdf(surface.material, v, {s_.mode, color_});
+    if (!bsdf.is_delta()) {
+      gather_environment(surface, bsdf);
+      gather_lamps(surface, bsdf);
+    }
+    const Float2 towards = pair(Draw::direction);
+    const auto next = bsdf.sample(
+        {single(Draw::lobe), static_cast<double>(towards[0]), static_cast<double>(towards[1])});
+    return next && go_on(hit, surface, v, *next);
+  }
+
+  // For the denoiser and the pictures of these.
+  void note(const Hit& hit, const Surface& surface) {
+    result_.albedo = surface.material.base_color;
+    result_.normal = surface.frame.normal;
+    result_.depth = hit.distance;
+    result_.material = s_.scene.meshes[s_.scene.instances[hit.instance].mesh].material;
+  }
+
+  // Colours part in a dispersive volume: from there on the path is of one of them.
+  void follow_one_color(const Material& material) {
+    if (color_ >= 0 || material.dispersion <= 0 || material.transmission <= 0) return;
+    if (!material.volumetric()) return;
+    color_ = std::min(static_cast<int>(single(Draw::color) * 3), 2);
+    throughput_ *= Rgb(color_ == 0 ? 3 : 0, color_ == 1 ? 3 : 0, color_ == 2 ? 3 : 0);
+  }
+
+  // Whether a direction is on the same side of the flat triangle as of the shading normal, and in
+  // the open: through a volume lamps are not seen directly.
+  static bool leads_out(const Surface& surface, const Vec3d& direction, const Vec3d& l) {
+    if ((dot(direction, surface.flat_normal) > 0) != (l.z > 0)) return false;
+    return l.z > 0 || !surface.material.volumetric();
+  }
+
+  Vec3d start(const Surface& surface, bool outside) const {
+    return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, s_.size);
+  }
+
+  void gather_environment(const Surface& surface, const Bsdf& bsdf) {
+    if (!s_.setting.environment) return;
+    const EnvironmentSample light = s_.setting.environment->sample(pair(Draw::environment));
+    if (!(light.pdf > 0)) return;
+    const Vec3d l = surface.frame.to_local(light.direction);
+    if (!leads_out(surface, light.direction, l)) return;
+    const Evaluation value = bsdf.evaluate(l);
+    const Rgb share = value.f * light.radiance *
+                      (std::fabs(l.z) / light.pdf * power_weight(light.pdf, value.pdf));
+    add_seen({start(surface, l.z > 0), light.direction}, share);
+  }
+
+  void gather_lamps(const Surface& surface, const Bsdf& bsdf) {
+    if (s_.setting.lights.empty()) return;
+    const LightChoice lamp = choose_light(s_.setting.lights, surface.position, pair(Draw::lamp));
+    if (!(lamp.probability > 0)) return;
+    const Vec3d l = surface.frame.to_local(lamp.light.direction);
+    if (!leads_out(surface, lamp.light.direction, l)) return;
+    const Rgb share =
+        bsdf.evaluate(l).f * lamp.light.irradiance * (std::fabs(l.z) / lamp.probability);
+    add_seen({start(surface, l.z > 0), lamp.light.direction, lamp.light.distance}, share);
+  }
+
+  void add_seen(const Ray& towards, const Rgb& share) {
+    if (!(max_value(share) > 0)) return;
+    result_.radiance += throughput_ * share * static_cast<double>(s_.bvh.visibility(towards));
+  }
+
+  bool go_on(const Hit& hit, const Surface& surface, const Vec3d& v, const MaterialSample& next) {
+    const Vec3d onwards = normalize(surface.frame.to_world(next.l));
+    const bool outside = dot(onwards, surface.flat_normal) > 0;
+    if (outside != (next.l.z > 0)) return false;
+    throughput_ *= next.weight;
+    const bool through = (next.l.z > 0) != (v.z > 0);
+    if (through && surface.material.volumetric()) {
+      if (outside) {
+        media_.leave(hit.instance);
+      } else {
+        media_.enter(surface.material, hit.instance);
+      }
+    }
+    straight_ = straight_ && through && next.delta && dot(onwards, ray_.direction) > 0.99999;
+    pdf_ = next.delta || !media_.empty() ? 0 : next.pdf;
+    ray_ = {start(surface, outside), onwards};
+    return true;
+  }
+
+  // Paths that carry little end early, and those that do not carry their part.
+  bool survives() {
+    const double most = max_value(throughput_);
+    if (!(most > 0)) return false;
+    if (step_ < kRouletteFrom || most >= 1) return true;
+    if (single(Draw::roulette) >= most) return false;
+    throughput_ *= 1 / most;
+    return true;
+  }
+
+  const PathSetting& s_;
+  Ray ray_;
+  const Float2 point_;
+  const SampleStream& random_;
+  PathSample result_;
+  Rgb throughput_{1, 1, 1};
+  MediaStack media_;
+  int step_ = 0;
+  int surfaces_ = 0;      // that scattered
+  int color_ = -1;        // that the path follows, after dispersion
+  bool straight_ = true;  // nothing but sheets of glass so far
+  double pdf_ = 0;        // of the last direction; 0: no lamp was looked for
+};
+
+}  // namespace
+
+PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
+                      const SampleStream& random) {
+  return Path(setting, ray, point, random).run();
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Light along paths: from the camera over surfaces and through media to lights.
+#pragma once
+
+#include <gltfx/material.hpp>
+
+#include <cstdint>
+
+#include "bake/bvh.hpp"
+#include "bake/sampler.hpp"
+#include "bake/scene.hpp"
+#include "bake/setting.hpp"
+#include "bake/view.hpp"
+
+namespace gltfx::bake {
+
+/// What one path brings back.
+struct PathSample {
+  Rgb radiance;      ///< all of it
+  Rgb direct;        ///< the part of it that the first surface or the background sends by itself
+  double alpha = 0;  ///< 1 on the scene, 0 beside it, between them where it is seen through
+  // Of the first surface; 0 beside the scene.
+  Rgb albedo;
+  Vec3d normal;
+  double depth = 0;  ///< along the ray
+  std::uint32_t material = kNone;
+};
+
+/// What all paths of a picture share. References must outlive it.
+struct PathSetting {
+  const Scene& scene;
+  const Bvh& bvh;
+  const Setting& setting;
+  int bounces = 4;  ///< surfaces at most that scatter along a path
+  double size = 1;  ///< of the scene, for distances that count as none
+  ShaderMode mode = ShaderMode::conserving;
+};
+
+/// Light that arrives along a ray that comes from a point of the picture (x and y from 0 to 1),
+/// with next event estimation, multiple importance sampling and Russian roulette.
+PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
+                      const SampleStream& random);
+
+/// The same by other means, as a test of the first: directions are taken evenly, and lights other
+/// than punctual ones are found by chance only. Without media and mirrors.
+Rgb trace_simply(const PathSetting& setting, const Ray& ray, const SampleStream& random);
+
+}  // namespace gltfx::bake

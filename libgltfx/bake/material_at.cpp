@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/material_at.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bake/coverage.hpp"
+#include "bake/storage.hpp"
+#include "bake/texture.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+// Reads the slots of a material at one hit.
+class Reader {
+ public:
+  Reader(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, const Hit& hit)
+      : scene_(scene), mesh_(mesh), material_(material), hit_(hit) {}
+
+  bool has(Slot slot) const { return material_.use(slot).texture != kNone; }
+
+  Float4 texel(Slot slot) const {
+    const TextureUse& use = material_.use(slot);
+    const Float2 uv = transform_uv(use, uv_at(mesh_, use.uv_set, hit_));
+    return sample_texture(scene_.textures[use.texture], uv[0], uv[1], is_srgb(slot));
+  }
+
+  void scale(Rgb& value, Slot slot) const {
+    if (!has(slot)) return;
+    const Float4 t = texel(slot);
+    value *= Rgb(static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2]));
+  }
+
+  // By one channel: the slot's own unless the use names another.
+  void scale(double& value, Slot slot, std::uint32_t channel) const {
+    if (!has(slot) || value == 0) return;
+    const TextureUse& use = material_.use(slot);
+    const Float2 uv = transform_uv(use, uv_at(mesh_, use.uv_set, hit_));
+    value *= static_cast<double>(sample_channel(scene_.textures[use.texture], uv[0], uv[1],
+                                                use.channel == kNone ? channel : use.channel));
+  }
+
+ private:
+  const Scene& scene_;
+  const Mesh& mesh_;
+  const SceneMaterial& material_;
+  const Hit& hit_;
+};
+
+constexpr std::uint32_t kR = 0;
+constexpr std::uint32_t kG = 1;
+constexpr std::uint32_t kA = 3;
+
+void read_metallic_roughness(const Reader& reader, Material& m) {
+  if (!reader.has(Slot::metallic_roughness)) return;
+  const Float4 texel = reader.texel(Slot::metallic_roughness);
+  m.roughness *= static_cast<double>(texel[1]);
+  m.metallic *= static_cast<double>(texel[2]);
+}
+
+void read_transmission(const Reader& reader, Material& m) {
+  reader.scale(m.transmission, Slot::transmission, kR);
+  reader.scale(m.diffuse_transmission, Slot::diffuse_transmission, kA);
+  reader.scale(m.diffuse_transmission_color, Slot::diffuse_transmission_color);
+  reader.scale(m.scatter_strength, Slot::scatter_strength, kA);
+  reader.scale(m.scatter_color, Slot::multiscatter_color);
+}
+
+void read_anisotropy(const Reader& reader, Material& m) {
+  if (m.anisotropy == 0 || !reader.has(Slot::anisotropy)) return;
+  const Float4 texel = reader.texel(Slot::anisotropy);
+  m.anisotropy *= static_cast<double>(texel[2]);
+  m.anisotropy_rotation +=
+      std::atan2(2.0 * static_cast<double>(texel[1]) - 1, 2.0 * static_cast<double>(texel[0]) - 1);
+}
+
+void read_layers(const Reader& reader, const SceneMaterial& material, Material& m) {
+  reader.scale(m.specular, Slot::specular, kA);
+  reader.scale(m.specular_color, Slot::specular_color);
+  reader.scale(m.clearcoat, Slot::clearcoat, kR);
+  reader.scale(m.clearcoat_roughness, Slot::clearcoat_roughness, kG);
+  reader.scale(m.sheen_roughness, Slot::sheen_roughness, kA);
+  if (max_value(m.sheen_color) > 0) reader.scale(m.sheen_color, Slot::sheen_color);
+  reader.scale(m.iridescence, Slot::iridescence, kR);
+  if (m.iridescence > 0 && reader.has(Slot::iridescence_thickness)) {
+    const auto least = static_cast<double>(material.iridescence_thickness_minimum);
+    const auto share = static_cast<double>(reader.texel(Slot::iridescence_thickness)[1]);
+    m.iridescence_thickness = least + (m.iridescence_thickness - least) * share;
+  }
+}
+
+Material specular_glossiness_at(const Reader& reader, const SceneMaterial& material,
+                                const Material& read) {
+  Rgb specular = to_vec(material.specular);
+  auto glossiness = static_cast<double>(material.glossiness);
+  if (reader.has(Slot::specular_glossiness)) {
+    reader.scale(specular, Slot::specular_glossiness);
+    glossiness *= static_cast<double>(reader.texel(Slot::specular_glossiness)[3]);
+  }
+  Material m = gltfx::specular_glossiness(read.base_color, specular, glossiness);
+  m.emissive = read.emissive;
+  return m;
+}
+
+}  // namespace
+
+Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& material,
+                     const Hit& hit) {
+  const Reader reader(scene, mesh, material, hit);
+  Material m = material.factors;
+  const Float4 tint = color_at(mesh, hit);
+  m.base_color *= to_vec({tint[0], tint[1], tint[2]});
+  reader.scale(m.base_color, Slot::base_color);
+  if (m.unlit) return m;
+  if (max_value(m.emissive) > 0) reader.scale(m.emissive, Slot::emissive);
+  if (material.specular_glossiness) return specular_glossiness_at(reader, material, m);
+  read_metallic_roughness(reader, m);
+  read_transmission(reader, m);
+  read_anisotropy(reader, m);
+  read_layers(reader, material, m);
+  if (material.tinted_by_base_color) add_translucency(m, m.diffuse_transmission);
+  return m;
+}
+
+std::optional<Vec3d> mapped_normal(const Scene& scene, const Mesh& mesh,
+                                   const SceneMaterial& material, const Hit& hit, Slot slot) {
+  const Reader reader(scene, mesh, material, hit);
+  if (!reader.has(slot)) return std::nullopt;
+  if (scene.textures[material.use(slot).texture].missing) return std::nullopt;
+  const Float4 texel = reader.texel(slot);
+  const auto scale = static_cast<double>(slot == Slot::normal ? material.normal_scale
+                                                              : material.clearcoat_normal_scale);
+  const Vec3d n((2.0 * static_cast<double>(texel[0]) - 1) * scale,
+                (2.0 * static_cast<double>(texel[1]) - 1) * scale,
+                2.0 * static_cast<double>(texel[2]) - 1);
+  const double norm = length(n);
+  if (!(norm > 1e-6)) return std::nullopt;
+  return n / norm;
+}
+
+}  // namespace gltfx::bake

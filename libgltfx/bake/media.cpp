@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/media.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gltfx::bake {
+namespace {
+
+// How likely each colour is to decide.
+Rgb color_odds(const Rgb& throughput) {
+  const double sum = throughput.x + throughput.y + throughput.z;
+  return sum > 0 ? throughput / Rgb(sum) : Rgb(1.0 / 3);
+}
+
+int choose_color(const Rgb& odds, double random) {
+  if (random < odds.x) return 0;
+  return random < odds.x + odds.y ? 1 : 2;
+}
+
+}  // namespace
+
+void MediaStack::enter(const Material& material, std::uint32_t instance) {
+  if (depth_ == entries_.size()) return;
+  entries_[depth_++] = {medium_of(material), material.ior, instance};
+}
+
+void MediaStack::leave(std::uint32_t instance) {
+  for (std::size_t i = depth_; i-- > 0;) {
+    if (entries_[i].instance != instance) continue;
+    std::move(entries_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+              entries_.begin() + static_cast<std::ptrdiff_t>(depth_),
+              entries_.begin() + static_cast<std::ptrdiff_t>(i));
+    --depth_;
+    return;
+  }
+}
+
+double MediaStack::ior_around(std::uint32_t instance) const {
+  for (std::size_t i = depth_; i-- > 0;) {
+    if (entries_[i].instance != instance) return entries_[i].ior;
+  }
+  return 1;
+}
+
+MediumStep walk(const Medium& medium, const Rgb& throughput, double reach, const Float2& random) {
+  if (!medium.scatters()) return {false, 0, medium.transmittance(reach)};
+  const Rgb extinction = medium.extinction();
+  const Rgb odds = color_odds(throughput);
+  const double decisive = extinction[choose_color(odds, static_cast<double>(random[1]))];
+  const double distance = decisive > 0 ? -std::log1p(-static_cast<double>(random[0])) / decisive
+                                       : std::numeric_limits<double>::infinity();
+  if (distance >= reach) {
+    const Rgb through = medium.transmittance(reach);
+    const double density = dot(odds, through);
+    return {false, 0, density > 0 ? through / Rgb(density) : Rgb()};
+  }
+  const Rgb through = medium.transmittance(distance);
+  const double density = dot(odds, extinction * through);
+  return {true, distance, density > 0 ? medium.scattering * through / Rgb(density) : Rgb()};
+}
+
+}  // namespace gltfx::bake

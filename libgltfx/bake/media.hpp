@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The media that a path is in, one inside of the other.
+#pragma once
+
+#include <gltfx/material.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "bake/medium.hpp"
+#include "bake/scene.hpp"
+
+namespace gltfx::bake {
+
+/// A path enters and leaves closed meshes. What is nested deeper than there is room for counts as
+/// the medium around it.
+class MediaStack {
+ public:
+  bool empty() const { return depth_ == 0; }
+  /// Precondition: not empty.
+  const Medium& top() const { return entries_[depth_ - 1].medium; }
+
+  void enter(const Material& material, std::uint32_t instance);
+  void leave(std::uint32_t instance);
+  /// Index of refraction outside of a surface of the instance.
+  double ior_around(std::uint32_t instance) const;
+
+ private:
+  struct Entry {
+    Medium medium;
+    double ior = 1;
+    std::uint32_t instance = kNone;
+  };
+  std::array<Entry, 6> entries_{};
+  std::size_t depth_ = 0;
+};
+
+/// What becomes of a path inside of a medium.
+struct MediumStep {
+  bool scattered = false;
+  double distance = 0;  ///< to where it is scattered
+  Rgb weight{1, 1, 1};  ///< of the path, from here on
+};
+
+/// From a point of the medium on, `reach` metres before there is a surface. `throughput`: of the
+/// path so far; by it the colour is chosen that decides the distance, and all three are weighed by
+/// multiple importance sampling.
+MediumStep walk(const Medium& medium, const Rgb& throughput, double reach, const Float2& random);
+
+}  // namespace gltfx::bake

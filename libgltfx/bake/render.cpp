@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/render.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "bake/storage.hpp"
+#include "bake/tonemap.hpp"
+#include "base/parallel.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr std::uint32_t kTile = 16;  // pixels along a side
+constexpr std::uint32_t kRound = 8;  // samples between two looks at clock and noise
+
+// A position within a pixel's neighbourhood of two by two, by a tent: edges come out smooth, and
+// samples of different pixels stay independent.
+double tent(float random) {
+  const double r = static_cast<double>(random) * 2;
+  return r < 1 ? std::sqrt(r) - 1 : 1 - std::sqrt(2 - r);
+}
+
+class Renderer {
+ public:
+  Renderer(const PathSetting& setting, const View& view, const RenderOptions& options)
+      : setting_(setting),
+        view_(view),
+        options_(options),
+        film_(options.width, options.height),
+        columns_((options.width + kTile - 1) / kTile),
+        done_(std::size_t{columns_} * ((options.height + kTile - 1) / kTile), 0) {}
+
+  Film run() {
+    const bool steady = options_.seconds <= 0 && options_.noise <= 0;
+    const std::uint32_t round = steady ? options_.samples : kRound;
+    for (std::uint32_t first = 0; first < options_.samples; first += round) {
+      const std::uint32_t last = std::min(first + round, options_.samples);
+      if (!render_round(first, last) || out_of_time()) break;
+    }
+    return std::move(film_);
+  }
+
+ private:
+  // False when all tiles have enough.
+  bool render_round(std::uint32_t first, std::uint32_t last) {
+    bool any = false;
+    parallel_ordered(
+        done_.size(), options_.jobs,
+        [&](std::size_t tile) {
+          if (done_[tile] == 0) render_tile(static_cast<std::uint32_t>(tile), first, last);
+        },
+        [&](std::size_t tile) {
+          any = any || done_[tile] == 0;
+          report((first + static_cast<double>(last - first) * static_cast<double>(tile + 1) /
+                              static_cast<double>(done_.size())) /
+                 options_.samples);
+        });
+    return any;
+  }
+
+  void report(double part) {
+    if (options_.progress) options_.progress(part);
+  }
+
+  void render_tile(std::uint32_t tile, std::uint32_t first, std::uint32_t last) {
+    const std::uint32_t left = tile % columns_ * kTile;
+    const std::uint32_t top = tile / columns_ * kTile;
+    double worst = 0;
+    for (std::uint32_t y = top; y < std::min(top + kTile, options_.height); ++y) {
+      double row = 0;
+      for (std::uint32_t x = left; x < std::min(left + kTile, options_.width); ++x) {
+        for (std::uint32_t sample = first; sample < last; ++sample) render_sample(x, y, sample);
+        row += visible_error(std::size_t{y} * options_.width + x);
+      }
+      worst = std::max(worst, row / kTile);
+    }
+    if (options_.noise > 0 && last >= 2 * kRound && worst < options_.noise) done_[tile] = 1;
+  }
+
+  // The error as it is seen in the finished picture.
+  double visible_error(std::size_t pixel) const {
+    if (options_.noise <= 0) return 0;
+    const double error = film_.error(pixel);
+    const Rgb mean = film_.radiance(pixel);
+    const auto shown = [](double value) {
+      const auto y = static_cast<float>(value);
+      return static_cast<double>(srgb_encode(tone_map({y, y, y})[0]));
+    };
+    const double y = luminance(mean);
+    return shown(y + error) - shown(y);
+  }
+
+  void render_sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+    const std::size_t pixel = std::size_t{y} * options_.width + x;
+    const SampleStream random(options_.seed, static_cast<std::uint32_t>(pixel), sample);
+    const Float2 jitter = random.pair(0);
+    const double px = (x + 0.5 + tent(jitter[0])) / options_.width;
+    const double py = (y + 0.5 + tent(jitter[1])) / options_.height;
+    const Float2 point{static_cast<float>(px), static_cast<float>(py)};
+    film_.add(pixel, trace_path(setting_, view_.ray(px, py), point, random));
+  }
+
+  bool out_of_time() const {
+    if (options_.seconds <= 0) return false;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
+    return passed.count() >= options_.seconds;
+  }
+
+  const PathSetting& setting_;
+  const View& view_;
+  const RenderOptions& options_;
+  Film film_;
+  std::uint32_t columns_;
+  std::vector<std::uint8_t> done_;  // tiles; not bool, of which neighbours share a byte
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Film render(const PathSetting& setting, const View& view, const RenderOptions& options) {
+  return Renderer(setting, view, options).run();
+}
+
+}  // namespace gltfx::bake

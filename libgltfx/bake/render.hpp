@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A picture of a scene.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "bake/film.hpp"
+#include "bake/integrator.hpp"
+#include "bake/view.hpp"
+
+namespace gltfx::bake {
+
+struct RenderOptions {
+  std::uint32_t width = 512, height = 512;
+  std::uint32_t samples = 64;  ///< of each pixel, at most
+  std::uint32_t seed = 0;
+  unsigned jobs = 1;
+  /// Seconds after which no more samples are begun; 0: no limit. What is rendered then depends on
+  /// the machine.
+  double seconds = 0;
+  /// Standard error, as part of the range of the finished picture, at which a tile of pixels has
+  /// enough; 0: all samples.
+  double noise = 0;
+  /// Called now and then with the part that is done, from 0 to 1, one call at a time.
+  std::function<void(double)> progress;
+};
+
+/// The same bytes for any number of jobs unless there is a limit of time.
+Film render(const PathSetting& setting, const View& view, const RenderOptions& options);
+
+}  // namespace gltfx::bake

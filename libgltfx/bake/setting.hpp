@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What surrounds a scene: its light, and what is seen where it is not.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bake/environment.hpp"
+#include "bake/ray.hpp"
+#include "bake/scene.hpp"
+
+namespace gltfx::bake {
+
+/// What the picture shows behind the scene.
+enum class Background : std::uint8_t { backdrop, environment, transparent };
+
+/// A level floor that nobody sees but for the shadow on it.
+struct Floor {
+  double height = 0;
+  double irradiance = 0;  ///< luminance of what the environment gives it with nothing in the way
+};
+
+struct Setting {
+  std::optional<Environment> environment;
+  std::vector<Light> lights;
+  Background background = Background::backdrop;
+  std::optional<Floor> floor;  ///< only with a backdrop
+};
+
+}  // namespace gltfx::bake

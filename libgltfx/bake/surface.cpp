@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "bake/coverage.hpp"
+#include "bake/material_at.hpp"
+#include "bake/storage.hpp"
+#include "bake/texture.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+// The triangle of a hit, in the world.
+class Triangle {
+ public:
+  Triangle(const Scene& scene, const Hit& hit)
+      : instance_(scene.instances[hit.instance]),
+        mesh_(scene.meshes[instance_.mesh]),
+        corners_(mesh_.triangles[hit.triangle]),
+        hit_(hit),
+        mirrored_(determinant(instance_.to_world) < 0 ? -1.0 : 1.0) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      points_[i] = transform_point(instance_.to_world, to_vec(mesh_.positions[corners_[i]]));
+    }
+  }
+
+  // From the weights: nearer to the triangle than the end of the ray.
+  Vec3d position() const {
+    return points_[0] + (points_[1] - points_[0]) * weight(1) +
+           (points_[2] - points_[0]) * weight(2);
+  }
+
+  // Out of the front; zero without area.
+  Vec3d flat_normal() const {
+    const Vec3d n = cross(points_[1] - points_[0], points_[2] - points_[0]) * mirrored_;
+    const double norm = length(n);
+    return norm > 0 && std::isfinite(norm) ? n / norm : Vec3d();
+  }
+
+  Vec3d smooth_normal() const {
+    if (mesh_.normals.empty()) return flat_normal();
+    Vec3d sum;
+    for (std::size_t i = 0; i < 3; ++i) sum += to_vec(mesh_.normals[corners_[i]]) * weight(i);
+    const Vec3d n = transform_normal(instance_.to_world, sum) * mirrored_;
+    const double norm = length(n);
+    return norm > 0 && std::isfinite(norm) ? n / norm : flat_normal();
+  }
+
+  // Right-angled to the normal: the mesh's own, or else along u of the texture coordinates that the
+  // material looks at by tangents, or else any.
+  Frame frame(const Vec3d& normal, const SceneMaterial& material) const {
+    Vec3d tangent;
+    double sign = mirrored_;
+    if (!mesh_.tangents.empty() && !mesh_.normals.empty()) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Float4& t = mesh_.tangents[corners_[i]];
+        tangent += to_vec({t[0], t[1], t[2]}) * weight(i);
+      }
+      tangent = transform_vector(instance_.to_world, tangent);
+      if (mesh_.tangents[corners_[0]][3] < 0) sign = -sign;
+    } else if (needs_tangents(material)) {
+      tangent = along_u(material, normal, sign);
+    }
+    tangent = tangent - normal * dot(tangent, normal);
+    const double norm = length(tangent);
+    if (!(norm > 0) || !std::isfinite(norm)) return frame_around(normal);
+    tangent = tangent / norm;
+    return {tangent, cross(normal, tangent) * sign, normal};
+  }
+
+ private:
+  double weight(std::size_t corner) const {
+    const auto u = static_cast<double>(hit_.u);
+    const auto v = static_cast<double>(hit_.v);
+    return corner == 0 ? 1 - u - v : corner == 1 ? u : v;
+  }
+
+  static bool needs_tangents(const SceneMaterial& material) {
+    return material.factors.anisotropy > 0 || material.use(Slot::normal).texture != kNone ||
+           material.use(Slot::clearcoat_normal).texture != kNone;
+  }
+
+  // Where u grows on the triangle; `sign` becomes -1 where v grows downwards of it (in glTF v runs
+  // down the image, and the bitangent up).
+  Vec3d along_u(const SceneMaterial& material, const Vec3d& normal, double& sign) const {
+    const TextureUse& use = material.use(Slot::normal).texture != kNone
+                                ? material.use(Slot::normal)
+                                : material.use(Slot::anisotropy);
+    std::array<Float2, 3> uv{};
+    if (use.uv_set < mesh_.uvs.size() && !mesh_.uvs[use.uv_set].empty()) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        uv[i] = transform_uv(use, mesh_.uvs[use.uv_set][corners_[i]]);
+      }
+    }
+    const auto du1 = static_cast<double>(uv[1][0] - uv[0][0]);
+    const auto du2 = static_cast<double>(uv[2][0] - uv[0][0]);
+    const auto dv1 = static_cast<double>(uv[1][1] - uv[0][1]);
+    const auto dv2 = static_cast<double>(uv[2][1] - uv[0][1]);
+    const double area = du1 * dv2 - du2 * dv1;
+    if (area == 0) return {};
+    const Vec3d e1 = points_[1] - points_[0];
+    const Vec3d e2 = points_[2] - points_[0];
+    const Vec3d along = (e1 * dv2 - e2 * dv1) / area;
+    const Vec3d up = (e1 * du2 - e2 * du1) / area;  // against v
+    sign = dot(cross(normal, along), up) < 0 ? -1 : 1;
+    return along;
+  }
+
+  const Instance& instance_;
+  const Mesh& mesh_;
+  const std::array<std::uint32_t, 3>& corners_;
+  const Hit& hit_;
+  double mirrored_;
+  std::array<Vec3d, 3> points_;
+};
+
+// Where a shading normal leans so far that the viewer would see its back, it is bent until he just
+// does not.
+Vec3d facing(const Vec3d& normal, const Vec3d& viewer) {
+  constexpr double kLeast = 1e-3;
+  const double cosine = dot(normal, viewer);
+  if (cosine >= kLeast) return normal;
+  const Vec3d bent = normal + viewer * (kLeast - cosine);
+  const double norm = length(bent);
+  return norm > 1e-6 ? bent / norm : viewer;
+}
+
+// The same axes around another normal, be it on the other side.
+Frame turned(const Frame& frame, const Vec3d& normal) {
+  const Vec3d tangent = frame.tangent - normal * dot(frame.tangent, normal);
+  const double norm = length(tangent);
+  if (!(norm > 1e-6)) return frame_around(normal);
+  const Vec3d bitangent = cross(normal, tangent / norm);
+  return {tangent / norm, dot(bitangent, frame.bitangent) < 0 ? -bitangent : bitangent, normal};
+}
+
+}  // namespace
+
+// T. Duff et al., Building an Orthonormal Basis, Revisited (JCGT 2017).
+Frame frame_around(const Vec3d& n) {
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray, bool front) {
+  const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
+  const SceneMaterial& material = material_of(scene, mesh);
+  const Triangle triangle(scene, hit);
+  Surface surface;
+  surface.material = material_at(scene, mesh, material, hit);
+  surface.position = triangle.position();
+  surface.flat_normal = triangle.flat_normal();
+  const Vec3d smooth = triangle.smooth_normal();
+  if (length(smooth) == 0) return surface;
+
+  const bool inside = surface.material.volumetric() && !front;
+  const Vec3d viewer = -ray.direction;
+  // A normal on the side of the viewer, and from there to where the surface has its outside.
+  const double side = front ? 1 : -1;
+  const double outward = inside ? -1 : 1;
+  const auto oriented = [&](const Vec3d& normal) {
+    return facing(normal * side, viewer) * outward;
+  };
+
+  const Frame plain = triangle.frame(smooth, material);
+  const auto bump = mapped_normal(scene, mesh, material, hit, Slot::normal);
+  surface.frame = turned(plain, oriented(bump ? plain.to_world(*bump) : smooth));
+  surface.flat_normal *= side * outward;
+  if (surface.material.clearcoat > 0) {
+    const auto coat = mapped_normal(scene, mesh, material, hit, Slot::clearcoat_normal);
+    const Vec3d normal = oriented(coat ? plain.to_world(*coat) : smooth);
+    surface.material.clearcoat_normal = surface.frame.to_local(normal);
+  }
+  return surface;
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is at a hit: where, which way round, and of which material.
+#pragma once
+
+#include <gltfx/material.hpp>
+
+#include "bake/ray.hpp"
+#include "bake/scene.hpp"
+
+namespace gltfx::bake {
+
+/// Axes of a surface's own directions in the world: orthonormal, of either handedness.
+struct Frame {
+  Vec3d tangent{1, 0, 0}, bitangent{0, 1, 0}, normal{0, 0, 1};
+
+  Vec3d to_local(const Vec3d& v) const {
+    return {dot(v, tangent), dot(v, bitangent), dot(v, normal)};
+  }
+  Vec3d to_world(const Vec3d& v) const { return tangent * v.x + bitangent * v.y + normal * v.z; }
+};
+
+/// Some axes with that normal, which has unit length.
+Frame frame_around(const Vec3d& normal);
+
+struct Surface {
+  Vec3d position;
+  /// Of the flat triangle, on the side of `frame.normal`; unit length. Zero: it has no area, and
+  /// light is not reflected by it.
+  Vec3d flat_normal;
+  /// With the shading normal, normal map included. It is on the outside of a volume, and of all
+  /// other surfaces on the side that is seen.
+  Frame frame;
+  Material material;
+};
+
+/// `direction`: of the ray; `front`: whether it hit the front of the triangle.
+Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray, bool front);
+
+}  // namespace gltfx::bake

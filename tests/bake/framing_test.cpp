@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/framing.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "bake/storage.hpp"
+#include "shapes.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+// Where a point comes to lie in the picture: 0 to 1 from the upper left.
+Float2 in_picture(const View& view, const Vec3d& point) {
+  const Vec3d p = point - view.origin;
+  const double away = -dot(p, view.backward);
+  return {static_cast<float>(0.5 + dot(p, view.right) / away / view.half_width / 2),
+          static_cast<float>(0.5 - dot(p, view.up) / away / view.half_height / 2)};
+}
+
+void expect_framed(const Scene& scene, double aspect) {
+  const auto subject = find_subject(scene);
+  ASSERT_TRUE(subject);
+  const View view = frame(*subject, usual_direction(*subject), aspect);
+  float least = 1;
+  float greatest = 0;
+  for (const Vec3d& point : subject->points) {
+    for (const float coordinate : in_picture(view, point)) {
+      least = std::min(least, coordinate);
+      greatest = std::max(greatest, coordinate);
+    }
+  }
+  EXPECT_GT(least, 0.02F);
+  EXPECT_LT(greatest, 0.98F);
+  EXPECT_GT(greatest - least, 0.8F) << "as large as it goes";
+}
+
+TEST(Framing, FillsThePictureAtAnyScale) {
+  for (const float scale : {1e-3F, 1.0F, 1e3F}) {
+    Scene scene = scene_of(cube());
+    scene.instances[0].to_world = moved(scale * 7, -scale, scale * 3, scale);
+    for (const double aspect : {0.5, 1.0, 2.5}) expect_framed(scene, aspect);
+  }
+}
+
+TEST(Framing, LooksAtTheFrontFromALittleAbove) {
+  const auto subject = find_subject(scene_of(cube()));
+  const View view = frame(*subject, usual_direction(*subject), 1);
+  EXPECT_GT(view.origin.z, 0);
+  EXPECT_GT(view.origin.x, 0);
+  EXPECT_GT(view.origin.y, 0);
+  EXPECT_NEAR(dot(view.right, view.up), 0, 1e-12);
+  EXPECT_NEAR(view.right.y, 0, 1e-12) << "the horizon is level";
+  EXPECT_GT(dot(cross(view.right, view.up), view.backward), 0.999);
+}
+
+TEST(Framing, AStrayVertexDoesNotCount) {
+  Scene scene = scene_of(sphere());
+  Mesh& mesh = scene.meshes[0];
+  mesh.positions.push_back({1e5F, 0, 0});
+  mesh.normals.push_back({0, 1, 0});
+  const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
+  EXPECT_NEAR(find_subject(scene)->greatest.x, 1, 1e-5) << "of no triangle";
+  mesh.triangles.push_back({0, 1, last});
+  EXPECT_NEAR(find_subject(scene)->greatest.x, 1, 1e-5);
+  expect_framed(scene, 1);
+}
+
+TEST(Framing, WhatIsLongAndThinIsShownWhole) {
+  Scene scene = scene_of(sphere());
+  scene.meshes.push_back(cube());
+  scene.instances.push_back({1, {{{0.05F, 0, 0, 0}, {0, 1.5F, 0, 2}, {0, 0, 0.05F, 0}}}});
+  EXPECT_NEAR(find_subject(scene)->greatest.y, 3.5, 1e-5);
+}
+
+TEST(Framing, NothingToSeeHasNoFrame) {
+  EXPECT_FALSE(find_subject({}));
+  Scene scene = scene_of(Mesh());
+  EXPECT_FALSE(find_subject(scene));
+}
+
+TEST(Framing, DirectionsAreAnglesAroundTheSubject) {
+  const auto subject = find_subject(scene_of(cube()));
+  EXPECT_NEAR(frame(*subject, {0, 0}, 1).backward.z, 1, 1e-9);
+  EXPECT_NEAR(frame(*subject, {90, 0}, 1).backward.x, 1, 1e-9);
+  const View above = frame(*subject, {0, 90}, 1);
+  EXPECT_NEAR(above.backward.y, 1, 1e-9);
+  EXPECT_NEAR(above.right.x, 1, 1e-9);
+  EXPECT_NEAR(above.up.z, -1, 1e-9);
+}
+
+TEST(View, ACameraOfTheAssetKeepsItsHeight) {
+  Camera camera;
+  camera.to_world = moved(1, 2, 3);
+  camera.yfov = 1;
+  const View view = view_of(camera, 2);
+  EXPECT_NEAR(view.half_height, std::tan(0.5), 1e-6);
+  EXPECT_NEAR(view.half_width, 2 * std::tan(0.5), 1e-6);
+  const Ray middle = view.ray(0.5, 0.5);
+  EXPECT_NEAR(middle.direction.z, -1, 1e-9);
+  EXPECT_EQ(middle.origin, Vec3d(1, 2, 3));
+  EXPECT_GT(view.ray(1, 0).direction.x, 0);
+  EXPECT_GT(view.ray(1, 0).direction.y, 0);
+}
+
+TEST(View, AnOrthographicCameraHasParallelRays) {
+  Camera camera;
+  camera.perspective = false;
+  camera.xmag = 3;
+  camera.ymag = 1;
+  const View view = view_of(camera, 1);
+  EXPECT_EQ(view.half_width, 3);
+  EXPECT_EQ(view.half_height, 3);
+  EXPECT_EQ(view.ray(0, 0).direction, view.ray(1, 1).direction);
+  EXPECT_NEAR(view.ray(1, 0.5).origin.x, 3, 1e-9);
+}
+
+}  // namespace
+}  // namespace gltfx::bake

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/render.hpp"
+
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "bake/denoise.hpp"
+#include "bake/framing.hpp"
+#include "bake/studio.hpp"
+#include "rendering.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+Stage studio_stage() {
+  Scene scene = scene_of(sphere(1, 16), matte({0.8, 0.4, 0.2}));
+  scene.materials[0].factors.specular = 1;
+  scene.materials[0].factors.roughness = 0.4;
+  scene.meshes.push_back(cube(0.5F));
+  scene.instances.push_back({1, moved(1.2F, -0.5F, 0.8F)});
+  scene.instances.push_back({1, moved(-1.2F, -0.5F, 0.8F)});
+  Stage stage(std::move(scene));
+  stage.setting.environment.emplace(studio_environment({0, 0, 1}));
+  stage.setting.floor = Floor{-1, 3};
+  stage.bounces = 4;
+  return stage;
+}
+
+View front() {
+  View view;
+  view.origin = {0, 0.5, 6};
+  return view;
+}
+
+RenderOptions small(std::uint32_t samples) {
+  RenderOptions options;
+  options.width = 48;
+  options.height = 40;
+  options.samples = samples;
+  return options;
+}
+
+bool same(const Film& a, const Film& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::memcmp(&a.at(i), &b.at(i), sizeof(PixelSums)) != 0) return false;
+  }
+  return a.size() == b.size();
+}
+
+TEST(Render, ATriangleBecomesAPicture) {
+  Stage stage(scene_of(square(), matte(Rgb(1))));
+  stage.setting.environment.emplace(even_light());
+  stage.setting.background = Background::transparent;
+  View view;
+  view.origin = {0, 0, 4};
+  const Film film = render(stage.path_setting(), view, small(4));
+  EXPECT_NEAR(film.radiance(20 * 48 + 24).x, 1, 0.05);
+  EXPECT_EQ(film.alpha(20 * 48 + 24), 1);
+  EXPECT_EQ(film.alpha(0), 0);
+  EXPECT_EQ(film.radiance(0), Rgb());
+  EXPECT_EQ(film.at(20 * 48 + 24).material, 0U);
+}
+
+TEST(Render, TheNumberOfThreadsDoesNotShow) {
+  const Stage stage = studio_stage();
+  RenderOptions options = small(8);
+  const Film one = render(stage.path_setting(), front(), options);
+  options.jobs = 2;
+  const Film two = render(stage.path_setting(), front(), options);
+  EXPECT_TRUE(same(one, two));
+  EXPECT_EQ(denoise(one, 1), denoise(two, 2));
+  options.seed = 1;
+  EXPECT_FALSE(same(one, render(stage.path_setting(), front(), options)));
+}
+
+TEST(Render, SamplesDoNotDependOnHowManyFollow) {
+  const Stage stage = studio_stage();
+  RenderOptions options = small(32);
+  options.seconds = 1e6;  // in rounds
+  const Film rounds = render(stage.path_setting(), front(), options);
+  options.seconds = 0;
+  EXPECT_TRUE(same(rounds, render(stage.path_setting(), front(), options)));
+}
+
+TEST(Render, EnoughIsEnough) {
+  const Stage stage = studio_stage();
+  RenderOptions options = small(256);
+  options.noise = 0.05;
+  const Film film = render(stage.path_setting(), front(), options);
+  EXPECT_LT(film.at(0).samples, 256U) << "a backdrop without noise";
+  EXPECT_GE(film.at(0).samples, 16U);
+}
+
+TEST(Render, TimeRunsOut) {
+  const Stage stage = studio_stage();
+  RenderOptions options = small(4000000);
+  options.seconds = 0.02;
+  const Film film = render(stage.path_setting(), front(), options);
+  EXPECT_GT(film.at(0).samples, 0U);
+  EXPECT_LT(film.at(0).samples, 4000000U);
+}
+
+TEST(Render, ProgressEndsAtTheEnd) {
+  const Stage stage = studio_stage();
+  RenderOptions options = small(2);
+  double last = 0;
+  options.progress = [&last](double part) {
+    EXPECT_GE(part, last);
+    last = part;
+  };
+  render(stage.path_setting(), front(), options);
+  EXPECT_DOUBLE_EQ(last, 1);
+}
+
+// Nearer to the picture of many samples than the noise was.
+TEST(Denoise, ComesNearer) {
+  const Stage stage = studio_stage();
+  const Film noisy = render(stage.path_setting(), front(), small(16));
+  RenderOptions many = small(512);
+  many.seed = 9;
+  const Film wanted = render(stage.path_setting(), front(), many);
+  const std::vector<Rgb> clean = denoise(noisy, 1);
+  double before = 0;
+  double after = 0;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const Rgb a = noisy.radiance(i) - wanted.radiance(i);
+    const Rgb b = clean[i] - wanted.radiance(i);
+    before += dot(a, a);
+    after += dot(b, b);
+  }
+  EXPECT_LT(after, before * 0.5);
+}
+
+TEST(Denoise, WhatHasNoNoiseStays) {
+  Stage stage(scene_of(square(), matte(Rgb(0.5))));
+  Light light;
+  light.kind = Light::Kind::directional;
+  light.intensity = {2, 2, 2};
+  stage.setting.lights = {light};
+  stage.setting.background = Background::transparent;
+  View view;
+  view.origin = {0, 0, 4};
+  view.half_width = view.half_height = 0.2;
+  const Film film = render(stage.path_setting(), view, small(4));
+  const std::vector<Rgb> clean = denoise(film, 1);
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    EXPECT_NEAR(clean[i].x, film.radiance(i).x, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace gltfx::bake
