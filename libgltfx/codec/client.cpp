@@ -81,7 +81,10 @@ ImageResult Client::decode_image(const ImageRequest& request) {
   Job job = limited_job(state_->settings, Task::image, request.bytes.size());
   job.format = request.format;
   job.pixels = request.pixels;
-  if (request.pixels) job.memory_bytes += std::min(request.max_pixels, kMostTexels) * 8;
+  if (request.pixels) {
+    const std::uint64_t texel = holds_floats(request.format) ? 16 : 8;
+    job.memory_bytes += std::min(request.max_pixels, kMostTexels) * texel;
+  }
   job.normals = request.normals;
   job.max_pixels = request.max_pixels;
   return result_of<Image>(state_->images, job, request.bytes, request.pixels);

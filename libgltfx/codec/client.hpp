@@ -63,7 +63,11 @@ struct DracoMesh {
 };
 using DracoResult = std::variant<DracoMesh, Fault>;
 
-enum class ImageFormat : std::uint8_t { png, jpeg, webp };
+/// `radiance` and `openexr` hold floats.
+enum class ImageFormat : std::uint8_t { png, jpeg, webp, radiance, openexr };
+constexpr bool holds_floats(ImageFormat format) {
+  return format == ImageFormat::radiance || format == ImageFormat::openexr;
+}
 
 /// An image to decode. The format is the declared one: content is never sniffed.
 struct ImageRequest {
@@ -101,8 +105,8 @@ struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t channels = 0;                     ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
-  std::uint32_t bits = 8;                         ///< per channel: 8 or 16
-  std::array<ChannelStatistics, 4> statistics{};  ///< of the first `channels`
+  std::uint32_t bits = 8;                         ///< per channel: 8 or 16; 32 are floats
+  std::array<ChannelStatistics, 4> statistics{};  ///< of the first `channels`; not of floats
   bool grey = true;                               ///< the colour channels are equal in all texels
   /// What the decoder complained of although it went on, such as an end that came too early; else
   /// empty. One line of the decoder's own words.

@@ -131,7 +131,7 @@ Image read_image(FieldReader& in) {
   image.channels = in.check_at_most(in.number<std::uint32_t>(), 4U);
   image.bits = in.number<std::uint32_t>();
   in.require(image.width > 0 && image.height > 0 && image.channels > 0);
-  in.require(image.bits == 8 || image.bits == 16);
+  in.require(image.bits == 8 || image.bits == 16 || image.bits == 32);
   for (ChannelStatistics& channel : image.statistics) channel = read_channel(in, image);
   image.grey = in.flag();
   image.normals = read_normals(in, image);
@@ -244,7 +244,7 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   if (read_kind(in) != Kind::job) return std::nullopt;
   Job job;
   job.task = in.name(Task::encode);
-  job.format = in.name(ImageFormat::webp);
+  job.format = in.name(ImageFormat::openexr);
   job.pixels = in.flag();
   job.normals = in.flag();
   job.raster = read_raster(in);

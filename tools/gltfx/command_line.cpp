@@ -11,16 +11,14 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "command_line_parts.hpp"
 #include "help_text.hpp"
 #include "suggestion.hpp"
 #include "version.hpp"
 #include "words.hpp"
 
 namespace gltfx::tool {
-namespace {
 
-// For the help only. CLI11 reads a positional "[a].gltf" as a list of its own, so that positionals
-// are declared to take nothing and are picked from what is left over.
 void describe_positional(CLI::App& app, const char* name, const char* text) {
   app.add_option(name)->description(text)->type_name("...")->expected(0);
 }
@@ -49,6 +47,8 @@ void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
   add_list(app, "--schema-dir", folders, "DIR", "Add every *.schema.json of a folder (repeatable)");
 }
 
+namespace {
+
 // Everything CLI11 is told; the words live as long as the parse.
 class Declaration {
  public:
@@ -62,6 +62,7 @@ class Declaration {
     declare_validate();
     declare_upgrade();
     declare_hook();
+    declare_bake(verb("bake", "Draw a preview of what assets look like"), bake_);
     declare_explain();
     declare_rules();
     declare_schema();
@@ -86,14 +87,15 @@ class Declaration {
   CommandLine request(std::string_view verb) const;
 
   CLI::App app_{
-      "Validates glTF 2.0 assets, says exactly what is wrong and where, and brings legacy ones up "
-      "to "
-      "date.",
+      "Validates glTF 2.0 assets, says exactly what is wrong and where, brings legacy ones up to "
+      "date "
+      "and draws previews of them.",
       "gltfx"};
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
   ValidateWords validate_;
   UpgradeWords upgrade_;
+  BakeWords bake_;
   ExplainWords explain_;
   RulesWords rules_;
   SchemaWords schema_;
@@ -263,6 +265,7 @@ std::string Declaration::take_positionals() {
 std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "validate") return &validate_.paths;
   if (verb == "upgrade") return &upgrade_.paths;
+  if (verb == "bake") return &bake_.paths;
   if (verb == "explain") return &explain_.codes;
   return verb == "schema" ? &schema_.names : nullptr;
 }
@@ -297,6 +300,7 @@ CommandLine Declaration::request(std::string_view verb) const {
   }
   if (verb == "validate") return command_of(verb, request_of(validate_));
   if (verb == "upgrade") return command_of(verb, request_of(upgrade_));
+  if (verb == "bake") return command_of(verb, request_of(bake_));
   if (verb == "explain") return command_of(verb, request_of(explain_));
   if (verb == "rules") return command_of(verb, request_of(rules_));
   return command_of(verb, request_of(schema_));

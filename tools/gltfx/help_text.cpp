@@ -14,6 +14,7 @@ constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx validate model.glb           is this asset valid, and if not, where and why
   gltfx validate assets/ --jobs 4    every .gltf and .glb below a folder
   gltfx upgrade assets/ --in-place   bring legacy extensions to their successors
+  gltfx bake model.glb -o model.png  what it looks like
   gltfx explain VALUE_NOT_IN_RANGE   why a rule exists and how to satisfy it
   gltfx schema KHR_materials_volume  what is known of an extension
   gltfx VERB --help                  all options of a verb
@@ -38,6 +39,16 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade old.glb -o new.glb --unsafe --generation v2
   gltfx upgrade wax.gltf --only KHR_materials_sss --in-place   a draft: on request
   gltfx upgrade wax.gltf --to KHR_materials_scatter --in-place
+)";
+
+constexpr std::string_view kBakeExamples = R"(Examples:
+  gltfx bake model.glb -o model.png
+  gltfx bake assets/ -o thumbnails/ --size 256      one each, and a contact sheet
+  gltfx bake model.glb -o model.webp --transparent --camera 30,20
+  gltfx bake model.glb -o turn.png --turntable 24
+  gltfx bake model.glb -o still.exr --samples 1024 --denoise off --environment sky.hdr
+  gltfx bake old.glb --compare new.glb -o difference.png
+  gltfx bake model.glb --embed                      writes asset.thumbnail into the file
 )";
 
 constexpr std::string_view kHookExamples =
@@ -69,6 +80,7 @@ constexpr std::string_view kSchemaExamples = R"(Examples:
 std::string_view examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
   if (verb == "upgrade") return kUpgradeExamples;
+  if (verb == "bake") return kBakeExamples;
   if (verb == "hook") return kHookExamples;
   if (verb == "explain") return kExplainExamples;
   if (verb == "rules") return kRulesExamples;

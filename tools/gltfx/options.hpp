@@ -2,6 +2,7 @@
 /// What the user asked for, verb by verb, as plain data. `command_line.hpp` fills it.
 #pragma once
 
+#include <gltfx/bake.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
@@ -64,6 +65,20 @@ struct UpgradeRequest {
   std::vector<std::string> schema_folders;
 };
 
+struct BakeRequest {
+  CommonOptions common;
+  NamedPaths paths;
+  /// All but `schemas`, which comes from the files below. `output` is what was named, a file or a
+  /// folder.
+  BakeOptions bake;
+  std::string format = "png";  ///< ending of files in a folder
+  std::string sheet;           ///< file for all pictures, may be empty
+  std::string compare;         ///< the other asset, may be empty
+  bool quiet = false;
+  std::vector<std::string> schema_files;
+  std::vector<std::string> schema_folders;
+};
+
 /// A verb over the assets that a commit touches; its paths are names that changed besides.
 struct HookRequest {
   std::variant<ValidateRequest, UpgradeRequest> verb;
@@ -90,8 +105,8 @@ struct SchemaRequest {
   std::vector<std::string> schema_folders;
 };
 
-using Request = std::variant<ValidateRequest, UpgradeRequest, HookRequest, ExplainRequest,
-                             RulesRequest, SchemaRequest>;
+using Request = std::variant<ValidateRequest, UpgradeRequest, BakeRequest, HookRequest,
+                             ExplainRequest, RulesRequest, SchemaRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.
@@ -99,6 +114,9 @@ using Request = std::variant<ValidateRequest, UpgradeRequest, HookRequest, Expla
 /// A whole number of at least `minimum`.
 Result<std::uint64_t> parse_number(std::string_view option, std::string_view text,
                                    std::uint64_t minimum);
+/// A number from `least` to `greatest`.
+Result<double> parse_decimal(std::string_view option, std::string_view text, double least,
+                             double greatest);
 Result<unsigned> parse_jobs(std::string_view text);
 Result<ColorMode> parse_color(std::string_view text);
 Result<TableFormat> parse_table_format(std::string_view text);
@@ -115,6 +133,15 @@ Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
 /// CODE=level, comma lists allowed.
 Result<std::map<std::string, Severity, std::less<>>> parse_severities(
     const std::vector<std::string>& texts);
+
+Result<BakeLights> parse_lights(std::string_view text);
+/// Comma lists of albedo, normal, depth and material.
+Result<std::vector<BakeLayer>> parse_layers(const std::vector<std::string>& texts);
+/// Comma lists of N and WxH; none at all mean 512.
+Result<std::vector<BakeSize>> parse_sizes(const std::vector<std::string>& texts);
+/// One of two words, the first of which means true.
+Result<bool> parse_either(std::string_view option, std::string_view text, std::string_view yes,
+                          std::string_view no);
 
 /// The rule with that code in any case, or null.
 const RuleDescription* rule_from_user(std::string_view code);

@@ -5,43 +5,10 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "reading.hpp"
 
 namespace gltfx::tool {
 namespace {
-
-// Collects values and keeps the first thing that was wrong.
-class Reading {
- public:
-  template <class T>
-  void set(T& value, Result<T> read) {
-    if (!problem_.empty()) return;
-    if (read) {
-      value = *std::move(read);
-    } else {
-      problem_ = read.error().message;
-    }
-  }
-  void require(bool holds, std::string problem) {
-    if (!holds && problem_.empty()) problem_ = std::move(problem);
-  }
-  template <class Wanted>
-  Result<Wanted> finish(Wanted& request) {
-    if (!problem_.empty()) return Error{problem_};
-    return std::move(request);
-  }
-
- private:
-  std::string problem_;
-};
-
-void read_common(Reading& reading, const CommonWords& words, CommonOptions& options) {
-  if (words.jobs.empty()) {
-    options.jobs = default_jobs();
-  } else {
-    reading.set(options.jobs, parse_jobs(words.jobs));
-  }
-  reading.set(options.color, parse_color(words.color));
-}
 
 void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets) {
   const auto read = [&](std::uint64_t& limit, std::string_view option, const std::string& word) {
@@ -55,6 +22,15 @@ void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets
 }
 
 }  // namespace
+
+void read_common(Reading& reading, const CommonWords& words, CommonOptions& options) {
+  if (words.jobs.empty()) {
+    options.jobs = default_jobs();
+  } else {
+    reading.set(options.jobs, parse_jobs(words.jobs));
+  }
+  reading.set(options.color, parse_color(words.color));
+}
 
 Result<ValidateRequest> request_of(const ValidateWords& words) {
   Reading reading;

@@ -35,6 +35,17 @@ struct UpgradeWords {
   bool hook = false;  ///< as above
 };
 
+struct BakeWords {
+  CommonWords common;
+  std::vector<std::string> paths, sizes, layers, schema_files, schema_folders;
+  std::string output, format = "png", sheet, compare, root;
+  std::string turntable = "0", samples = "32", bounces = "6", seed = "0";
+  std::string camera, lights = "both", environment, exposure = "0";
+  std::string scene, animation, time = "0", variant;
+  std::string denoise = "on", noise = "0", time_budget = "0", shader = "conserving";
+  bool transparent = false, embed = false, force = false, quiet = false;
+};
+
 struct ExplainWords {
   CommonWords common;
   std::vector<std::string> codes;
@@ -54,6 +65,7 @@ struct SchemaWords {
 // Words into a request; the Error says which word is wrong.
 Result<ValidateRequest> request_of(const ValidateWords& words);
 Result<UpgradeRequest> request_of(const UpgradeWords& words);
+Result<BakeRequest> request_of(const BakeWords& words);
 Result<ExplainRequest> request_of(const ExplainWords& words);
 Result<RulesRequest> request_of(const RulesWords& words);
 Result<SchemaRequest> request_of(const SchemaWords& words);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-image: decodes PNG, JPEG and WebP for gltfx and encodes these and EXR. gltfx starts
-// it and talks to it over a socket.
+// gltfx-codec-image: decodes PNG, JPEG, WebP, Radiance and EXR for gltfx and encodes all but
+// Radiance. gltfx starts it and talks to it over a socket.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -26,7 +26,18 @@ constexpr std::size_t kBandBytes = std::size_t{1} << 20U;
 // are held.
 constexpr std::uint64_t kBytesPerTexel = 8;
 
-const char* plugin_name(ImageFormat format) { return format == ImageFormat::png ? "png" : "jpeg"; }
+const char* plugin_name(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::png:
+      return "png";
+    case ImageFormat::radiance:
+      return "hdr";
+    case ImageFormat::openexr:
+      return "openexr";
+    default:
+      return "jpeg";
+  }
+}
 
 Fault refusal(const Job& job, std::uint64_t texels, std::string message) {
   if (exceeds_memory(job, texels, kBytesPerTexel)) return no_memory();
@@ -91,16 +102,31 @@ bool is_held(const Job& job, std::span<const std::byte> bytes) {
          bytes[kInterlace] != std::byte{0};
 }
 
+// Pictures of light have parts and channels of many kinds: the first three or four channels count.
+Answer read_floats(ImageInput& input, const Job& job, Image& image, Output& output) {
+  image.bits = 32;
+  const std::span<std::byte> pixels = create_pixels(image, job, output);
+  if (exceeds_memory(job, image.texels(), kBytesPerTexel)) return no_memory();
+  const auto channels = static_cast<int>(image.channels);
+  if (!pixels.empty() &&
+      !input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, pixels.data())) {
+    return refusal(job, image.texels(), complaint(input));
+  }
+  return image;
+}
+
 Answer read_image(ImageInput& input, const ImageSpec& spec, const Job& job, Output& output) {
   Image image;
   image.width = static_cast<std::uint32_t>(std::max(spec.width, 0));
   image.height = static_cast<std::uint32_t>(std::max(spec.height, 0));
   image.channels = static_cast<std::uint32_t>(std::max(spec.nchannels, 0));
   image.bits = spec.format == OIIO::TypeDesc::UINT16 ? 16 : 8;
+  if (holds_floats(job.format)) image.channels = std::min(image.channels, 4U);
   if (image.texels() == 0 || image.channels < 1 || image.channels > 4) {
     return Fault{FaultKind::malformed, "It has no texels."};
   }
   if (image.texels() > job.max_pixels) return too_many_texels();
+  if (holds_floats(job.format)) return read_floats(input, job, image, output);
   const std::span<std::byte> pixels = create_pixels(image, job, output);
   image.doubt = complaint(input);
   Reader reader(input, image, job.normals);
@@ -147,7 +173,8 @@ Answer serve_job(const Job& job, std::span<const std::byte> bytes, Output& outpu
 // Loads what the plugins load when they are first asked for: later no file can be opened.
 void prepare() {
   OIIO::attribute("threads", 1);
-  for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg}) {
+  for (const ImageFormat format :
+       {ImageFormat::png, ImageFormat::jpeg, ImageFormat::radiance, ImageFormat::openexr}) {
     static_cast<void>(ImageInput::create(plugin_name(format)));
   }
   prepare_plugins();

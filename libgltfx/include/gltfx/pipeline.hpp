@@ -2,6 +2,7 @@
 /// Whole verbs as functions: what the command line does, for programs.
 #pragma once
 
+#include <gltfx/bake.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
@@ -46,5 +47,25 @@ struct UpgradeInput {
 /// `inputs`, one at a time.
 void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions& options,
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume);
+
+/// Draws the file at `path` and writes what the options ask for. Never throws; files are written
+/// whole or not at all. Safe to call from several threads for different files.
+BakeReport bake_file(const std::string& path, const BakeOptions& options = {});
+
+/// A file and where its picture goes; `output` as in BakeOptions.
+struct BakeInput {
+  std::string path, output;
+};
+
+/// Draws many files one after the other, each on all threads, and hands over the reports in the
+/// order of `inputs`. `sheet`: where a picture of all pictures goes; empty: nowhere. What is wrong
+/// with it, or an empty text.
+std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
+                       const std::string& sheet, const std::function<void(BakeReport&&)>& consume);
+
+/// Draws two files in the same way, the second from where the first is seen, and compares the
+/// pictures. `options.output` gets the picture of the difference.
+BakeComparison bake_comparison(const std::string& first, const std::string& second,
+                               const BakeOptions& options = {});
 
 }  // namespace gltfx

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/develop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bake/sampler.hpp"
+#include "bake/storage.hpp"
+#include "bake/tonemap.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+Picture blank(const Film& film, std::uint32_t channels, Numbers numbers) {
+  Picture picture;
+  picture.width = film.width();
+  picture.height = film.height();
+  picture.channels = channels;
+  const std::size_t count = film.size() * channels;
+  if (numbers == Numbers::bytes) {
+    picture.bytes.reserve(count);
+  } else {
+    picture.floats.reserve(count);
+  }
+  return picture;
+}
+
+// Colours that are no light: their bytes are those of a display too, but for the curve of bright
+// ones.
+void add_color(Picture& picture, const Float3& color, bool encoded, Numbers numbers) {
+  for (const float part : color) {
+    if (numbers == Numbers::floats) {
+      picture.floats.push_back(part);
+    } else {
+      picture.bytes.push_back(to_byte(encoded ? part : srgb_encode(std::clamp(part, 0.0F, 1.0F))));
+    }
+  }
+}
+
+Float3 mean(const Float3& sum, float count) {
+  return {sum[0] / count, sum[1] / count, sum[2] / count};
+}
+
+Float3 material_color(std::uint32_t material) {
+  const std::uint32_t bits = mix_bits(material + 1);
+  return {static_cast<float>(bits & 0xFFU) / 255.0F,
+          static_cast<float>((bits >> 8U) & 0xFFU) / 255.0F,
+          static_cast<float>((bits >> 16U) & 0xFFU) / 255.0F};
+}
+
+// Nearest and farthest distance of what is seen.
+std::pair<float, float> depth_range(const Film& film) {
+  float nearest = 0;
+  float farthest = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const PixelSums& sums = film.at(i);
+    if (sums.alpha <= 0) continue;
+    const float z = sums.depth / sums.alpha;
+    nearest = nearest == 0 ? z : std::min(nearest, z);
+    farthest = std::max(farthest, z);
+  }
+  return {nearest, farthest};
+}
+
+Float3 grey(float value) { return {value, value, value}; }
+
+Float3 layer_color(const PixelSums& sums, Layer layer, Numbers numbers,
+                   const std::pair<float, float>& range) {
+  const auto count = static_cast<float>(std::max(sums.samples, 1U));
+  if (sums.alpha <= 0) return {0, 0, 0};
+  switch (layer) {
+    case Layer::albedo:
+      return mean(sums.albedo, count);
+    case Layer::normal: {
+      const Float3 n = mean(sums.normal, count);
+      if (numbers == Numbers::floats) return n;
+      return {n[0] / 2 + 0.5F, n[1] / 2 + 0.5F, n[2] / 2 + 0.5F};
+    }
+    case Layer::depth: {
+      const float z = sums.depth / sums.alpha;
+      if (numbers == Numbers::floats) return grey(z);
+      const float span = std::max(range.second - range.first, 1e-12F);
+      return grey(1 - 0.9F * (z - range.first) / span);
+    }
+    case Layer::material:
+      break;
+  }
+  return numbers == Numbers::floats ? grey(static_cast<float>(sums.material))
+                                    : material_color(sums.material);
+}
+
+}  // namespace
+
+Picture develop(const Film& film, const std::vector<Rgb>& radiance, bool alpha, Numbers numbers) {
+  Picture picture = blank(film, alpha ? 4 : 3, numbers);
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const double covered = film.alpha(i);
+    const double scale = alpha && covered > 0 ? 1 / covered : 1;
+    const Float3 light = to_float3(radiance[i] * scale);
+    add_color(picture, numbers == Numbers::bytes ? tone_map(light) : light, false, numbers);
+    if (!alpha) continue;
+    if (numbers == Numbers::bytes) {
+      picture.bytes.push_back(to_byte(static_cast<float>(covered)));
+    } else {
+      picture.floats.push_back(static_cast<float>(covered));
+    }
+  }
+  return picture;
+}
+
+Picture develop_layer(const Film& film, Layer layer, Numbers numbers) {
+  Picture picture = blank(film, 3, numbers);
+  const auto range = depth_range(film);
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const Float3 color = layer_color(film.at(i), layer, numbers, range);
+    add_color(picture, color, layer != Layer::albedo, numbers);
+  }
+  return picture;
+}
+
+double mean_square_difference(const Picture& a, const Picture& b, const Film& film_a,
+                              const Film& film_b) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < film_a.size(); ++i) {
+    if (film_a.alpha(i) <= 0 && film_b.alpha(i) <= 0) continue;
+    for (std::size_t c = i * a.channels; c < (i + 1) * a.channels; ++c) {
+      const double apart = static_cast<double>(a.bytes[c]) - static_cast<double>(b.bytes[c]);
+      sum += apart * apart;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+Picture difference(const Picture& a, const Picture& b) {
+  Picture result;
+  result.width = a.width;
+  result.height = a.height;
+  for (std::size_t i = 0; i < std::size_t{a.width} * a.height; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int apart = static_cast<int>(a.bytes[i * a.channels + c]) -
+                        static_cast<int>(b.bytes[i * b.channels + c]);
+      result.bytes.push_back(static_cast<std::uint8_t>(std::clamp(128 + 4 * apart, 0, 255)));
+    }
+  }
+  return result;
+}
+
+}  // namespace gltfx::bake

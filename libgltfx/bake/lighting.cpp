@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/lighting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "bake/light.hpp"
+#include "bake/storage.hpp"
+#include "bake/studio.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+// Lux at which a white surface is white.
+constexpr double kFull = std::numbers::pi;
+
+// What lamps give to the subject: the mean over its middle and the corners of its box.
+double lux_on(const Subject& subject, const std::vector<Light>& lights) {
+  double sum = 0;
+  constexpr std::size_t kMost = 4096;
+  for (std::uint32_t corner = 0; corner < 9; ++corner) {
+    Vec3d point = subject.middle();
+    if (corner < 8) {
+      point = {(corner & 1U) != 0 ? subject.least.x : subject.greatest.x,
+               (corner & 2U) != 0 ? subject.least.y : subject.greatest.y,
+               (corner & 4U) != 0 ? subject.least.z : subject.greatest.z};
+    }
+    for (std::size_t i = 0; i < std::min(lights.size(), kMost); ++i) {
+      // One that sits on a corner says nothing of the rest.
+      sum += std::min(luminance(illuminate(lights[i], point).irradiance), 1e6 * kFull);
+    }
+  }
+  return sum / 9;
+}
+
+void scale(Float3& color, double factor) {
+  for (float& part : color) part = static_cast<float>(static_cast<double>(part) * factor);
+}
+
+std::vector<Light> brought_to_studio(const Scene& scene, const Subject& subject, Lamps lamps) {
+  if (lamps == Lamps::studio) return {};
+  std::vector<Light> lights = scene.lights;
+  const double lux = lux_on(subject, lights);
+  if (!(lux > 0) || !std::isfinite(lux)) return lights;
+  const double factor = lamps == Lamps::asset ? kFull / lux : std::min(1.0, kFull / lux);
+  for (Light& light : lights) scale(light.intensity, factor);
+  return lights;
+}
+
+bool shines(const Scene& scene) {
+  if (!scene.lights.empty()) return true;
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
+    return max_value(material.factors.emissive) > 0 || material.factors.unlit;
+  });
+}
+
+}  // namespace
+
+Setting make_setting(const Scene& scene, const Subject& subject, const View& view,
+                     const LightingOptions& options) {
+  Setting setting;
+  const double exposure = std::exp2(options.exposure);
+  const bool own = scene.environment.has_value();
+  const bool studio = !own && (options.lamps != Lamps::asset || !shines(scene));
+  if (own || studio) {
+    EnvironmentImage image = own ? *scene.environment : studio_environment(view.backward);
+    for (Float3& texel : image.radiance) scale(texel, exposure);
+    if (studio) setting.floor = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
+    setting.environment.emplace(std::move(image));
+  }
+  setting.lights = brought_to_studio(scene, subject, options.lamps);
+  for (Light& light : setting.lights) scale(light.intensity, exposure);
+  if (own) setting.background = Background::environment;
+  if (options.transparent) setting.background = Background::transparent;
+  return setting;
+}
+
+}  // namespace gltfx::bake

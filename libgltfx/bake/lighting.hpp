@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What lights a scene for a picture of it.
+#pragma once
+
+#include <optional>
+
+#include "bake/framing.hpp"
+#include "bake/scene.hpp"
+#include "bake/setting.hpp"
+#include "bake/view.hpp"
+
+namespace gltfx::bake {
+
+enum class Lamps : std::uint8_t { studio, asset, both };
+
+struct LightingOptions {
+  Lamps lamps = Lamps::both;
+  bool transparent = false;
+  double exposure = 0;  ///< stops
+};
+
+/// An environment of the scene's own takes the place of studio and backdrop. Otherwise the studio
+/// follows the camera; lamps of the asset shine beside it, dimmed to its brightness where they
+/// would drown it, or alone, brought to that brightness: assets mean very different things by one
+/// candela.
+Setting make_setting(const Scene& scene, const Subject& subject, const View& view,
+                     const LightingOptions& options);
+
+}  // namespace gltfx::bake

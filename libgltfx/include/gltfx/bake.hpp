@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a picture of an asset can be asked for, and what became of it. The calls are in
+/// <gltfx/pipeline.hpp>.
+#pragma once
+
+#include <gltfx/report.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gltfx {
+
+namespace schema {
+class Set;
+}
+
+/// Which lamps shine. `studio`: soft boxes that follow the camera. `asset`: what the asset brings;
+/// when it brings nothing that shines, the studio all the same.
+enum class BakeLights : std::uint8_t { studio, asset, both };
+
+/// Pictures of something else than light, each in a file of its own.
+enum class BakeLayer : std::uint8_t {
+  albedo,    ///< base colour of what is seen first
+  normal,    ///< in the world: -1 to 1 as 0 to 1, in EXR as it is
+  depth,     ///< near is white; in EXR metres along the ray
+  material,  ///< a colour for each; in EXR its index
+};
+/// "albedo", "normal", "depth", "material".
+std::string_view bake_layer_name(BakeLayer layer);
+
+/// Pixels.
+struct BakeSize {
+  std::uint32_t width = 512, height = 512;
+};
+
+struct BakeOptions {
+  /// One file each; with several "-WIDTHxHEIGHT" goes before the name's ending.
+  std::vector<BakeSize> sizes{BakeSize{}};
+  /// Pictures all around, one file each, with "-NNN" before the name's ending; 0: one picture.
+  std::uint32_t turntable = 0;
+  std::vector<BakeLayer> layers;  ///< beside the picture, with "-NAME" before the name's ending
+
+  std::uint32_t samples = 32;  ///< paths through each pixel, at most
+  std::uint32_t bounces = 6;   ///< surfaces along a path that scatter, at most
+  std::uint32_t seed = 0;
+  bool denoise = true;
+  double seconds = 0;  ///< for each picture; 0: no limit. With one, no two runs need be the same.
+  /// Standard error at which parts of a picture have enough samples, as part of the range from
+  /// black to white; 0: all samples.
+  double noise = 0;
+  /// The sample implementations of the specification to the letter, which can reflect more than
+  /// they receive.
+  bool literal_shader = false;
+
+  BakeLights lights = BakeLights::both;
+  std::string environment;  ///< a Radiance or OpenEXR file that lights the scene; empty: none
+  double exposure = 0;      ///< stops; 1 doubles the light
+  bool transparent = false;
+
+  /// A camera of the asset by name or index, or "AZIMUTH,ELEVATION" in degrees around the asset,
+  /// "0,0" before its front; empty: three quarters from the front.
+  std::string camera;
+  std::string scene;      ///< name or index; empty: the default one
+  std::string animation;  ///< name or index; empty: everything as it is written
+  double time = 0;        ///< of the animation, seconds
+  std::string variant;    ///< name or index; empty: none
+
+  bool force = false;  ///< draw also what is not valid, as far as it goes
+  /// File to write: .png, .webp, .jpg, .jpeg or .exr. Folders are made.
+  std::string output;
+  /// Put the picture, of the first size, into the asset itself, as its thumbnail.
+  bool embed = false;
+  /// Folder that files may come from; empty: the asset's own.
+  std::string root;
+  unsigned jobs = 0;  ///< threads; 0: one a core. Pictures do not depend on it.
+  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  std::shared_ptr<const schema::Set> schemas;
+  /// Called now and then with the part of all pictures that is done, from 0 to 1, one call at a
+  /// time, from any thread; may be empty.
+  std::function<void(double)> progress;
+};
+
+/// Why there is no picture.
+enum class BakeProblem : std::uint8_t {
+  none,
+  unreadable,      ///< the file could not be read, or is no glTF
+  invalid,         ///< it has errors: see `validation`
+  nothing_to_see,  ///< it is fine, but shows nothing
+  refused,         ///< what was asked for cannot be done with this file
+  not_written,     ///< the picture could not be encoded or written
+};
+
+/// 8 bits a channel, rows from the top, packed RGB or RGBA; alpha not multiplied in.
+struct BakedPixels {
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t channels = 3;
+  std::vector<std::uint8_t> bytes;
+};
+
+/// What became of one file. Owns its text.
+struct BakeReport {
+  std::string path;  ///< as the user named it
+  BakeProblem problem = BakeProblem::none;
+  std::string error;               ///< what the problem is, one sentence
+  FileReport validation;           ///< errors only where it is drawn all the same
+  std::vector<std::string> notes;  ///< what is drawn differently or not at all, sentences
+  std::vector<std::string> written;
+  bool embedded = false;
+  BakedPixels pixels;  ///< the first picture
+};
+
+/// How much two pictures of one size differ.
+struct BakeComparison {
+  BakeReport first, second;
+  /// Decibels, of the range of 8 bits, over pixels that show either asset; infinite when they are
+  /// the same. Not set when either has a problem.
+  double psnr = 0;
+  std::string error;  ///< why the picture of the difference could not be written; else empty
+};
+
+}  // namespace gltfx

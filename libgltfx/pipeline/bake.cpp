@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/bake.hpp>
+#include <gltfx/pipeline.hpp>
+
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bake/denoise.hpp"
+#include "bake/develop.hpp"
+#include "bake/lighting.hpp"
+#include "bake/render.hpp"
+#include "base/parallel.hpp"
+#include "pipeline/bake_picture.hpp"
+#include "pipeline/bake_scene.hpp"
+#include "pipeline/picture_file.hpp"
+#include "pipeline/thumbnail.hpp"
+
+namespace gltfx {
+namespace {
+
+/// One file on its way from scene to pictures.
+class Baker {
+ public:
+  Baker(const std::string& path, const BakeOptions& options)
+      : options_(options), loaded_(load_bake_scene(path, options)), report_(loaded_.report) {}
+
+  BakeReport run() {
+    if (!loaded_.ready() || !check_output()) return std::move(report_);
+    for (std::size_t i = 0; i < options_.sizes.size(); ++i) {
+      if (!draw_size(options_.sizes[i])) return std::move(report_);
+    }
+    if (options_.embed) embed();
+    return std::move(report_);
+  }
+
+ private:
+  bool fail(BakeProblem problem, std::string error) {
+    report_.problem = problem;
+    report_.error = std::move(error);
+    return false;
+  }
+
+  bool check_output() {
+    if (options_.output.empty()) return true;
+    const auto format = picture_format(options_.output);
+    if (!format) return fail(BakeProblem::refused, format.error().message);
+    format_ = *format;
+    if (!options_.transparent || holds_alpha(format_)) return true;
+    return fail(BakeProblem::refused, "JPEG holds no transparent background");
+  }
+
+  bool draw_size(const BakeSize& size) {
+    const double aspect = static_cast<double>(size.width) / size.height;
+    const auto views = choose_views(*loaded_.scene, *loaded_.subject, options_, aspect);
+    if (!views) return fail(BakeProblem::refused, views.error().message);
+    pictures_ = options_.sizes.size() * views->size();
+    for (std::size_t i = 0; i < views->size(); ++i) {
+      const DrawnPicture drawn = draw_picture(loaded_, (*views)[i], size, options_, part());
+      ++done_;
+      std::string suffix;
+      if (options_.sizes.size() > 1) suffix = fmt::format("-{}x{}", size.width, size.height);
+      if (options_.turntable > 0) suffix += fmt::format("-{:03}", i);
+      if (!take(drawn, suffix)) return false;
+    }
+    return true;
+  }
+
+  // Progress of one picture among all of them.
+  std::function<void(double)> part() const {
+    if (!options_.progress) return {};
+    return [this](double within) {
+      options_.progress((static_cast<double>(done_) + within) / static_cast<double>(pictures_));
+    };
+  }
+
+  bool take(const DrawnPicture& drawn, const std::string& suffix) {
+    if (report_.pixels.bytes.empty()) {
+      bake::Picture shown =
+          bake::develop(drawn.film, drawn.radiance, options_.transparent, bake::Numbers::bytes);
+      report_.pixels = {shown.width, shown.height, shown.channels, std::move(shown.bytes)};
+    }
+    if (options_.output.empty()) return true;
+    const auto numbers = holds_floats(format_) ? bake::Numbers::floats : bake::Numbers::bytes;
+    const bake::Picture picture =
+        bake::develop(drawn.film, drawn.radiance, options_.transparent, numbers);
+    if (!write(picture, with_suffix(options_.output, suffix))) return false;
+    for (const BakeLayer layer : options_.layers) {
+      const bake::Picture seen =
+          bake::develop_layer(drawn.film, static_cast<bake::Layer>(layer), numbers);
+      const std::string ending = fmt::format("{}-{}", suffix, bake_layer_name(layer));
+      if (!write(seen, with_suffix(options_.output, ending))) return false;
+    }
+    return true;
+  }
+
+  bool write(const bake::Picture& picture, const std::string& path) {
+    if (auto trouble = write_picture(picture, path)) {
+      return fail(BakeProblem::not_written, std::move(trouble->message));
+    }
+    report_.written.push_back(path);
+    return true;
+  }
+
+  void embed() {
+    if (auto trouble = embed_thumbnail(report_.path, report_.pixels)) {
+      fail(BakeProblem::not_written, std::move(trouble->message));
+      return;
+    }
+    report_.embedded = true;
+  }
+
+  const BakeOptions& options_;
+  BakeScene loaded_;
+  BakeReport report_;
+  codec::EncodedFormat format_ = codec::EncodedFormat::png;
+  std::size_t pictures_ = 1, done_ = 0;
+};
+
+BakeReport failed(const std::string& path, std::string why) {
+  BakeReport report;
+  report.path = path;
+  report.problem = BakeProblem::unreadable;
+  report.error = std::move(why);
+  return report;
+}
+
+}  // namespace
+
+std::string_view bake_layer_name(BakeLayer layer) {
+  switch (layer) {
+    case BakeLayer::albedo:
+      return "albedo";
+    case BakeLayer::normal:
+      return "normal";
+    case BakeLayer::depth:
+      return "depth";
+    case BakeLayer::material:
+      break;
+  }
+  return "material";
+}
+
+BakeReport bake_file(const std::string& path, const BakeOptions& options) {
+  try {
+    return Baker(path, options).run();
+  } catch (const std::bad_alloc&) {
+    return failed(path, "there is not enough memory to draw this file");
+  } catch (const std::filesystem::filesystem_error&) {
+    return failed(path, "the path cannot be looked up");
+  }
+}
+
+}  // namespace gltfx

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <cmath>
+#include <limits>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pipeline/bake_picture.hpp"
+#include "pipeline/bake_scene.hpp"
+#include "pipeline/contact_sheet.hpp"
+#include "pipeline/picture_file.hpp"
+
+namespace gltfx {
+namespace {
+
+// Of one run over several files, for the progress of all of them.
+BakeOptions options_of(const BakeOptions& options, const BakeInput& input, std::size_t number,
+                       std::size_t count) {
+  BakeOptions each = options;
+  each.output = input.output;
+  if (options.progress) {
+    each.progress = [report = options.progress, number, count](double part) {
+      report((static_cast<double>(number) + part) / static_cast<double>(count));
+    };
+  }
+  return each;
+}
+
+/// Two files, drawn alike.
+class Comparison {
+ public:
+  Comparison(const std::string& first, const std::string& second, const BakeOptions& options)
+      : options_(options),
+        first_(load_bake_scene(first, options)),
+        second_(load_bake_scene(second, options)) {}
+
+  BakeComparison run() {
+    if (first_.ready() && second_.ready()) compare();
+    return {std::move(first_.report), std::move(second_.report), psnr_, std::move(error_)};
+  }
+
+ private:
+  void compare() {
+    const BakeSize size = options_.sizes.front();
+    const double aspect = static_cast<double>(size.width) / size.height;
+    const auto views = choose_views(*first_.scene, *first_.subject, options_, aspect);
+    if (!views) {
+      first_.report.problem = BakeProblem::refused;
+      first_.report.error = views.error().message;
+      return;
+    }
+    const DrawnPicture a = draw(first_, views->front(), 0);
+    second_.subject = first_.subject;  // lit and framed alike
+    const DrawnPicture b = draw(second_, views->front(), 0.5);
+    const bake::Picture left = develop(a, first_.report);
+    const bake::Picture right = develop(b, second_.report);
+    const double difference = bake::mean_square_difference(left, right, a.film, b.film);
+    psnr_ = difference > 0 ? 10 * std::log10(255.0 * 255.0 / difference)
+                           : std::numeric_limits<double>::infinity();
+    if (options_.output.empty()) return;
+    auto trouble = write_picture(bake::difference(left, right), options_.output);
+    if (trouble) error_ = std::move(trouble->message);
+  }
+
+  DrawnPicture draw(const BakeScene& loaded, const bake::View& view, double before) const {
+    std::function<void(double)> progress;
+    if (options_.progress) {
+      progress = [this, before](double part) { options_.progress(before + part / 2); };
+    }
+    return draw_picture(loaded, view, options_.sizes.front(), options_, progress);
+  }
+
+  bake::Picture develop(const DrawnPicture& drawn, BakeReport& report) const {
+    bake::Picture picture =
+        bake::develop(drawn.film, drawn.radiance, options_.transparent, bake::Numbers::bytes);
+    report.pixels = {picture.width, picture.height, picture.channels, picture.bytes};
+    return picture;
+  }
+
+  const BakeOptions& options_;
+  BakeScene first_, second_;
+  double psnr_ = 0;
+  std::string error_;
+};
+
+}  // namespace
+
+std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
+                       const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
+  std::optional<ContactSheet> pictures;
+  if (!sheet.empty() && !inputs.empty()) pictures.emplace(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    BakeReport report = bake_file(inputs[i].path, options_of(options, inputs[i], i, inputs.size()));
+    if (pictures) pictures->add(report.pixels);
+    consume(std::move(report));
+  }
+  if (!pictures) return {};
+  const auto trouble = write_picture(pictures->take(), sheet);
+  return trouble ? trouble->message : std::string();
+}
+
+BakeComparison bake_comparison(const std::string& first, const std::string& second,
+                               const BakeOptions& options) {
+  try {
+    return Comparison(first, second, options).run();
+  } catch (const std::bad_alloc&) {
+    BakeComparison failed;
+    failed.first.path = first;
+    failed.second.path = second;
+    failed.first.problem = BakeProblem::unreadable;
+    failed.first.error = "there is not enough memory to draw the files";
+    return failed;
+  }
+}
+
+}  // namespace gltfx

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/bake_names.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+
+namespace gltfx {
+namespace {
+
+// What there is, for a user who named something else.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    text += text.empty() ? "" : ", ";
+    text += names[i].empty() ? std::to_string(i) : quoted(names[i], 40);
+  }
+  if (names.size() > kMost) text += ", ...";
+  return text;
+}
+
+template <class Number>
+bool parse_all(std::string_view text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, number);
+  return fault == std::errc() && stop == end;
+}
+
+}  // namespace
+
+Result<std::optional<std::uint32_t>> find_named(std::string_view kind, const std::string& word,
+                                                const std::vector<std::string>& names) {
+  using Found = std::optional<std::uint32_t>;
+  if (word.empty()) return Found();
+  const auto name = std::find(names.begin(), names.end(), word);
+  if (name != names.end()) return Found(static_cast<std::uint32_t>(name - names.begin()));
+  std::uint32_t index = 0;
+  if (parse_all(word, index) && index < names.size()) return Found(index);
+  if (names.empty()) return Error{fmt::format("it has no {}", kind)};
+  return Error{fmt::format("it has no {} {}; there is {}", kind, quoted(word, 60), listed(names))};
+}
+
+std::vector<std::string> names_in(const model::Asset& asset, model::RootArray array) {
+  std::vector<std::string> names;
+  for (const json::NodeId element : asset.elements(array)) names.push_back(asset.name(element));
+  return names;
+}
+
+std::optional<std::pair<double, double>> parse_angles(const std::string& word) {
+  const std::size_t comma = word.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  std::pair<double, double> angles;
+  const std::string_view text(word);
+  if (!parse_all(text.substr(0, comma), angles.first)) return std::nullopt;
+  if (!parse_all(text.substr(comma + 1), angles.second)) return std::nullopt;
+  if (!std::isfinite(angles.first) || !std::isfinite(angles.second)) return std::nullopt;
+  return angles;
+}
+
+}  // namespace gltfx

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Parts of an asset that a user names.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "model/asset.hpp"
+
+namespace gltfx {
+
+/// Which of `names` a word means: one by its name, else by its index. An empty word means nothing.
+/// `kind` stands in the Error: "camera".
+Result<std::optional<std::uint32_t>> find_named(std::string_view kind, const std::string& word,
+                                                const std::vector<std::string>& names);
+
+/// The names of all elements of a root array; of those without one empty.
+std::vector<std::string> names_in(const model::Asset& asset, model::RootArray array);
+
+/// "12.5,-3": both numbers, or nothing.
+std::optional<std::pair<double, double>> parse_angles(const std::string& word);
+
+}  // namespace gltfx

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/bake_scene.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "container/container.hpp"
+#include "json/parse.hpp"
+#include "model/asset.hpp"
+#include "model/variants.hpp"
+#include "pipeline/bake_names.hpp"
+#include "pipeline/environment_file.hpp"
+#include "pipeline/resolver_for.hpp"
+#include "pipeline/scene_builder.hpp"
+#include "schema/compile.hpp"
+#include "validate/validator.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Loader {
+ public:
+  Loader(const std::string& path, const BakeOptions& options)
+      : path_(path),
+        options_(options),
+        schemas_(options.schemas ? options.schemas : schema::builtin_set()),
+        resolver_(resolver_for(fs::path(path).parent_path(), options.root)) {
+    result_.report.path = path;
+    result_.report.validation.path = path;
+  }
+
+  BakeScene run() {
+    if (open() && validate() && build()) prepare();
+    return std::move(result_);
+  }
+
+ private:
+  bool fail(BakeProblem problem, std::string error) {
+    result_.report.problem = problem;
+    result_.report.error = std::move(error);
+    return false;
+  }
+
+  bool open() {
+    auto opened = container::open_file(path_);
+    if (!opened) return fail(BakeProblem::unreadable, opened.error().message);
+    container_ = *std::move(opened);
+    if (container_.format == container::Format::git_lfs_pointer) {
+      return fail(BakeProblem::unreadable,
+                  "it is a Git-LFS pointer; 'git lfs pull' fetches the file itself");
+    }
+    if (!container_.json) {
+      return fail(BakeProblem::unreadable, "it holds no glTF; 'gltfx validate' says why");
+    }
+    parsed_ = json::parse(container_.json);
+    if (!parsed_.document.empty()) return true;
+    return fail(BakeProblem::unreadable, "its JSON is broken; 'gltfx validate' says where");
+  }
+
+  bool validate() {
+    ValidateOptions options;
+    options.root = options_.root;
+    options.jobs = options_.jobs;
+    options.schemas = schemas_;
+    FileReport report = validate::validate(container_, path_, resolver_, options);
+    std::erase_if(report.diagnostics,
+                  [](const Diagnostic& each) { return each.severity != Severity::error; });
+    const std::uint64_t errors = report.counts.errors;
+    report.counts = Counts{};
+    report.counts.errors = errors;
+    result_.report.validation = std::move(report);
+    if (errors == 0 || options_.force) return true;
+    return fail(BakeProblem::invalid, "it is not valid (--force draws it all the same)");
+  }
+
+  bool build() {
+    const model::Asset asset(parsed_.document);
+    SceneOptions wanted;
+    wanted.time = options_.time;
+    wanted.jobs = options_.jobs;
+    const bool found =
+        set(wanted.scene,
+            find_named("scene", options_.scene, names_in(asset, model::RootArray::scenes))) &&
+        set(wanted.animation, find_named("animation", options_.animation,
+                                         names_in(asset, model::RootArray::animations))) &&
+        set(wanted.variant, find_named("variant", options_.variant, model::variant_names(asset)));
+    if (!found) return false;
+    auto scene = std::make_unique<bake::Scene>(
+        build_scene(container_, resolver_, parsed_.document, *schemas_, wanted));
+    if (!options_.environment.empty()) {
+      auto environment = read_environment(options_.environment);
+      if (!environment) return fail(BakeProblem::refused, environment.error().message);
+      scene->environment = *std::move(environment);
+    }
+    result_.report.notes = scene->notes;
+    result_.scene = std::move(scene);
+    return true;
+  }
+
+  bool set(std::optional<std::uint32_t>& wanted, Result<std::optional<std::uint32_t>> found) {
+    if (!found) return fail(BakeProblem::refused, found.error().message);
+    wanted = *found;
+    return true;
+  }
+
+  void prepare() {
+    auto subject = bake::find_subject(*result_.scene);
+    if (!subject) {
+      fail(BakeProblem::nothing_to_see, "it has no visible triangles");
+      return;
+    }
+    auto bvh = bake::Bvh::build(*result_.scene);
+    if (!bvh) {
+      fail(BakeProblem::refused, bvh.error().message);
+      return;
+    }
+    result_.bvh.emplace(*std::move(bvh));
+    result_.subject = std::move(subject);
+  }
+
+  const std::string& path_;
+  const BakeOptions& options_;
+  const std::shared_ptr<const schema::Set> schemas_;
+  const container::Resolver resolver_;
+  container::Container container_;
+  json::Parsed parsed_;
+  BakeScene result_;
+};
+
+std::vector<std::string> camera_names(const bake::Scene& scene) {
+  std::vector<std::string> names;
+  for (const bake::Camera& camera : scene.cameras) names.push_back(camera.name);
+  return names;
+}
+
+}  // namespace
+
+BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
+  return Loader(path, options).run();
+}
+
+Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bake::Subject& subject,
+                                             const BakeOptions& options, double aspect) {
+  bake::Direction direction = bake::usual_direction(subject);
+  if (const auto angles = parse_angles(options.camera)) {
+    direction = {angles->first, angles->second};
+  } else {
+    const auto named = find_named("camera", options.camera, camera_names(scene));
+    if (!named) return named.error();
+    if (*named) return std::vector<bake::View>{bake::view_of(scene.cameras[**named], aspect)};
+  }
+  std::vector<bake::View> views;
+  const std::uint32_t count = std::max(options.turntable, 1U);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bake::Direction turned{direction.azimuth + 360.0 * i / count, direction.elevation};
+    views.push_back(bake::frame(subject, turned, aspect));
+  }
+  return views;
+}
+
+}  // namespace gltfx

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+/// From a file to a scene that rays can be sent into.
+#pragma once
+
+#include <gltfx/bake.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/bvh.hpp"
+#include "bake/framing.hpp"
+#include "bake/scene.hpp"
+#include "bake/view.hpp"
+
+namespace gltfx {
+
+/// What is to be drawn of one file, or a report that says why nothing is. The scene stays where it
+/// is when this is moved.
+struct BakeScene {
+  BakeReport report;  ///< with notes of the scene
+  std::unique_ptr<const bake::Scene> scene;
+  std::optional<bake::Bvh> bvh;
+  std::optional<bake::Subject> subject;
+
+  bool ready() const { return subject.has_value(); }
+};
+
+/// Opens, validates, reads and poses. Nothing is written.
+BakeScene load_bake_scene(const std::string& path, const BakeOptions& options);
+
+/// The views that the options ask for: one, or all of a turntable. An Error when there is no such
+/// camera.
+Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bake::Subject& subject,
+                                             const BakeOptions& options, double aspect);
+
+}  // namespace gltfx

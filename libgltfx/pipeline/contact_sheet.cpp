@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/contact_sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace gltfx {
+namespace {
+
+constexpr std::uint32_t kCell = 256;
+constexpr std::uint32_t kWidest = 8192;  // pixels of the sheet, beyond which cells become smaller
+constexpr std::uint8_t kPaper = 236;
+
+// The mean of the part of a picture that one pixel of the sheet covers, on paper.
+std::array<std::uint8_t, 3> covered(const BakedPixels& from, double left, double top, double step) {
+  const auto at = [](double value, std::uint32_t limit) {
+    return std::min(static_cast<std::uint32_t>(std::max(value, 0.0)), limit - 1);
+  };
+  const std::uint32_t x1 = at(std::ceil(left + step) - 1, from.width);
+  const std::uint32_t y1 = at(std::ceil(top + step) - 1, from.height);
+  std::array<double, 3> sum{};
+  double count = 0;
+  for (std::uint32_t y = at(top, from.height); y <= y1; ++y) {
+    for (std::uint32_t x = at(left, from.width); x <= x1; ++x) {
+      const std::uint8_t* texel = &from.bytes[(std::size_t{y} * from.width + x) * from.channels];
+      const double alpha = from.channels == 4 ? texel[3] / 255.0 : 1.0;
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += texel[c] * alpha + kPaper * (1 - alpha);
+      ++count;
+    }
+  }
+  return {static_cast<std::uint8_t>(sum[0] / count + 0.5),
+          static_cast<std::uint8_t>(sum[1] / count + 0.5),
+          static_cast<std::uint8_t>(sum[2] / count + 0.5)};
+}
+
+}  // namespace
+
+ContactSheet::ContactSheet(std::size_t count)
+    : columns_(static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))))),
+      cell_(std::clamp(static_cast<std::uint32_t>(kWidest / columns_), 16U, kCell)) {
+  const std::size_t rows = (count + columns_ - 1) / columns_;
+  picture_.width = static_cast<std::uint32_t>(columns_ * cell_);
+  picture_.height = static_cast<std::uint32_t>(rows * cell_);
+  picture_.bytes.assign(std::size_t{picture_.width} * picture_.height * 3, kPaper);
+}
+
+void ContactSheet::add(const BakedPixels& pixels) {
+  const std::size_t cell = next_++;
+  if (pixels.bytes.empty()) return;
+  const double step = static_cast<double>(std::max(pixels.width, pixels.height)) / cell_;
+  const auto width = std::clamp(static_cast<std::uint32_t>(pixels.width / step), 1U, cell_);
+  const auto height = std::clamp(static_cast<std::uint32_t>(pixels.height / step), 1U, cell_);
+  const std::size_t left = cell % columns_ * cell_ + (cell_ - width) / 2;
+  const std::size_t top = cell / columns_ * cell_ + (cell_ - height) / 2;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; ++x) {
+      const auto color = covered(pixels, x * step, y * step, step);
+      const std::size_t at = ((top + y) * picture_.width + left + x) * 3;
+      std::copy(color.begin(), color.end(),
+                picture_.bytes.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+  }
+}
+
+bake::Picture ContactSheet::take() { return std::move(picture_); }
+
+}  // namespace gltfx

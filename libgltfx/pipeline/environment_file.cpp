@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/environment_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "codec/client.hpp"
+#include "container/container.hpp"
+#include "json/token.hpp"
+
+namespace gltfx {
+namespace {
+
+constexpr std::uint32_t kWidest = 4096;
+
+std::optional<codec::ImageFormat> format_of(const std::string& path) {
+  const std::string ending = json::lower_case(std::filesystem::path(path).extension().native());
+  if (ending == ".hdr") return codec::ImageFormat::radiance;
+  if (ending == ".exr") return codec::ImageFormat::openexr;
+  return std::nullopt;
+}
+
+float sane(float value) { return std::isfinite(value) ? std::clamp(value, 0.0F, 1e8F) : 0.0F; }
+
+// The mean of a square of texels.
+bake::Float3 gather(const codec::Image& image, std::uint32_t x, std::uint32_t y,
+                    std::uint32_t step) {
+  bake::Float3 sum{};
+  for (std::uint32_t dy = 0; dy < step; ++dy) {
+    for (std::uint32_t dx = 0; dx < step; ++dx) {
+      const std::size_t texel = std::size_t{y * step + dy} * image.width + x * step + dx;
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const std::uint32_t channel = image.channels < 3 ? 0 : c;
+        float value = 0;
+        std::memcpy(&value, image.pixels.data() + (texel * image.channels + channel) * sizeof value,
+                    sizeof value);
+        sum[c] += sane(value);
+      }
+    }
+  }
+  const auto count = static_cast<float>(step * step);
+  return {sum[0] / count, sum[1] / count, sum[2] / count};
+}
+
+bake::EnvironmentImage shrunk(const codec::Image& image) {
+  const std::uint32_t step =
+      std::min((image.width + kWidest - 1) / kWidest, std::min(image.width, image.height));
+  bake::EnvironmentImage result;
+  result.width = image.width / step;
+  result.height = image.height / step;
+  result.radiance.reserve(std::size_t{result.width} * result.height);
+  for (std::uint32_t y = 0; y < result.height; ++y) {
+    for (std::uint32_t x = 0; x < result.width; ++x) {
+      result.radiance.push_back(gather(image, x, y, step));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<bake::EnvironmentImage> read_environment(const std::string& path) {
+  const auto format = format_of(path);
+  const std::string name = quoted(path, 200);
+  if (!format) return Error{fmt::format("the environment {} does not end in .hdr or .exr", name)};
+  const auto file = container::open_file(path);
+  if (!file) return Error{fmt::format("the environment {}: {}", name, file.error().message)};
+  codec::ImageRequest request;
+  request.bytes = file->bytes.view();
+  request.format = *format;
+  request.pixels = true;
+  const auto decoded = codec::Client::shared().decode_image(request);
+  if (const auto* fault = std::get_if<codec::Fault>(&decoded)) {
+    return Error{fmt::format("the environment {} cannot be read: {}", name, fault->message)};
+  }
+  return shrunk(*std::get_if<codec::Image>(&decoded));
+}
+
+}  // namespace gltfx

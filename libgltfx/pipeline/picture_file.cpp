@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/picture_file.hpp"
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/replace_file.hpp"
+#include "base/text.hpp"
+#include "json/token.hpp"
+#include "pipeline/companions.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+using codec::EncodedFormat;
+
+constexpr std::array<std::pair<std::string_view, EncodedFormat>, 5> kEndings{
+    {{".png", EncodedFormat::png},
+     {".webp", EncodedFormat::webp},
+     {".jpg", EncodedFormat::jpeg},
+     {".jpeg", EncodedFormat::jpeg},
+     {".exr", EncodedFormat::exr}}};
+constexpr std::uint32_t kQuality = 92;  // JPEG; WebP loses nothing
+
+}  // namespace
+
+Result<EncodedFormat> picture_format(const std::string& path) {
+  const std::string ending = json::lower_case(fs::path(path).extension().native());
+  for (const auto& [name, format] : kEndings) {
+    if (name == ending) return format;
+  }
+  return Error{
+      fmt::format("{} does not end in .png, .webp, .jpg, .jpeg or .exr", quoted(path, 200))};
+}
+
+bool holds_floats(EncodedFormat format) { return format == EncodedFormat::exr; }
+
+bool holds_alpha(EncodedFormat format) { return format != EncodedFormat::jpeg; }
+
+Result<codec::EncodedImage> encode_picture(const bake::Picture& picture, EncodedFormat format) {
+  codec::EncodeRequest request;
+  request.format = format;
+  request.raster = {picture.width, picture.height, picture.channels,
+                    holds_floats(format) ? 32U : 8U};
+  request.quality = format == EncodedFormat::webp ? 0 : kQuality;
+  request.pixels = holds_floats(format) ? std::as_bytes(std::span(picture.floats))
+                                        : std::as_bytes(std::span(picture.bytes));
+  auto result = codec::Client::shared().encode_image(request);
+  if (auto* fault = std::get_if<codec::Fault>(&result)) {
+    return Error{"the picture cannot be encoded: " + fault->message};
+  }
+  return std::get<codec::EncodedImage>(std::move(result));
+}
+
+std::optional<Error> write_picture(const bake::Picture& picture, const std::string& path) {
+  const auto format = picture_format(path);
+  if (!format) return format.error();
+  const auto encoded = encode_picture(picture, *format);
+  if (!encoded) return encoded.error();
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty()) {
+    if (auto trouble = make_folder(folder)) return trouble;
+  }
+  const auto* text = reinterpret_cast<const char*>(encoded->bytes.data());
+  return write_file(path, {text, encoded->bytes.size()});
+}
+
+std::string with_suffix(const std::string& path, std::string_view suffix) {
+  const fs::path whole(path);
+  const fs::path name = whole.stem().native() + std::string(suffix) + whole.extension().native();
+  return (whole.parent_path() / name).native();
+}
+
+}  // namespace gltfx

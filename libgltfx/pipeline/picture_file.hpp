@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pictures as files, encoded by a worker process.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bake/develop.hpp"
+#include "base/result.hpp"
+#include "codec/client.hpp"
+
+namespace gltfx {
+
+/// The format that the ending of a path asks for; an Error names those that there are.
+Result<codec::EncodedFormat> picture_format(const std::string& path);
+
+/// Whether a format holds floats instead of bytes.
+bool holds_floats(codec::EncodedFormat format);
+/// Whether it holds alpha.
+bool holds_alpha(codec::EncodedFormat format);
+
+/// The bytes of a file. Precondition: the picture has the numbers and channels that the format
+/// holds.
+Result<codec::EncodedImage> encode_picture(const bake::Picture& picture,
+                                           codec::EncodedFormat format);
+
+/// Encodes and writes, whole or not at all. Makes the folder.
+std::optional<Error> write_picture(const bake::Picture& picture, const std::string& path);
+
+/// `path` with something between its name and its ending.
+std::string with_suffix(const std::string& path, std::string_view suffix);
+
+}  // namespace gltfx

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "options.hpp"
+#include "reading.hpp"
+#include "suggestion.hpp"
+#include "words.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+constexpr std::uint64_t kMostPixels = 16384;  // along a side
+constexpr std::uint64_t kMost32 = 0xFFFFFFFFU;
+
+std::vector<std::string_view> comma_parts(const std::vector<std::string>& texts) {
+  std::vector<std::string_view> parts;
+  for (const std::string& text : texts) {
+    std::string_view rest = text;
+    while (true) {
+      const std::size_t comma = std::min(rest.find(','), rest.size());
+      parts.push_back(rest.substr(0, comma));
+      if (comma == rest.size()) break;
+      rest.remove_prefix(comma + 1);
+    }
+  }
+  return parts;
+}
+
+Result<std::uint32_t> parse_pixels(std::string_view text, std::string_view whole) {
+  const auto number = parse_number("--size", text, 1);
+  if (number && *number <= kMostPixels) return static_cast<std::uint32_t>(*number);
+  return Error{fmt::format("--size: {} is neither N nor WxH, each from 1 to {}.", quoted(whole),
+                           kMostPixels)};
+}
+
+Result<BakeSize> parse_size(std::string_view text) {
+  const std::size_t cross = std::min(text.find('x'), text.size());
+  const auto width = parse_pixels(text.substr(0, cross), text);
+  if (!width) return width.error();
+  if (cross == text.size()) return BakeSize{*width, *width};
+  const auto height = parse_pixels(text.substr(cross + 1), text);
+  if (!height) return height.error();
+  return BakeSize{*width, *height};
+}
+
+Result<std::uint32_t> parse_count(std::string_view option, std::string_view text,
+                                  std::uint64_t minimum, std::uint64_t maximum) {
+  const auto number = parse_number(option, text, minimum);
+  if (number && *number <= maximum) return static_cast<std::uint32_t>(*number);
+  return Error{fmt::format("{}: {} is not a whole number from {} to {}.", option, quoted(text),
+                           minimum, maximum)};
+}
+
+Result<std::string> parse_format(const std::string& text) {
+  static constexpr std::array<std::string_view, 5> kNames{"png", "webp", "jpeg", "jpg", "exr"};
+  if (std::find(kNames.begin(), kNames.end(), text) != kNames.end()) return text;
+  return Error{fmt::format("--format: {} is none of {}.{}", quoted(text), fmt::join(kNames, ", "),
+                           suggestion(text, kNames))};
+}
+
+void read_quality(Reading& reading, const BakeWords& words, BakeOptions& bake) {
+  reading.set(bake.samples, parse_count("--samples", words.samples, 1, 1U << 20U));
+  reading.set(bake.bounces, parse_count("--bounces", words.bounces, 0, 1000));
+  reading.set(bake.seed, parse_count("--seed", words.seed, 0, kMost32));
+  reading.set(bake.denoise, parse_either("--denoise", words.denoise, "on", "off"));
+  reading.set(bake.noise, parse_decimal("--noise", words.noise, 0, 1));
+  reading.set(bake.seconds, parse_decimal("--time-budget", words.time_budget, 0, 1e6));
+  reading.set(bake.literal_shader, parse_either("--shader", words.shader, "spec", "conserving"));
+}
+
+void read_scene(Reading& reading, const BakeWords& words, BakeOptions& bake) {
+  reading.set(bake.lights, parse_lights(words.lights));
+  reading.set(bake.exposure, parse_decimal("--exposure", words.exposure, -64, 64));
+  reading.set(bake.time, parse_decimal("--time", words.time, -1e9, 1e9));
+  bake.environment = words.environment;
+  bake.camera = words.camera;
+  bake.scene = words.scene;
+  bake.animation = words.animation;
+  bake.variant = words.variant;
+  bake.transparent = words.transparent;
+  bake.force = words.force;
+  bake.root = words.root;
+}
+
+void check(Reading& reading, const BakeWords& words) {
+  const bool compares = !words.compare.empty();
+  reading.require(!words.paths.empty(), "bake: name at least one file, folder or glob.");
+  reading.require(std::find(words.paths.begin(), words.paths.end(), "-") == words.paths.end(),
+                  "bake: standard input has no file beside which anything could be found; name a "
+                  "file ('./-' for one that is called '-').");
+  reading.require(!words.output.empty() || words.embed || compares,
+                  "bake: say where the picture goes with --output, or --embed it.");
+  reading.require(!compares || words.paths.size() == 1,
+                  "bake: --compare goes with one other file.");
+  reading.require(!compares || !words.embed, "bake: --compare and --embed exclude each other.");
+  reading.require(!words.embed || words.time_budget == "0",
+                  "bake: --embed and --time-budget exclude each other: what is in a file should "
+                  "not depend on the machine.");
+  reading.require(words.sheet.empty() || !compares, "bake: --compare draws no --sheet.");
+}
+
+}  // namespace
+
+Result<double> parse_decimal(std::string_view option, std::string_view text, double least,
+                             double greatest) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, value);
+  if (fault != std::errc() || stop != end || !(value >= least) || !(value <= greatest)) {
+    return Error{fmt::format("{}: {} is not a number from {} to {}.", option, quoted(text), least,
+                             greatest)};
+  }
+  return value;
+}
+
+Result<BakeLights> parse_lights(std::string_view text) {
+  if (text == "asset") return BakeLights::asset;
+  if (text == "studio") return BakeLights::studio;
+  if (text == "both") return BakeLights::both;
+  return Error{fmt::format("--lights: {} is none of asset, studio, both.", quoted(text))};
+}
+
+Result<bool> parse_either(std::string_view option, std::string_view text, std::string_view yes,
+                          std::string_view no) {
+  if (text == yes) return true;
+  if (text == no) return false;
+  return Error{fmt::format("{}: {} is none of {}, {}.", option, quoted(text), yes, no)};
+}
+
+Result<std::vector<BakeLayer>> parse_layers(const std::vector<std::string>& texts) {
+  static constexpr std::array<BakeLayer, 4> kLayers{BakeLayer::albedo, BakeLayer::normal,
+                                                    BakeLayer::depth, BakeLayer::material};
+  std::vector<BakeLayer> layers;
+  for (const std::string_view name : comma_parts(texts)) {
+    const auto layer = std::find_if(kLayers.begin(), kLayers.end(), [name](BakeLayer each) {
+      return bake_layer_name(each) == name;
+    });
+    if (layer == kLayers.end()) {
+      return Error{
+          fmt::format("--layer: {} is none of albedo, normal, depth, material.", quoted(name))};
+    }
+    if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
+  }
+  return layers;
+}
+
+Result<std::vector<BakeSize>> parse_sizes(const std::vector<std::string>& texts) {
+  if (texts.empty()) return std::vector<BakeSize>{BakeSize{}};
+  std::vector<BakeSize> sizes;
+  for (const std::string_view text : comma_parts(texts)) {
+    const auto size = parse_size(text);
+    if (!size) return size.error();
+    sizes.push_back(*size);
+  }
+  return sizes;
+}
+
+Result<BakeRequest> request_of(const BakeWords& words) {
+  Reading reading;
+  BakeRequest request;
+  read_common(reading, words.common, request.common);
+  check(reading, words);
+  request.paths.words = words.paths;
+  reading.set(request.bake.sizes, parse_sizes(words.sizes));
+  reading.set(request.bake.layers, parse_layers(words.layers));
+  reading.set(request.bake.turntable, parse_count("--turntable", words.turntable, 0, 3600));
+  read_quality(reading, words, request.bake);
+  read_scene(reading, words, request.bake);
+  reading.set(request.format, parse_format(words.format));
+  request.bake.output = words.output;
+  request.bake.embed = words.embed;
+  request.bake.jobs = request.common.jobs;
+  request.sheet = words.sheet;
+  request.compare = words.compare;
+  request.quiet = words.quiet;
+  request.schema_files = words.schema_files;
+  request.schema_folders = words.schema_folders;
+  return reading.finish(request);
+}
+
+}  // namespace gltfx::tool

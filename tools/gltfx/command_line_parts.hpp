@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+/// How options are told to CLI11.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "words.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace gltfx::tool {
+
+/// For the help only. CLI11 reads a positional "[a].gltf" as a list of its own, so that positionals
+/// are declared to take nothing and are picked from what is left over.
+void describe_positional(CLI::App& app, const char* name, const char* text);
+
+/// An option that may be given several times.
+void add_list(CLI::App& app, const char* name, std::vector<std::string>& words, const char* type,
+              const char* text);
+
+/// An option of which the last one counts.
+void add_word(CLI::App& app, const char* name, std::string& word, const char* type,
+              const char* text);
+
+void add_common(CLI::App& app, CommonWords& words);
+void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
+                        std::vector<std::string>& folders);
+
+/// The options of `gltfx bake`.
+void declare_bake(CLI::App& app, BakeWords& words);
+
+}  // namespace gltfx::tool
