@@ -20,6 +20,7 @@ struct CoatFrame {
 /// clearcoat_brdf = specular_brdf(normal, alpha). Values are those of a BRDF about +z: the cosine
 /// to its own normal is in, that to +z divided out.
 struct clearcoat_brdf : Lobe {
+  static constexpr int kKinds = kSpecularReflect;
   CoatFrame frame;
   Vec3d v;  ///< in that frame; below its horizon nothing is reflected
   specular_brdf brdf;

@@ -3,7 +3,7 @@
 ///
 /// Each has eval (the value, without the cosine), sample (a direction) and pdf (the density of it);
 /// `power`, a guess at its albedo that mixtures choose by; `is_delta`, whether it is without width.
-/// visit() hands a leaf to a function, together with the probability of being chosen.
+/// `kKinds`: what kinds of light it makes.
 #pragma once
 
 #include "bake/microfacet.hpp"
@@ -19,6 +19,7 @@ struct Lobe {
 
 /// diffuse_brdf(color): Lambert.
 struct diffuse_brdf : Lobe {
+  static constexpr int kKinds = kDiffuseReflect;
   Rgb color;
 
   explicit diffuse_brdf(const Rgb& c) : Lobe{max_value(c)}, color(c) {}
@@ -34,6 +35,7 @@ struct diffuse_brdf : Lobe {
 
 /// diffuse_btdf(color): Lambert on the other side.
 struct diffuse_btdf : Lobe {
+  static constexpr int kKinds = kDiffuseTransmit;
   Rgb color;
 
   explicit diffuse_btdf(const Rgb& c) : Lobe{max_value(c)}, color(c) {}
@@ -51,6 +53,7 @@ struct diffuse_btdf : Lobe {
 
 /// specular_brdf(alpha): a microfacet BRDF; a mirror when it is smooth.
 struct specular_brdf : Lobe {
+  static constexpr int kKinds = kSpecularReflect;
   Microfacets facets;
   double v_stretched;
 
@@ -87,6 +90,7 @@ struct specular_brdf : Lobe {
 /// volume's boundary (KHR_materials_volume; B. Walter et al., Microfacet Models for Refraction
 /// through Rough Surfaces, 2007). Tinted: `specular_btdf * color`.
 struct specular_btdf : Lobe {
+  static constexpr int kKinds = kSpecularTransmit;
   Microfacets facets;
   double v_stretched;
   double eta;  ///< IOR on the light's side over that on the viewer's; 1: nothing is refracted
@@ -122,6 +126,7 @@ struct specular_btdf : Lobe {
 
 /// scatter_bsdf(color, g) of KHR_materials_scatter: Lambert on both sides.
 struct scatter_bsdf : Lobe {
+  static constexpr int kKinds = kDiffuseReflect | kDiffuseTransmit;
   Rgb color;
   double forward;
 
@@ -146,6 +151,7 @@ struct scatter_bsdf : Lobe {
 /// sheen_brdf: fibres that stand up. Chosen uniformly over the hemisphere, as it is strongest at
 /// grazing angles.
 struct sheen_brdf : Lobe {
+  static constexpr int kKinds = kSpecularReflect;
   Fibres fibres;
   double lambda_v;
   double n_v;

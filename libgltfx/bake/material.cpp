@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bake/integration.hpp"
+
 namespace gltfx::bake {
 namespace {
 
@@ -55,63 +57,6 @@ std::optional<MaterialSample> Bsdf::sample(const Random3& random) const {
   return MaterialSample{flipped_ ? mirrored(p.l) : p.l, weight, density,
                         p.measure == Measure::delta};
 }
-
-namespace {
-
-// Sums what all leaves send back of an environment of radiance 1: directions as each leaf would
-// take them, weighted against the density of them all.
-template <class Graph>
-class Integration {
- public:
-  Integration(const Graph& graph, const Vec3d& v, int resolution)
-      : graph_(graph), v_(v), resolution_(resolution) {}
-
-  template <class Leaf>
-  void operator()(const Leaf& leaf, double probability) {
-    if (leaf.is_delta) {
-      add(leaf.sample(v_, {}), probability);
-      return;
-    }
-    for (int i = 0; i < resolution_; ++i) {
-      const double t = (i + 0.5) / resolution_;  // crowds towards both ends, where integrands bend
-      const double share = probability * 6 * t * (1 - t) / (resolution_ * resolution_);
-      for (int j = 0; j < resolution_; ++j) {
-        const double turn = (j + 0.5) / resolution_;
-        add(leaf.sample(v_, {0.5, t * t * (3 - 2 * t), turn}), share);
-      }
-    }
-  }
-
-  Albedo albedo() const {
-    Albedo sum = sum_;
-    sum.total =
-        sum.diffuse_reflect + sum.diffuse_transmit + sum.specular_reflect + sum.specular_transmit;
-    return sum;
-  }
-
- private:
-  void add(const Proposal& p, double share) {
-    if (!p.valid || std::fabs(p.l.z) < kGrazing) return;
-    Directions d(v_, p.l, p.measure);
-    const double density = graph_.pdf(d);
-    if (!(density > 0)) return;
-    const auto value = [&](Lobes lobe) {
-      d.lobes = lobe;
-      return graph_.eval(d, {}) * (share * d.l.z / density);
-    };
-    sum_.diffuse_reflect += value(kDiffuseReflect);
-    sum_.diffuse_transmit += value(kDiffuseTransmit);
-    sum_.specular_reflect += value(kSpecularReflect);
-    sum_.specular_transmit += value(kSpecularTransmit);
-  }
-
-  const Graph& graph_;
-  Vec3d v_;
-  int resolution_;
-  Albedo sum_;
-};
-
-}  // namespace
 
 Albedo Bsdf::integrate(int resolution) const {
   Integration<Graph> integration(graph_, v_, resolution);

@@ -78,7 +78,7 @@ double henyey_greenstein(double g, double v_dot_l) {
 Vec3d sample_phase(const Medium& medium, const Vec3d& along, double u, double v) {
   const double g = medium.anisotropy;
   const double k = (1 - square(g)) / (1 - g + 2 * g * u);
-  const double cosine = std::fabs(g) < 1e-3
+  const double cosine = std::fabs(g) < 1e-6
                             ? 2 * u - 1
                             : std::clamp((1 + square(g) - square(k)) / (2 * g), -1.0, 1.0);
   const double sine = std::sqrt(std::max(0.0, 1 - square(cosine)));

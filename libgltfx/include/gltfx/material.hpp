@@ -128,9 +128,9 @@ struct Albedo {
   Rgb total;
 };
 
-/// Albedo towards v, by a quadrature of `resolution` squared points for each lobe. At 128 it is
-/// exact to some 1e-5.
+/// Albedo towards v, by quadrature: `resolution` azimuths for each lobe, and some half of that
+/// along each. At 64 it is exact to some 1e-5, but for lobes that meet others at grazing angles.
 Albedo integrate(const Material& material, const Vec3d& v, const ShaderOptions& = {},
-                 int resolution = 128);
+                 int resolution = 64);
 
 }  // namespace gltfx
