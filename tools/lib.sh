@@ -7,7 +7,7 @@ build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-
   libcli11-dev libmeshoptimizer-dev libdraco-dev libopenimageio-dev libwebp-dev libpng-dev
   libembree-dev)
 test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
-  pre-commit)
+  pre-commit libxml2-utils)
 
 say() { printf '\n== %s\n' "$*"; }
 

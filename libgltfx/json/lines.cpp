@@ -15,6 +15,13 @@ std::uint32_t count_starts(std::string_view text) {
   return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), starts_code_point));
 }
 
+// The lead byte of a code point beyond U+FFFF.
+bool starts_pair(char c) { return static_cast<unsigned char>(c) >= 0xF0; }
+
+std::uint32_t count_pairs(std::string_view text) {
+  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), starts_pair));
+}
+
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 }  // namespace
@@ -27,6 +34,7 @@ LineIndex::LineIndex(std::string_view text, std::size_t reach) : text_(text) {
     const std::size_t end = begin + kBlock;
     Block next = blocks_.back();
     next.code_points += count_starts(text.substr(begin, kBlock));
+    next.pairs += count_pairs(text.substr(begin, kBlock));
     const std::uint32_t lines = count_line_ends(begin, end);
     next.lines += lines;
     if (lines > 0) next.line_start = last_line_start(end);
@@ -75,6 +83,15 @@ std::uint32_t LineIndex::column_of(std::size_t byte, std::size_t line_start) con
   return code_points_before(byte) - code_points_before(line_start) + 1;
 }
 
+std::uint32_t LineIndex::pairs_before(std::size_t byte) const {
+  const std::size_t block = byte / kBlock;
+  return blocks_[block].pairs + count_pairs(text_.substr(block * kBlock, byte % kBlock));
+}
+
+std::uint32_t LineIndex::pairs_between(std::size_t line_start, std::size_t byte) const {
+  return pairs_before(byte) - pairs_before(line_start);
+}
+
 Location LineIndex::locate(Span span, std::uint64_t base) const {
   const Place begin = place_of(span.begin);
   const Place end = place_of(span.end);
@@ -83,6 +100,8 @@ Location LineIndex::locate(Span span, std::uint64_t base) const {
   location.column = column_of(span.begin, begin.line_start);
   location.end_line = end.line + 1;
   location.end_column = column_of(span.end, end.line_start);
+  location.utf16_column = location.column + pairs_between(begin.line_start, span.begin);
+  location.utf16_end_column = location.end_column + pairs_between(end.line_start, span.end);
   location.offset = base + span.begin;
   location.length = span.size();
   return location;

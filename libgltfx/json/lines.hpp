@@ -12,7 +12,7 @@
 
 namespace gltfx::json {
 
-/// Finds lines and columns of one text. One pass builds a small index (12 bytes for every 4 KiB),
+/// Finds lines and columns of one text. One pass builds a small index (16 bytes for every 4 KiB),
 /// as far as somebody will ask; an answer then takes the same time wherever it lies, also in a text
 /// that is one long line. The text must outlive the index. Lines end at "\n", "\r\n" or "\r". Any
 /// number of threads may ask.
@@ -35,6 +35,7 @@ class LineIndex {
     std::uint32_t lines = 0;       ///< line ends
     std::uint32_t line_start = 0;  ///< first byte of the line that reaches into the block
     std::uint32_t code_points = 0;
+    std::uint32_t pairs = 0;  ///< code points that take two UTF-16 code units
   };
   /// A byte's line, counted from 0, and where that line starts.
   struct Place {
@@ -47,7 +48,9 @@ class LineIndex {
   std::uint32_t last_line_start(std::size_t byte) const;
   Place place_of(std::size_t byte) const;
   std::uint32_t code_points_before(std::size_t byte) const;
+  std::uint32_t pairs_before(std::size_t byte) const;
   std::uint32_t column_of(std::size_t byte, std::size_t line_start) const;
+  std::uint32_t pairs_between(std::size_t line_start, std::size_t byte) const;
   std::size_t back(std::size_t byte, std::size_t code_points, std::size_t first) const;
   std::size_t forward(std::size_t byte, std::size_t code_points) const;
   std::string_view slice(std::size_t begin, std::size_t end) const {

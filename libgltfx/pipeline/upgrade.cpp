@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <new>
 #include <optional>
 #include <span>
@@ -20,6 +19,7 @@
 #include "container/container.hpp"
 #include "json/parse.hpp"
 #include "pipeline/companions.hpp"
+#include "pipeline/new_error.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/ambiguity.hpp"
@@ -32,14 +32,11 @@
 #include "upgrade/references.hpp"
 #include "upgrade/render.hpp"
 #include "upgrade/settlement.hpp"
-#include "validate/validator.hpp"
 
 namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
-
-using ErrorCounts = std::map<std::string_view, std::uint64_t>;
 
 /// One file on its way: read, planned, checked, written.
 class Upgrade {
@@ -240,19 +237,6 @@ class Upgrade {
     return true;
   }
 
-  ErrorCounts errors_of(const container::Container& container,
-                        const container::Resolver& resolver) const {
-    ValidateOptions options;
-    options.jobs = 1;
-    options.schemas = schemas_;
-    ErrorCounts counts;
-    for (const Diagnostic& one :
-         validate::validate(container, path_, resolver, options).diagnostics) {
-      if (one.severity == Severity::error) counts[one.code] += one.count;
-    }
-    return counts;
-  }
-
   // The new bytes may have no error that the old ones had not.
   bool is_no_worse(const container::Bytes& bytes) {
     container::Resolver with_files = resolver_;
@@ -260,18 +244,13 @@ class Upgrade {
       with_files.add(file.path,
                      container::Bytes(std::as_bytes(std::span(*file.bytes)), file.bytes));
     }
-    const ErrorCounts after = errors_of(container::open_bytes(bytes, path_), with_files);
-    if (after.empty()) return true;
-    const ErrorCounts before = errors_of(container_, resolver_);
-    for (const auto& [code, count] : after) {
-      const auto known = before.find(code);
-      if (known != before.end() && known->second >= count) continue;
-      return fail(UpgradeProblem::refused,
-                  fmt::format("the new file would have an error {} that the old one has not; mend "
-                              "what 'gltfx validate' reports first",
-                              code));
-    }
-    return true;
+    const auto code = new_error({container_, resolver_},
+                                {container::open_bytes(bytes, path_), with_files}, path_, schemas_);
+    if (!code) return true;
+    return fail(UpgradeProblem::refused,
+                fmt::format("the new file would have an error {} that the old one has not; mend "
+                            "what 'gltfx validate' reports first",
+                            *code));
   }
 
   // Before the asset that refers to them.

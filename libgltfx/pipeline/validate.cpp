@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "container/container.hpp"
+#include "pipeline/proposed_fix.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "validate/validator.hpp"
 
@@ -29,6 +30,13 @@ FileReport guarded(const std::string& name, const ValidateOptions& options, cons
   }
 }
 
+FileReport validate_opened(const container::Container& opened, const std::string& name,
+                           const container::Resolver& resolver, const ValidateOptions& options) {
+  FileReport report = validate::validate(opened, name, resolver, options);
+  if (options.propose_fixes) propose_fix(report, opened, resolver, options);
+  return report;
+}
+
 }  // namespace
 
 FileReport validate_file(const std::string& path, const ValidateOptions& options) {
@@ -36,7 +44,7 @@ FileReport validate_file(const std::string& path, const ValidateOptions& options
     const auto opened = container::open_file(path);
     if (!opened) return validate::unreadable(path, opened.error().message, options);
     const container::Resolver resolver = resolver_for(fs::path(path).parent_path(), options.root);
-    return validate::validate(*opened, path, resolver, options);
+    return validate_opened(*opened, path, resolver, options);
   });
 }
 
@@ -47,7 +55,7 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
         container::open_bytes(container::Bytes::from_string(std::move(bytes)), name);
     const container::Resolver resolver =
         options.root.empty() ? container::Resolver() : resolver_for(options.root, options.root);
-    return validate::validate(opened, name, resolver, options);
+    return validate_opened(opened, name, resolver, options);
   });
 }
 

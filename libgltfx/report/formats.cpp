@@ -8,7 +8,8 @@ namespace gltfx {
 namespace {
 
 /// In the order of ReportFormat.
-constexpr std::array<std::string_view, 4> kNames{"text", "json", "khronos", "github"};
+constexpr std::array<std::string_view, 7> kNames{"text",  "json",  "khronos", "github",
+                                                 "sarif", "junit", "agent"};
 
 }  // namespace
 
@@ -33,6 +34,12 @@ std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format,
       return report::make_khronos_writer();
     case ReportFormat::github:
       return report::make_github_writer();
+    case ReportFormat::sarif:
+      return report::make_sarif_writer(options);
+    case ReportFormat::junit:
+      return report::make_junit_writer(options);
+    case ReportFormat::agent:
+      return report::make_agent_writer(options);
     case ReportFormat::text:
       break;
   }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/safe_text.hpp"
 
+#include <iterator>
+
+#include <fmt/format.h>
+
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 
 namespace gltfx::report {
 namespace {
@@ -19,6 +24,37 @@ std::size_t find_command(std::string_view text, std::size_t from) {
     if (word_end < text.size() && text[word_end] == '[') return at + 1;
   }
   return std::string_view::npos;
+}
+
+void append_json_escape(std::string& out, std::uint32_t value) {
+  if (value >= 0x10000) {
+    append_json_escape(out, 0xD7C0 + (value >> 10U));
+    value = 0xDC00 + (value & 0x3FFU);
+  }
+  fmt::format_to(std::back_inserter(out), "\\u{:04x}", value);
+}
+
+bool is_ascii(std::string_view text) {
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) >= 0x80) return false;
+  }
+  return true;
+}
+
+// What reorders text or hides in it stands in strings only, where an escape says the same.
+std::string without_unprintable(std::string_view json) {
+  std::string out;
+  for (std::size_t at = 0; at < json.size();) {
+    const CodePoint point = decode_utf8(json, at);
+    const std::string_view bytes = json.substr(at, point.size);
+    if (point.value >= 0x80 && point.valid && printable(bytes) != bytes) {
+      append_json_escape(out, point.value);
+    } else {
+      out += bytes;
+    }
+    at += point.size;
+  }
+  return out;
 }
 
 }  // namespace
@@ -45,6 +81,9 @@ std::string safe_cut(std::string_view text, std::size_t limit) {
 }
 
 void defuse_json(std::string& json, std::size_t from) {
+  if (!is_ascii(std::string_view(json).substr(from))) {
+    json.replace(from, std::string::npos, without_unprintable(std::string_view(json).substr(from)));
+  }
   std::size_t at = find_command(json, from);
   if (at == std::string::npos) return;
   std::string out = json.substr(0, from);

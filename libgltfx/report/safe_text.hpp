@@ -22,7 +22,8 @@ std::string safe_part(std::string_view whole, std::size_t begin, std::size_t end
 /// and the end, with an ellipsis between them.
 std::string safe_cut(std::string_view text, std::size_t limit);
 
-/// The same for JSON text behind position `from`: the escape keeps the value what it was.
+/// The same for JSON text behind position `from`, with the JSON escapes of what is not printable:
+/// they keep the value what it was. Precondition: valid JSON.
 void defuse_json(std::string& json, std::size_t from);
 
 }  // namespace gltfx::report

@@ -14,17 +14,6 @@
 namespace gltfx::report {
 namespace {
 
-// "leaf.gltf:12:25"; in a GLB the line is one of the JSON chunk, so the byte in the file is added.
-std::string file_place(const FileReport& report, const Diagnostic& diagnostic) {
-  std::string path = safe(report.path);
-  if (diagnostic.offset) return fmt::format("{}: byte {}", path, *diagnostic.offset);
-  const Location& at = diagnostic.location;
-  if (at.line == 0) return path;
-  std::string place = fmt::format("{}:{}:{}", path, at.line, at.column);
-  if (report.mime_type != "model/gltf-binary") return place;
-  return fmt::format("{} (JSON chunk, byte {})", place, at.offset);
-}
-
 class TextWriter final : public ReportWriter {
  public:
   explicit TextWriter(const FormatOptions& options)

@@ -17,6 +17,16 @@ std::string counted(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+std::string file_place(const FileReport& report, const Diagnostic& diagnostic) {
+  std::string path = safe(report.path);
+  if (diagnostic.offset) return fmt::format("{}: byte {}", path, *diagnostic.offset);
+  const Location& at = diagnostic.location;
+  if (at.line == 0) return path;
+  std::string place = fmt::format("{}:{}:{}", path, at.line, at.column);
+  if (report.mime_type != "model/gltf-binary") return place;
+  return fmt::format("{} (JSON chunk, byte {})", place, at.offset);
+}
+
 std::string document_place(const Diagnostic& diagnostic) {
   std::string place;
   if (!diagnostic.pointer.empty()) {

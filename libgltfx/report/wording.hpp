@@ -13,6 +13,10 @@ namespace gltfx::report {
 /// "1 error", "3 errors".
 std::string counted(std::uint64_t count, std::string_view noun);
 
+/// "leaf.gltf:12:25"; in a GLB the line is one of the JSON chunk, so the byte in the file is added.
+/// Neutralised.
+std::string file_place(const FileReport& report, const Diagnostic& diagnostic);
+
 /// " at /nodes/5/mesh ('Leaf')": where in the document, or nothing for a finding on the file.
 /// Neutralised, and cut where a pointer or a name is unreasonably long.
 std::string document_place(const Diagnostic& diagnostic);

@@ -36,6 +36,25 @@ void expect_counted(std::string_view text) {
   }
 }
 
+TEST(Lines, ColumnsInUtf16CountPairsTwice) {
+  // Across the blocks of the index, in one line and in many.
+  for (const std::string_view end : {"", "\n"}) {
+    std::string text;
+    std::uint32_t units = 1;
+    const std::string piece = "a\U0001F342é" + std::string(end);
+    for (int i = 0; i < 3000; ++i) text += piece;
+    const LineIndex lines(text);
+    const auto size = static_cast<std::uint32_t>(piece.size());
+    for (std::uint32_t at = 0; at + size <= text.size(); at += size) {
+      const Location here = lines.locate({at + 1, at + 5});
+      ASSERT_EQ(here.utf16_column, units + 1) << at;
+      ASSERT_EQ(here.utf16_end_column, units + 3) << at;
+      ASSERT_EQ(here.end_column, here.column + 1) << at;
+      if (end.empty()) units += 4;
+    }
+  }
+}
+
 TEST(Lines, EndAtLineFeedCarriageReturnOrBoth) {
   expect_counted("");
   expect_counted("a");

@@ -42,6 +42,49 @@ TEST(UpgradeFile, TellsThePlanAndWritesNothingUnasked) {
   EXPECT_EQ(content(path), kLegacy);
 }
 
+std::string with_fix(std::string text, const ProposedFix& fix) {
+  for (auto one = fix.replacements.rbegin(); one != fix.replacements.rend(); ++one) {
+    text.replace(one->place.offset, one->place.length, one->text);
+  }
+  return text;
+}
+
+TEST(ProposedFix, IsWhatAnUpgradeWrites) {
+  const TempFolder folder;
+  const std::string path = folder.write("a.gltf", kLegacy).native();
+  ValidateOptions asked;
+  asked.propose_fixes = true;
+  const FileReport report = validate_file(path, asked);
+  const ProposedFix* fix = nullptr;
+  for (const Diagnostic& one : report.diagnostics) {
+    if (one.fix) fix = one.fix.get();
+    EXPECT_EQ(one.fix != nullptr, one.code == "EXTENSION_LEGACY") << one.code;
+  }
+  ASSERT_NE(fix, nullptr);
+  UpgradeOptions options;
+  options.in_place = true;
+  ASSERT_TRUE(upgrade_file(path, options).written);
+  EXPECT_EQ(with_fix(kLegacy, *fix), content(path));
+}
+
+TEST(ProposedFix, IsNotMadeUnaskedNorWhereThereIsDoubt) {
+  const auto fixes = [](std::string text, bool asked) {
+    ValidateOptions options;
+    options.propose_fixes = asked;
+    std::size_t count = 0;
+    for (const Diagnostic& one : validate_bytes(std::move(text), "a.gltf", options).diagnostics) {
+      count += one.fix ? 1U : 0U;
+    }
+    return count;
+  };
+  EXPECT_EQ(fixes(kLegacy, true), 1U);
+  EXPECT_EQ(fixes(kLegacy, false), 0U);
+  EXPECT_EQ(fixes(kLegacy + ",", true), 0U);  // the text has a fault
+  std::string wrong = kLegacy;
+  wrong.replace(wrong.find(":1}"), 3, ":\"1\"}");
+  EXPECT_EQ(fixes(wrong, true), 0U);  // what stands there is not understood
+}
+
 TEST(UpgradeFile, WritesInPlaceOnce) {
   const TempFolder folder;
   const std::string path = folder.write("a.gltf", kLegacy).native();

@@ -113,7 +113,7 @@ void Declaration::declare_validate() {
   describe_positional(app, "PATH",
                       "Files, folders (searched through), globs, or - for standard input");
   add_list(app, "-f,--format", validate_.formats, "NAME[=FILE]",
-           "text, json, khronos or github (default: text); repeatable, json=report.json");
+           "text, json, khronos, github, sarif, junit or agent (default: text); repeatable");
   add_word(app, "--fail-on", validate_.fail_on, "LEVEL",
            "Exit with 1 from here on: error, warning, info or never (default: error)");
   declare_filters(app);

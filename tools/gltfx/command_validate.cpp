@@ -108,6 +108,7 @@ ExitCode Run::execute() {
   }
   targets_.begin();
   check(inputs.paths);
+  summary_.exit_code = static_cast<int>(verdict());
   targets_.finish(summary_);
   std::string problems = targets_.problems();
   if (problems.empty()) problems = known_.write();
@@ -119,6 +120,9 @@ ExitCode Run::execute() {
 Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   ValidateOptions options = request.validation;
   options.jobs = request.common.jobs;
+  for (const FormatTarget& target : request.targets) {
+    if (target.format == ReportFormat::sarif) options.propose_fixes = true;
+  }
   if (auto problem = check_root(options.root)) return *std::move(problem);
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();

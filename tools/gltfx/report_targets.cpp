@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report_targets.hpp"
 
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <unistd.h>
@@ -33,6 +35,10 @@ FormatOptions format_options(const ValidateRequest& request, const FormatTarget&
   options.command = "gltfx";
   options.profile = profile_name(request.validation.profile);
   options.pixel_level = pixel_level_name(pixel_level(request.validation));
+  options.rules = rules();
+  std::error_code fault;
+  options.folder = std::filesystem::current_path(fault).native();
+  options.fail_on = request.fail_on;
   return options;
 }
 

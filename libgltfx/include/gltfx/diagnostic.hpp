@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gltfx {
 
@@ -37,14 +39,17 @@ struct RuleDescription {
 };
 
 /// A place in a JSON text. Lines and columns count from 1, columns in UTF-8 characters (code
-/// points). In a GLB they count inside the JSON chunk; `offset` is the byte in the file.
+/// points) and in UTF-16 code units. In a GLB they count inside the JSON chunk; `offset` is the
+/// byte in the file.
 struct Location {
   std::uint32_t line = 0;    ///< 0: no place in the text
   std::uint32_t column = 0;  ///< 1-based, in code points
   std::uint32_t end_line = 0;
   std::uint32_t end_column = 0;  ///< one past the last character
-  std::uint64_t offset = 0;      ///< byte in the file
-  std::uint64_t length = 0;      ///< bytes
+  std::uint32_t utf16_column = 0;
+  std::uint32_t utf16_end_column = 0;
+  std::uint64_t offset = 0;  ///< byte in the file
+  std::uint64_t length = 0;  ///< bytes
 };
 
 /// The source line a finding points at, cut to a window that fits a terminal.
@@ -54,6 +59,19 @@ struct Excerpt {
   std::uint32_t width = 0;  ///< marked code points, at least 1 where there is an excerpt
   bool cut_left = false;    ///< text was cut on that side
   bool cut_right = false;
+};
+
+/// New text for a stretch of the old one; an empty stretch inserts.
+struct Replacement {
+  Location place;
+  std::string text;
+};
+
+/// A change of a text file that mends a finding: all replacements, which are sorted and do not
+/// overlap, or none.
+struct ProposedFix {
+  std::string description;  ///< one sentence
+  std::vector<Replacement> replacements;
 };
 
 /// One finding. Owns all it says, so it outlives the asset.
@@ -69,7 +87,8 @@ struct Diagnostic {
   Excerpt excerpt;
   /// Repeats of this code at the same place but for array indices are folded into the first.
   std::uint64_t count = 1;
-  std::string last_pointer;  ///< pointer of the last repeat when count > 1
+  std::string last_pointer;                ///< pointer of the last repeat when count > 1
+  std::shared_ptr<const ProposedFix> fix;  ///< null: there is none, or it was not asked for
 };
 
 }  // namespace gltfx

@@ -69,10 +69,11 @@ struct RunSummary {
   std::uint64_t unverified = 0;
   std::uint64_t suppressed = 0;
   Counts counts;
+  std::optional<int> exit_code;  ///< what the program is about to end with, where it is known
   void add(const FileReport& report);
 };
 
-enum class ReportFormat : std::uint8_t { text, json, khronos, github };
+enum class ReportFormat : std::uint8_t { text, json, khronos, github, sarif, junit, agent };
 
 std::string_view report_format_name(ReportFormat format);
 std::optional<ReportFormat> report_format_from_name(std::string_view name);
@@ -83,8 +84,14 @@ struct FormatOptions {
   bool color = false;       ///< text: ANSI colours
   bool quiet = false;       ///< text: findings only, no summary
   std::string command;      ///< text: how the user calls the program, for help lines ("gltfx")
-  std::string profile;      ///< named in json
-  std::string pixel_level;  ///< named in json: how far images were looked into
+  std::string profile;      ///< named in json, sarif, junit and agent
+  std::string pixel_level;  ///< named there too: how far images were looked into
+  /// All rules, sorted by code, for what sarif and agent say beside a finding. Static storage.
+  std::span<const RuleDescription> rules;
+  /// sarif: the absolute folder that relative paths start from; may be empty.
+  std::string folder;
+  /// junit: what is as loud as this, or louder, is a failure; nothing: never.
+  std::optional<Severity> fail_on = Severity::error;
 };
 
 /// Writes reports one after the other, so that a run of any length stays flat in memory.

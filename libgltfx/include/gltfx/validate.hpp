@@ -54,6 +54,8 @@ struct ValidateOptions {
   std::string root;
   /// Findings kept per file, 0: no limit.
   std::uint64_t max_issues = 0;
+  /// Fill Diagnostic::fix where a program can mend the finding and the picture stays the same.
+  bool propose_fixes = false;
   /// Threads that one large file may be given; 0: one a core. Reports do not depend on it.
   unsigned jobs = 0;
   std::set<std::string, std::less<>> select;              ///< only these codes; empty: all

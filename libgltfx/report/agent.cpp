@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// For programs that read as people do, and for grep: everything about a finding in one line.
+//
+//     SEVERITY[CODE] PLACE at POINTER ('NAME'): MESSAGE | help: HELP | note: REPEATS
+//     summary: 3 files, 1 error; profile default, pixels headers
+//
+// PLACE is PATH:LINE:COLUMN, or PATH alone; parts behind ':' that there is nothing to say for are
+// left out. No line begins with asset text.
+#include <string>
+
+#include <fmt/format.h>
+
+#include "report/rule_lookup.hpp"
+#include "report/safe_text.hpp"
+#include "report/wording.hpp"
+#include "report/writers.hpp"
+
+namespace gltfx::report {
+namespace {
+
+std::string tally(const Counts& counts) {
+  std::string text;
+  const auto add = [&](std::uint64_t count, std::string_view noun) {
+    if (count > 0) text += ", " + counted(count, noun);
+  };
+  add(counts.errors, "error");
+  add(counts.warnings, "warning");
+  add(counts.infos, "info");
+  add(counts.hints, "hint");
+  return text.empty() ? ", no problems" : text;
+}
+
+class AgentWriter final : public ReportWriter {
+ public:
+  explicit AgentWriter(const FormatOptions& options) : options_(options) {}
+
+  void begin(std::string&) override {}
+
+  void file(const FileReport& report, std::string& out) override {
+    for (const Diagnostic& finding : report.diagnostics) {
+      out +=
+          fmt::format("{}[{}] {}{}: {}", severity_name(finding.severity), safe(finding.code),
+                      file_place(report, finding), document_place(finding), safe(finding.message));
+      remark("help", help_for(finding), out);
+      remark("note", repeat_note(finding), out);
+      out += '\n';
+    }
+    if (!report.truncated) return;
+    out += fmt::format("note: {}: {}\n", safe(report.path), truncation_note(report));
+  }
+
+  void end(const RunSummary& summary, std::string& out) override {
+    if (options_.quiet) return;
+    out += fmt::format("summary: {}{}", counted(summary.files, "file"), tally(summary.counts));
+    if (summary.unreadable > 0) {
+      out += fmt::format("; {} could not be read", counted(summary.unreadable, "file"));
+    }
+    if (summary.unverified > 0) out += "; " + unverified_note(summary.unverified);
+    if (summary.suppressed > 0) {
+      out += fmt::format("; {} known to the baseline", counted(summary.suppressed, "finding"));
+    }
+    out += fmt::format("; profile {}, pixels {}\n", options_.profile, options_.pixel_level);
+  }
+
+ private:
+  // What the rule says to do, where the finding has no help of its own.
+  std::string help_for(const Diagnostic& finding) const {
+    if (!finding.help.empty()) return safe(finding.help);
+    const RuleDescription* rule = find_rule_in(options_.rules, finding.code);
+    return rule != nullptr ? std::string(rule->remedy) : std::string();
+  }
+
+  static void remark(std::string_view label, std::string_view text, std::string& out) {
+    if (!text.empty()) out += fmt::format(" | {}: {}", label, text);
+  }
+
+  FormatOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<ReportWriter> make_agent_writer(const FormatOptions& options) {
+  return std::make_unique<AgentWriter>(options);
+}
+
+}  // namespace gltfx::report

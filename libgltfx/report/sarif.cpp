@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// Static Analysis Results Interchange Format 2.1.0, for code scanning services and editors. What is
+// only known at the end of a run (rules that were met, files, outcome) stands behind the results.
+// https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/sarif-v2.1.0-errata01.html
+#include <gltfx/version.hpp>
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/json_pointer.hpp"
+#include "json/writer.hpp"
+#include "report/file_uri.hpp"
+#include "report/safe_text.hpp"
+#include "report/sarif_parts.hpp"
+#include "report/wording.hpp"
+#include "report/writers.hpp"
+
+namespace gltfx::report {
+namespace {
+
+constexpr std::string_view kSchema =
+    "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
+constexpr std::string_view kBase = "SRCROOT";
+
+bool is_binary(const FileReport& report) { return report.mime_type == "model/gltf-binary"; }
+
+// Lines of a GLB's JSON chunk are no lines of the file: there only bytes say where.
+void write_region(json::Writer& writer, const FileReport& report, const Location& at) {
+  writer.begin_object();
+  if (!is_binary(report)) {
+    writer.member("startLine", std::uint64_t{at.line});
+    writer.member("startColumn", std::uint64_t{at.utf16_column});
+    writer.member("endLine", std::uint64_t{at.end_line});
+    writer.member("endColumn", std::uint64_t{at.utf16_end_column});
+  }
+  writer.member("byteOffset", at.offset);
+  writer.member("byteLength", at.length);
+  writer.end_object();
+}
+
+// Where a finding on the file as a whole is shown: services want a line.
+Location start_of_file() {
+  Location at;
+  at.line = at.end_line = at.utf16_column = at.utf16_end_column = 1;
+  return at;
+}
+
+FileUri uri_of(const FileReport& report, std::string_view folder) {
+  if (report.path == "-") return {"stdin:", false};
+  return file_uri(report.path, folder);
+}
+
+void write_byte(json::Writer& writer, std::uint64_t offset) {
+  writer.begin_object();
+  writer.member("byteOffset", offset);
+  writer.member("byteLength", std::uint64_t{0});
+  writer.end_object();
+}
+
+void write_pointer(json::Writer& writer, std::string_view pointer) {
+  writer.key("logicalLocations");
+  writer.begin_array();
+  writer.begin_object();
+  writer.member("fullyQualifiedName", pointer);
+  writer.end_object();
+  writer.end_array();
+}
+
+// Stable where lines are added above or elements are put in front.
+void write_fingerprint(json::Writer& writer, const Diagnostic& finding) {
+  writer.key("partialFingerprints");
+  writer.begin_object();
+  writer.member("codeAndPointer/v1",
+                fmt::format("{} {}", finding.code, pointer_pattern(finding.pointer)));
+  writer.end_object();
+}
+
+class SarifWriter final : public ReportWriter {
+ public:
+  explicit SarifWriter(const FormatOptions& options) : options_(options), rules_(options.rules) {}
+
+  void begin(std::string& out) override {
+    json::Writer writer(out);
+    writer.begin_object();
+    writer.member("$schema", kSchema);
+    writer.member("version", "2.1.0");
+    writer.key("runs");
+    out += "[{";
+    out += R"("columnKind":"utf16CodeUnits","newlineSequences":["\r\n","\n","\r"],)";
+    write_base(out);
+    out += R"("results":[)";
+  }
+
+  void file(const FileReport& report, std::string& out) override {
+    const FileUri uri = uri_of(report, options_.folder);
+    for (const Diagnostic& finding : report.diagnostics) {
+      const std::size_t from = out.size();
+      out += has_results_ ? ",\n" : "\n";
+      has_results_ = true;
+      json::Writer writer(out);
+      write_result(writer, report, uri, finding);
+      defuse_json(out, from);
+    }
+    if (report.truncated) notify(Severity::warning, truncation_note(report), &uri);
+    add_artifact(report, uri);
+    ++files_;
+  }
+
+  void end(const RunSummary& summary, std::string& out) override {
+    if (summary.unverified > 0) {
+      notify(Severity::info, unverified_note(summary.unverified), nullptr);
+    }
+    out += has_results_ ? "\n],\"tool\":" : "],\"tool\":";
+    rules_.write_tool(out);
+    out.append(",\n\"artifacts\":[").append(artifacts_).append("],\n\"invocations\":[");
+    write_invocation(summary, out);
+    out += "],\n\"properties\":";
+    json::Writer writer(out);
+    writer.begin_object();
+    writer.member("profile", options_.profile);
+    writer.member("pixels", options_.pixel_level);
+    writer.end_object();
+    out += "}]}\n";
+  }
+
+ private:
+  void write_base(std::string& out) const {
+    if (options_.folder.empty()) return;
+    out += R"("originalUriBaseIds":)";
+    const std::size_t from = out.size();
+    json::Writer writer(out);
+    writer.begin_object();
+    writer.key(kBase);
+    writer.begin_object();
+    writer.member("uri", folder_uri(options_.folder));
+    writer.end_object();
+    writer.end_object();
+    defuse_json(out, from);
+    out += ',';
+  }
+
+  void write_artifact_location(json::Writer& writer, const FileUri& uri) const {
+    writer.begin_object();
+    writer.member("uri", uri.text);
+    if (uri.relative) writer.member("uriBaseId", kBase);
+    writer.member("index", files_);
+    writer.end_object();
+  }
+
+  void write_location(json::Writer& writer, const FileReport& report, const FileUri& uri,
+                      const Diagnostic& finding) const {
+    writer.begin_object();
+    writer.key("physicalLocation");
+    writer.begin_object();
+    writer.key("artifactLocation");
+    write_artifact_location(writer, uri);
+    if (finding.offset) {
+      writer.key("region");
+      write_byte(writer, *finding.offset);
+    } else {
+      writer.key("region");
+      write_region(writer, report, finding.location.line > 0 ? finding.location : start_of_file());
+    }
+    writer.end_object();
+    if (!finding.pointer.empty()) write_pointer(writer, finding.pointer);
+    writer.end_object();
+  }
+
+  void write_result(json::Writer& writer, const FileReport& report, const FileUri& uri,
+                    const Diagnostic& finding) {
+    writer.begin_object();
+    writer.member("ruleId", finding.code);
+    writer.member("ruleIndex", rules_.index_of(finding.code, finding.severity));
+    writer.member("level", sarif_level(finding.severity));
+    writer.key("message");
+    write_sarif_message(writer, result_text(finding));
+    writer.key("locations");
+    writer.begin_array();
+    write_location(writer, report, uri, finding);
+    writer.end_array();
+    write_repeats(writer, finding);
+    write_fingerprint(writer, finding);
+    if (finding.fix && !is_binary(report)) write_fix(writer, report, uri, *finding.fix);
+    if (!finding.object_name.empty()) {
+      writer.key("properties");
+      writer.begin_object();
+      writer.member("object", finding.object_name);
+      writer.end_object();
+    }
+    writer.end_object();
+  }
+
+  static std::string result_text(const Diagnostic& finding) {
+    if (finding.help.empty()) return finding.message;
+    const bool ends = std::string_view(".!?").find(finding.help.back()) != std::string_view::npos;
+    return fmt::format("{} Help: {}{}", finding.message, finding.help, ends ? "" : ".");
+  }
+
+  static void write_repeats(json::Writer& writer, const Diagnostic& finding) {
+    if (finding.count < 2) return;
+    writer.member("occurrenceCount", finding.count);
+    if (finding.last_pointer == finding.pointer || finding.last_pointer.empty()) return;
+    writer.key("relatedLocations");
+    writer.begin_array();
+    writer.begin_object();
+    writer.key("message");
+    write_sarif_message(writer, "The last of the repeats.");
+    write_pointer(writer, finding.last_pointer);
+    writer.end_object();
+    writer.end_array();
+  }
+
+  void write_fix(json::Writer& writer, const FileReport& report, const FileUri& uri,
+                 const ProposedFix& fix) const {
+    writer.key("fixes");
+    writer.begin_array();
+    writer.begin_object();
+    writer.key("description");
+    write_sarif_message(writer, fix.description);
+    writer.key("artifactChanges");
+    writer.begin_array();
+    writer.begin_object();
+    writer.key("artifactLocation");
+    write_artifact_location(writer, uri);
+    writer.key("replacements");
+    writer.begin_array();
+    for (const Replacement& replacement : fix.replacements) {
+      writer.begin_object();
+      writer.key("deletedRegion");
+      write_region(writer, report, replacement.place);
+      writer.key("insertedContent");
+      writer.begin_object();
+      writer.member("text", replacement.text);
+      writer.end_object();
+      writer.end_object();
+    }
+    writer.end_array();
+    writer.end_object();
+    writer.end_array();
+    writer.end_object();
+    writer.end_array();
+  }
+
+  void add_artifact(const FileReport& report, const FileUri& uri) {
+    const std::size_t from = artifacts_.size();
+    artifacts_ += files_ > 0 ? ",\n" : "\n";
+    json::Writer writer(artifacts_);
+    writer.begin_object();
+    writer.key("location");
+    write_artifact_location(writer, uri);
+    if (!report.mime_type.empty()) writer.member("mimeType", report.mime_type);
+    writer.key("roles");
+    writer.begin_array();
+    writer.string("analysisTarget");
+    writer.end_array();
+    writer.end_object();
+    defuse_json(artifacts_, from);
+  }
+
+  // What is said about the run itself.
+  void notify(Severity severity, std::string_view text, const FileUri* uri) {
+    notifications_ += notifications_.empty() ? "\n" : ",\n";
+    json::Writer writer(notifications_);
+    writer.begin_object();
+    writer.member("level", sarif_level(severity));
+    writer.key("message");
+    write_sarif_message(writer, fmt::format("{}.", text));
+    if (uri != nullptr) {
+      writer.key("locations");
+      writer.begin_array();
+      writer.begin_object();
+      writer.key("physicalLocation");
+      writer.begin_object();
+      writer.key("artifactLocation");
+      write_artifact_location(writer, *uri);
+      writer.end_object();
+      writer.end_object();
+      writer.end_array();
+    }
+    writer.end_object();
+  }
+
+  void write_invocation(const RunSummary& summary, std::string& out) const {
+    json::Writer writer(out);
+    writer.begin_object();
+    writer.member("executionSuccessful", summary.unreadable == 0);
+    if (summary.exit_code) {
+      writer.key("exitCode");
+      writer.integer(*summary.exit_code);
+    }
+    if (!notifications_.empty()) {
+      writer.key("toolExecutionNotifications");
+      writer.raw("[" + notifications_ + "]");
+    }
+    writer.end_object();
+  }
+
+  FormatOptions options_;
+  SarifRules rules_;
+  std::string artifacts_, notifications_;
+  std::uint64_t files_ = 0;
+  bool has_results_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ReportWriter> make_sarif_writer(const FormatOptions& options) {
+  return std::make_unique<SarifWriter>(options);
+}
+
+}  // namespace gltfx::report

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Messages, levels and rules of SARIF.
+#pragma once
+
+#include <gltfx/diagnostic.hpp>
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "json/writer.hpp"
+
+namespace gltfx::report {
+
+/// "error", "warning" or "note"; hints are notes.
+std::string_view sarif_level(Severity severity);
+
+/// A message object. The text is neutralised, and braces and links in it stand for themselves
+/// (sections 3.11.5 and 3.11.6).
+void write_sarif_message(json::Writer& writer, std::string_view text);
+
+/// The rules that results of a run refer to, numbered in the order in which they were met.
+class SarifRules {
+ public:
+  /// `all` is sorted by code and has static storage.
+  explicit SarifRules(std::span<const RuleDescription> all) : all_(all) {}
+
+  /// The rule's position in the list. `severity` is that of the finding: it stands for the rule's
+  /// own where nothing is known of the rule.
+  std::uint64_t index_of(std::string_view code, Severity severity);
+
+  /// The tool object with the rules met so far.
+  void write_tool(std::string& out) const;
+
+ private:
+  struct Met {
+    std::string_view code;
+    Severity severity;
+  };
+  void write_rule(json::Writer& writer, const Met& met) const;
+
+  std::span<const RuleDescription> all_;
+  std::vector<Met> met_;
+  std::map<std::string_view, std::uint64_t> positions_;
+};
+
+}  // namespace gltfx::report

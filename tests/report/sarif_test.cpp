@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "report/file_uri.hpp"
+#include "report/support.hpp"
+
+namespace gltfx::report::testing {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr std::array<RuleDescription, 2> kRules{
+    {{"TYPE_MISMATCH", Severity::error, "A value has the wrong type", "Readers refuse it.",
+      "Write the right type.", "{\"a\": 1}", "", Fix::none, true},
+     {"UNUSED_OBJECT", Severity::info, "Nothing uses an object", "It costs space.", "Remove it.",
+      "", "", Fix::none, true}}};
+
+FormatOptions options() {
+  FormatOptions options;
+  options.profile = "default";
+  options.pixel_level = "headers";
+  options.rules = kRules;
+  options.folder = "/home/anna b/assets";
+  return options;
+}
+
+json sarif_run(const std::vector<FileReport>& reports) {
+  const json log = json::parse(run(ReportFormat::sarif, reports, options()));
+  EXPECT_EQ(log["version"], "2.1.0");
+  EXPECT_EQ(log["runs"].size(), 1U);
+  return log["runs"][0];
+}
+
+json result(const Diagnostic& finding, std::string mime_type = "model/gltf+json") {
+  return sarif_run({file("a.gltf", {finding}, std::move(mime_type))})["results"][0];
+}
+
+json place(const json& result) { return result["locations"][0]["physicalLocation"]; }
+
+TEST(Sarif, ResultNamesRuleLevelPlaceAndRepeats) {
+  const json one = sarif_run({file("models/leaf.gltf", {wrong_type()})})["results"][0];
+  EXPECT_EQ(one["ruleId"], "TYPE_MISMATCH");
+  EXPECT_EQ(one["ruleIndex"], 0);
+  EXPECT_EQ(one["level"], "error");
+  EXPECT_EQ(one["message"]["text"],
+            "'metallicFactor' is a string; a number is expected. Help: write the number without "
+            "quotes: 0.5.");
+  EXPECT_EQ(place(one)["artifactLocation"],
+            json::parse(R"({"uri": "models/leaf.gltf", "uriBaseId": "SRCROOT", "index": 0})"));
+  EXPECT_EQ(place(one)["region"], json::parse(R"({"startLine": 7, "startColumn": 27, "endLine": 7,
+      "endColumn": 32, "byteOffset": 138, "byteLength": 5})"));
+  EXPECT_EQ(one["locations"][0]["logicalLocations"][0]["fullyQualifiedName"], kMetallic);
+  EXPECT_EQ(one["occurrenceCount"], 42);
+  EXPECT_EQ(one["relatedLocations"][0]["logicalLocations"][0]["fullyQualifiedName"],
+            "/materials/44/pbrMetallicRoughness/metallicFactor");
+  EXPECT_EQ(one["partialFingerprints"]["codeAndPointer/v1"],
+            "TYPE_MISMATCH /materials/*/pbrMetallicRoughness/metallicFactor");
+  EXPECT_EQ(one["properties"]["object"], "Leaf");
+}
+
+TEST(Sarif, ColumnsAreUtf16CodeUnits) {
+  const std::string_view text = "{\"\U0001F342\U0001F342é\": 1}";
+  const json one = result(on(finding("X", Severity::error, "M."), text, "1"));
+  EXPECT_EQ(place(one)["region"]["startColumn"], 11);
+  EXPECT_EQ(place(one)["region"]["endColumn"], 12);
+  EXPECT_EQ(sarif_run({})["columnKind"], "utf16CodeUnits");
+}
+
+TEST(Sarif, ABinaryFileHasBytesInsteadOfLines) {
+  const Diagnostic inside =
+      on(finding("X", Severity::error, "M.", "/scene"), "{\"scene\":7}", "7", 20);
+  EXPECT_EQ(place(result(inside, "model/gltf-binary"))["region"],
+            json::parse(R"({"byteOffset": 29, "byteLength": 1})"));
+  EXPECT_EQ(place(result(bad_chunk(), "model/gltf-binary"))["region"],
+            json::parse(R"({"byteOffset": 12, "byteLength": 0})"));
+}
+
+TEST(Sarif, AFindingOnTheFileStandsAtItsStart) {
+  EXPECT_EQ(place(result(finding("X", Severity::error, "M.")))["region"]["startLine"], 1);
+}
+
+TEST(Sarif, LevelsAreThoseOfTheStandard) {
+  EXPECT_EQ(result(finding("X", Severity::warning, "M."))["level"], "warning");
+  EXPECT_EQ(result(finding("X", Severity::info, "M."))["level"], "note");
+  EXPECT_EQ(result(finding("X", Severity::hint, "M."))["level"], "note");
+}
+
+TEST(Sarif, ListsTheRulesThatWereMetOnce) {
+  const json driver = sarif_run(
+      {file("a", {out_of_range(), wrong_type()}), file("b", {wrong_type()})})["tool"]["driver"];
+  EXPECT_EQ(driver["name"], "gltfx");
+  ASSERT_EQ(driver["rules"].size(), 2U);
+  EXPECT_EQ(driver["rules"][0], json::parse(R"({"id": "VALUE_NOT_IN_RANGE",
+      "defaultConfiguration": {"level": "warning"}})"));
+  const json& rule = driver["rules"][1];
+  EXPECT_EQ(rule["id"], "TYPE_MISMATCH");
+  EXPECT_EQ(rule["name"], "TypeMismatch");
+  EXPECT_EQ(rule["shortDescription"]["text"], "A value has the wrong type.");
+  EXPECT_EQ(rule["help"]["text"], "Readers refuse it. Write the right type.");
+  EXPECT_THAT(rule["help"]["markdown"].get<std::string>(), HasSubstr("```json\n{\"a\": 1}\n```"));
+  EXPECT_THAT(rule["helpUri"].get<std::string>(), ::testing::StartsWith("https://"));
+  EXPECT_EQ(rule["defaultConfiguration"]["level"], "error");
+}
+
+TEST(Sarif, SaysHowTheRunWent) {
+  const json run = sarif_run(sample_run());
+  EXPECT_EQ(run["artifacts"].size(), 5U);
+  EXPECT_EQ(run["artifacts"][2]["mimeType"], "model/gltf-binary");
+  const json& invocation = run["invocations"][0];
+  EXPECT_EQ(invocation["executionSuccessful"], false);  // one file could not be read
+  EXPECT_FALSE(invocation.contains("exitCode"));
+  const json& notes = invocation["toolExecutionNotifications"];
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[0]["message"]["text"], "3 more findings are not listed (--max-issues).");
+  EXPECT_EQ(notes[0]["locations"][0]["physicalLocation"]["artifactLocation"]["index"], 4);
+  EXPECT_EQ(run["properties"], json::parse(R"({"profile": "default", "pixels": "headers"})"));
+}
+
+TEST(Sarif, NamesTheExitCodeWhereItIsKnown) {
+  const auto writer = make_report_writer(ReportFormat::sarif, {});
+  std::string out;
+  writer->begin(out);
+  RunSummary summary;
+  summary.exit_code = 1;
+  writer->end(summary, out);
+  const json run = json::parse(out)["runs"][0];
+  EXPECT_EQ(run["invocations"][0], json::parse(R"({"executionSuccessful": true, "exitCode": 1})"));
+  EXPECT_FALSE(run.contains("originalUriBaseIds"));
+}
+
+TEST(Sarif, AFixIsGivenAsReplacements) {
+  Diagnostic d = wrong_type();
+  ProposedFix fix{"Write a number.", {{d.location, "0.5"}}};
+  d.fix = std::make_shared<const ProposedFix>(fix);
+  const json change = result(d)["fixes"][0]["artifactChanges"][0];
+  EXPECT_EQ(change["artifactLocation"]["uri"], "a.gltf");
+  EXPECT_EQ(change["replacements"][0]["deletedRegion"]["startColumn"], 27);
+  EXPECT_EQ(change["replacements"][0]["insertedContent"]["text"], "0.5");
+  EXPECT_FALSE(result(d, "model/gltf-binary").contains("fixes"));
+}
+
+TEST(Sarif, AssetTextIsNoPlaceholderAndNoLink) {
+  const json one = result(finding("X", Severity::error, "see {0} [here](https://h/) a[1]"));
+  EXPECT_EQ(one["message"]["text"], "see {{0}} [here\\](https://h/) a[1]");
+}
+
+TEST(FileUri, IsRelativeBelowTheFolderAndEncoded) {
+  const std::string folder = "/home/anna b";
+  EXPECT_EQ(file_uri("./a//b c#%.gltf", folder).text, "a/b%20c%23%25.gltf");
+  EXPECT_EQ(file_uri("a:b.gltf", folder).text, "a%3Ab.gltf");
+  EXPECT_EQ(file_uri("\xff::error::\n", folder).text, "%FF%3A%3Aerror%3A%3A%0A");
+  EXPECT_EQ(file_uri("/home/anna b/x/y.glb", folder).text, "x/y.glb");
+  EXPECT_TRUE(file_uri("/home/anna b/x/y.glb", folder).relative);
+}
+
+TEST(FileUri, IsAbsoluteElsewhere) {
+  const FileUri uri = file_uri("../c d/x.glb", "/home/anna b");
+  EXPECT_EQ(uri.text, "file:///home/c%20d/x.glb");
+  EXPECT_FALSE(uri.relative);
+  EXPECT_EQ(file_uri("/x.glb", "").text, "file:///x.glb");
+  EXPECT_EQ(file_uri("../x.glb", "").text, "../x.glb");
+  EXPECT_EQ(folder_uri("/home/anna b"), "file:///home/anna%20b/");
+  EXPECT_EQ(folder_uri("/"), "file:///");
+}
+
+}  // namespace
+}  // namespace gltfx::report::testing
