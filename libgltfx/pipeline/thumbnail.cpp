@@ -36,7 +36,7 @@ class Embedding {
     if (!edit(editor)) return Error{"the asset is put together in a way that leaves no room"};
     const std::string json = json::apply_edits(*container_.json, editor.take());
     if (container_.format == container::Format::gltf) return replace_file(path_, json, state_);
-    const auto glb = upgrade::rewrite_glb(container_, json, more_);
+    const auto glb = upgrade::rewrite_glb(container_, json, {more_, {}});
     return glb ? replace_file(path_, *glb, state_) : std::optional<Error>(glb.error());
   }
 
