@@ -2,7 +2,6 @@
 #include "bake/albedo.hpp"
 
 #include <algorithm>
-#include <span>
 
 #include "bake/microfacet.hpp"
 #include "bake/sheen.hpp"
@@ -26,39 +25,19 @@ auto mean(int resolution, const Function& f) {
   return sum * (1.0 / resolution);
 }
 
-// Through b at t = 0 and c at t = 1 (Catmull and Rom).
-double cubic(double a, double b, double c, double d, double t) {
-  return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
+// Sum over the points that two cells take their values from.
+double weigh(const AlbedoRow* table, const TableCell& row, const TableCell& column) {
+  double sum = 0;
+  for (std::size_t r = 0; r < 4; ++r) {
+    const double* values = table[row.first + r].data() + column.first;
+    const auto& w = column.weights;
+    sum += row.weights[r] *
+           (w[0] * values[0] + w[1] * values[1] + w[2] * values[2] + w[3] * values[3]);
+  }
+  return sum;
 }
 
-// Between which of `size` points over [0, 1] a number lies, and where.
-struct Cell {
-  int index;
-  double t;
-
-  Cell(double x, int size) : index(std::clamp(static_cast<int>(x * (size - 1)), 0, size - 2)) {
-    t = std::clamp(x, 0.0, 1.0) * (size - 1) - index;
-  }
-
-  // `at` gives the value of a point; beyond the ends the curve goes on straight.
-  template <class Values>
-  double interpolate(int size, const Values& at) const {
-    const double b = at(index);
-    const double c = at(index + 1);
-    const double a = index > 0 ? at(index - 1) : 2 * b - c;
-    const double d = index + 2 < size ? at(index + 2) : 2 * c - b;
-    return cubic(a, b, c, d, t);
-  }
-};
-
-double look_up(std::span<const AlbedoRow> table, const Cell& row, const Cell& column) {
-  const int rows = static_cast<int>(table.size());
-  return row.interpolate(rows, [&](int r) {
-    const AlbedoRow& values = table[static_cast<std::size_t>(r)];
-    return column.interpolate(kAlbedoColumns,
-                              [&](int c) { return values[static_cast<std::size_t>(c)]; });
-  });
-}
+TableCell column_of(double cosine) { return {std::sqrt(std::sqrt(cosine)), kAlbedoColumns}; }
 
 }  // namespace
 
@@ -89,22 +68,38 @@ double integrate_sheen_albedo(double sheen_roughness, double cosine, int resolut
   const Vec3d v = direction(cosine);
   const double lambda_v = fibres.lambda(v.z);
   return mean(resolution, [&](double u, double turn) {
-    const Vec3d l = uniform_hemisphere(u, turn);
-    if (l.z <= 0) return 0.0;
+    const Vec3d l = uniform_hemisphere(1 - u, turn);  // more of them near the horizon
     const Directions d(v, l);
     return 2 * pi * l.z * fibres.distribution(d.h.z) * fibres.visibility(v.z, lambda_v, l.z);
   });
 }
 
-SpecularAlbedo specular_albedo(double roughness, double cosine) {
-  const Cell row(roughness, kSpecularRows);
-  const Cell column(std::cbrt(cosine), kAlbedoColumns);
-  return {look_up(kSpecularConstant, row, column), look_up(kSpecularRising, row, column)};
+TableCell::TableCell(double x, int size) {
+  const double scaled = std::clamp(x, 0.0, 1.0) * (size - 1);
+  const int cell = std::min(static_cast<int>(scaled), size - 2);
+  const double t = scaled - cell;
+  const double a = t * (-0.5 + t * (1 - 0.5 * t));
+  const double b = 1 + t * t * (-2.5 + 1.5 * t);
+  const double c = t * (0.5 + t * (2 - 1.5 * t));
+  const double d = t * t * (-0.5 + 0.5 * t);
+  first = static_cast<std::size_t>(std::clamp(cell - 1, 0, size - 4));
+  if (cell == 0) {
+    weights = {b + 2 * a, c - a, d, 0};
+  } else if (cell == size - 2) {
+    weights = {0, a, b - d, c + 2 * d};
+  } else {
+    weights = {a, b, c, d};
+  }
 }
 
-double sheen_albedo(double sheen_roughness, double cosine) {
-  return look_up(kSheenAlbedo, Cell(sheen_roughness, kSheenRows),
-                 Cell(std::cbrt(cosine), kAlbedoColumns));
+SpecularAlbedo SpecularCurve::at(double cosine) const {
+  const TableCell column = column_of(cosine);
+  return {weigh(kSpecularConstant.data(), row_, column),
+          weigh(kSpecularRising.data(), row_, column)};
+}
+
+double SheenCurve::at(double cosine) const {
+  return weigh(kSheenAlbedo.data(), row_, column_of(cosine));
 }
 
 double diffuse_fresnel(double x) {

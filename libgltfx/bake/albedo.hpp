@@ -1,37 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Directional albedos: parts of light that lobes send back, by the cosine of the view.
 ///
-/// The shader reads them from tables over roughness and the cube root of the cosine. The tables are
-/// in albedo_specular.cpp and albedo_sheen.cpp, made by the quadratures below; a test compares them
-/// and writes them anew when asked to.
+/// The shader reads them from tables over roughness and the fourth root of the cosine. The tables
+/// are in albedo_specular.cpp and albedo_sheen.cpp, made by the quadratures below; a test compares
+/// them and writes them anew when asked to.
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace gltfx::bake {
+
+/// Four neighbours in a table of values over [0, 1], and the weights of a cubic curve through them
+/// (Catmull and Rom); at the ends it goes on straight.
+struct TableCell {
+  std::size_t first = 0;
+  std::array<double, 4> weights{};
+
+  TableCell() = default;
+  TableCell(double x, int size);
+};
+
+// Rows by roughness from 0 to 1, columns by the fourth root of the cosine from 0 to 1.
+inline constexpr int kAlbedoColumns = 48;
+inline constexpr int kSpecularRows = 32;
+inline constexpr int kSheenRows = 48;
 
 /// What specular_brdf returns under Schlick's Fresnel: f0 * constant + f90 * rising.
 struct SpecularAlbedo {
   double constant = 0, rising = 0;  ///< integrals of 1 - w and of w, w = (1 - V.H)^5
 };
-/// Exact to 2e-4 for cosines above 0.1, to 2e-3 above 0.02, to 2e-2 below.
-SpecularAlbedo specular_albedo(double roughness, double cosine);
+/// That of one roughness. Exact to 2e-4 for cosines above 0.1, to 2e-3 above 0.02, to 2e-2 below.
+class SpecularCurve {
+ public:
+  SpecularCurve() = default;
+  explicit SpecularCurve(double roughness) : row_(roughness, kSpecularRows) {}
+  SpecularAlbedo at(double cosine) const;
+
+ private:
+  TableCell row_;
+};
+
+/// E of KHR_materials_sheen for one roughness and a sheen colour of 1. Exact to 2e-4 for cosines
+/// above 0.1 and a roughness above 0.1.
+class SheenCurve {
+ public:
+  SheenCurve() = default;
+  explicit SheenCurve(double sheen_roughness) : row_(sheen_roughness, kSheenRows) {}
+  double at(double cosine) const;
+
+ private:
+  TableCell row_;
+};
 
 /// The integral of (1 - V.H)^5 over a Lambertian lobe, which is what Schlick's Fresnel takes of it.
 double diffuse_fresnel(double cosine);
-
-/// E of KHR_materials_sheen, for a sheen colour of 1. Exact to 2e-4 for cosines above 0.1.
-double sheen_albedo(double sheen_roughness, double cosine);
 
 // The same by quadrature with `resolution` squared points.
 SpecularAlbedo integrate_specular_albedo(double roughness, double cosine, int resolution);
 double integrate_diffuse_fresnel(double cosine, int resolution);
 double integrate_sheen_albedo(double sheen_roughness, double cosine, int resolution);
 
-// Rows by roughness from 0 to 1, columns by the cube root of the cosine from 0 to 1.
-inline constexpr int kAlbedoColumns = 48;
-inline constexpr int kSpecularRows = 32;
-inline constexpr int kSheenRows = 48;
 using AlbedoRow = std::array<double, kAlbedoColumns>;
 extern const std::array<AlbedoRow, kSpecularRows> kSpecularConstant;
 extern const std::array<AlbedoRow, kSpecularRows> kSpecularRising;
@@ -40,8 +69,8 @@ extern const std::array<AlbedoRow, kSheenRows> kSheenAlbedo;
 /// Roughness of a row and cosine of a column; the first column stands for a cosine just above 0.
 constexpr double row_roughness(int row, int rows) { return row / (rows - 1.0); }
 constexpr double column_cosine(int column) {
-  const double root = column == 0 ? 0.01 : column / (kAlbedoColumns - 1.0);
-  return root * root * root;
+  const double root = column == 0 ? 0.02 : column / (kAlbedoColumns - 1.0);
+  return root * root * root * root;
 }
 
 }  // namespace gltfx::bake

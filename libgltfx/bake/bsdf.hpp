@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The operators that mix lobes, with the names of the specification (Appendix B and the texts of
-/// the material extensions). Nodes hold their operands by value: a material is one object.
+/// the material extensions). Nodes hold their operands by value, and refer to what the surface's
+/// parameters come to (Seen).
 ///
 /// Where the texts leave something open or contradict themselves, it is decided here:
 ///
@@ -91,7 +92,7 @@ struct mix : Lobe {
 /// iridescent_conductor_layer where there is a film.
 template <class Bsdf>
 struct conductor_fresnel : Lobe {
-  Fresnel fresnel;
+  const Fresnel& fresnel;
   Bsdf bsdf;
 
   conductor_fresnel(const Fresnel& f, const Bsdf& b, const Vec3d& v)
@@ -113,10 +114,10 @@ struct conductor_fresnel : Lobe {
 /// iridescent_dielectric_layer (rgb_mix) where there is a film.
 template <class Base, class Layer>
 struct fresnel_mix : Lobe {
-  Fresnel fresnel;
+  const Fresnel& fresnel;
   Base base;
   Layer layer;
-  Held held;
+  const Held& held;
   double chance;  ///< of sampling the layer
 
   fresnel_mix(const Fresnel& f, const Base& b, const Layer& l, const Vec3d& v, const Held& h)
@@ -162,7 +163,7 @@ struct sheen_layer : Lobe {
   Rgb color;
   sheen_brdf brdf;
   Base base;
-  SheenScaling scaling;
+  const SheenScaling& scaling;
   double chance;  ///< of sampling the sheen
 
   sheen_layer(const Rgb& c, const sheen_brdf& s, const Base& b, const SheenScaling& e)
@@ -201,7 +202,7 @@ struct fresnel_coat : Lobe {
   double chance;  ///< of sampling the layer
 
   fresnel_coat(double ior, double weight, const Base& b, const clearcoat_brdf& l)
-      : base(b), layer(l), fr(weight * schlick(f0_of_ior(ior, 1), std::fabs(l.v.z))) {
+      : base(b), layer(l), fr(weight * schlick(f0_of_ior(ior, 1), std::fabs(l.coat.v.z))) {
     power = fr + (1 - fr) * b.power;
     chance = fr <= 0 ? 0 : fr / power;
     is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);

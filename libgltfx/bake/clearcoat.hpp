@@ -17,22 +17,29 @@ struct CoatFrame {
   Vec3d out_of(const Vec3d& w) const { return w.x * x + w.y * y + w.z * z; }
 };
 
+/// A coat as it is seen from v.
+struct SeenCoat {
+  CoatFrame frame;
+  Vec3d v;  ///< in that frame; below its horizon nothing is reflected
+  SeenFacets facets;
+
+  SeenCoat(const Vec3d& normal, double roughness, const Vec3d& viewer)
+      : frame(normal), v(frame.into(viewer)), facets(microfacets(roughness), v) {}
+};
+
 /// clearcoat_brdf = specular_brdf(normal, alpha). Values are those of a BRDF about +z: the cosine
 /// to its own normal is in, that to +z divided out.
 struct clearcoat_brdf : Lobe {
   static constexpr int kKinds = kSpecularReflect;
-  CoatFrame frame;
-  Vec3d v;  ///< in that frame; below its horizon nothing is reflected
+  const SeenCoat& coat;
   specular_brdf brdf;
 
-  clearcoat_brdf(const CoatFrame& f, const Microfacets& facets, const Vec3d& viewer)
-      : frame(f), v(f.into(viewer)), brdf(facets, v) {
-    power = 1;
-    is_delta = brdf.is_delta;
-  }
+  /// Keeps a reference to the coat.
+  explicit clearcoat_brdf(const SeenCoat& c)
+      : Lobe{1, c.facets.smooth()}, coat(c), brdf(c.facets) {}
   Directions in_frame(const Directions& d) const {
-    Directions turned(v, frame.into(d.l), d.measure, d.lobes);
-    turned.opposite = turned.opposite || d.opposite || v.z <= 0;
+    Directions turned(coat.v, coat.frame.into(d.l), d.measure, d.lobes);
+    turned.opposite = turned.opposite || d.opposite || coat.v.z <= 0;
     return turned;
   }
   Rgb eval(const Directions& d, const Through& through) const {
@@ -42,9 +49,9 @@ struct clearcoat_brdf : Lobe {
   }
   double pdf(const Directions& d) const { return brdf.pdf(in_frame(d)); }
   Proposal sample(const Vec3d&, const Random3& r) const {
-    if (v.z <= 0) return {{}, Measure::solid_angle, false};
-    Proposal p = brdf.sample(v, r);
-    p.l = frame.out_of(p.l);
+    if (coat.v.z <= 0) return {{}, Measure::solid_angle, false};
+    Proposal p = brdf.sample(coat.v, r);
+    p.l = coat.frame.out_of(p.l);
     p.valid = p.valid && p.l.z > 0;
     return p;
   }

@@ -47,18 +47,22 @@ Shares integrate_shares(const Fresnel& fresnel, const Microfacets& facets, const
 Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
     : active_(true),
       inside_(fresnel.eta < 1),
-      roughness_t_(std::sqrt(facets.alpha_t)),
-      roughness_b_(std::sqrt(facets.alpha_b)),
+      isotropic_(facets.isotropic()),
+      along_(std::sqrt(facets.alpha_b)),
+      across_(isotropic_ ? along_ : SpecularCurve(std::sqrt(facets.alpha_t))),
       f90_(max_value(fresnel.f90)) {
   if (inside_) {
+    constexpr double kMargin = 0.004;  // of so few points
     const Shares shares = integrate_shares(fresnel, facets, v);
-    share_v_ = shares.base > 0 ? std::clamp((1 - shares.layer) / shares.base, 0.0, 1.0) : 1;
+    const double left = 1 - shares.layer - kMargin;
+    share_v_ = shares.base > 0 ? std::clamp(left / shares.base, 0.0, 1.0) : 1;
     return;
   }
   highest_f0_ = lowest_f0_ = max_value(fresnel.f0);
   if (fresnel.film.strength > 0) {
     f90_ = 1;
-    for (double cosine = 0.1; cosine <= 1; cosine += 0.075) {
+    for (double t = 0; t <= 1; t += 1.0 / 12) {
+      const double cosine = 0.015 + 0.985 * t * std::sqrt(t);
       const double f0 = f0_through(max_value(fresnel.at(cosine)), f90_, cosine);
       highest_f0_ = std::clamp(f0, highest_f0_, 1.0);
       lowest_f0_ = std::clamp(f0, 0.0, lowest_f0_);
@@ -68,13 +72,14 @@ Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
 }
 
 double Held::share(double cosine) const {
-  const SpecularAlbedo along = specular_albedo(roughness_b_, cosine);
-  double reflected = highest_f0_ * along.constant + f90_ * along.rising;
-  if (roughness_t_ != roughness_b_) {
-    const SpecularAlbedo across = specular_albedo(roughness_t_, cosine);
-    reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising);
+  const SpecularAlbedo along = along_.at(cosine);
+  double reflected = highest_f0_ * along.constant + f90_ * (along.rising + table_margin(cosine));
+  if (!isotropic_) {  // between those of the two, but for grazing angles
+    const SpecularAlbedo across = across_.at(cosine);
+    reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising) +
+                4 * f90_ * table_margin(cosine);
   }
-  const double left = 1 - reflected - f90_ * table_margin(cosine);
+  const double left = 1 - reflected;
   const double handed_on = 1 - lowest_f0_ - (f90_ - lowest_f0_) * diffuse_fresnel(cosine);
   return handed_on > 0 ? std::max(0.0, left / handed_on) : 1;
 }
@@ -86,12 +91,15 @@ double Held::factor(double n_l) const {
 
 SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v, bool conserve)
     : strength(max_value(color)), roughness(sheen_roughness), conserving(conserve) {
-  if (strength > 0) albedo_v = sheen_albedo(roughness, v.z);
+  if (strength <= 0) return;
+  curve = SheenCurve(roughness);
+  albedo_v = curve.at(v.z);
 }
 
 SheenScaling::Weights SheenScaling::weights(double n_l) const {
-  double highest = strength * std::max(albedo_v, sheen_albedo(roughness, n_l));
-  if (conserving) highest += strength * table_margin(n_l);
+  double highest = strength * std::max(albedo_v, curve.at(n_l));
+  // Fibres that stand nearly upright make a curve too steep for the table.
+  if (conserving) highest *= roughness < 0.1 ? 1.05 : 1.002;
   return {conserving ? 1 / std::max(1.0, highest) : 1, std::max(0.0, 1 - highest)};
 }
 

@@ -10,6 +10,7 @@
 /// Imageworks, 2017, fill up what is missing, too; that would depart from the texts everywhere.)
 #pragma once
 
+#include "bake/albedo.hpp"
 #include "bake/fresnel.hpp"
 #include "bake/microfacet.hpp"
 
@@ -31,7 +32,8 @@ class Held {
   bool active_ = false;
   bool inside_ = false;
   double share_v_ = 1;
-  double roughness_t_ = 1, roughness_b_ = 1;
+  bool isotropic_ = true;
+  SpecularCurve along_, across_;
   double highest_f0_ = 0, lowest_f0_ = 0;  ///< curves of Schlick around the Fresnel term
   double f90_ = 1;
 };
@@ -49,6 +51,7 @@ inline Held held_below(const Fresnel& fresnel, const Microfacets& facets, const 
 struct SheenScaling {
   double strength = 0;  ///< of the sheen: its strongest colour
   double roughness = 0;
+  SheenCurve curve;
   double albedo_v = 0;  ///< of a white sheen towards the viewer
   bool conserving = false;
 

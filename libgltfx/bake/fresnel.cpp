@@ -99,7 +99,7 @@ Fresnel dielectric_fresnel(const Material& m, double eta) {
   return {color * m.specular, Rgb(m.specular), eta, film_of(m)};
 }
 
-Fresnel conductor_fresnel_of(const Material& m) { return {m.base_color, Rgb(1), 1, film_of(m)}; }
+Fresnel metal_fresnel(const Material& m) { return {m.base_color, Rgb(1), 1, film_of(m)}; }
 
 Rgb dispersed_ior(double ior, double dispersion) {
   const double half_spread = (ior - 1) * 0.025 * dispersion;

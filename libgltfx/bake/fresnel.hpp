@@ -45,7 +45,7 @@ struct Fresnel {
 /// The surface of a dielectric: F0 by ior, scaled by specular colour and factor.
 Fresnel dielectric_fresnel(const Material& material, double eta);
 /// That of a metal.
-Fresnel conductor_fresnel_of(const Material& material);
+Fresnel metal_fresnel(const Material& material);
 
 /// KHR_materials_dispersion: indices of refraction of red, green and blue.
 Rgb dispersed_ior(double ior, double dispersion);

@@ -20,7 +20,7 @@ Rgb specular_btdf::eval(const Directions& d, const Through& through) const {
   const double l_h = refracts ? dot(mirrored(d.l), h) : v_h;
   if (v_h <= 0 || (refracts && l_h >= 0)) return {};
   // D G |H.V| / (|N.L| |N.V|) times the Jacobian is the formula of both texts.
-  const double g = 4 * facets.separable_visibility(d.v, v_stretched, d.l);
+  const double g = 4 * facets.separable_visibility(d.v, facets.v_stretched, d.l);
   return color * (through.specular * facets.distribution(h) * g * v_h * jacobian(v_h, l_h));
 }
 
@@ -31,7 +31,7 @@ double specular_btdf::pdf(const Directions& d) const {
   const double v_h = dot(d.v, h);
   const double l_h = refracts ? dot(mirrored(d.l), h) : v_h;
   if (v_h <= 0 || (refracts && l_h >= 0)) return 0;
-  return facets.visible_normals(d.v, v_stretched, h) * v_h * jacobian(v_h, l_h);
+  return facets.visible_normals(d.v, facets.v_stretched, h) * v_h * jacobian(v_h, l_h);
 }
 
 Proposal specular_btdf::sample(const Vec3d& v, const Random3& r) const {

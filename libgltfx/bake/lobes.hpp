@@ -54,11 +54,10 @@ struct diffuse_btdf : Lobe {
 /// specular_brdf(alpha): a microfacet BRDF; a mirror when it is smooth.
 struct specular_brdf : Lobe {
   static constexpr int kKinds = kSpecularReflect;
-  Microfacets facets;
-  double v_stretched;
+  const SeenFacets& facets;
 
-  specular_brdf(const Microfacets& f, const Vec3d& v)
-      : Lobe{1, f.smooth()}, facets(f), v_stretched(f.stretched(v)) {}
+  /// Keeps a reference to the facets.
+  explicit specular_brdf(const SeenFacets& f) : Lobe{1, f.smooth()}, facets(f) {}
   Rgb eval(const Directions& d, const Through& through) const {
     return Rgb(value(d) * through.specular);
   }
@@ -66,12 +65,12 @@ struct specular_brdf : Lobe {
   double value(const Directions& d) const {
     if (is_delta) return hits(d, kSpecularReflect) ? 1 / d.v.z : 0;
     if (!d.reflects(kSpecularReflect, Measure::solid_angle)) return 0;
-    return facets.visibility(d.v, v_stretched, d.l) * facets.distribution(d.h);
+    return facets.visibility(d.v, facets.v_stretched, d.l) * facets.distribution(d.h);
   }
   double pdf(const Directions& d) const {
     if (is_delta) return hits(d, kAllLobes) ? 1 : 0;
     if (!d.reflects(kAllLobes, Measure::solid_angle)) return 0;
-    return facets.visible_normals(d.v, v_stretched, d.h) / 4;
+    return facets.visible_normals(d.v, facets.v_stretched, d.h) / 4;
   }
   Proposal sample(const Vec3d& v, const Random3& r) const {
     if (is_delta) return {{-v.x, -v.y, v.z}, Measure::delta};
@@ -91,18 +90,16 @@ struct specular_brdf : Lobe {
 /// through Rough Surfaces, 2007). Tinted: `specular_btdf * color`.
 struct specular_btdf : Lobe {
   static constexpr int kKinds = kSpecularTransmit;
-  Microfacets facets;
-  double v_stretched;
+  const SeenFacets& facets;
   double eta;  ///< IOR on the light's side over that on the viewer's; 1: nothing is refracted
   bool refracts;
   Rgb color{1, 1, 1};
 
   /// `volume`: the surface bounds one. A boundary between equal media leaves light alone, however
-  /// rough it is.
-  specular_btdf(const Microfacets& f, const Vec3d& v, bool volume, double relative_ior)
+  /// rough it is. Keeps a reference to the facets.
+  specular_btdf(const SeenFacets& f, bool volume, double relative_ior)
       : Lobe{1, f.smooth() || (volume && std::fabs(relative_ior - 1) < 1e-9)},
         facets(f),
-        v_stretched(f.stretched(v)),
         eta(relative_ior),
         refracts(volume && std::fabs(relative_ior - 1) >= 1e-9) {}
   specular_btdf operator*(const Rgb& tint) const {
@@ -156,8 +153,11 @@ struct sheen_brdf : Lobe {
   double lambda_v;
   double n_v;
 
-  sheen_brdf(double sheen_roughness, const Vec3d& v)
-      : Lobe{1}, fibres(sheen_roughness), lambda_v(fibres.lambda(v.z)), n_v(v.z) {}
+  sheen_brdf(double sheen_roughness, const Vec3d& v, const Rgb& color)
+      : Lobe{max_value(color)},
+        fibres(sheen_roughness),
+        lambda_v(power > 0 ? fibres.lambda(v.z) : 0),
+        n_v(v.z) {}
   Rgb eval(const Directions& d, const Through& through) const {
     if (!d.reflects(kSpecularReflect, Measure::solid_angle) || d.l.z <= 0) return {};
     return Rgb(fibres.distribution(d.h.z) * fibres.visibility(n_v, lambda_v, d.l.z) *

@@ -19,37 +19,34 @@ double relative_ior(const Material& m, int channel) {
   return ior / m.outside_ior;
 }
 
-// As the mirrored surface has it.
-Material seen_from_behind(const Material& material) {
-  Material m = material;
-  m.clearcoat_normal.x = -m.clearcoat_normal.x;
-  m.clearcoat_normal.y = -m.clearcoat_normal.y;
-  return m;
-}
-
 Vec3d in_front(const Vec3d& v) { return {v.x, v.y, std::max(std::fabs(v.z), kGrazing)}; }
+
+Seen see(const Material& m, const Vec3d& v, const ShaderOptions& options) {
+  const bool conserving = options.mode == ShaderMode::conserving;
+  const double eta = relative_ior(m, options.channel);
+  if (v.z >= 0) return {m, in_front(v), eta, conserving};
+  if (m.clearcoat_normal == Vec3d(0, 0, 1)) return {m, in_front(v), 1 / eta, conserving};
+  Material mirror = m;
+  mirror.clearcoat_normal.x = -m.clearcoat_normal.x;
+  mirror.clearcoat_normal.y = -m.clearcoat_normal.y;
+  return {mirror, in_front(v), 1 / eta, conserving};
+}
 
 }  // namespace
 
 Bsdf::Bsdf(const Material& m, const Vec3d& v, const ShaderOptions& options)
-    : flipped_(v.z < 0),
-      v_(in_front(v)),
-      graph_(flipped_
-                 ? material_graph(seen_from_behind(m), v_, 1 / relative_ior(m, options.channel),
-                                  options.mode == ShaderMode::conserving)
-                 : material_graph(m, v_, relative_ior(m, options.channel),
-                                  options.mode == ShaderMode::conserving)) {}
+    : flipped_(v.z < 0), seen_(see(m, v, options)), graph_(material_graph(m, seen_)) {}
 
 Evaluation Bsdf::evaluate(const Vec3d& l) const {
   if (std::fabs(l.z) < kGrazing) return {};
-  const Directions d(v_, flipped_ ? mirrored(l) : l);
+  const Directions d(seen_.v, flipped_ ? mirrored(l) : l);
   return {graph_.eval(d, {}), graph_.pdf(d)};
 }
 
 std::optional<MaterialSample> Bsdf::sample(const Random3& random) const {
-  const Proposal p = graph_.sample(v_, random);
+  const Proposal p = graph_.sample(seen_.v, random);
   if (!p.valid || std::fabs(p.l.z) < kGrazing) return std::nullopt;
-  const Directions d(v_, p.l, p.measure);
+  const Directions d(seen_.v, p.l, p.measure);
   const double density = graph_.pdf(d);
   if (!(density > 0)) return std::nullopt;
   const Rgb weight = graph_.eval(d, {}) * (d.l.z / density);
@@ -59,7 +56,7 @@ std::optional<MaterialSample> Bsdf::sample(const Random3& random) const {
 }
 
 Albedo Bsdf::integrate(int resolution) const {
-  Integration<Graph> integration(graph_, v_, resolution);
+  Integration<Graph> integration(graph_, seen_.v, resolution);
   visit_node(graph_, integration, 1);
   return integration.albedo();
 }

@@ -6,17 +6,37 @@
 #include <gltfx/material.hpp>
 
 #include <optional>
+#include <utility>
 
 #include "bake/bsdf.hpp"
 
 namespace gltfx::bake {
 
-/// The material as a graph of nodes, seen from v (v.z > 0). `eta`: IOR behind the surface over that
-/// on the viewer's side.
-inline auto material_graph(const Material& m, const Vec3d& v, double eta, bool conserving) {
-  const Microfacets alpha = microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation);
+/// What the parameters of a surface come to, seen from v (v.z > 0). `eta`: IOR behind the surface
+/// over that on the viewer's side.
+struct Seen {
+  Vec3d v;
+  double eta;
+  SeenFacets alpha;
+  Fresnel ior, metal_f0;
+  Held held;
+  SheenScaling sheen;
+  SeenCoat coat;
+
+  Seen(const Material& m, const Vec3d& viewer, double relative_ior, bool conserving)
+      : v(viewer),
+        eta(relative_ior),
+        alpha(microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation), v),
+        ior(dielectric_fresnel(m, m.volumetric() ? eta : 1)),
+        metal_f0(metal_fresnel(m)),
+        held(held_below(ior, alpha, v, m, conserving)),
+        sheen(m.sheen_color, m.sheen_roughness, v, conserving),
+        coat(m.clearcoat_normal, m.clearcoat_roughness, v) {}
+};
+
+/// The material as a graph of nodes. They refer to `seen`.
+inline auto material_graph(const Material& m, const Seen& seen) {
   const bool volume = m.volumetric();
-  const Fresnel ior = dielectric_fresnel(m, volume ? eta : 1);
   const double scatter_strength =
       m.scattering == Scattering::unified && !volume ? m.scatter_strength : 0;
 
@@ -27,31 +47,34 @@ inline auto material_graph(const Material& m, const Vec3d& v, double eta, bool c
       m.diffuse_transmission);
 
   const auto transmitted_bsdf = mix(
-      specular_btdf(alpha, v, volume, eta) * m.base_color,
+      specular_btdf(seen.alpha, volume, seen.eta) * m.base_color,
       scatter_bsdf(m.scatter_color, m.scatter_anisotropy),
       scatter_strength);
 
   const auto dielectric_brdf = fresnel_mix(
-      ior,
+      seen.ior,
       /*base*/ mix(diffuse_bsdf, transmitted_bsdf, m.transmission),
-      /*layer*/ specular_brdf(alpha, v),
-      v, held_below(ior, alpha, v, m, conserving));
+      /*layer*/ specular_brdf(seen.alpha),
+      seen.v, seen.held);
 
   const auto metal_brdf = conductor_fresnel(
-      conductor_fresnel_of(m),
-      specular_brdf(alpha, v), v);
+      /*f0*/ seen.metal_f0,
+      specular_brdf(seen.alpha),
+      seen.v);
 
   const auto material = mix(dielectric_brdf, metal_brdf, m.metallic);
 
   const auto sheen_material = sheen_layer(
-      m.sheen_color, sheen_brdf(m.sheen_roughness, v), material,
-      SheenScaling(m.sheen_color, m.sheen_roughness, v, conserving));
+      m.sheen_color,
+      sheen_brdf(m.sheen_roughness, seen.v, m.sheen_color),
+      material,
+      seen.sheen);
 
   return fresnel_coat(
       /*ior*/ 1.5,
       /*weight*/ m.clearcoat,
       /*base*/ sheen_material,
-      /*layer*/ clearcoat_brdf(CoatFrame(m.clearcoat_normal), microfacets(m.clearcoat_roughness), v));
+      /*layer*/ clearcoat_brdf(seen.coat));
   // clang-format on
 }
 
@@ -66,6 +89,8 @@ struct Evaluation {
 class Bsdf {
  public:
   Bsdf(const Material& material, const Vec3d& v, const ShaderOptions& options = {});
+  Bsdf(const Bsdf&) = delete;
+  Bsdf& operator=(const Bsdf&) = delete;
 
   Evaluation evaluate(const Vec3d& l) const;
   std::optional<MaterialSample> sample(const Random3& random) const;
@@ -75,10 +100,10 @@ class Bsdf {
   Albedo integrate(int resolution) const;
 
  private:
-  using Graph = decltype(material_graph(Material(), Vec3d(), 1.0, true));
+  using Graph = decltype(material_graph(std::declval<Material>(), std::declval<Seen>()));
 
   bool flipped_;  // seen from behind: all is mirrored at the surface
-  Vec3d v_;
+  Seen seen_;
   Graph graph_;
 };
 

@@ -68,6 +68,14 @@ struct Microfacets {
   }
 };
 
+/// Microfacets, and what is the same for all lights.
+struct SeenFacets : Microfacets {
+  double v_stretched;
+
+  SeenFacets(const Microfacets& facets, const Vec3d& v)
+      : Microfacets(facets), v_stretched(stretched(v)) {}
+};
+
 /// KHR_materials_anisotropy: the direction's alpha grows, the other keeps the material's.
 inline Microfacets microfacets(double roughness, double anisotropy = 0, double rotation = 0) {
   const double alpha = square(roughness);
