@@ -33,6 +33,9 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 /// "a", "a or b", "a, b or c"; more than `limit` items end in "or N others".
 std::string join_or(std::span<const std::string> items, std::size_t limit = 8);
 
+/// "a", "a and b", "a, b and c".
+std::string join_and(std::span<const std::string> items);
+
 /// A double as a person writes it: the shortest digits that read back equal, no exponent for
 /// whole numbers below 1e15.
 std::string number_text(double value);

@@ -53,6 +53,7 @@ struct Header {
   bool two_level =
       false;  ///< no channel can hold anything but 0 and 1: the same in sRGB and linear
   bool icc_profile = false;
+  bool exif = false;  ///< WebP: metadata of a camera
   /// What the format forbids in a header that could be read all the same, one sentence; else empty.
   std::string doubt;
 };

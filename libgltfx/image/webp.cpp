@@ -43,6 +43,7 @@ HeaderResult read_extended(Cursor at, Header header) {
   header.channels = (flags & 0x10U) != 0 ? Channels::rgba : Channels::rgb;
   header.animated = (flags & 0x02U) != 0;
   header.icc_profile = (flags & 0x20U) != 0;
+  header.exif = (flags & 0x08U) != 0;
   if (header.icc_profile) header.primaries = header.transfer = Tag::custom;
   return header;
 }

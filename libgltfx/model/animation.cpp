@@ -49,6 +49,21 @@ AnimationChannel read_channel(const Asset& asset, json::NodeId object, std::size
   return channel;
 }
 
+Animation read_animation(const Asset& asset, json::NodeId object) {
+  const json::Document& document = asset.document();
+  Animation animation;
+  animation.object = object;
+  for (const json::NodeId sampler : objects_of(document, document.find(object, "samplers"))) {
+    animation.samplers.push_back({sampler, asset.index(sampler, "input", RootArray::accessors),
+                                  asset.index(sampler, "output", RootArray::accessors),
+                                  read_interpolation(document, sampler)});
+  }
+  for (const json::NodeId channel : objects_of(document, document.find(object, "channels"))) {
+    animation.channels.push_back(read_channel(asset, channel, animation.samplers.size()));
+  }
+  return animation;
+}
+
 }  // namespace
 
 std::string_view interpolation_name(Interpolation interpolation) {
@@ -65,19 +80,13 @@ std::uint64_t values_per_keyframe(Interpolation interpolation) {
   return interpolation == Interpolation::cubic_spline ? 3 : 1;
 }
 
-Animation read_animation(const Asset& asset, json::NodeId object) {
-  const json::Document& document = asset.document();
-  Animation animation;
-  animation.object = object;
-  for (const json::NodeId sampler : objects_of(document, document.find(object, "samplers"))) {
-    animation.samplers.push_back({sampler, asset.index(sampler, "input", RootArray::accessors),
-                                  asset.index(sampler, "output", RootArray::accessors),
-                                  read_interpolation(document, sampler)});
+std::vector<Animation> read_animations(const Asset& asset) {
+  std::vector<Animation> animations;
+  animations.reserve(asset.count(RootArray::animations));
+  for (const json::NodeId object : asset.elements(RootArray::animations)) {
+    animations.push_back(object == json::kNoNode ? Animation() : read_animation(asset, object));
   }
-  for (const json::NodeId channel : objects_of(document, document.find(object, "channels"))) {
-    animation.channels.push_back(read_channel(asset, channel, animation.samplers.size()));
-  }
-  return animation;
+  return animations;
 }
 
 }  // namespace gltfx::model

@@ -44,7 +44,9 @@ struct Animation {
   std::vector<AnimationChannel> channels;
 };
 
-Animation read_animation(const Asset& asset, json::NodeId object);
+/// All of them, in the order of the root array. `object` is json::kNoNode for an element that is no
+/// object.
+std::vector<Animation> read_animations(const Asset& asset);
 
 /// Values that a sampler's output has for each keyframe of a property with one value: 3 for
 /// CUBICSPLINE (in-tangent, value, out-tangent), otherwise 1.

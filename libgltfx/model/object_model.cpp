@@ -309,6 +309,7 @@ void ObjectModel::arrive(Walk& walk) {
   target.property = walk.pointer(walk.steps.size() - (walk.element ? 1 : 0));
   target.value = walk.element ? json::kNoNode : walk.node;
   const schema::ShapeId shape = walk.property->shape;
+  target.animated_minimum = walk.property->animated_minimum;
   target.numbers = items_of(shape) == schema::kNone ? shape : items_of(shape);
   if (schemas_.type(walk.owner).name == "node") arrive_at_node(walk);
   const bool runtime = target.type == PropertyType::number_array;

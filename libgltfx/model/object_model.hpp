@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,7 @@ struct PropertyTarget {
   std::uint64_t length = 1;  ///< of a float[]: its elements
   /// The shape of its numbers, with their limits; schema::kNone for other values.
   schema::ShapeId numbers = schema::kNone;
+  double animated_minimum = -std::numeric_limits<double>::infinity();  ///< of what is written
   /// Why not, as a clause: "/materials/0 has no property 'roughnessFactor'". Empty when found.
   std::string reason;
   std::string nearest;  ///< the pointer with its wrong step mended, or empty

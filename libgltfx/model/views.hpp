@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/accessor.hpp"
+#include "model/animation.hpp"
 #include "model/buffer_view.hpp"
 #include "model/mesh.hpp"
 #include "model/node.hpp"
@@ -18,6 +19,7 @@ struct Views {
   std::vector<BufferView> buffer_views;  ///< as many as elements(RootArray::buffer_views)
   std::vector<Mesh> meshes;              ///< as many as elements(RootArray::meshes)
   std::vector<Node> nodes;               ///< as many as elements(RootArray::nodes)
+  std::vector<Animation> animations;     ///< as many as elements(RootArray::animations)
   Usage usage;
 
   Views() = default;
@@ -26,6 +28,7 @@ struct Views {
         buffer_views(read_buffer_views(asset)),
         meshes(read_meshes(asset)),
         nodes(read_nodes(asset)),
+        animations(read_animations(asset)),
         usage(asset, accessors, buffer_views, meshes) {}
 
   /// The view behind an accessor, or null.

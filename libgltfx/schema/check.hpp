@@ -114,7 +114,10 @@ struct CheckResult {
   std::vector<TargetArray> local_targets;
   std::vector<SlotUse> slots;
   std::vector<std::string> extensions_seen;  ///< names of extension objects met anywhere, once each
-  std::vector<std::string> extensions_used;  ///< as declared, once each
+  /// Of extensions with a member that serves other readers: those with an object beside which it
+  /// is missing, once each.
+  std::vector<std::string> without_fallback;
+  std::vector<std::string> extensions_used;      ///< as declared, once each
   std::vector<std::string> extensions_required;  ///< as declared, once each
   /// Scope::khronos: the walk ended behind `asset`, because it is missing or its version is
   /// not 2.x.

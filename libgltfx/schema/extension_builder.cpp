@@ -46,6 +46,7 @@ class ExtensionBuilder {
     extension.khronos_validator = flag(word("khronosValidator"));
     extension.must_be_required = must_be_required();
     extension.fallback = text(word("fallback"));
+    extension.optional_with_fallback = flag(word("optionalWithFallback"));
     extension.image_mime_types = read_names(build_, word("imageMimeTypes"));
     extension.vertex_attributes = semantics(word("vertexAttributes"));
     extension.morph_attributes = semantics(word("morphAttributes"));

@@ -23,9 +23,9 @@ void exchange(Archive& archive, Literal& literal) {
 
 template <class Archive>
 void exchange(Archive& archive, Property& property) {
-  archive(property.name, property.shape, property.required, property.mutable_type, property.aliases,
-          property.default_json, property.deprecated, property.added_late, property.unit,
-          property.description);
+  archive(property.name, property.shape, property.required, property.mutable_type,
+          property.animated_minimum, property.aliases, property.default_json, property.deprecated,
+          property.added_late, property.unit, property.description);
 }
 
 template <class Archive>
@@ -94,10 +94,11 @@ template <class Archive>
 void exchange(Archive& archive, Extension& extension) {
   archive(extension.name, extension.title, extension.description, extension.spec, extension.status,
           extension.homes, extension.excludes, extension.requires_, extension.overridden_by,
-          extension.standalone, extension.khronos_validator, extension.must_be_required,
-          extension.fallback, extension.image_mime_types, extension.vertex_attributes,
-          extension.morph_attributes, extension.instance_attributes, extension.successor,
-          extension.generations, extension.upgrade, extension.enum_additions, extension.from_user);
+          extension.standalone, extension.optional_with_fallback, extension.khronos_validator,
+          extension.must_be_required, extension.fallback, extension.image_mime_types,
+          extension.vertex_attributes, extension.morph_attributes, extension.instance_attributes,
+          extension.successor, extension.generations, extension.upgrade, extension.enum_additions,
+          extension.from_user);
 }
 
 }  // namespace gltfx::schema

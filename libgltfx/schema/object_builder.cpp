@@ -84,6 +84,10 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
   const Site annotation = build_.member(schema, "x-gltfx");
   if (!annotation.exists()) return property;
   property.mutable_type = text(build_.member(annotation, "mutable"));
+  const Site least = build_.member(annotation, "animatedMinimum");
+  if (least.exists() && build_.document(least).is_number(least.node)) {
+    property.animated_minimum = build_.document(least).number(least.node).value;
+  }
   property.unit = text(build_.member(annotation, "unit"));
   property.aliases = read_names(build_, build_.member(annotation, "aliases"));
   const Site late = build_.member(annotation, "addedLate");

@@ -143,12 +143,10 @@ std::string scalar_phrase(const Set& set, const Shape& shape) {
 }
 
 std::string all_of_phrase(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i != 0) text += i + 1 == names.size() ? " and " : ", ";
-    text += quoted(names[i]);
-  }
-  return text;
+  std::vector<std::string> items;
+  items.reserve(names.size());
+  for (const std::string& name : names) items.push_back(quoted(name));
+  return join_and(items);
 }
 
 std::string type_help(const Set& set, const Values& values, const Shape& shape, Value value) {

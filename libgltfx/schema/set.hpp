@@ -67,6 +67,8 @@ struct Property {
   ShapeId shape = kNone;
   bool required = false;
   std::string mutable_type;  ///< object-model type for animation pointers; empty: not mutable
+  /// Of what animations write, where that is less free than what may be written into the file.
+  double animated_minimum = -std::numeric_limits<double>::infinity();
   std::vector<std::string> aliases;  ///< names of earlier drafts
   std::string default_json;          ///< JSON text of the default; empty: none
   std::string deprecated;            ///< what to use instead; empty: current
@@ -207,6 +209,7 @@ struct Extension {
   bool khronos_validator = false;  ///< the Khronos validator checks it
   MustBeRequired must_be_required = MustBeRequired::optional;
   std::string fallback;  ///< without_fallback: member of the host that is the fallback
+  bool optional_with_fallback = false;  ///< not to be required where every host has that member
   std::vector<std::string> image_mime_types;
   std::vector<AttributeFormat> vertex_attributes, morph_attributes, instance_attributes;
   std::string successor;

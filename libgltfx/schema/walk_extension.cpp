@@ -210,6 +210,10 @@ void Walker::fallback(const Frame& frame, ExtensionId id, const Path& path, json
   if (extension.must_be_required != MustBeRequired::without_fallback || extension.fallback.empty())
     return;
   if (document_.find(frame.parent->node, extension.fallback) != json::kNoNode) return;
+  std::vector<std::string>& lacking = result_.without_fallback;
+  if (std::find(lacking.begin(), lacking.end(), extension.name) == lacking.end()) {
+    lacking.push_back(extension.name);
+  }
   const auto guards = [&](ExtensionId sibling) {
     const Extension& other = set_.extensions()[sibling];
     return other.must_be_required == MustBeRequired::without_fallback && is_required(other.name);

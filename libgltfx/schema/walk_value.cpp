@@ -168,7 +168,8 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
     unset_ = true;
   }
   report(
-      path, "VALUE_NOT_IN_LIST", values_.span(value),
+      path, shape.is_const && !khronos() ? "CONDITION_MISMATCH" : "VALUE_NOT_IN_LIST",
+      values_.span(value),
       name_of(path) + " is " + shown(values_, value) + "; it must be " + list_phrase(shape) + ".",
       std::move(help));
 }

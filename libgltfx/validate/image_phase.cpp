@@ -44,19 +44,6 @@ bool is_extended(const Context& context, json::NodeId image) {
   return false;
 }
 
-std::optional<container::Bytes> image_bytes(const Resource& resource,
-                                            const model::ResourceData& data) {
-  const Context& context = resource.context;
-  auto bytes = fetch_uri(resource);
-  if (bytes || !resource.info.storage.empty()) return bytes;
-  const auto view =
-      context.asset.index(resource.object, "bufferView", model::RootArray::buffer_views);
-  if (!view) return std::nullopt;
-  resource.info.storage = "buffer-view";
-  const model::BufferView& source = context.views.buffer_views[*view];
-  return data.part(context.document, source, 0, source.byte_length.value_or(0));
-}
-
 class ImageCheck {
  public:
   ImageCheck(const Resource& resource, const MediaTypes& enabled)
@@ -199,6 +186,7 @@ class ImageCheck {
     add(profile, "a colour profile");
     add(own && !profile, "a colour space of its own");
     add(!header.square_pixels, "pixels that are not square");
+    add(header.exif && !khronos(), "EXIF metadata");
     add(animated, "an animation");
     if (features.empty()) return;
     const bool quiet = !khronos() && !animated;
@@ -258,7 +246,7 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
     info.pointer = path.pointer();
     const Resource resource{context, sink, report, path, objects[i], info};
     model::ImageData& data = resources.data.images[i];
-    if (!is_extended(context, objects[i])) data.bytes = image_bytes(resource, resources.data);
+    if (!is_extended(context, objects[i])) data.bytes = fetch_uri_or_view(resource, resources.data);
     if (data.bytes) ImageCheck(resource, enabled).check(data);
     resources.listed.push_back(std::move(info));
   }

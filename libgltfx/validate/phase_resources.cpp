@@ -106,12 +106,8 @@ bool is_torn_file(const Context& context, json::NodeId object, bool buffer,
 }
 
 void report_torn(const Context& context, model::RootArray array, std::size_t index, Sink& sink) {
-  const Path root;
-  const Path list(root, model::root_array_name(array));
-  sink.report(Path(list, index),
-              finding_on(context, context.asset.elements(array)[index], "IO_ERROR",
-                         "The file became shorter while it was read; what was missing counts as "
-                         "zeros."));
+  report_element(sink, context, array, index, "IO_ERROR",
+                 "The file became shorter while it was read; what was missing counts as zeros.");
 }
 
 }  // namespace

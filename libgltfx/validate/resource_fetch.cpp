@@ -108,4 +108,17 @@ std::optional<container::Bytes> fetch_uri(const Resource& resource) {
   return open_file(resource, uri);
 }
 
+std::optional<container::Bytes> fetch_uri_or_view(const Resource& resource,
+                                                  const model::ResourceData& data) {
+  const Context& context = resource.context;
+  auto bytes = fetch_uri(resource);
+  if (bytes || !resource.info.storage.empty()) return bytes;
+  const auto view =
+      context.asset.index(resource.object, "bufferView", model::RootArray::buffer_views);
+  if (!view) return std::nullopt;
+  resource.info.storage = "buffer-view";
+  const model::BufferView& source = context.views.buffer_views[*view];
+  return data.part(context.document, source, 0, source.byte_length.value_or(0));
+}
+
 }  // namespace gltfx::validate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Opens what a buffer or image names, and says why it cannot.
+/// Opens what a buffer, an image or another object names, and says why it cannot.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "container/bytes.hpp"
+#include "model/resource_data.hpp"
 #include "validate/context.hpp"
 
 namespace gltfx::validate {
@@ -30,5 +31,9 @@ struct Resource {
 /// The bytes that the member `uri` names: mapped, copied or decoded. Nothing when there is no such
 /// member, it is malformed, or the file cannot be had, which is reported here.
 std::optional<container::Bytes> fetch_uri(const Resource& resource);
+
+/// The same, or what the member `bufferView` names. The buffers of `data` have been loaded.
+std::optional<container::Bytes> fetch_uri_or_view(const Resource& resource,
+                                                  const model::ResourceData& data);
 
 }  // namespace gltfx::validate

@@ -14,8 +14,10 @@
 #include "validate/context.hpp"
 #include "validate/data/decode_views.hpp"
 #include "validate/khronos_view.hpp"
+#include "validate/light_profiles.hpp"
 #include "validate/phases.hpp"
 #include "validate/rules/budget.hpp"
+#include "validate/rules/image_based_light.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -51,6 +53,8 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   Resources resources = load_resources(context, sink, report);
   decode_views(context, resources.data, sink);
   check_data(context, resources.data, sink);
+  check_image_based_lights(context, resources.data, sink);
+  check_light_profiles(context, resources.data, sink, report);
   check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
   check_budgets(context, resources.data, *report.info, resources.listed, sink);

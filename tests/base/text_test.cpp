@@ -110,6 +110,14 @@ TEST(JoinOr, ReadsLikeASentence) {
   EXPECT_EQ(join_or(Items{"a", "b", "c", "d"}, 2), "a, b or 2 others");
 }
 
+TEST(JoinAnd, NamesAll) {
+  using Items = std::vector<std::string>;
+  EXPECT_EQ(join_and(Items{}), "");
+  EXPECT_EQ(join_and(Items{"a"}), "a");
+  EXPECT_EQ(join_and(Items{"a", "b"}), "a and b");
+  EXPECT_EQ(join_and(Items{"a", "b", "c"}), "a, b and c");
+}
+
 TEST(NumberText, IsWhatAPersonWrites) {
   EXPECT_EQ(number_text(0), "0");
   EXPECT_EQ(number_text(-0.0), "-0");

@@ -27,6 +27,19 @@ TEST(Lod, LongChainsAreNoProblem) {
   EXPECT_EQ(levels(nodes), Lines{});
 }
 
+TEST(Lod, CoveragesFallFromLevelToLevel) {
+  const auto coverage = [](const std::string& numbers) {
+    return levels(R"({"extensions": {"MSFT_lod": {"ids": [1, 2]}},
+        "extras": {"MSFT_screencoverage": [)" +
+                  numbers + "]}}, {}, {}");
+  };
+  const Lines wrong{"LOD_COVERAGE_MISMATCH /nodes/0/extras/MSFT_screencoverage"};
+  EXPECT_EQ(coverage("0.5, 0.2, 0.1"), Lines{});
+  EXPECT_EQ(coverage("0.5, 0.2"), wrong);
+  EXPECT_EQ(coverage("0.5, 0.2, 0.1, 0"), wrong);
+  EXPECT_EQ(coverage("0.5, 0.5, 0.1"), wrong);
+}
+
 Lines single(const std::string& members) {
   return findings(R"("extensionsUsed": ["GODOT_single_root"], )" + members, {"SINGLE_ROOT"});
 }

@@ -93,7 +93,8 @@ Lines pointed(const std::string& pointer, const std::string& type, const std::st
   const std::size_t count = output.size() / 4 / (type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4);
   asset.accessor(type, kFloat, count, output);
   const std::string text = asset.text(R"("extensionsUsed": ["KHR_animation_pointer"],
-    "materials": [{"emissiveFactor": [0, 0, 0], "alphaCutoff": 0.5}], "nodes": [{"rotation": [0, 0, 0, 1]}],
+    "materials": [{"emissiveFactor": [0, 0, 0], "alphaCutoff": 0.5,
+      "extensions": {"KHR_materials_ior": {}}}], "nodes": [{"rotation": [0, 0, 0, 1]}],
     "animations": [{"channels": [{"sampler": 0, "target": {"path": "pointer",
       "extensions": {"KHR_animation_pointer": {"pointer": ")" +
                                       pointer + R"("}}}}],
@@ -115,6 +116,14 @@ TEST(PointedValues, StayWithinTheRangeOfTheirProperty) {
   EXPECT_EQ(pointed(glow, "VEC3", floats({-9, -9, -9, 0, 1, 0, 9, 9, 9, 9, 9, 9, 1, 2, 1, 9, 9, 9}),
                     "CUBICSPLINE"),
             wrong);
+}
+
+TEST(PointedValues, MayBeLessFreeThanThoseAtRest) {
+  const Lines wrong{"ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE /animations/0/channels/0/sampler"};
+  const std::string ior = "/materials/0/extensions/KHR_materials_ior/ior";
+  EXPECT_EQ(pointed(ior, "SCALAR", floats({1, 2.4F})), Lines());
+  EXPECT_EQ(pointed(ior, "SCALAR", floats({1, 0.5F})), wrong);
+  EXPECT_EQ(pointed(ior, "SCALAR", floats({0, 1.5F})), wrong) << "0 has a meaning at rest only";
 }
 
 TEST(PointedValues, RotationsAreUnitQuaternions) {

@@ -117,6 +117,18 @@ TEST(Images, ColourSpacesOfTheirOwnAreAnInfoAndForKhronosAWarning) {
   EXPECT_EQ(about(linear, Profile::khronos), Lines());
 }
 
+TEST(Images, MetadataOfCamerasIsAnInfoInWebp) {
+  const auto flagged = [](char flags) {
+    const std::string bytes =
+        webp("VP8X", std::string(1, flags) + std::string("\0\0\0\3\0\0\3\0\0", 9));
+    return with_image("image/webp", bytes, {}, R"(, "extensionsUsed": ["EXT_texture_webp"])");
+  };
+  EXPECT_EQ(about(flagged('\x08')), Lines{"IMAGE_FEATURES_UNSUPPORTED /images/0"});
+  EXPECT_EQ(feature_severity(flagged('\x08'), Profile::standard), Severity::info);
+  EXPECT_EQ(about(flagged('\x08'), Profile::khronos), Lines());
+  EXPECT_EQ(about(flagged('\x04')), Lines()) << "XMP is not among them";
+}
+
 TEST(Images, ColourProfilesAreAnInfoInEveryFormat) {
   const std::string icc = jpeg_segment(0xE2, "ICC_PROFILE.....") + jpeg_frame(3);
   const std::string photo = with_image("image/jpeg", jpeg(icc));

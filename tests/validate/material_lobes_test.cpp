@@ -95,7 +95,45 @@ TEST(Lobes, UnlitMaterialsNeedNoTexturesForLighting) {
       R"("normalTexture": {"index": 0}, "extensions": {"KHR_materials_unlit": {}})";
   EXPECT_EQ(lobes(material), Lines{});
   EXPECT_EQ(lobes(material, "", Profile::strict),
-            Lines{"KHR_MATERIALS_UNLIT_TEXTURE /materials/0/normalTexture"});
+            (Lines{"KHR_MATERIALS_UNLIT_FALLBACK" + kAt + "unlit",
+                   "KHR_MATERIALS_UNLIT_TEXTURE /materials/0/normalTexture"}));
+  EXPECT_EQ(lobes(R"("pbrMetallicRoughness": {"metallicFactor": 0, "metallicRoughnessTexture":
+      {"index": 0}}, "extensions": {"KHR_materials_unlit": {}})",
+                  "", Profile::strict),
+            Lines{"KHR_MATERIALS_UNLIT_TEXTURE /materials/0/pbrMetallicRoughness/"
+                  "metallicRoughnessTexture"});
+}
+
+TEST(Lobes, UnlitMaterialsLookAlikeWithoutTheExtension) {
+  const auto unlit = [](const std::string& members, const std::string& more = {}) {
+    return lobes(members + R"("extensions": {"KHR_materials_unlit": {}})", more, Profile::strict);
+  };
+  const Lines wrong{"KHR_MATERIALS_UNLIT_FALLBACK" + kAt + "unlit"};
+  EXPECT_EQ(unlit(""), wrong) << "metal, by default";
+  EXPECT_EQ(unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0}, )"), Lines{});
+  EXPECT_EQ(unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0.5}, )"),
+            wrong);
+  EXPECT_EQ(unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0.6}, )"),
+            Lines{});
+  EXPECT_EQ(
+      unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0}, "emissiveFactor": [0, 0, 1], )"),
+      wrong);
+  EXPECT_EQ(
+      unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0}, "emissiveFactor": [0, 0, 0], )"),
+      Lines{});
+  EXPECT_EQ(unlit("", R"(, "extensionsRequired": ["KHR_materials_unlit"])"), Lines{})
+      << "nobody is without it";
+}
+
+TEST(Lobes, AColourThatIsBlackSwitchesOff) {
+  const auto sheen = [](const std::string& color) {
+    return lobes(with(R"("KHR_materials_sheen": {"sheenRoughnessFactor": 0.5)" + color + "}"));
+  };
+  const Lines off{"MATERIAL_LOBE_OFF" + kAt + "sheen"};
+  EXPECT_EQ(sheen(""), off);
+  EXPECT_EQ(sheen(R"(, "sheenColorFactor": [0, 0, 0])"), off);
+  EXPECT_EQ(sheen(R"(, "sheenColorFactor": [0, 0, 0.1])"), Lines{});
+  EXPECT_EQ(sheen(R"(, "sheenColorFactor": "red")"), Lines{}) << "which is told elsewhere";
 }
 
 TEST(Lobes, AnAbbeNumberIsNoDispersion) {

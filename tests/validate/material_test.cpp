@@ -48,6 +48,23 @@ Lines of_extensions(const std::string& members, const std::string& declared,
 
 const std::string kPath = " /materials/0/extensions/KHR_materials_";
 
+TEST(MaterialExtensions, TransformsCountAsTextureCoordinates) {
+  const auto coat = [](const std::string& transform, Profile profile = Profile::standard) {
+    return of_extensions(R"("normalTexture": {"index": 0}, "extensions": {"KHR_materials_clearcoat":
+      {"clearcoatNormalTexture": {"index": 0, "extensions": {"KHR_texture_transform": {)" +
+                             transform + "}}}}}",
+                         R"("KHR_materials_clearcoat", "KHR_texture_transform")", profile);
+  };
+  const Lines found{"CLEARCOAT_CLEARCOAT_NORMAL_TEXTURE_TEXCOORD" + kPath +
+                    "clearcoat/clearcoatNormalTexture"};
+  EXPECT_EQ(coat(""), Lines{});
+  EXPECT_EQ(coat(R"("texCoord": 1)"), found);
+  EXPECT_EQ(coat(R"("texCoord": 1)", Profile::khronos), Lines{});
+  EXPECT_EQ(coat(R"("rotation": 1)"), found) << "which turns the tangents";
+  EXPECT_EQ(coat(R"("scale": [4, 4])"), Lines{}) << "which is a matter of taste";
+  EXPECT_EQ(coat(R"("scale": [4, 4])", Profile::strict), found);
+}
+
 TEST(MaterialExtensions, NormalMapsAndTheirCompanionsShareTextureCoordinates) {
   const auto clearcoat = [](const char* normal, const char* coat) {
     return of_extensions(

@@ -93,7 +93,7 @@ Lines source(const std::string& members) {
       "extensions": {"MPEG_accessor_timed": {}}}, {"type": "SCALAR", "componentType": 5126, "count": 1}],
     "nodes": [{"extensions": {"MPEG_audio_spatial": {"sources": [{"id": 1, "type": "Object", )" +
           members + "}]}}}]",
-      {"AUDIO"});
+      {"AUDIO", "ACCESSOR_NOT_TIMED"});
 }
 const std::string kSource = " /nodes/0/extensions/MPEG_audio_spatial/sources/0/";
 
@@ -108,7 +108,28 @@ TEST(Sound, HasOneGainForEachReverb) {
 
 TEST(Sound, ComesFromTimedAccessors) {
   EXPECT_EQ(source(R"("accessors": [0, 1])"),
-            Lines{"AUDIO_ACCESSOR_NOT_TIMED" + kSource + "accessors/1"});
+            Lines{"ACCESSOR_NOT_TIMED" + kSource + "accessors/1"});
+}
+
+TEST(Timed, VideoHasAsManyComponentsAsChannels) {
+  const auto video = [](const std::string& type, const std::string& format) {
+    return findings(
+        R"("extensionsUsed": ["MPEG_texture_video", "MPEG_accessor_timed"],
+    "accessors": [{"type": ")" +
+            type +
+            R"(", "componentType": 5121, "count": 4, "extensions": {"MPEG_accessor_timed": {}}}],
+    "textures": [{"extensions": {"MPEG_texture_video": {"accessor": 0, "width": 2, "height": 2)" +
+            format + "}}}]",
+        {"EXTENSION_ACCESSOR", "ACCESSOR_NOT_TIMED"});
+  };
+  const Lines wrong{
+      "EXTENSION_ACCESSOR_INVALID_FORMAT /textures/0/extensions/MPEG_texture_video/accessor"};
+  EXPECT_EQ(video("VEC3", ""), Lines{}) << "RGB, by default";
+  EXPECT_EQ(video("VEC4", ""), wrong);
+  EXPECT_EQ(video("VEC4", R"(, "format": "BGRA")"), Lines{});
+  EXPECT_EQ(video("VEC2", R"(, "format": "RG")"), Lines{});
+  EXPECT_EQ(video("SCALAR", R"(, "format": "DEPTH_COMPONENT")"), Lines{});
+  EXPECT_EQ(video("VEC2", R"(, "format": "RED")"), wrong);
 }
 
 TEST(Environment, IsTurnedByAUnitQuaternion) {

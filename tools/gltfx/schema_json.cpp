@@ -113,6 +113,10 @@ void write_property(Writer& writer, const Set& set, const schema::Property& prop
     if (shape.slot) write_slot(writer, *shape.slot);
   }
   member_if(writer, "mutable", property.mutable_type);
+  if (std::isfinite(property.animated_minimum)) {
+    writer.key("animatedMinimum");
+    writer.number(property.animated_minimum);
+  }
   member_if(writer, "unit", property.unit);
   members_if(writer, "aliases", property.aliases);
   member_if(writer, "deprecated", property.deprecated);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -58,6 +59,9 @@ std::string property_facts(const Set& set, const schema::Property& property) {
     if (slot) append(words, slot_words(*slot));
   }
   if (!property.mutable_type.empty()) append(words, "animatable as " + property.mutable_type);
+  if (std::isfinite(property.animated_minimum)) {
+    append(words, fmt::format("at least {} when animated", number_text(property.animated_minimum)));
+  }
   if (!property.aliases.empty()) {
     append(words, fmt::format("once called {}", fmt::join(property.aliases, ", ")));
   }

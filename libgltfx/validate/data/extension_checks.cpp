@@ -60,6 +60,10 @@ std::optional<Check> pointer_value_check(const Context& context, model::ObjectMo
   check.kind = CheckKind::limits;
   check.most = target.numbers;
   check.limits = {shape.minimum, shape.maximum, shape.exclusive_minimum, shape.exclusive_maximum};
+  if (target.animated_minimum > shape.minimum) {
+    check.limits.least = target.animated_minimum;
+    check.limits.above_least = false;
+  }
   return check.limits.any() ? std::optional(check) : std::nullopt;
 }
 

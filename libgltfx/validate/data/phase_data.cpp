@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "validate/data/mesh_edges.hpp"
 #include "validate/data/phases.hpp"
 #include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
@@ -45,6 +46,7 @@ void check_data(const Context& context, const model::ResourceData& resources, Si
   check_sparse_indices(phase);
   check_elements(phase);
   check_influences(phase);
+  check_mesh_edges(phase);
   check_textures(context, resources, sink);
   check_texture_slots(context, resources, sink);
 }

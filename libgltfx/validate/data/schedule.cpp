@@ -52,7 +52,7 @@ class Scheduler {
     for (std::uint32_t i = 0; i < meshes.size(); ++i) add_mesh(i, meshes[i]);
     const auto& skins = context_.asset.elements(model::RootArray::skins);
     for (std::uint32_t i = 0; i < skins.size(); ++i) add_skin(i, skins[i]);
-    const auto& animations = context_.asset.elements(model::RootArray::animations);
+    const auto& animations = context_.views.animations;
     for (std::uint32_t i = 0; i < animations.size(); ++i) add_animation(i, animations[i]);
     add_instances();
     return std::move(schedules_);
@@ -211,8 +211,7 @@ class Scheduler {
     add(*matrices, check);
   }
 
-  void add_animation(std::uint32_t index, json::NodeId object) {
-    const model::Animation animation = model::read_animation(context_.asset, object);
+  void add_animation(std::uint32_t index, const model::Animation& animation) {
     for (std::uint32_t i = 0; i < animation.samplers.size(); ++i) {
       const auto& input = animation.samplers[i].input;
       if (!input || accessor(*input).format != kTimes) continue;

@@ -23,12 +23,10 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
   const std::uint64_t view_offset = context.views.buffer_views[extent.view].byte_offset.value_or(0);
   const Checked total = checked_add(view_offset, offset);
   if (!total || *total % extent.component_size == 0) return;
-  context.link_sink.report(
-      path,
-      finding_on(context, extent.object, "ACCESSOR_TOTAL_OFFSET_ALIGNMENT",
-                 fmt::format("The data begins at byte {} of the buffer ({} of view {}, and {} "
-                             "more), which is no multiple of the component size, {} bytes.",
-                             *total, view_offset, extent.view, offset, extent.component_size)));
+  report_link(context, path, extent.object, "ACCESSOR_TOTAL_OFFSET_ALIGNMENT",
+              fmt::format("The data begins at byte {} of the buffer ({} of view {}, and {} "
+                          "more), which is no multiple of the component size, {} bytes.",
+                          *total, view_offset, extent.view, offset, extent.component_size));
 }
 
 }  // namespace
@@ -57,8 +55,7 @@ void check_extent(const Context& context, const Extent& extent, const Path& path
     report_member(context.link_sink, context, path, extent.object, "byteOffset",
                   "ACCESSOR_TOO_LONG", std::move(message));
   } else {
-    context.link_sink.report(
-        path, finding_on(context, extent.object, "ACCESSOR_TOO_LONG", std::move(message)));
+    report_link(context, path, extent.object, "ACCESSOR_TOO_LONG", std::move(message));
   }
 }
 

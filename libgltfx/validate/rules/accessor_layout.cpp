@@ -98,12 +98,10 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
   if (view == nullptr) return;
   const std::uint64_t size = model::element_size(accessor.format);
   if (view->byte_stride && *view->byte_stride < size) {
-    context.link_sink.report(
-        path,
-        finding_on(context, accessor.node, "ACCESSOR_SMALL_BYTESTRIDE",
-                   fmt::format("The stride of view {} is {} bytes, but an element ({}) takes {}.",
-                               *accessor.buffer_view, *view->byte_stride,
-                               model::format_text(accessor.format), size)));
+    report_link(context, path, accessor.node, "ACCESSOR_SMALL_BYTESTRIDE",
+                fmt::format("The stride of view {} is {} bytes, but an element ({}) takes {}.",
+                            *accessor.buffer_view, *view->byte_stride,
+                            model::format_text(accessor.format), size));
     if (!context.khronos()) return;  // lengths counted with a wrong stride mean nothing
   }
   const std::uint64_t stride = view->byte_stride.value_or(model::packed_stride(accessor.format));
@@ -122,11 +120,9 @@ void check_part(const Context& context, const model::SparsePart& part, std::uint
   report_view_use(context, *part.buffer_view, model::ViewUse::other, place,
                   Path(path, "bufferView"));
   if (context.views.buffer_views[*part.buffer_view].byte_stride) {
-    context.link_sink.report(
-        Path(path, "bufferView"),
-        finding_on(context, place, "BUFFER_VIEW_INVALID_BYTE_STRIDE",
-                   fmt::format("View {} has a byteStride, but holds a part of a sparse accessor.",
-                               *part.buffer_view)));
+    report_link(context, Path(path, "bufferView"), place, "BUFFER_VIEW_INVALID_BYTE_STRIDE",
+                fmt::format("View {} has a byteStride, but holds a part of a sparse accessor.",
+                            *part.buffer_view));
   }
   const unsigned component = model::component_size(part.format.component);
   if (component == 0) return;

@@ -33,11 +33,11 @@ class AnimationCheck {
 
   void run() {
     AnimationPaths paths;
-    const auto& objects = context_.asset.elements(model::RootArray::animations);
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (objects[i] == json::kNoNode) continue;
+    const auto& animations = context_.views.animations;
+    for (std::size_t i = 0; i < animations.size(); ++i) {
+      if (animations[i].object == json::kNoNode) continue;
       paths.push(std::uint64_t{i});
-      check(model::read_animation(context_.asset, objects[i]), paths);
+      check(animations[i], paths);
       paths.pop();
     }
   }
@@ -75,16 +75,11 @@ class AnimationCheck {
                      const Path& samplers) {
     for (std::size_t i = 0; i < used.size(); ++i) {
       if (used[i] != 0) continue;
-      report(Path(samplers, i), animation.samplers[i].object, "UNUSED_OBJECT",
-             "No channel uses this sampler.");
+      report_link(context_, Path(samplers, i), animation.samplers[i].object, "UNUSED_OBJECT",
+                  "No channel uses this sampler.");
     }
   }
 
-  void report(const Path& path, json::NodeId place, std::string_view code, std::string message,
-              std::string help = {}) {
-    context_.link_sink.report(
-        path, finding_on(context_, place, code, std::move(message), std::move(help)));
-  }
   void report_at(const Path& path, const AnimationSampler& sampler, std::string_view member,
                  std::string_view code, std::string message) {
     report_member(context_.link_sink, context_, path, sampler.object, member, code,
@@ -143,8 +138,8 @@ class AnimationCheck {
   }
 
   void report_duplicate(const AnimationChannel& channel, std::size_t later, const Path& path) {
-    report(Path(path, "target"), channel.target, "ANIMATION_DUPLICATE_TARGETS",
-           fmt::format("Channel {} moves the same property, too.", later));
+    report_link(context_, Path(path, "target"), channel.target, "ANIMATION_DUPLICATE_TARGETS",
+                fmt::format("Channel {} moves the same property, too.", later));
   }
 
   void check_target(const AnimationChannel& channel, const Path& path) {
@@ -161,9 +156,9 @@ class AnimationCheck {
 
   void check_transform(const AnimationChannel& channel, const model::Node& node, const Path& at) {
     if (model::float_array<16>(context_.document, node.matrix)) {
-      report(at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_MATRIX",
-             fmt::format("The channel moves the {} of node {}, which has a matrix.",
-                         model::animation_path_name(channel.path), *channel.node));
+      report_link(context_, at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_MATRIX",
+                  fmt::format("The channel moves the {} of node {}, which has a matrix.",
+                              model::animation_path_name(channel.path), *channel.node));
     }
     if (node.skin) {
       report_member(context_.link_sink, context_, at, channel.target, "path",
@@ -178,9 +173,10 @@ class AnimationCheck {
     const bool known = node.mesh && deformations_[*node.mesh].known;
     if (morph_targets(node) != 0) return;
     if (!context_.khronos() && (unresolved || (node.mesh && !known))) return;
-    report(at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS",
-           fmt::format("Node {} has no mesh with morph targets, so there are no weights to move.",
-                       *channel.node));
+    report_link(
+        context_, at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS",
+        fmt::format("Node {} has no mesh with morph targets, so there are no weights to move.",
+                    *channel.node));
   }
 
   std::uint64_t morph_targets(const model::Node& node) const {

@@ -11,11 +11,10 @@ namespace {
 void leave_animations(const Context& context) {
   if (context.order == nullptr) return;
   AnimationPaths paths;
-  const auto& objects = context.asset.elements(model::RootArray::animations);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (objects[i] == json::kNoNode) continue;
-    const model::Animation animation = model::read_animation(context.asset, objects[i]);
-    if (!is_linked(context, animation)) continue;
+  const auto& animations = context.views.animations;
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    const model::Animation& animation = animations[i];
+    if (animation.object == json::kNoNode || !is_linked(context, animation)) continue;
     paths.push(static_cast<std::uint64_t>(i));
     paths.push("channels");
     for (std::size_t c = 0; c < animation.channels.size(); ++c) {

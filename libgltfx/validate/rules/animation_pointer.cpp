@@ -97,10 +97,9 @@ class PointerCheck {
   void run() {
     const Path root;
     const Path list(root, "animations");
-    const auto& objects = context_.asset.elements(model::RootArray::animations);
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (objects[i] == json::kNoNode) continue;
-      check(model::read_animation(context_.asset, objects[i]), Path(list, i));
+    const auto& animations = context_.views.animations;
+    for (std::size_t i = 0; i < animations.size(); ++i) {
+      if (animations[i].object != json::kNoNode) check(animations[i], Path(list, i));
     }
   }
 
@@ -126,12 +125,6 @@ class PointerCheck {
     }
   }
 
-  void report(const Path& path, json::NodeId place, std::string_view code, std::string message,
-              std::string help = {}) {
-    context_.link_sink.report(
-        path, finding_on(context_, place, code, std::move(message), std::move(help)));
-  }
-
   static void enter_plain_targets(const model::Animation& animation, ClaimsByProperty& claims) {
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const AnimationChannel& channel = animation.channels[i];
@@ -145,29 +138,30 @@ class PointerCheck {
 
   void check_plain(const AnimationChannel& channel, const Path& path) {
     if (model::string_member(context_.document, channel.target, "path") != kPath) return;
-    report(Path(path, "target"), channel.target, "ANIMATION_POINTER_MISSING",
-           fmt::format("The path is 'pointer', but there is no {} with the pointer.", kExtension));
+    report_link(
+        context_, Path(path, "target"), channel.target, "ANIMATION_POINTER_MISSING",
+        fmt::format("The path is 'pointer', but there is no {} with the pointer.", kExtension));
   }
 
   void check_target(const AnimationChannel& channel, bool linked, json::NodeId extension,
                     const Path& place) {
     if (context_.khronos()) {
-      report(place, extension, "INCOMPLETE_EXTENSION_SUPPORT",
-             "In this profile the pointer is not resolved: what it names may be wrong.");
+      report_link(context_, place, extension, "INCOMPLETE_EXTENSION_SUPPORT",
+                  "In this profile the pointer is not resolved: what it names may be wrong.");
     }
     const json::NodeId node = context_.document.find(channel.target, "node");
     const bool given = node != json::kNoNode && context_.document.unsigned_integer(node);
     if (context_.khronos() ? linked && channel.node : given) {
-      report(place, node, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE",
-             "The target has a node beside the pointer.");
+      report_link(context_, place, node, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE",
+                  "The target has a node beside the pointer.");
     }
     const json::NodeId path = context_.document.find(channel.target, "path");
     const bool text = path != json::kNoNode && context_.document.is_string(path);
     if (!text && !context_.khronos()) return;
     const std::string name = text ? context_.document.string(path) : std::string();
     if (name == kPath) return;
-    report(place, path, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH",
-           fmt::format("The path is {} instead of 'pointer'.", gltfx::quoted(name)));
+    report_link(context_, place, path, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH",
+                fmt::format("The path is {} instead of 'pointer'.", gltfx::quoted(name)));
   }
 
   void check_pointer(const model::Animation& animation, std::size_t index, json::NodeId extension,
@@ -183,12 +177,13 @@ class PointerCheck {
       case PropertyTarget::Status::malformed:
         return;  // told by the schema walk
       case PropertyTarget::Status::unresolved:
-        report(at, value, "ANIMATION_POINTER_UNRESOLVED",
-               fmt::format("The pointer leads nowhere: {}.", target.reason), help);
+        report_link(context_, at, value, "ANIMATION_POINTER_UNRESOLVED",
+                    fmt::format("The pointer leads nowhere: {}.", target.reason), help);
         return;
       case PropertyTarget::Status::immutable:
-        report(at, value, "ANIMATION_POINTER_NOT_MUTABLE",
-               fmt::format("The pointer names nothing that can be animated: {}.", target.reason));
+        report_link(
+            context_, at, value, "ANIMATION_POINTER_NOT_MUTABLE",
+            fmt::format("The pointer names nothing that can be animated: {}.", target.reason));
         return;
       default:
         break;
@@ -204,8 +199,8 @@ class PointerCheck {
   }
 
   void report_duplicate(const Path& at, json::NodeId value, std::size_t other) {
-    report(at, value, "ANIMATION_POINTER_DUPLICATE",
-           fmt::format("Channel {} of this animation moves the same property.", other));
+    report_link(context_, at, value, "ANIMATION_POINTER_DUPLICATE",
+                fmt::format("Channel {} of this animation moves the same property.", other));
   }
 
   void check_sampler(const model::Animation& animation, const AnimationChannel& channel,

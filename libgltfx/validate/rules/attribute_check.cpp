@@ -86,8 +86,7 @@ constexpr RuleDescription kRules[] = {
 
 void report(const MeshState& state, const AttributeUse& use, const Path& path,
             std::string_view code, std::string message, std::string help = {}) {
-  state.context.link_sink.report(path, finding_on(state.context, use.attribute.value, code,
-                                                  std::move(message), std::move(help)));
+  report_link(state.context, path, use.attribute.value, code, std::move(message), std::move(help));
 }
 
 // The Khronos validator forgets bounds that have a fault; a fault of theirs is reported already.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// MPEG_audio_spatial: lists that go together, and accessors with an extension of their own. This
-// file is about sources of sound and names both extensions.
+// MPEG_audio_spatial: lists that go together. This file is about sources of sound and names the
+// extension.
 #include <fmt/format.h>
 
 #include "model/fields.hpp"
@@ -21,18 +21,6 @@ constexpr std::string_view kGood =
   {"componentType": 5126, "type": "SCALAR", "count": 100, "extensions": {"MPEG_accessor_timed": {}}}]})";
 
 constexpr RuleDescription kRules[] = {
-    {"AUDIO_ACCESSOR_NOT_TIMED", Severity::error,
-     "A source of sound reads from an accessor that does not change",
-     "Sound arrives while the scene runs; only timed accessors are filled again.",
-     "Add MPEG_accessor_timed to the accessor.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MPEG_audio_spatial", "MPEG_accessor_timed"],
- "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"extensions": {"MPEG_audio_spatial": {"sources": [{"id": 1, "type": "Object", "accessors": [0, 1],
-  "reverbFeed": [7], "reverbFeedGain": [0]}],
-  "reverbs": [{"id": 7, "properties": [{"frequency": 100, "RT60": 1, "DSR": 1}]}]}}}],
- "accessors": [{"componentType": 5126, "type": "SCALAR", "count": 100, "extensions": {"MPEG_accessor_timed": {}}},
-  {"componentType": 5126, "type": "SCALAR", "count": 100}]})",
-     kGood, Fix::none, false},
     {"AUDIO_GAIN_COUNT", Severity::error,
      "A source of sound has not one gain for each reverb that it feeds",
      "Which gain belongs to which reverb cannot be told.",
@@ -48,7 +36,6 @@ constexpr RuleDescription kRules[] = {
 };
 
 constexpr std::string_view kAudio = "MPEG_audio_spatial";
-constexpr std::string_view kTimed = "MPEG_accessor_timed";
 
 std::optional<std::uint64_t> length_of(const json::Document& document, json::NodeId object,
                                        std::string_view member) {
@@ -65,31 +52,12 @@ void check_gains(const Context& context, json::NodeId source, const Path& path) 
                 fmt::format("There are {} gains for {} reverbs.", *gains, *feeds));
 }
 
-void check_accessors(const Context& context, json::NodeId source, const Path& path) {
-  const json::Document& document = context.document;
-  const json::NodeId list = document.find(source, "accessors");
-  if (list == json::kNoNode || document.kind(list) != json::Kind::number_array) return;
-  const Path array(path, "accessors");
-  std::uint64_t position = 0;
-  for (json::NumberCursor at(document, list); at.valid(); at.advance(), ++position) {
-    const auto index = context.asset.index(at.number().value, model::RootArray::accessors);
-    if (!index) continue;
-    const json::NodeId accessor = context.asset.elements(model::RootArray::accessors)[*index];
-    if (model::extension_object(document, accessor, kTimed) != json::kNoNode) continue;
-    Finding finding = finding_on(context, json::kNoNode, "AUDIO_ACCESSOR_NOT_TIMED",
-                                 fmt::format("Accessor {} has no {}.", *index, kTimed));
-    finding.span = at.number().span;
-    context.link_sink.report(Path(array, position), std::move(finding));
-  }
-}
-
 void check_sources(const Context& context, json::NodeId object, const Path& path) {
   const Path list(path, "sources");
   const auto sources = object_list(context.document, object, "sources");
   for (std::size_t i = 0; i < sources.size(); ++i) {
     if (sources[i] == json::kNoNode) continue;
     check_gains(context, sources[i], Path(list, i));
-    check_accessors(context, sources[i], Path(list, i));
   }
 }
 

@@ -89,8 +89,6 @@ class BudgetCheck {
 
   void check_images() const {
     const Budgets& budgets = context_.options.budgets;
-    const Path root;
-    const Path array(root, "images");
     std::uint64_t total = 0;
     for (std::size_t i = 0; i < resources_.images.size(); ++i) {
       const auto& header = resources_.images[i].header;
@@ -98,12 +96,10 @@ class BudgetCheck {
       total = saturating_add(total, std::uint64_t{header->width} * header->height);
       if (within(std::max(header->width, header->height), budgets.texture_size)) continue;
       const auto index = static_cast<std::uint32_t>(i);
-      sink_.report(Path(array, std::uint64_t{index}),
-                   finding_on(context_, context_.asset.elements(model::RootArray::images)[i],
-                              "BUDGET_TEXTURE_SIZE",
-                              fmt::format("{} has {} by {} pixels; the budget is {} along a side.",
-                                          image_label(context_, index), header->width,
-                                          header->height, budgets.texture_size)));
+      report_element(sink_, context_, model::RootArray::images, i, "BUDGET_TEXTURE_SIZE",
+                     fmt::format("{} has {} by {} pixels; the budget is {} along a side.",
+                                 image_label(context_, index), header->width, header->height,
+                                 budgets.texture_size));
     }
     check_sum("images", total, budgets.total_pixels, "BUDGET_TOTAL_PIXELS", "pixels");
   }

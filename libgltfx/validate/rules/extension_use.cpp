@@ -60,6 +60,29 @@ constexpr RuleDescription kRules[] = {
  "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
  "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.5}}}]})",
      Fix::none, false},
+    {"EXTENSION_REQUIRED_WITH_FALLBACK", Severity::warning,
+     "An extension is required although everything has a fallback",
+     "Programs that do not know the extension refuse the asset, which they could show as well.",
+     "Remove the extension from extensionsRequired, or remove the fallbacks.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_texture_webp"], "extensionsRequired": ["EXT_texture_webp"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5126, "type": "VEC2", "count": 1}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+ "textures": [{"source": 0, "extensions": {"EXT_texture_webp": {"source": 1}}}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg=="},
+  {"uri": "data:image/webp;base64,UklGRhwAAABXRUJQVlA4TA8AAAAvAAAAAAcQ/Y/+ByKi/wEA"}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_texture_webp"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+  {"componentType": 5126, "type": "VEC2", "count": 1}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+ "textures": [{"source": 0, "extensions": {"EXT_texture_webp": {"source": 1}}}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg=="},
+  {"uri": "data:image/webp;base64,UklGRhwAAABXRUJQVlA4TA8AAAAvAAAAAAcQ/Y/+ByKi/wEA"}]})",
+     Fix::safe, false},
     {"EXTENSION_SHOULD_BE_REQUIRED", Severity::warning,
      "An extension without a fallback is only declared as used",
      "A program that does not know it shows a broken asset instead of refusing it.",
@@ -100,12 +123,13 @@ NameSet as_set(const std::vector<std::string>& names) { return {names.begin(), n
 
 // The three lists, to look names up in.
 struct Names {
-  NameSet used, required, seen;
+  NameSet used, required, seen, without_fallback;
   std::vector<std::string> required_unknown;  ///< in the order of extensionsUsed
   explicit Names(const Context& context)
       : used(as_set(context.checked.extensions_used)),
         required(as_set(context.checked.extensions_required)),
-        seen(as_set(context.checked.extensions_seen)) {
+        seen(as_set(context.checked.extensions_seen)),
+        without_fallback(as_set(context.checked.without_fallback)) {
     for (const std::string& name : context.checked.extensions_used) {
       const bool known = context.schemas.find_extension(name) != schema::kNone;
       if (!known && required.count(name) != 0) required_unknown.push_back(name);
@@ -207,6 +231,11 @@ void report_use(const Entry& entry, const schema::Extension& extension) {
     entry.report(
         "EXTENSION_SHOULD_BE_REQUIRED",
         fmt::format("{} has no fallback, but the asset does not require it.", extension.name));
+  } else if (extension.optional_with_fallback && entry.names.required.count(extension.name) != 0 &&
+             entry.names.without_fallback.count(extension.name) == 0) {
+    entry.report("EXTENSION_REQUIRED_WITH_FALLBACK",
+                 fmt::format("The asset requires {}, but {} serves readers without it everywhere.",
+                             extension.name, gltfx::quoted(extension.fallback)));
   }
 }
 

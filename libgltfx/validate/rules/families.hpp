@@ -21,11 +21,14 @@ const Family& draco_data_family();
 const Family& animation_data_family();
 const Family& skinning_data_family();
 const Family& packed_data_family();
+const Family& mesh_edges_family();
 const Family& texture_channels_family();
 const Family& texture_sharing_family();
 const Family& ktx2_family();
 const Family& texture_pixels_family();
 const Family& budget_family();
+const Family& image_based_light_family();
+const Family& light_profile_family();
 
 // Objects and how they refer to each other.
 const Family& asset_root_family();
@@ -50,6 +53,7 @@ const Family& unused_objects_family();
 const Family& camera_family();
 const Family& node_transform_family();
 const Family& node_mesh_family();
+const Family& quantization_family();
 const Family& skin_family();
 const Family& animation_family();
 const Family& animation_pointer_family();
@@ -68,6 +72,9 @@ const Family& interactivity_family();
 const Family& name_registries_family();
 const Family& extension_accessors_family();
 const Family& audio_family();
+const Family& timed_accessors_family();
+const Family& techniques_family();
+const Family& mdl_family();
 const Family& xmp_family();
 
 }  // namespace gltfx::validate

@@ -33,6 +33,29 @@ void report_member(Sink& sink, const Context& context, const Path& path, json::N
                                              std::move(message), std::move(help)));
 }
 
+void report_link(const Context& context, const Path& path, json::NodeId place,
+                 std::string_view code, std::string message, std::string help) {
+  context.link_sink.report(path,
+                           finding_on(context, place, code, std::move(message), std::move(help)));
+}
+
+void report_link(const Context& context, const Path& path, Span span, std::string_view code,
+                 std::string message) {
+  Finding finding = finding_on(context, json::kNoNode, code, std::move(message));
+  finding.span = span;
+  context.link_sink.report(path, std::move(finding));
+}
+
+void report_element(Sink& sink, const Context& context, model::RootArray array, std::size_t index,
+                    std::string_view code, std::string message, std::optional<Severity> severity) {
+  const Path root;
+  const Path list(root, model::root_array_name(array));
+  Finding finding =
+      finding_on(context, context.asset.elements(array)[index], code, std::move(message));
+  finding.severity = severity;
+  sink.report(Path(list, std::uint64_t{index}), std::move(finding));
+}
+
 void report_references(const Context& context, json::NodeId value) {
   if (value != json::kNoNode) report_references(context, context.document.span(value));
 }
@@ -63,9 +86,8 @@ bool check_root_extension(const Context& context, std::string_view extension, js
                           const Path& path) {
   const json::Document& document = context.document;
   if (model::extension_object(document, document.root(), extension) != json::kNoNode) return true;
-  context.link_sink.report(
-      path, finding_on(context, object, "UNSATISFIED_DEPENDENCY",
-                       fmt::format("{} is not defined at the root of the asset.", extension)));
+  report_link(context, path, object, "UNSATISFIED_DEPENDENCY",
+              fmt::format("{} is not defined at the root of the asset.", extension));
   return false;
 }
 

@@ -2,6 +2,8 @@
 /// How rules put findings together.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +21,18 @@ Finding finding_on(const Context& context, json::NodeId value, std::string_view 
 void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
                    std::string_view member, std::string_view code, std::string message,
                    std::string help = {});
+
+/// Reports a finding of phase 4 at `path` that marks `place` (as finding_on() does) or exactly the
+/// span, such as one number of an array.
+void report_link(const Context& context, const Path& path, json::NodeId place,
+                 std::string_view code, std::string message, std::string help = {});
+void report_link(const Context& context, const Path& path, Span span, std::string_view code,
+                 std::string message);
+
+/// Reports a finding on element `index` of a root array.
+void report_element(Sink& sink, const Context& context, model::RootArray array, std::size_t index,
+                    std::string_view code, std::string message,
+                    std::optional<Severity> severity = {});
 
 /// khronos profile: reports the broken references inside `value` that have not been, at the point
 /// where that validator comes to them. Elsewhere the walk has reported them. Nothing for

@@ -44,9 +44,8 @@ void check_image(const Context& context, json::NodeId image, const Path& path) {
   if (!view) return;
   report_view_use(context, *view, model::ViewUse::image, place, at);
   if (!context.views.buffer_views[*view].byte_stride) return;
-  context.link_sink.report(
-      at, finding_on(context, place, "IMAGE_BUFFER_VIEW_WITH_BYTESTRIDE",
-                     fmt::format("View {} holds an image, but has a byteStride.", *view)));
+  report_link(context, at, place, "IMAGE_BUFFER_VIEW_WITH_BYTESTRIDE",
+              fmt::format("View {} holds an image, but has a byteStride.", *view));
 }
 
 void check_images(const Context& context) {

@@ -56,17 +56,13 @@ class InstancingCheck {
   }
 
  private:
-  void report(const Path& path, json::NodeId place, std::string_view code, std::string message) {
-    context_.link_sink.report(path, finding_on(context_, place, code, std::move(message)));
-  }
-
   void check_host(const ExtensionPlace& place, const Path& path) {
     if (context_.document.find(place.host, "mesh") == json::kNoNode) {
-      report(path, place.object, "INSTANCING_NODE_WITHOUT_MESH",
-             fmt::format("Node {} has no mesh to draw many times.", place.index));
+      report_link(context_, path, place.object, "INSTANCING_NODE_WITHOUT_MESH",
+                  fmt::format("Node {} has no mesh to draw many times.", place.index));
     } else if (context_.asset.index(place.host, "skin", model::RootArray::skins)) {
-      report(path, place.object, "INSTANCING_NODE_WITH_SKIN",
-             fmt::format("Node {} is skinned and drawn many times.", place.index));
+      report_link(context_, path, place.object, "INSTANCING_NODE_WITH_SKIN",
+                  fmt::format("Node {} is skinned and drawn many times.", place.index));
     }
   }
 
@@ -78,17 +74,17 @@ class InstancingCheck {
         contains(wanted->components, schema_name(format))) {
       return;
     }
-    report(path, attribute.value, "INSTANCING_ACCESSOR_INVALID_FORMAT",
-           fmt::format("Accessor {} for {} is {} instead of {} of {}.", *attribute.accessor,
-                       attribute.name, format_text(format), fmt::join(wanted->types, " or "),
-                       fmt::join(wanted->components, " or ")));
+    report_link(context_, path, attribute.value, "INSTANCING_ACCESSOR_INVALID_FORMAT",
+                fmt::format("Accessor {} for {} is {} instead of {} of {}.", *attribute.accessor,
+                            attribute.name, format_text(format), fmt::join(wanted->types, " or "),
+                            fmt::join(wanted->components, " or ")));
   }
 
   void report_count(const model::Attribute& attribute, std::uint64_t own, std::uint64_t first,
                     const Path& path) {
-    report(path, attribute.value, "INSTANCING_UNEQUAL_COUNT",
-           fmt::format("{} has {} instances, the first attribute has {}.",
-                       gltfx::quoted(attribute.name), own, first));
+    report_link(context_, path, attribute.value, "INSTANCING_UNEQUAL_COUNT",
+                fmt::format("{} has {} instances, the first attribute has {}.",
+                            gltfx::quoted(attribute.name), own, first));
   }
 
   const Context& context_;

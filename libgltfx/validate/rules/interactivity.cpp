@@ -69,12 +69,6 @@ class GraphCheck {
   }
 
  private:
-  void report(const Path& path, json::NodeId place, std::string_view code, std::string message,
-              std::string help = {}) {
-    context_.link_sink.report(
-        path, finding_on(context_, place, code, std::move(message), std::move(help)));
-  }
-
   void read_types() {
     const Path list(path_, "types");
     std::unordered_map<std::string_view, std::size_t> known;
@@ -86,9 +80,9 @@ class GraphCheck {
       const auto [first, fresh] = known.try_emplace(signature->name, types_.size() - 1);
       if (fresh) continue;
       const Path at(list, types_.size() - 1);
-      report(Path(at, "signature"), document_.find(type, "signature"),
-             "INTERACTIVITY_TYPE_REPEATED",
-             fmt::format("Type {} has the signature {}, too.", first->second, quoted(name)));
+      report_link(context_, Path(at, "signature"), document_.find(type, "signature"),
+                  "INTERACTIVITY_TYPE_REPEATED",
+                  fmt::format("Type {} has the signature {}, too.", first->second, quoted(name)));
     }
   }
 
@@ -117,8 +111,8 @@ class GraphCheck {
       if (id == json::kNoNode || !document_.is_string(id)) continue;
       const auto [first, fresh] = known.try_emplace(document_.string(id), i);
       if (fresh) continue;
-      report(Path(at, "id"), id, "INTERACTIVITY_EVENT_REPEATED",
-             fmt::format("Event {} has the id {}, too.", first->second, quoted(first->first)));
+      report_link(context_, Path(at, "id"), id, "INTERACTIVITY_EVENT_REPEATED",
+                  fmt::format("Event {} has the id {}, too.", first->second, quoted(first->first)));
     }
   }
 
@@ -144,12 +138,12 @@ class GraphCheck {
     const std::size_t length = document_.array_size(value);
     const Path at(path, "value");
     if (length != signature->length) {
-      report(at, value, "INTERACTIVITY_VALUE_LENGTH",
-             fmt::format("The value has {} element{}, a {} has {}.", length, length == 1 ? "" : "s",
-                         signature->name, signature->length));
+      report_link(context_, at, value, "INTERACTIVITY_VALUE_LENGTH",
+                  fmt::format("The value has {} element{}, a {} has {}.", length,
+                              length == 1 ? "" : "s", signature->name, signature->length));
     } else if (!has_kind(*signature, value)) {
-      report(at, value, "INTERACTIVITY_VALUE_KIND",
-             fmt::format("The elements are no {} values.", signature->name));
+      report_link(context_, at, value, "INTERACTIVITY_VALUE_KIND",
+                  fmt::format("The elements are no {} values.", signature->name));
     }
   }
 
@@ -190,11 +184,13 @@ class GraphCheck {
       const auto other = model::unsigned_member(document_, each.value, "node");
       if (!other || (flows ? *other > index : *other < index)) continue;
       const Path socket(at, document_.key(each.key_id));
-      report(Path(socket, "node"), document_.find(each.value, "node"), "INTERACTIVITY_NODE_ORDER",
-             flows ? fmt::format("The flow of node {} goes to node {}, which is not behind it.",
-                                 index, *other)
-                   : fmt::format("Node {} takes a value from node {}, which is not before it.",
-                                 index, *other));
+      report_link(context_, Path(socket, "node"), document_.find(each.value, "node"),
+                  "INTERACTIVITY_NODE_ORDER",
+                  flows
+                      ? fmt::format("The flow of node {} goes to node {}, which is not behind it.",
+                                    index, *other)
+                      : fmt::format("Node {} takes a value from node {}, which is not before it.",
+                                    index, *other));
     }
   }
 
@@ -213,12 +209,10 @@ class GraphCheck {
       if (number.is_integer() && number.value >= 0 && number.value < static_cast<double>(count)) {
         continue;
       }
-      Finding finding = finding_on(
-          context_, json::kNoNode, "INTERACTIVITY_INDEX_UNRESOLVED",
+      report_link(
+          context_, Path(list, position), number.span, "INTERACTIVITY_INDEX_UNRESOLVED",
           fmt::format("{} names element {} of {}, of which there are {}.",
                       quoted(setting.operation), number_text(number.value), setting.list, count));
-      finding.span = number.span;
-      context_.link_sink.report(Path(list, position), std::move(finding));
     }
   }
 

@@ -31,12 +31,8 @@ struct ImageUse {
   const Ktx2& file;
 
   void report(std::string_view code, std::string message) const {
-    const Context& context = phase.context;
-    const Path root;
-    const Path array(root, "images");
-    const json::NodeId object = context.asset.elements(model::RootArray::images)[image];
-    phase.sink.report(Path(array, std::uint64_t{image}),
-                      finding_on(context, object, code, std::move(message)));
+    report_element(phase.sink, phase.context, model::RootArray::images, image, code,
+                   std::move(message));
   }
 };
 

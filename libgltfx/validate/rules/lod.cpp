@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // MSFT_lod: levels of detail are other nodes or materials, and nothing is a level of itself. Only
 // the whole graph shows a cycle; this file is about that one extension and names it.
+#include <limits>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -21,6 +22,19 @@ constexpr std::string_view kGood =
  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
 
 constexpr RuleDescription kRules[] = {
+    {"LOD_COVERAGE_MISMATCH", Severity::info,
+     "The screen coverages of levels of detail do not go with the levels",
+     "Viewers that read MSFT_screencoverage take one number for each level, from large to small; "
+     "others make a level show never, or always.",
+     "Write a number for the object itself and one for each level, each smaller than the one "
+     "before.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1]}}, "extras": {"MSFT_screencoverage": [0.5]}}, {"camera": 0}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1]}}, "extras": {"MSFT_screencoverage": [0.5, 0.1]}}, {"camera": 0}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     Fix::none, false},
     {"LOD_CYCLE", Severity::error, "A level of detail leads back to where it came from",
      "A viewer that looks for a coarser version goes round for ever.",
      "Let only the finest version list the others, and none of them list it.",
@@ -43,7 +57,10 @@ class LodCheck {
 
   void run() {
     for_each_extension(context_, array_, kExtension,
-                       [&](const ExtensionPlace& place, const Path& path) { read(place, path); });
+                       [&](const ExtensionPlace& place, const Path& path) {
+                         read(place, path);
+                         check_coverage(place, path);
+                       });
     find_cycles();
     for_each_extension(
         context_, array_, kExtension, [&](const ExtensionPlace& place, const Path& path) {
@@ -65,12 +82,32 @@ class LodCheck {
           if (!level) return;
           levels_[place.index].push_back(*level);
           if (known.insert(*level).second) return;
-          Finding finding =
-              finding_on(context_, json::kNoNode, "LOD_REPEATED",
-                         fmt::format("Level {} is listed before in this list.", *level));
-          finding.span = span;
-          context_.link_sink.report(Path(ids, position), std::move(finding));
+          report_link(context_, Path(ids, position), span, "LOD_REPEATED",
+                      fmt::format("Level {} is listed before in this list.", *level));
         });
+  }
+
+  // extras of the object that has the levels: a habit of programs, not a part of the extension.
+  void check_coverage(const ExtensionPlace& place, const Path& path) {
+    constexpr std::string_view kMember = "MSFT_screencoverage";
+    const json::Document& document = context_.document;
+    const json::NodeId extras = model::object_member(document, place.host, "extras");
+    const json::NodeId list = document.find(extras, kMember);
+    if (list == json::kNoNode || document.kind(list) != json::Kind::number_array) return;
+    std::size_t count = 0;
+    bool falling = true;
+    double last = std::numeric_limits<double>::infinity();
+    for (json::NumberCursor at(document, list); at.valid(); at.advance(), ++count) {
+      falling = falling && at.number().value < last;
+      last = at.number().value;
+    }
+    const std::size_t levels = levels_[place.index].size() + 1;
+    if (falling && count == levels) return;
+    const Path at(*path.parent()->parent(), "extras");
+    report_link(context_, Path(at, kMember), list, "LOD_COVERAGE_MISMATCH",
+                count != levels
+                    ? fmt::format("There are {} coverages for {} levels.", count, levels)
+                    : std::string("A coverage is not smaller than the one before."));
   }
 
   // Takes away, again and again, what nothing that is left refers to; then the same against the

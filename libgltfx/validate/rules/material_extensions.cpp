@@ -13,6 +13,7 @@
 #include "validate/rules/active_extensions.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/uv_mapping.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -28,7 +29,7 @@ struct Subject {
   const Path& path;  // of the extension object
 
   void report(std::string_view code, std::string message) const {
-    context.link_sink.report(path, finding_on(context, object, code, std::move(message)));
+    report_link(context, path, object, code, std::move(message));
   }
 };
 
@@ -44,12 +45,39 @@ std::string texcoord_text(std::optional<std::uint64_t> set) {
   return set ? fmt::format("TEXCOORD_{}", *set) : std::string("none");
 }
 
+bool is_transformed(const json::Document& document, json::NodeId one, json::NodeId other) {
+  return object_member(document, one, "extensions") != json::kNoNode ||
+         object_member(document, other, "extensions") != json::kNoNode;
+}
+
+// Tiling more or less often leaves the tangents where they are; turning does not.
+void check_shared_mapping(const Subject& subject, json::NodeId normal, std::string_view member,
+                          std::string_view code) {
+  const Context& context = subject.context;
+  const json::NodeId texture = object_member(context.document, subject.object, member);
+  const UvMapping wanted = read_uv_mapping(context.document, normal);
+  const UvMapping found = read_uv_mapping(context.document, texture);
+  if (wanted.difference(found).empty()) return;
+  const bool set = wanted.texcoord != found.texcoord;
+  Finding finding = finding_on(
+      context, texture, code,
+      set ? fmt::format("{} reads TEXCOORD_{} by its transform, but normalTexture reads "
+                        "TEXCOORD_{}.",
+                        member, number_text(found.texcoord), number_text(wanted.texcoord))
+          : fmt::format("{} and normalTexture differ in their transform.", member));
+  if (!set && wanted.rotation == found.rotation) finding.severity = Severity::hint;
+  context.link_sink.report(Path(subject.path, member), std::move(finding));
+}
+
 void check_shared_texcoord(const Subject& subject, std::string_view member, std::string_view code) {
   const Context& context = subject.context;
   const json::Document& document = context.document;
   const json::NodeId normal = object_member(document, subject.material, "normalTexture");
   const json::NodeId texture = object_member(document, subject.object, member);
   if (normal == json::kNoNode || texture == json::kNoNode) return;
+  if (!context.khronos() && is_transformed(document, normal, texture)) {
+    return check_shared_mapping(subject, normal, member, code);
+  }
   const auto wanted = texcoord(document, normal);
   const auto found = texcoord(document, texture);
   if (found == wanted || (!context.khronos() && !(found && wanted))) return;

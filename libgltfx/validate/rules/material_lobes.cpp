@@ -91,8 +91,7 @@ class MaterialCheck {
               std::string message) const {
     const Path at(extensions_, name);
     if (member.empty()) {
-      context_.link_sink.report(at,
-                                finding_on(context_, extension(name), code, std::move(message)));
+      report_link(context_, at, extension(name), code, std::move(message));
     } else {
       report_member(context_.link_sink, context_, at, extension(name), member, code,
                     std::move(message));
@@ -176,18 +175,52 @@ class MaterialCheck {
     return last != 1;
   }
 
+  // The text recommends what stands in for an unlit surface where the extension is not known.
+  void check_unlit_fallback() const {
+    const auto& required = context_.checked.extensions_required;
+    if (std::find(required.begin(), required.end(), "KHR_materials_unlit") != required.end()) {
+      return;
+    }
+    const json::NodeId base = object_member(document_, material_, "pbrMetallicRoughness");
+    const double metallic = number_member(document_, base, "metallicFactor").value_or(1);
+    const double roughness = number_member(document_, base, "roughnessFactor").value_or(1);
+    const bool shines = metallic != 0 || !(roughness > 0.5);
+    if (!shines && !is_emissive()) return;
+    report("KHR_materials_unlit", "", "KHR_MATERIALS_UNLIT_FALLBACK",
+           shines ? fmt::format("Readers without the extension show metallicFactor {} and "
+                                "roughnessFactor {}.",
+                                number_text(metallic), number_text(roughness))
+                  : "Readers without the extension show an emissive surface.");
+  }
+
+  bool is_emissive() const {
+    const json::NodeId factor = document_.find(material_, "emissiveFactor");
+    if (factor == json::kNoNode || document_.kind(factor) != json::Kind::number_array) return false;
+    for (json::NumberCursor at(document_, factor); at.valid(); at.advance()) {
+      if (at.number().value != 0) return true;
+    }
+    return false;
+  }
+
   // What an unlit material has beside its base colour is for readers that cannot show it.
   void check_unlit() const {
     if (extension("KHR_materials_unlit") == json::kNoNode) return;
+    check_unlit_fallback();
     constexpr std::array<std::string_view, 3> kTextures{"normalTexture", "occlusionTexture",
                                                         "emissiveTexture"};
     for (const std::string_view texture : kTextures) {
-      if (object_member(document_, material_, texture) == json::kNoNode) continue;
-      report_member(context_.link_sink, context_, path_, material_, texture,
-                    "KHR_MATERIALS_UNLIT_TEXTURE",
-                    fmt::format("{} is not seen: the material is unlit.", texture));
-      return;
+      if (report_unseen(material_, path_, texture)) return;
     }
+    constexpr std::string_view kBase = "pbrMetallicRoughness";
+    const json::NodeId base = object_member(document_, material_, kBase);
+    report_unseen(base, Path(path_, kBase), "metallicRoughnessTexture");
+  }
+
+  bool report_unseen(json::NodeId owner, const Path& path, std::string_view texture) const {
+    if (object_member(document_, owner, texture) == json::kNoNode) return false;
+    report_member(context_.link_sink, context_, path, owner, texture, "KHR_MATERIALS_UNLIT_TEXTURE",
+                  fmt::format("{} is not seen: the material is unlit.", texture));
+    return true;
   }
 
   // --- Extensions whose main factor is 0 ---
@@ -202,11 +235,28 @@ class MaterialCheck {
         Switch{"KHR_materials_clearcoat", "clearcoatFactor"},
         Switch{"KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"},
         Switch{"KHR_materials_iridescence", "iridescenceFactor"},
+        Switch{"KHR_materials_scatter", "scatterStrengthFactor"},
+        Switch{"KHR_materials_sheen", "sheenColorFactor"},
         Switch{"KHR_materials_volume", "thicknessFactor"}};
     for (const Switch& each : kSwitches) {
-      const auto factor = fixed(each.extension, each.factor, 0);
-      if (factor && *factor == 0) report_off(each);
+      if (is_fixed_at_zero(each)) report_off(each);
     }
+  }
+
+  // A number, or a colour, that is 0 or missing.
+  bool is_fixed_at_zero(const Switch& each) const {
+    const json::NodeId value = document_.find(extension(each.extension), each.factor);
+    const bool color = value != json::kNoNode && document_.kind(value) == json::Kind::number_array;
+    if (!color && value != json::kNoNode && !document_.is_number(value)) return false;
+    if (!color) return fixed(each.extension, each.factor, 0) == 0.0;
+    if (shared_.animated.contains(
+            pointer(fmt::format("extensions/{}/{}", each.extension, each.factor)))) {
+      return false;
+    }
+    for (json::NumberCursor at(document_, value); at.valid(); at.advance()) {
+      if (at.number().value != 0) return false;
+    }
+    return true;
   }
 
   // Textures that a factor of 0 hides are reported where they are.
@@ -215,21 +265,13 @@ class MaterialCheck {
     for (const auto member : document_.members(extension(off.extension))) {
       const std::string_view name = document_.key(member.key_id);
       if (name.ends_with("Texture")) return;
-      if (name != off.factor && name != "extras" && name != "extensions") others.emplace_back(name);
+      if (name != off.factor && name != "extras" && name != "extensions")
+        others.push_back(printable(name));
     }
     if (others.empty()) return;
     report(off.extension, "", "MATERIAL_LOBE_OFF",
            fmt::format("{} is 0, so {} {} no effect.", off.factor, join_and(others),
                        others.size() == 1 ? "has" : "have"));
-  }
-
-  static std::string join_and(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      text += i == 0 ? "" : i + 1 == names.size() ? " and " : ", ";
-      text += printable(names[i]);
-    }
-    return text;
   }
 
   const Shared& shared_;

@@ -32,6 +32,18 @@ bool in_tangent_space(std::string_view property) {
 MaterialNeeds::MaterialNeeds(const Context& context, const ActiveExtensions& active)
     : needs_(context.asset.count(model::RootArray::materials)) {
   for (const schema::SlotUse& use : context.checked.slots) add(context, active, use);
+  if (!context.khronos()) add_directions(context);
+}
+
+// Highlights that are longer in one direction need one, with or without a texture.
+void MaterialNeeds::add_directions(const Context& context) {
+  const auto& materials = context.asset.elements(model::RootArray::materials);
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const json::NodeId object =
+        model::extension_object(context.document, materials[i], "KHR_materials_anisotropy");
+    const auto strength = model::number_member(context.document, object, "anisotropyStrength");
+    if (strength && *strength > 0) needs_[i].tangent_space = true;
+  }
 }
 
 void MaterialNeeds::add(const Context& context, const ActiveExtensions& active,
@@ -43,7 +55,8 @@ void MaterialNeeds::add(const Context& context, const ActiveExtensions& active,
   const std::string_view property = pointer.substr(pointer.rfind('/') + 1);
   if (in_tangent_space(property)) need.tangent_space = true;
   const bool core = pointer.find("/extensions/") == std::string_view::npos;
-  if (core && property == "normalTexture") need.normal_texture = true;
+  // Other packings of the same vectors are no more particular about tangents.
+  if ((core || !context.khronos()) && property == "normalTexture") need.normal_texture = true;
 
   const json::Document& document = context.document;
   const auto set = model::unsigned_member(document, use.texture_info, "texCoord");

@@ -39,6 +39,8 @@ class MaterialNeeds {
 
  private:
   void add(const Context& context, const ActiveExtensions& active, const schema::SlotUse& use);
+  void add_directions(const Context& context);
+
   std::vector<MaterialNeed> needs_;
 };
 

@@ -2,10 +2,12 @@
 // Extensions of a mesh that speak of several of its primitives at once (EXT_mesh_primitive_restart,
 // EXT_mesh_manifold): how primitives compare with each other is beyond a schema file, so this file
 // names the two.
+#include <map>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
+#include "json/equal.hpp"
 #include "model/accessor.hpp"
 #include "model/mesh.hpp"
 #include "validate/rules/extension_walk.hpp"
@@ -15,11 +17,6 @@
 
 namespace gltfx::validate {
 namespace {
-
-void report(const Context& context, const Path& path, json::NodeId place, std::string_view code,
-            std::string message) {
-  context.link_sink.report(path, finding_on(context, place, code, std::move(message)));
-}
 
 bool is_strip(model::Mode mode) {
   return mode == model::Mode::line_loop || mode == model::Mode::line_strip ||
@@ -34,6 +31,31 @@ bool same_attributes(const model::Primitive& a, const model::Primitive& b) {
     const auto found = all.find(each.name);
     return found != all.end() && found->second == each.accessor;
   });
+}
+
+// Members but for the indices, and those that are compared as what they mean.
+std::map<std::string_view, json::NodeId> other_members(const json::Document& document,
+                                                       const model::Primitive& primitive) {
+  std::map<std::string_view, json::NodeId> members;
+  for (const auto member : document.members(primitive.node)) {
+    members[document.key(member.key_id)] = member.value;
+  }
+  for (const std::string_view name : {"indices", "attributes", "mode", "material"}) {
+    members.erase(name);
+  }
+  return members;
+}
+
+bool same_but_indices(const json::Document& document, const model::Primitive& a,
+                      const model::Primitive& b) {
+  if (a.mode != b.mode || a.material != b.material || !same_attributes(a, b)) return false;
+  const auto ours = other_members(document, a);
+  const auto theirs = other_members(document, b);
+  return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                    [&](const auto& one, const auto& other) {
+                      return one.first == other.first &&
+                             json::equal(document, one.second, other.second);
+                    });
 }
 
 // Why a primitive cannot be in a group; empty: it can.
@@ -82,28 +104,22 @@ class RestartCheck {
     const model::Primitive& primitive = primitives_[index];
     if (primitive.node == json::kNoNode) return;
     if (owner_[index] != SIZE_MAX && owner_[index] != group) {
-      add(path, span, "RESTART_PRIMITIVE_REPEATED",
-          fmt::format("Primitive {} is in group {} already.", index, owner_[index]));
+      report_link(context_, path, span, "RESTART_PRIMITIVE_REPEATED",
+                  fmt::format("Primitive {} is in group {} already.", index, owner_[index]));
     }
     owner_[index] = group;
     const std::string why = why_not_grouped(context_.document, primitive);
     if (!why.empty()) {
-      add(path, span, "RESTART_PRIMITIVE_UNFIT",
-          fmt::format("Primitive {} cannot be in a group: {}.", index, why));
+      report_link(context_, path, span, "RESTART_PRIMITIVE_UNFIT",
+                  fmt::format("Primitive {} cannot be in a group: {}.", index, why));
     } else if (first == nullptr) {
       first = &primitive;
-    } else if (primitive.mode != first->mode || primitive.material != first->material ||
-               !same_attributes(primitive, *first)) {
-      add(path, span, "RESTART_PRIMITIVES_DIFFER",
+    } else if (!same_but_indices(context_.document, primitive, *first)) {
+      report_link(
+          context_, path, span, "RESTART_PRIMITIVES_DIFFER",
           fmt::format("Primitive {} differs from the first of its group in more than its indices.",
                       index));
     }
-  }
-
-  void add(const Path& path, Span span, std::string_view code, std::string message) {
-    Finding finding = finding_on(context_, json::kNoNode, code, std::move(message));
-    finding.span = span;
-    context_.link_sink.report(path, std::move(finding));
   }
 
   const Context& context_;
@@ -159,8 +175,8 @@ void check_manifold(const Context& context, const ExtensionPlace& place, const P
     if (primitive.node == json::kNoNode) continue;
     const std::string why = why_no_part(context, primitive, shared);
     if (why.empty()) continue;
-    report(context, path, place.object, "MANIFOLD_PRIMITIVE_UNFIT",
-           fmt::format("Primitive {} cannot be part of the manifold: {}.", own, why));
+    report_link(context, path, place.object, "MANIFOLD_PRIMITIVE_UNFIT",
+                fmt::format("Primitive {} cannot be part of the manifold: {}.", own, why));
   }
   const json::NodeId whole =
       model::object_member(context.document, place.object, "manifoldPrimitive");

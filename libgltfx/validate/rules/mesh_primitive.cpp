@@ -54,11 +54,9 @@ void check_attributes(MeshState& state, const Primitive& primitive, const Path& 
     check_attribute(state, use, at);
     if (!count) count = use.accessor.count;
     if (differ(context, count, use.accessor.count)) {
-      context.link_sink.report(
-          at,
-          finding_on(context, attribute.value, "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT",
-                     fmt::format("{} has {} elements, but the first attribute has {}.",
-                                 quoted(attribute.name), use.accessor.count.value_or(0), *count)));
+      report_link(context, at, attribute.value, "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT",
+                  fmt::format("{} has {} elements, but the first attribute has {}.",
+                              quoted(attribute.name), use.accessor.count.value_or(0), *count));
     }
     check_shared_view(state, use, at);
   }
@@ -94,18 +92,15 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
   const bool at_fault = view != nullptr && view->byte_stride &&
                         (context.khronos() || view->target != model::ViewTarget::indices);
   if (at_fault) {
-    context.link_sink.report(
-        at, finding_on(context, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE",
-                       fmt::format("View {} holds indices, but has a byteStride.",
-                                   *accessor.buffer_view)));
+    report_link(context, at, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE",
+                fmt::format("View {} holds indices, but has a byteStride.", *accessor.buffer_view));
   }
   if (is_index_format(accessor.format)) return;
   if (!accessor.format.known() && !context.khronos()) return;
-  context.link_sink.report(
-      at, finding_on(context, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT",
-                     fmt::format("Indices are {}; they may be SCALAR of UNSIGNED_BYTE, "
-                                 "UNSIGNED_SHORT or UNSIGNED_INT.",
-                                 model::format_text(accessor.format))));
+  report_link(context, at, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT",
+              fmt::format("Indices are {}; they may be SCALAR of UNSIGNED_BYTE, "
+                          "UNSIGNED_SHORT or UNSIGNED_INT.",
+                          model::format_text(accessor.format)));
 }
 
 // --- Mode ---
@@ -148,13 +143,12 @@ void check_mode(const Context& context, const Primitive& primitive, const Path& 
   const auto count = indexed ? context.views.accessors[*primitive.indices].count
                              : vertex_count(context, primitive);
   if (!count || goes_with(*count, *primitive.mode)) return;
-  context.link_sink.report(
-      path, finding_on(context, primitive.node, "MESH_PRIMITIVE_INCOMPATIBLE_MODE",
-                       fmt::format("{} are drawn from {}; here are {}.",
-                                   model::mode_name(*primitive.mode), mode_demand(*primitive.mode),
-                                   *count == 1 ? (indexed ? "1 index" : "1 vertex")
-                                               : fmt::format("{} {}", *count,
-                                                             indexed ? "indices" : "vertices"))));
+  report_link(
+      context, path, primitive.node, "MESH_PRIMITIVE_INCOMPATIBLE_MODE",
+      fmt::format("{} are drawn from {}; here are {}.", model::mode_name(*primitive.mode),
+                  mode_demand(*primitive.mode),
+                  *count == 1 ? (indexed ? "1 index" : "1 vertex")
+                              : fmt::format("{} {}", *count, indexed ? "indices" : "vertices")));
 }
 
 // --- Morph targets ---
@@ -181,10 +175,8 @@ class BaseAttributes {
 void check_base(const Context& context, const Attribute& attribute, const Attribute* base,
                 const Path& path) {
   if (base == nullptr || (context.khronos() && !base->accessor)) {
-    context.link_sink.report(
-        path, finding_on(context, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR",
-                         fmt::format("{} is morphed, but the primitive has none.",
-                                     quoted(attribute.name))));
+    report_link(context, path, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR",
+                fmt::format("{} is morphed, but the primitive has none.", quoted(attribute.name)));
     return;
   }
   if (!base->accessor) return;
@@ -192,11 +184,9 @@ void check_base(const Context& context, const Attribute& attribute, const Attrib
   const auto expected = accessor_of(context, *base).count;
   const bool wrong = context.khronos() ? count != expected : differ(context, expected, count);
   if (!wrong) return;
-  context.link_sink.report(
-      path,
-      finding_on(context, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT",
-                 fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name),
-                             count.value_or(0), expected.value_or(0))));
+  report_link(context, path, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT",
+              fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name),
+                          count.value_or(0), expected.value_or(0)));
 }
 
 bool can_be_morphed(const Context& context, const Attribute& attribute) {

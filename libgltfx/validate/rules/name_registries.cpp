@@ -2,6 +2,8 @@
 // Extensions that refer by name (AGI_articulations, AGI_stk_metadata): a name must be one thing's
 // only. Uniqueness over a list of objects is nothing a schema file states; this file names the
 // lists.
+#include "validate/rules/name_registries.hpp"
+
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -48,23 +50,6 @@ constexpr RuleDescription kRules[] = {
      kGood, Fix::none, false},
 };
 
-void check_names(const Context& context, const std::vector<json::NodeId>& objects,
-                 const Path& list) {
-  const json::Document& document = context.document;
-  std::unordered_map<std::string, std::size_t> known;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const json::NodeId name = document.find(objects[i], "name");
-    if (name == json::kNoNode || !document.is_string(name)) continue;
-    const auto [first, fresh] = known.try_emplace(document.string(name), i);
-    if (fresh) continue;
-    const Path at(list, i);
-    context.link_sink.report(Path(at, "name"),
-                             finding_on(context, name, "NAME_REPEATED",
-                                        fmt::format("Element {} of this list is named {}, too.",
-                                                    first->second, gltfx::quoted(first->first))));
-  }
-}
-
 void check_range(const Context& context, json::NodeId stage, const Path& path) {
   const auto least = model::number_member(context.document, stage, "minimumValue");
   const auto most = model::number_member(context.document, stage, "maximumValue");
@@ -84,12 +69,12 @@ void check_articulations(const Context& context) {
   const Path extension(extensions, kExtension);
   const Path list(extension, "articulations");
   const auto articulations = object_list(context.document, object, "articulations");
-  check_names(context, articulations, list);
+  check_unique_names(context, articulations, list);
   for (std::size_t i = 0; i < articulations.size(); ++i) {
     const auto stages = object_list(context.document, articulations[i], "stages");
     const Path articulation(list, i);
     const Path at(articulation, "stages");
-    check_names(context, stages, at);
+    check_unique_names(context, stages, at);
     for (std::size_t s = 0; s < stages.size(); ++s) check_range(context, stages[s], Path(at, s));
   }
 }
@@ -101,13 +86,29 @@ void check_panel_groups(const Context& context) {
   const Path root;
   const Path extensions(root, "extensions");
   const Path extension(extensions, kExtension);
-  check_names(context, object_list(context.document, object, "solarPanelGroups"),
-              Path(extension, "solarPanelGroups"));
+  check_unique_names(context, object_list(context.document, object, "solarPanelGroups"),
+                     Path(extension, "solarPanelGroups"));
 }
 
 constexpr LinkRule kLinkRules[] = {check_articulations, check_panel_groups};
 
 }  // namespace
+
+void check_unique_names(const Context& context, const std::vector<json::NodeId>& objects,
+                        const Path& list) {
+  const json::Document& document = context.document;
+  std::unordered_map<std::string, std::size_t> known;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const json::NodeId name = document.find(objects[i], "name");
+    if (name == json::kNoNode || !document.is_string(name)) continue;
+    const auto [first, fresh] = known.try_emplace(document.string(name), i);
+    if (fresh) continue;
+    const Path at(list, i);
+    report_link(context, Path(at, "name"), name, "NAME_REPEATED",
+                fmt::format("Element {} of this list is named {}, too.", first->second,
+                            gltfx::quoted(first->first)));
+  }
+}
 
 const Family& name_registries_family() {
   static const Family family{"name_registries", kRules, {}, kLinkRules};

@@ -38,10 +38,6 @@ class GraphCheck {
   }
 
  private:
-  void report(const Path& path, json::NodeId place, std::string_view code, std::string message) {
-    context_.link_sink.report(path, finding_on(context_, place, code, std::move(message)));
-  }
-
   void read_skins() {
     is_joint_.assign(nodes_.size(), 0);
     for (const json::NodeId object : context_.asset.elements(model::RootArray::skins)) {
@@ -94,16 +90,18 @@ class GraphCheck {
     // What hangs on it is there, but leads nowhere: reported as such.
     const bool broken = node.mesh_value != json::kNoNode || node.camera_value != json::kNoNode;
     if (broken && !context_.khronos()) return;
-    report(path, node.object, "NODE_EMPTY",
-           "The node has neither children nor mesh, camera, extension or extras, and is no joint.");
+    report_link(
+        context_, path, node.object, "NODE_EMPTY",
+        "The node has neither children nor mesh, camera, extension or extras, and is no joint.");
   }
 
   void check_loop(NodeIndex index, const Path& path) {
     if (!graph_.on_loop(index)) return;
     const NodeIndex parent = graph_.parent(index);
-    report(path, nodes_[index].object, "NODE_LOOP",
-           parent == index ? std::string("The node is its own child.")
-                           : fmt::format("The node is above its own parent, node {}.", parent));
+    report_link(context_, path, nodes_[index].object, "NODE_LOOP",
+                parent == index
+                    ? std::string("The node is its own child.")
+                    : fmt::format("The node is above its own parent, node {}.", parent));
   }
 
   // Whether a node or one above it moves: from the top down, each node once.
@@ -132,20 +130,20 @@ class GraphCheck {
 
   void check_skinned(const model::Node& node, NodeIndex index, const Path& path) {
     if (!model::read_transform(context_.document, node).is_identity()) {
-      report(path, node.object, "NODE_SKINNED_MESH_LOCAL_TRANSFORMS",
-             "The transform of this node has no effect: its mesh follows the joints.");
+      report_link(context_, path, node.object, "NODE_SKINNED_MESH_LOCAL_TRANSFORMS",
+                  "The transform of this node has no effect: its mesh follows the joints.");
     }
     const NodeIndex parent = graph_.parent(index);
     if (parent != kNoNodeIndex) {
       const bool moved = moved_[parent] != 0;
       if (moved) {
-        report(path, node.object, "NODE_SKINNED_MESH_PARENT_TRANSFORMS",
-               "Transforms of the nodes above have no effect: the mesh follows the joints.");
+        report_link(context_, path, node.object, "NODE_SKINNED_MESH_PARENT_TRANSFORMS",
+                    "Transforms of the nodes above have no effect: the mesh follows the joints.");
       }
       // One cause, one finding: a transform above says that there is an above.
       if (!moved || context_.khronos()) {
-        report(
-            path, node.object, "NODE_SKINNED_MESH_NON_ROOT",
+        report_link(
+            context_, path, node.object, "NODE_SKINNED_MESH_NON_ROOT",
             fmt::format("The node is a child of node {}, which does not move its mesh.", parent));
       }
     }
@@ -158,9 +156,9 @@ class GraphCheck {
     if (top == kNoNodeIndex || own == kNoNodeIndex) return;
     const auto scene = scenes_->scene_without(own, top);
     if (!scene) return;
-    report(path, place, "NODE_SKIN_NO_SCENE",
-           fmt::format("Scene {} has this node, but not node {} with the joints of skin {}.",
-                       *scene, top, skin));
+    report_link(context_, path, place, "NODE_SKIN_NO_SCENE",
+                fmt::format("Scene {} has this node, but not node {} with the joints of skin {}.",
+                            *scene, top, skin));
   }
 
   const Context& context_;

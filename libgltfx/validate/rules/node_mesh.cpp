@@ -103,10 +103,8 @@ class NodeCheck {
     if (node.skin) {
       check_skinned(node, mesh, path);
     } else if (mesh.has_joints && (context_.khronos() || node.skin_value == json::kNoNode)) {
-      context_.link_sink.report(
-          path, finding_on(context_, node.mesh_value, "NODE_SKINNED_MESH_WITHOUT_SKIN",
-                           fmt::format("Mesh {} is bound to joints, but the node has no skin.",
-                                       *node.mesh)));
+      report_link(context_, path, node.mesh_value, "NODE_SKINNED_MESH_WITHOUT_SKIN",
+                  fmt::format("Mesh {} is bound to joints, but the node has no skin.", *node.mesh));
     }
   }
 
@@ -115,22 +113,19 @@ class NodeCheck {
     if (document.kind(node.weights) != json::Kind::number_array) return;
     const std::size_t count = document.array_size(node.weights);
     if (count == mesh.morph_targets) return;
-    context_.link_sink.report(
-        Path(path, "weights"),
-        finding_on(context_, node.weights, "NODE_WEIGHTS_INVALID",
-                   fmt::format("The node has {} weight{}, mesh {} has {} morph target{}.", count,
-                               count == 1 ? "" : "s", *node.mesh, mesh.morph_targets,
-                               mesh.morph_targets == 1 ? "" : "s")));
+    report_link(context_, Path(path, "weights"), node.weights, "NODE_WEIGHTS_INVALID",
+                fmt::format("The node has {} weight{}, mesh {} has {} morph target{}.", count,
+                            count == 1 ? "" : "s", *node.mesh, mesh.morph_targets,
+                            mesh.morph_targets == 1 ? "" : "s"));
   }
 
   void check_skinned(const model::Node& node, const model::Deformation& mesh, const Path& path) {
     // Joints that are there but not in order are reported at the mesh.
     if (mesh.has_joints || (mesh.names_joints && !context_.khronos())) return;
-    context_.link_sink.report(
-        path, finding_on(context_, node.skin_value, "NODE_SKIN_WITH_NON_SKINNED_MESH",
-                         fmt::format("The node has skin {}, but mesh {} has neither JOINTS_0 nor "
-                                     "WEIGHTS_0.",
-                                     *node.skin, *node.mesh)));
+    report_link(context_, path, node.skin_value, "NODE_SKIN_WITH_NON_SKINNED_MESH",
+                fmt::format("The node has skin {}, but mesh {} has neither JOINTS_0 nor "
+                            "WEIGHTS_0.",
+                            *node.skin, *node.mesh));
   }
 
   void report_override(const model::ParentOverride& found, const Path& parent) {
@@ -139,11 +134,8 @@ class NodeCheck {
     // Nor is a loop two faults, one of which is that it meets the tree above it.
     if (context_.graph.on_loop(found.child) && !context_.khronos()) return;
     const Path children(parent, "children");
-    Finding finding = finding_on(
-        context_, json::kNoNode, "NODE_PARENT_OVERRIDE",
-        fmt::format("Node {} is a child of node {} already.", found.child, found.previous));
-    finding.span = found.span;
-    context_.link_sink.report(Path(children, found.position), std::move(finding));
+    report_link(context_, Path(children, found.position), found.span, "NODE_PARENT_OVERRIDE",
+                fmt::format("Node {} is a child of node {} already.", found.child, found.previous));
   }
 
   const Context& context_;

@@ -2,11 +2,15 @@
 // What the JSON says of compressed geometry: KHR_draco_mesh_compression on primitives,
 // EXT_meshopt_compression and KHR_meshopt_compression on buffer views. These compare objects with
 // the ones they sit on, which no schema file states; this file is about them and names them.
+#include <algorithm>
+#include <unordered_map>
+
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
 #include "model/buffer_view.hpp"
+#include "model/mesh.hpp"
 #include "model/meshopt_view.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/families.hpp"
@@ -18,33 +22,70 @@ namespace {
 
 constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
 
-void report(const Context& context, const Path& path, json::NodeId place, std::string_view code,
-            std::string message) {
-  context.link_sink.report(path, finding_on(context, place, code, std::move(message)));
+// One attribute of the compressed data serves one attribute of the primitive.
+void check_draco_ids(const Context& context, json::NodeId packed, const Path& path) {
+  std::unordered_map<std::uint64_t, std::string_view> known;
+  for (const auto member : context.document.members(packed)) {
+    const auto id = context.document.unsigned_integer(member.value);
+    if (!id) continue;
+    const std::string_view name = context.document.key(member.key_id);
+    const auto [first, fresh] = known.try_emplace(*id, name);
+    if (fresh) continue;
+    report_link(context, Path(path, name), member.value, "DRACO_ATTRIBUTE_ID_REPEATED",
+                fmt::format("Attribute {} of the compressed data is {} already.", *id,
+                            gltfx::quoted(first->second)));
+  }
+}
+
+bool has_own_data(const Context& context, const std::optional<std::uint32_t>& accessor) {
+  return accessor && context.views.accessors[*accessor].buffer_view.has_value();
+}
+
+// Who cannot decode the geometry does not get so far.
+void check_draco_copy(const Context& context, const ExtensionPlace& place, const Path& path) {
+  const auto& required = context.checked.extensions_required;
+  if (std::find(required.begin(), required.end(), kDraco) == required.end()) return;
+  const json::Document& document = context.document;
+  const json::NodeId packed = model::object_member(document, place.object, "attributes");
+  const model::Primitive primitive = model::read_primitive(context.asset, place.host);
+  const bool copy = has_own_data(context, primitive.indices) ||
+                    std::any_of(primitive.attributes.begin(), primitive.attributes.end(),
+                                [&](const model::Attribute& each) {
+                                  return packed != json::kNoNode &&
+                                         document.find(packed, each.name) != json::kNoNode &&
+                                         has_own_data(context, each.accessor);
+                                });
+  if (!copy) return;
+  report_link(
+      context, path, place.object, "DRACO_COPY_UNREAD",
+      "The asset requires the extension, but the primitive has its data uncompressed, too.");
 }
 
 void check_draco_primitive(const Context& context, const ExtensionPlace& place, const Path& path) {
   const json::Document& document = context.document;
   const auto mode = model::unsigned_member(document, place.host, "mode").value_or(4);
   if (mode <= 6 && mode != 4 && mode != 5) {
-    report(context, path, place.object, "DRACO_INVALID_MODE",
-           fmt::format("The primitive is {}.", model::mode_name(static_cast<model::Mode>(mode))));
+    report_link(
+        context, path, place.object, "DRACO_INVALID_MODE",
+        fmt::format("The primitive is {}.", model::mode_name(static_cast<model::Mode>(mode))));
   }
   const json::NodeId packed = model::object_member(document, place.object, "attributes");
   const json::NodeId plain = model::object_member(document, place.host, "attributes");
   if (packed == json::kNoNode || plain == json::kNoNode) return;
   const Path at(path, "attributes");
+  check_draco_ids(context, packed, at);
   for (const auto member : document.members(packed)) {
     if (document.find(plain, member.key_id) != json::kNoNode) continue;
     const std::string_view name = document.key(member.key_id);
-    report(context, Path(at, name), member.value, "DRACO_ATTRIBUTE_UNKNOWN",
-           fmt::format("The primitive has no attribute {}.", gltfx::quoted(name)));
+    report_link(context, Path(at, name), member.value, "DRACO_ATTRIBUTE_UNKNOWN",
+                fmt::format("The primitive has no attribute {}.", gltfx::quoted(name)));
   }
 }
 
 void check_draco(const Context& context) {
   for_each_primitive_extension(context, kDraco, [&](const ExtensionPlace& place, const Path& path) {
     check_draco_primitive(context, place, path);
+    check_draco_copy(context, place, path);
   });
 }
 
@@ -124,8 +165,8 @@ void check_first_buffer(const Context& context, std::string_view extension) {
   if (!is_fallback(context, buffers[0], extension)) return;
   const Path root;
   const Path list(root, "buffers");
-  report(context, Path(list, std::uint64_t{0}), buffers[0], "MESHOPT_FALLBACK_FIRST_IN_GLB",
-         "Buffer 0 of a GLB file is its BIN chunk, but this one stands in for decoded bytes.");
+  report_link(context, Path(list, std::uint64_t{0}), buffers[0], "MESHOPT_FALLBACK_FIRST_IN_GLB",
+              "Buffer 0 of a GLB file is its BIN chunk, but this one stands in for decoded bytes.");
 }
 
 void check_meshopt(const Context& context) {

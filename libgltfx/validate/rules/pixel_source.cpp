@@ -24,7 +24,7 @@ std::optional<codec::ImageFormat> codec_format(image::Format format) {
 
 bool PixelSource::take(std::uint32_t image) {
   const auto& header = resources_.images[image].header;
-  if (!header || !header->doubt.empty()) return false;
+  if (!header || !header->doubt.empty() || !codec_format(header->format)) return false;
   const std::uint64_t texels = std::uint64_t{header->width} * header->height;
   if (texels <= texels_left_) {
     texels_left_ -= texels;

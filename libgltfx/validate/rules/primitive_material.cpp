@@ -30,8 +30,7 @@ struct Wearing {
   const Path& path;    // of that index
 
   void report(std::string_view code, std::string message, std::string help = {}) const {
-    state.context.link_sink.report(
-        path, finding_on(state.context, place, code, std::move(message), std::move(help)));
+    report_link(state.context, path, place, code, std::move(message), std::move(help));
   }
 };
 
@@ -56,8 +55,8 @@ void check_tangent_space(const Wearing& wearing, const MaterialNeed& need) {
         fmt::format("The material has a normal texture, but the primitive has no {}.", missing));
   } else {
     wearing.report("MESH_PRIMITIVE_NO_TANGENT_SPACE",
-                   fmt::format("The material reads a texture in tangent space, but the primitive "
-                               "has no {}, and the material no normal texture.",
+                   fmt::format("The material needs a tangent space, but the primitive has no {}, "
+                               "and the material no normal texture.",
                                missing));
   }
 }
@@ -67,19 +66,15 @@ void check_unused_tangent(const Context& context, const Primitive& primitive, co
   const Attribute* tangent = primitive.find(SemanticKind::tangent);
   if (tangent == nullptr) return;
   if (!context.khronos() && primitive.find(SemanticKind::normal) == nullptr) return;
-  context.link_sink.report(
-      Path(path, tangent->name),
-      finding_on(context, tangent->value, "UNUSED_MESH_TANGENT",
-                 "TANGENT is not used: the material has no texture in tangent space."));
+  report_link(context, Path(path, tangent->name), tangent->value, "UNUSED_MESH_TANGENT",
+              "TANGENT is not used: the material has no texture in tangent space.");
 }
 
 void check_unused_texcoords(const Context& context, const TexCoords& texcoords, const Path& path) {
   for (const auto& set : texcoords.sets()) {
     if (set.used) continue;
-    context.link_sink.report(
-        Path(path, set.attribute->name),
-        finding_on(context, set.attribute->value, "UNUSED_OBJECT",
-                   fmt::format("No texture of the material reads {}.", set.attribute->name)));
+    report_link(context, Path(path, set.attribute->name), set.attribute->value, "UNUSED_OBJECT",
+                fmt::format("No texture of the material reads {}.", set.attribute->name));
   }
 }
 

@@ -28,11 +28,8 @@ void check_scene(const Context& context, json::NodeId scene, const Path& path) {
   const auto check = [&](std::uint64_t position, std::optional<std::uint32_t> node, Span span) {
     report_references(context, span);
     if (!node || context.graph.is_root(*node)) return;
-    Finding finding = finding_on(
-        context, json::kNoNode, "SCENE_NON_ROOT_NODE",
-        fmt::format("Node {} is a child of node {}.", *node, context.graph.parent(*node)));
-    finding.span = span;
-    context.link_sink.report(Path(list, position), std::move(finding));
+    report_link(context, Path(list, position), span, "SCENE_NON_ROOT_NODE",
+                fmt::format("Node {} is a child of node {}.", *node, context.graph.parent(*node)));
   };
   model::for_each_index(context.asset, context.document.find(scene, "nodes"),
                         model::RootArray::nodes, check);

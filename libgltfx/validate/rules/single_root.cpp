@@ -41,8 +41,7 @@ constexpr RuleDescription kRules[] = {
 
 void report_missing(const Context& context, const Path& path, json::NodeId place,
                     std::string message) {
-  context.link_sink.report(path,
-                           finding_on(context, place, "SINGLE_ROOT_MISSING", std::move(message)));
+  report_link(context, path, place, "SINGLE_ROOT_MISSING", std::move(message));
 }
 
 // What is wrong with the only scene's list of nodes; empty: nothing.
@@ -86,8 +85,8 @@ void check_single_root(const Context& context) {
   const model::Node& node = context.views.nodes.front();
   if (model::read_transform(document, node).is_identity()) return;
   const Path nodes(root, "nodes");
-  context.link_sink.report(Path(nodes, 0), finding_on(context, node.object, "SINGLE_ROOT_TRANSFORM",
-                                                      "Node 0, the single root, has a transform."));
+  report_link(context, Path(nodes, 0), node.object, "SINGLE_ROOT_TRANSFORM",
+              "Node 0, the single root, has a transform.");
 }
 
 constexpr LinkRule kLinkRules[] = {check_single_root};

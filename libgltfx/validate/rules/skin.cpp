@@ -115,8 +115,7 @@ class SkinCheck {
 
   void report(const Path& skin, std::string_view member, json::NodeId place, std::string_view code,
               std::string message) {
-    context_.link_sink.report(Path(skin, member),
-                              finding_on(context_, place, code, std::move(message)));
+    report_link(context_, Path(skin, member), place, code, std::move(message));
   }
 
   const Context& context_;

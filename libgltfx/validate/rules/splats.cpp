@@ -66,16 +66,16 @@ void check_harmonics(const Context& context, const ExtensionPlace& place, json::
   if (found[0] == 0) return;
   const std::string missing = missing_coefficient(found);
   if (missing.empty()) return;
-  context.link_sink.report(path, finding_on(context, place.object, "SPLAT_HARMONICS_INCOMPLETE",
-                                            fmt::format("There is no attribute {}.", missing)));
+  report_link(context, path, place.object, "SPLAT_HARMONICS_INCOMPLETE",
+              fmt::format("There is no attribute {}.", missing));
 }
 
 void check_primitive(const Context& context, const schema::Extension& extension,
                      const ExtensionPlace& place, const Path& path) {
   const json::Document& document = context.document;
   if (model::unsigned_member(document, place.host, "mode").value_or(4) != 0) {
-    context.link_sink.report(path, finding_on(context, place.object, "SPLAT_INVALID_MODE",
-                                              "The primitive is not POINTS (0)."));
+    report_link(context, path, place.object, "SPLAT_INVALID_MODE",
+                "The primitive is not POINTS (0).");
   }
   const json::NodeId attributes = model::object_member(document, place.host, "attributes");
   if (attributes == json::kNoNode) return;
@@ -83,9 +83,8 @@ void check_primitive(const Context& context, const schema::Extension& extension,
   if (document.find(place.object, "extensions") != json::kNoNode) return;
   for (const schema::AttributeFormat& wanted : extension.vertex_attributes) {
     if (!wanted.required || document.find(attributes, wanted.semantic) != json::kNoNode) continue;
-    context.link_sink.report(
-        path, finding_on(context, place.object, "SPLAT_ATTRIBUTE_MISSING",
-                         fmt::format("The primitive has no attribute {}.", wanted.semantic)));
+    report_link(context, path, place.object, "SPLAT_ATTRIBUTE_MISSING",
+                fmt::format("The primitive has no attribute {}.", wanted.semantic));
   }
   check_harmonics(context, place, attributes, path);
 }

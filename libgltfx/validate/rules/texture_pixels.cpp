@@ -18,35 +18,31 @@ namespace {
 
 // --- Images that cannot be decoded ---
 
+void report_image(const TexturePhase& phase, std::uint32_t image, std::string_view code,
+                  std::string message, std::optional<Severity> severity) {
+  report_element(phase.sink, phase.context, model::RootArray::images, image, code,
+                 std::move(message), severity);
+}
+
 void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::Fault& fault) {
   const bool malformed = fault.kind == codec::FaultKind::malformed;
-  const Context& context = phase.context;
-  const Path root;
-  const Path array(root, "images");
-  const json::NodeId object = context.asset.elements(model::RootArray::images)[image];
-  Finding finding =
-      malformed ? finding_on(context, object, "IMAGE_PIXELS_INVALID",
-                             fmt::format("The header of {} is sound, but its pixels cannot be "
-                                         "decoded: {}",
-                                         image_label(context, image), printable(fault.message)))
-                : finding_on(context, object, "IMAGE_NOT_DECODED",
-                             fmt::format("The pixels of {} were not looked at: {}",
-                                         image_label(context, image), printable(fault.message)));
-  if (fault.kind == codec::FaultKind::died) finding.severity = Severity::warning;
-  phase.sink.report(Path(array, std::uint64_t{image}), std::move(finding));
+  const std::string label = image_label(phase.context, image);
+  const std::string reason = printable(fault.message);
+  const bool died = fault.kind == codec::FaultKind::died;
+  report_image(phase, image, malformed ? "IMAGE_PIXELS_INVALID" : "IMAGE_NOT_DECODED",
+               malformed
+                   ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
+                                 label, reason)
+                   : fmt::format("The pixels of {} were not looked at: {}", label, reason),
+               died ? std::optional(Severity::warning) : std::nullopt);
 }
 
 // A decoder that went on where the data was damaged shows something, each its own.
 void report_doubt(const TexturePhase& phase, std::uint32_t image, const std::string& doubt) {
-  const Context& context = phase.context;
-  const Path root;
-  const Path array(root, "images");
-  const json::NodeId object = context.asset.elements(model::RootArray::images)[image];
-  Finding finding = finding_on(context, object, "IMAGE_PIXELS_INVALID",
-                               fmt::format("The pixels of {} can only be decoded in part: {}",
-                                           image_label(context, image), printable(doubt)));
-  finding.severity = Severity::warning;
-  phase.sink.report(Path(array, std::uint64_t{image}), std::move(finding));
+  report_image(phase, image, "IMAGE_PIXELS_INVALID",
+               fmt::format("The pixels of {} can only be decoded in part: {}",
+                           image_label(phase.context, image), printable(doubt)),
+               Severity::warning);
 }
 
 void check_decoded(const TexturePhase& phase) {

@@ -15,6 +15,7 @@
 #include "model/fields.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/texture_phase.hpp"
+#include "validate/rules/uv_mapping.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -77,52 +78,20 @@ void check_color_spaces(const TexturePhase& phase) {
 
 // What decides which texel is seen at a point of a surface.
 struct Placement {
-  double texcoord = 0, rotation = 0;
-  std::array<double, 2> offset{0, 0}, scale{1, 1};
+  UvMapping uv;
   std::array<std::uint64_t, 4> sampling{10497, 10497, 0, 0};  // wrapS, wrapT, filters
 
   // The first thing that differs, as it is called in the text; empty: nothing does.
   std::string_view difference(const Placement& other) const {
-    if (texcoord != other.texcoord) return "texCoord";
-    if (rotation != other.rotation || offset != other.offset || scale != other.scale) {
-      return "transform";
-    }
-    return sampling != other.sampling ? "sampler" : "";
+    const std::string_view found = uv.difference(other.uv);
+    return found.empty() && sampling != other.sampling ? "sampler" : found;
   }
 };
-
-void read_pair(const json::Document& document, json::NodeId object, std::string_view member,
-               std::array<double, 2>& pair) {
-  const json::NodeId value = document.find(object, member);
-  if (value == json::kNoNode || document.kind(value) != json::Kind::number_array) return;
-  std::size_t at = 0;
-  for (json::NumberCursor number(document, value); number.valid() && at < 2; number.advance()) {
-    pair[at++] = number.number().value;
-  }
-}
-
-// `object` is the texture info or an extension of it.
-void read_transform(const json::Document& document, json::NodeId object, Placement& placement) {
-  const auto set = model::number_member(document, object, "texCoord");
-  placement.texcoord = set.value_or(placement.texcoord);
-  const auto rotation = model::number_member(document, object, "rotation");
-  placement.rotation = rotation.value_or(placement.rotation);
-  read_pair(document, object, "offset", placement.offset);
-  read_pair(document, object, "scale", placement.scale);
-}
 
 Placement placement_of(const Context& context, const TextureSlot& slot) {
   const json::Document& document = context.document;
   Placement placement;
-  const auto set = model::number_member(document, slot.use->texture_info, "texCoord");
-  placement.texcoord = set.value_or(0);
-  const json::NodeId extensions =
-      model::object_member(document, slot.use->texture_info, "extensions");
-  if (extensions != json::kNoNode) {
-    for (const auto member : document.members(extensions)) {
-      if (document.is_object(member.value)) read_transform(document, member.value, placement);
-    }
-  }
+  placement.uv = read_uv_mapping(document, slot.use->texture_info);
   if (!slot.sampler) return placement;
   const json::NodeId sampler = context.asset.elements(model::RootArray::samplers)[*slot.sampler];
   constexpr std::array<std::string_view, 4> kMembers{"wrapS", "wrapT", "magFilter", "minFilter"};
@@ -140,9 +109,9 @@ constexpr std::uint64_t kClampToEdge = 33071;
 // Whether the square from 0 to 1 is moved or stretched out of the image, where the edge is
 // repeated.
 bool leaves_clamped(const Placement& placement, std::size_t axis) {
-  if (placement.sampling[axis] != kClampToEdge || placement.rotation != 0) return false;
-  const double begin = placement.offset[axis];
-  const double end = begin + placement.scale[axis];
+  if (placement.sampling[axis] != kClampToEdge || placement.uv.rotation != 0) return false;
+  const double begin = placement.uv.offset[axis];
+  const double end = begin + placement.uv.scale[axis];
   constexpr double kRounding = 1e-6;
   return std::min(begin, end) < -kRounding || std::max(begin, end) > 1 + kRounding;
 }

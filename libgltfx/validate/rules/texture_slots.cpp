@@ -191,16 +191,12 @@ ChannelSet::ChannelSet(std::string_view names) {
 }
 
 std::string ChannelSet::text() const {
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   if (has('r')) names.emplace_back("R");
   if (has('g')) names.emplace_back("G");
   if (has('b')) names.emplace_back("B");
   if (has('a')) names.emplace_back("A");
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text.append(i == 0 ? "" : i + 1 == names.size() ? " and " : ", ").append(names[i]);
-  }
-  return text;
+  return join_and(names);
 }
 
 std::vector<TextureSlot> texture_slots(const Context& context, const Animated& animated) {

@@ -108,10 +108,9 @@ std::vector<bool> views_khronos_counts_as_used(const Context& context) {
 
 void report_unused(const Context& context, const Path& path, json::NodeId object) {
   const std::string name = context.asset.name(object);
-  context.link_sink.report(
-      path, finding_on(context, object, "UNUSED_OBJECT",
-                       name.empty() ? std::string("Nothing refers to this object.")
-                                    : fmt::format("Nothing refers to {}.", gltfx::quoted(name))));
+  report_link(context, path, object, "UNUSED_OBJECT",
+              name.empty() ? std::string("Nothing refers to this object.")
+                           : fmt::format("Nothing refers to {}.", gltfx::quoted(name)));
 }
 
 void check_array(const Context& context, RootArray array) {

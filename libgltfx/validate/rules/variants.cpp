@@ -64,11 +64,10 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
     const auto variant = static_cast<std::uint64_t>(number.value);
     const auto [first, is_new] = seen.emplace(variant, index);
     if (!is_new && (first->second != index || context.khronos())) {
-      Finding finding = finding_on(context, variants, "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT",
-                                   fmt::format("Variant {} already has the material of mapping {}.",
-                                               variant, first->second));
-      finding.span = number.span;
-      context.link_sink.report(Path(array, element), std::move(finding));
+      report_link(context, Path(array, element), number.span,
+                  "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT",
+                  fmt::format("Variant {} already has the material of mapping {}.", variant,
+                              first->second));
     }
     report_references(context, number.span);
   };

@@ -118,13 +118,18 @@ class PacketCheck {
     const bool keyword = entry.name.starts_with('@');
     if (entry.name == "@context") return;
     if (!keyword && !check_name(entry, path)) return;
+    if (frame.is_languages && keyword && entry.name != "@type" && entry.name != "@id") {
+      return report_link(context_, path, entry.key, "XMP_LANGUAGE_INVALID",
+                         fmt::format("Alternatives stand in {}:_1 and so on, not in {}.",
+                                     prefixes_.rdf(), gltfx::quoted(entry.name)));
+    }
     if (frame.is_languages && !keyword) return check_language(entry, path);
     if (!json_ld_ && is_dictionary(entry.value)) return;
     if (document_.is_object(entry.value)) return open(entry.value, Path(frame.path, entry.name));
     if (!document_.is_array(entry.value)) return;
     if (json_ld_ && entry.name != "@list" && entry.name != "@set" && entry.name != "@type") {
-      return report(
-          path, entry.value, "XMP_ARRAY_BARE",
+      return report_link(
+          context_, path, entry.value, "XMP_ARRAY_BARE",
           fmt::format("The array of {} is neither a @list nor a @set.", gltfx::quoted(entry.name)));
     }
     if (document_.kind(entry.value) == json::Kind::array) {
@@ -135,14 +140,14 @@ class PacketCheck {
   bool check_name(const Entry& entry, const Path& path) {
     const std::size_t colon = entry.name.find(':');
     if (colon == std::string_view::npos || colon == 0) {
-      report(path, entry.key, "XMP_NAME_WITHOUT_PREFIX",
-             fmt::format("{} is not of the form prefix:name.", gltfx::quoted(entry.name)));
+      report_link(context_, path, entry.key, "XMP_NAME_WITHOUT_PREFIX",
+                  fmt::format("{} is not of the form prefix:name.", gltfx::quoted(entry.name)));
       return false;
     }
     const std::string_view prefix = entry.name.substr(0, colon);
     if (prefixes_.contain(prefix)) return true;
-    report(path, entry.key, "XMP_PREFIX_UNKNOWN",
-           fmt::format("The prefix {} is not in @context.", gltfx::quoted(prefix)));
+    report_link(context_, path, entry.key, "XMP_PREFIX_UNKNOWN",
+                fmt::format("The prefix {} is not in @context.", gltfx::quoted(prefix)));
     return false;
   }
 
@@ -160,15 +165,11 @@ class PacketCheck {
     if (numbered && document_.is_object(entry.value) && is_text("@language") && is_text("@value")) {
       return;
     }
-    report(path, entry.value, "XMP_LANGUAGE_INVALID",
-           numbered
-               ? fmt::format("{} has not both a @language and a @value.", gltfx::quoted(entry.name))
-               : fmt::format("{} is not {}:_1 or another number.", gltfx::quoted(entry.name),
-                             prefixes_.rdf()));
-  }
-
-  void report(const Path& path, json::NodeId place, std::string_view code, std::string message) {
-    context_.link_sink.report(path, finding_on(context_, place, code, std::move(message)));
+    report_link(context_, path, entry.value, "XMP_LANGUAGE_INVALID",
+                numbered ? fmt::format("{} has not both a @language and a @value.",
+                                       gltfx::quoted(entry.name))
+                         : fmt::format("{} is not {}:_1 or another number.",
+                                       gltfx::quoted(entry.name), prefixes_.rdf()));
   }
 
   const Context& context_;
@@ -185,10 +186,9 @@ void check_namespaces(const Context& context, json::NodeId object, const Path& p
     const std::string_view prefix = context.document.key(member.key_id);
     const auto [first, fresh] = seen.emplace(context.document.string(member.value), prefix);
     if (fresh || prefix == first->second) continue;
-    context.link_sink.report(Path(path, prefix),
-                             finding_on(context, member.value, "XMP_NAMESPACE_REPEATED",
-                                        fmt::format("This is the namespace of the prefix {}, too.",
-                                                    gltfx::quoted(first->second))));
+    report_link(
+        context, Path(path, prefix), member.value, "XMP_NAMESPACE_REPEATED",
+        fmt::format("This is the namespace of the prefix {}, too.", gltfx::quoted(first->second)));
   }
 }
 
@@ -200,8 +200,7 @@ void check_packet(const Context& context, json::NodeId packet, const Path& path)
   const Prefixes prefixes(context.document, object);
   PacketCheck(context, prefixes, true).run(packet, path);
   if (context.document.find(packet, "@id") != json::kNoNode) return;
-  context.link_sink.report(path, finding_on(context, packet, "XMP_ID_MISSING",
-                                            "The packet has no @id; it may be empty."));
+  report_link(context, path, packet, "XMP_ID_MISSING", "The packet has no @id; it may be empty.");
 }
 
 template <typename Use>

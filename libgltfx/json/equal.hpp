@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Whether two values of one document say the same.
+#pragma once
+
+#include "json/document.hpp"
+
+namespace gltfx::json {
+
+/// Numbers are compared by value, objects whatever the order of their members (the last of those
+/// with one name counts). Iterative; linear in both values. Both are nodes of `document`.
+bool equal(const Document& document, NodeId one, NodeId other);
+
+}  // namespace gltfx::json

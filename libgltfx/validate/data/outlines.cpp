@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// CESIUM_primitive_outline: pairs of vertices that an edge joins. Only the indices tell, so this
+// file names the extension.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "validate/data/mesh_edges.hpp"
+#include "validate/data/topology.hpp"
+#include "validate/rules/extension_walk.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kExtension = "CESIUM_primitive_outline";
+
+void check_pairs(DataPhase& phase, json::NodeId object, const Indices& pairs,
+                 const std::vector<std::uint64_t>& edges, const Path& path) {
+  std::size_t faults = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
+    if (std::binary_search(edges.begin(), edges.end(), edge_of(pairs[i], pairs[i + 1]))) continue;
+    if (faults++ == 0) first = i;
+  }
+  if (faults == 0) return;
+  std::string message = fmt::format("No triangle has an edge between vertices {} and {}.",
+                                    pairs[first], pairs[first + 1]);
+  if (faults > 1) message += fmt::format(" It is the first of {}.", faults);
+  report_member(phase.sink, phase.context, path, object, "indices", "OUTLINE_NOT_AN_EDGE",
+                std::move(message));
+}
+
+void check_outline(DataPhase& phase, const ExtensionPlace& place, const Path& path) {
+  const Context& context = phase.context;
+  const model::Primitive primitive = model::read_primitive(context.asset, place.host);
+  if (primitive.mode &&
+      (*primitive.mode != model::Mode::triangles || primitive.indices_node == json::kNoNode)) {
+    phase.sink.report(path, finding_on(context, place.object, "OUTLINE_NOT_TRIANGLES",
+                                       *primitive.mode == model::Mode::triangles
+                                           ? std::string("The triangles have no indices.")
+                                           : fmt::format("The primitive is {}.",
+                                                         model::mode_name(*primitive.mode))));
+    return;
+  }
+  const auto index = context.asset.index(place.object, "indices", model::RootArray::accessors);
+  if (!index) return;
+  const auto pairs = read_indices(phase, *index);
+  const auto triangles = read_triangles(phase, primitive);
+  if (pairs && triangles) check_pairs(phase, place.object, *pairs, edges_of(*triangles), path);
+}
+
+}  // namespace
+
+void check_outlines(DataPhase& phase) {
+  for_each_primitive_extension(
+      phase.context, kExtension,
+      [&](const ExtensionPlace& place, const Path& path) { check_outline(phase, place, path); });
+}
+
+}  // namespace gltfx::validate

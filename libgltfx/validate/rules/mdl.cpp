@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// NV_materials_mdl: what a material calls, and the names of arguments. This file is about that one
+// extension and names it.
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "validate/rules/extension_walk.hpp"
+#include "validate/rules/families.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/name_registries.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr RuleDescription kRules[] = {
+    {"MDL_NOT_A_MATERIAL", Severity::error, "A material calls a function that returns none",
+     "Only a material can be put on a surface.", "Call a function of type material.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["NV_materials_mdl"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"extensions": {"NV_materials_mdl": {"functionCall": 0}}}],
+ "extensions": {"NV_materials_mdl": {"functionCalls": [{"functionName": "wood", "type": {"typeName": "color"}}]}}})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["NV_materials_mdl"],
+ "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"extensions": {"NV_materials_mdl": {"functionCall": 0}}}],
+ "extensions": {"NV_materials_mdl": {"functionCalls": [{"functionName": "wood", "type": {"typeName": "material"}}]}}})",
+     Fix::none, false},
+};
+
+constexpr std::string_view kExtension = "NV_materials_mdl";
+
+void check_entry(const Context& context, const ExtensionPlace& place,
+                 const std::vector<json::NodeId>& calls, const Path& path) {
+  const json::Document& document = context.document;
+  const auto index = model::unsigned_member(document, place.object, "functionCall");
+  if (!index || *index >= calls.size()) return;
+  const json::NodeId type = model::object_member(document, calls[*index], "type");
+  const std::string name = model::string_member(document, type, "typeName");
+  if (name.empty() || name == "material") return;
+  report_member(
+      context.link_sink, context, path, place.object, "functionCall", "MDL_NOT_A_MATERIAL",
+      fmt::format("Call {} returns {} instead of a material.", *index, gltfx::quoted(name)));
+}
+
+void check_mdl(const Context& context) {
+  const json::NodeId object = root_extension(context, kExtension);
+  if (object == json::kNoNode) return;
+  const auto calls = object_list(context.document, object, "functionCalls");
+  const Path root;
+  const Path extensions(root, "extensions");
+  const Path extension(extensions, kExtension);
+  const Path list(extension, "functionCalls");
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    const Path call(list, i);
+    check_unique_names(context, object_list(context.document, calls[i], "arguments"),
+                       Path(call, "arguments"));
+  }
+  for_each_extension(context, model::RootArray::materials, kExtension,
+                     [&](const ExtensionPlace& place, const Path& path) {
+                       check_entry(context, place, calls, path);
+                     });
+}
+
+constexpr LinkRule kLinkRules[] = {check_mdl};
+
+}  // namespace
+
+const Family& mdl_family() {
+  static const Family family{"mdl", kRules, {}, kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json/equal.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "json/parse.hpp"
+
+namespace gltfx::json {
+namespace {
+
+bool same(const std::string& one, const std::string& other) {
+  const Parsed parsed = parse("[" + one + ", " + other + ", null]");
+  const Document& document = parsed.document;
+  auto element = document.elements(document.root()).begin();
+  const NodeId first = *element;
+  ++element;
+  return equal(document, first, *element);
+}
+
+TEST(Equal, ComparesWhatIsMeantAndNotHowItIsWritten) {
+  EXPECT_TRUE(same("[1, 2.0]", "[1.0,2]"));
+  EXPECT_TRUE(same(R"({"a": 1, "b": [true, {}]})", R"({"b":[true,{}],"\u0061":1e0})"));
+  EXPECT_TRUE(same(R"("a")", R"("\u0061")"));
+  EXPECT_TRUE(same("null", "null"));
+}
+
+TEST(Equal, FindsEveryDifference) {
+  EXPECT_FALSE(same("[1, 2]", "[1, 3]"));
+  EXPECT_FALSE(same("[1, 2]", "[1, 2, 3]"));
+  EXPECT_FALSE(same("[1, 2, 3]", "[1, 2]"));
+  EXPECT_FALSE(same("[1]", R"(["1"])"));
+  EXPECT_FALSE(same(R"(["a"])", R"(["a", "b"])"));
+  EXPECT_FALSE(same("true", "false"));
+  EXPECT_FALSE(same("1", "2"));
+  EXPECT_FALSE(same(R"("a")", R"("b")"));
+  EXPECT_FALSE(same(R"({"a": 1})", R"({"b": 1})"));
+  EXPECT_FALSE(same(R"({"a": 1})", R"({"a": 1, "b": 1})"));
+  EXPECT_FALSE(same(R"({"a": {"b": [{"c": 1}]}})", R"({"a": {"b": [{"c": 2}]}})"));
+}
+
+TEST(Equal, DepthIsNoProblem) {
+  const std::string deep = std::string(200, '[') + std::string(200, ']');
+  EXPECT_TRUE(same(deep, deep));
+  EXPECT_FALSE(same(deep, std::string(199, '[') + "0" + std::string(199, ']')));
+}
+
+}  // namespace
+}  // namespace gltfx::json
