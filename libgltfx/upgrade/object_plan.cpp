@@ -253,8 +253,9 @@ void ObjectPlan::apply() {
   context_.given.insert({carrier_.host, successor_.name});
   context_.editor.rename(key, successor_.name);
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
-    const bool place = step.kind == schema::UpgradeStep::Kind::place && applies(step.generations);
-    if (place) context_.moved[{carrier_.host, step.to}] = {};
+    if (step.kind != schema::UpgradeStep::Kind::place || !applies(step.generations)) continue;
+    context_.moved[{carrier_.host, step.to}] = {document_.find(carrier_.object, step.from),
+                                                {"extensions", extension_.name, step.from}};
   }
   for (const Found& found : found_) apply(found);
   if (conversion_ != nullptr) conversion_->apply(bench());
@@ -267,8 +268,6 @@ void ObjectPlan::apply(const Found& found) {
   if (found.image || found.gone) release(found);
   if (found.gone) return editor.remove(carrier_.object, found.value - 1);
   if (step.kind == schema::UpgradeStep::Kind::place) {
-    context_.moved[{carrier_.host, step.to}] = {found.value,
-                                                {"extensions", extension_.name, step.from}};
     return editor.remove(carrier_.object, found.value - 1);
   }
   if (step.kind == schema::UpgradeStep::Kind::copy || found.value == json::kNoNode) {

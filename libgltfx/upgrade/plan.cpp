@@ -2,6 +2,7 @@
 #include "upgrade/plan.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <set>
@@ -61,15 +62,27 @@ class ExtensionPlan {
       : context_(context),
         document_(context.document),
         extension_(extension),
-        choice_(choose(context.options, extension)) {}
-
-  void run(NameList& used, NameList& required) {
+        choice_(choose(context.options, extension)) {
     if (choice_.wish == Wish::no) return;
     for (Carrier& carrier : carriers_of(document_, context_.set, extension_)) {
-      judge(std::move(carrier));
+      judged_.push_back({std::move(carrier), {}, nullptr});
     }
-    if (extension_.upgrade.together) hold_together();
-    for (Judged& one : judged_) settle(one);
+  }
+
+  // Does what can be done as things stand; whether that was anything. What is done may open the
+  // way for other objects, so this is asked again until nothing more is done anywhere.
+  bool attempt() {
+    for (Judged& one : judged_) {
+      if (!one.action.done) judge(one);
+    }
+    if (extension_.upgrade.together || has_template()) hold_together();
+    bool any = false;
+    for (Judged& one : judged_) any = settle(one) || any;
+    return any;
+  }
+
+  void finish(NameList& used, NameList& required) {
+    for (Judged& one : judged_) context_.plan.actions.push_back(std::move(one.action));
     if (converted_ + removed_ == 0) return;
     settle_names(used, required);
     settle_pointers();
@@ -87,16 +100,15 @@ class ExtensionPlan {
            (action.fate == UpgradeFate::unsafe && context_.options.unsafe);
   }
 
-  void judge(Carrier carrier) {
-    if (auto action = action_without_plan(carrier)) {
-      judged_.push_back({std::move(carrier), *std::move(action), nullptr});
+  void judge(Judged& one) {
+    if (auto action = action_without_plan(one.carrier)) {
+      one.action = *std::move(action);
       return;
     }
     const schema::Extension& successor =
         context_.set.extensions()[context_.set.find_extension(choice_.to)];
-    auto plan = std::make_unique<ObjectPlan>(context_, extension_, successor, carrier);
-    UpgradeAction action = plan->judge();
-    judged_.push_back({std::move(carrier), std::move(action), std::move(plan)});
+    one.plan = std::make_unique<ObjectPlan>(context_, extension_, successor, one.carrier);
+    one.action = one.plan->judge();
   }
 
   // What has no successor, or is not done unless somebody asks for it.
@@ -127,6 +139,18 @@ class ExtensionPlan {
     return action;
   }
 
+  bool is_into(const PointerUse& use) const {
+    return use.steps.size() > 3 && use.steps[2] == "extensions" && use.steps[3] == extension_.name;
+  }
+
+  // A pointer to all objects, which cannot lead to two names.
+  bool has_template() const {
+    const auto& all = context_.pointers.all();
+    return std::any_of(all.begin(), all.end(), [this](const PointerUse& use) {
+      return Pointers::is_template(use) && is_into(use);
+    });
+  }
+
   // All objects or none: one that stays, or stands where nobody expects it, keeps the others.
   void hold_together() {
     const auto doable = static_cast<std::size_t>(
@@ -140,17 +164,15 @@ class ExtensionPlan {
     }
   }
 
-  void settle(Judged& one) {
-    one.action.done = is_doable(one.action);
-    if (one.action.done) {
-      one.plan->apply();
-      (one.action.removed ? removed_ : converted_) += 1;
-      if (!one.action.removed) {
-        done_.insert(one.carrier.pointer());
-        for (std::string& name : one.plan->further_extensions()) given_.insert(std::move(name));
-      }
-    }
-    context_.plan.actions.push_back(std::move(one.action));
+  bool settle(Judged& one) {
+    if (one.action.done || !is_doable(one.action)) return false;
+    one.action.done = true;
+    one.plan->apply();
+    (one.action.removed ? removed_ : converted_) += 1;
+    if (one.action.removed) return true;
+    done_.insert(one.carrier.pointer());
+    for (std::string& name : one.plan->further_extensions()) given_.insert(std::move(name));
+    return true;
   }
 
   // Objects of the extension, also where they should not be.
@@ -189,9 +211,7 @@ class ExtensionPlan {
   // "/materials/3/extensions/OLD/member/..." becomes "/materials/3/extensions/NEW/other/...".
   void settle_pointers() {
     for (const PointerUse& use : context_.pointers.all()) {
-      if (use.steps.size() < 4 || use.steps[2] != "extensions" || use.steps[3] != extension_.name) {
-        continue;
-      }
+      if (!is_into(use)) continue;
       const bool every = Pointers::is_template(use) && left_ == 0 && removed_ == 0;
       if (every || done_.count("/" + use.steps[0] + "/" + use.steps[1]) > 0) rename(use);
     }
@@ -298,9 +318,13 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
   Context context(document, set, options, pictures);
   NameList used(document, "extensionsUsed");
   NameList required(document, "extensionsRequired");
-  for (const schema::Extension* extension : legacy) {
-    ExtensionPlan(context, *extension).run(used, required);
+  std::deque<ExtensionPlan> plans;
+  for (const schema::Extension* extension : legacy) plans.emplace_back(context, *extension);
+  for (bool more = true; more;) {
+    more = false;
+    for (ExtensionPlan& plan : plans) more = plan.attempt() || more;
   }
+  for (ExtensionPlan& plan : plans) plan.finish(used, required);
   settle_dropped(context);
   used.apply(context.editor);
   required.apply(context.editor);

@@ -10,6 +10,7 @@
 
 #include "json/parse.hpp"
 #include "schema/compile.hpp"
+#include "upgrade/choice.hpp"
 #include "upgrade/diff.hpp"
 #include "upgrade/plan.hpp"
 
@@ -59,6 +60,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.unsafe = true;
   check(text, options);
   options.generation = "v2";
+  check(text, options);
+  options.only = upgrade::legacy_names(*schema::builtin_set());
   check(text, options);
   return 0;
 }

@@ -155,6 +155,15 @@ TEST(Pointers, TemplatesFollowWhenEveryObjectDoes) {
               HasSubstr("/materials/{i}/extensions/KHR_materials_translucency/"));
 }
 
+TEST(Pointers, OfAllObjectsKeepThemTogether) {
+  const std::string text = graph(kConverted + "," + kLeft);
+  const Upgraded result = upgraded(text);
+  EXPECT_EQ(result.text, text);
+  for (const UpgradeAction& action : result.plan.actions) {
+    EXPECT_EQ(action.fate, UpgradeFate::impossible);
+  }
+}
+
 TEST(Pointers, InExtrasAreNobodysBusiness) {
   const std::string text = document_with(
       "", R"("translucencyFactor":1)",
