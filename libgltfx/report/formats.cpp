@@ -33,7 +33,7 @@ std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format,
     case ReportFormat::khronos:
       return report::make_khronos_writer();
     case ReportFormat::github:
-      return report::make_github_writer();
+      return report::make_github_writer(options);
     case ReportFormat::sarif:
       return report::make_sarif_writer(options);
     case ReportFormat::junit:

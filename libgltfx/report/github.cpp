@@ -61,6 +61,8 @@ std::string message_text(const FileReport& report, const Diagnostic& finding) {
 
 class GithubWriter final : public ReportWriter {
  public:
+  explicit GithubWriter(const FormatOptions& options) : pixel_level_(options.pixel_level) {}
+
   void begin(std::string&) override {}
 
   void file(const FileReport& report, std::string& out) override {
@@ -76,13 +78,24 @@ class GithubWriter final : public ReportWriter {
   }
 
   void end(const RunSummary& summary, std::string& out) override {
-    if (summary.unverified == 0) return;
-    out += fmt::format("::notice title=gltfx::{}\n", unverified_note(summary.unverified));
+    if (summary.unverified != 0) {
+      out += fmt::format("::notice title=gltfx::{}\n", unverified_note(summary.unverified));
+    }
+    // A plain line of the log: worth knowing, but no annotation.
+    if (!pixel_level_.empty()) {
+      out += fmt::format("gltfx: {} checked, pixels: {}\n", counted(summary.files, "file"),
+                         pixel_level_);
+    }
   }
+
+ private:
+  std::string pixel_level_;
 };
 
 }  // namespace
 
-std::unique_ptr<ReportWriter> make_github_writer() { return std::make_unique<GithubWriter>(); }
+std::unique_ptr<ReportWriter> make_github_writer(const FormatOptions& options) {
+  return std::make_unique<GithubWriter>(options);
+}
 
 }  // namespace gltfx::report

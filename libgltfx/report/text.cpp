@@ -19,7 +19,8 @@ class TextWriter final : public ReportWriter {
   explicit TextWriter(const FormatOptions& options)
       : style_(options.color),
         quiet_(options.quiet),
-        command_(options.command.empty() ? "gltfx" : options.command) {}
+        command_(options.command.empty() ? "gltfx" : options.command),
+        pixel_level_(options.pixel_level) {}
 
   void begin(std::string&) override {}
 
@@ -76,6 +77,8 @@ class TextWriter final : public ReportWriter {
 
   void print_summary(const RunSummary& summary, std::string& out) const {
     out += counted(summary.files, "file") + " checked: " + tally(summary) + "\n";
+    if (pixel_level_ == "needed") out += "images were decoded where a rule needed their pixels\n";
+    if (pixel_level_ == "all") out += "all images were decoded\n";
     if (summary.unreadable > 0) {
       out += counted(summary.unreadable, "file") + " could not be read\n";
     }
@@ -91,6 +94,7 @@ class TextWriter final : public ReportWriter {
   Style style_;
   bool quiet_;
   std::string command_;
+  std::string pixel_level_;
 };
 
 }  // namespace

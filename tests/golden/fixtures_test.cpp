@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each asset under fixtures/ has its verdict beside it: one line "CODE /pointer" (or "CODE @byte")
-// a finding, " xN" where N were folded, and nothing at all for a good one.
+// a finding, " xN" where N were folded, and nothing at all for a good one. What pixels tell beyond
+// headers stands in files of its own, named by the level.
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
@@ -33,20 +34,25 @@ std::vector<std::string> assets() {
   return files;
 }
 
-fs::path expectation(const std::string& asset) { return folder() / (asset + ".expect"); }
+// Where more than headers is looked at, `level` is how far.
+fs::path expectation(const std::string& asset, const std::string& level = {}) {
+  return folder() / (asset + ".expect" + (level.empty() ? "" : "-") + level);
+}
 
-std::vector<std::string> expected(const std::string& asset) {
+std::vector<std::string> expected(const std::string& asset, const std::string& level = {}) {
   std::vector<std::string> lines;
-  std::ifstream in(expectation(asset));
+  std::ifstream in(expectation(asset, level));
   for (std::string line; std::getline(in, line);) {
     if (!line.empty()) lines.push_back(line);
   }
   return lines;
 }
 
-std::vector<std::string> found(const std::string& asset, Profile profile) {
+std::vector<std::string> found(const std::string& asset, Profile profile,
+                               PixelLevel pixels = PixelLevel::headers) {
   ValidateOptions options;
   options.profile = profile;
+  if (profile == Profile::standard) options.pixels = pixels;
   std::vector<std::string> lines;
   for (const Diagnostic& one : validate_file((folder() / asset).string(), options).diagnostics) {
     std::string line(one.code);
@@ -63,6 +69,14 @@ class Fixture : public testing::TestWithParam<std::string> {};
 TEST_P(Fixture, YieldsWhatStandsBesideIt) {
   ASSERT_TRUE(fs::exists(expectation(GetParam())));
   EXPECT_EQ(found(GetParam(), Profile::standard), expected(GetParam()));
+}
+
+TEST_P(Fixture, YieldsMoreWherePixelsAreLookedAt) {
+  for (const PixelLevel pixels : {PixelLevel::needed, PixelLevel::all}) {
+    const std::string level(pixel_level_name(pixels));
+    if (!fs::exists(expectation(GetParam(), level))) continue;
+    EXPECT_EQ(found(GetParam(), Profile::standard, pixels), expected(GetParam(), level)) << level;
+  }
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {

@@ -101,6 +101,16 @@ TEST_F(Filter, ReportsSayHowFarImagesWereLookedInto) {
   EXPECT_THAT(outcome_.out, HasSubstr("\"pixels\":\"all\""));
 }
 
+TEST_F(Filter, TheKhronosProfileSaysThatItTakesNoPixels) {
+  findings({"--profile", "khronos", "--pixels", "all"});
+  EXPECT_THAT(outcome_.err, HasSubstr("--pixels has no effect"));
+  EXPECT_THAT(outcome_.out, HasSubstr("\"pixels\":\"headers\""));
+  findings({"--profile", "khronos", "--pixels", "headers"});
+  EXPECT_EQ(outcome_.err, "");
+  findings({"--profile", "khronos", "--pixels", "all", "--quiet"});
+  EXPECT_EQ(outcome_.err, "");
+}
+
 TEST_F(Filter, BudgetsAreErrorsWhenTheyAreSet) {
   const std::string asset = R"({"asset": {"version": "2.0"}})";
   EXPECT_THAT(findings({"--max-file-size", "10"}, asset), ElementsAre("error BUDGET_FILE_SIZE"));

@@ -55,6 +55,13 @@ TEST(Github, NamesTheByteInABinaryFileInsteadOfALine) {
             "%0Aat byte 12\n");
 }
 
+TEST(Github, EndsWithHowFarImagesWereLookedInto) {
+  FormatOptions options;
+  options.pixel_level = "needed";
+  EXPECT_EQ(run(ReportFormat::github, {file("a"), file("b")}, options),
+            "gltfx: 2 files checked, pixels: needed\n");
+}
+
 TEST(Github, SaysWhatWasNotListedOrVerified) {
   EXPECT_THAT(
       github(sample_run()),

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// A file includes its own room and lower floors. Rooms on one floor do not know each other.
+// What a file may include: headers of its own room, and of rooms on floors below.
 const std::map<std::string, int, std::less<>> kFloors{
     {"base", 0},   {"json", 1},     {"codec", 1},   {"image", 2},    {"container", 2},
     {"schema", 2}, {"report", 2},   {"model", 3},   {"validate", 4}, {"upgrade", 4},

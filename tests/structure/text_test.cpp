@@ -123,7 +123,7 @@ bool is_call(std::string_view code, std::size_t at, std::string_view name) {
   return next < code.size() && code[next] == '(';
 }
 
-// The library never prints, exits, aborts or throws. The schema compiler is a program of the build.
+// What the library returns is all it says. The schema compiler is a program of the build.
 Problems check_quiet(const Source& source) {
   Problems problems;
   if (!source.path.starts_with("libgltfx/") ||

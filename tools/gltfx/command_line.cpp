@@ -118,7 +118,7 @@ void Declaration::declare_validate() {
            "Exit with 1 from here on: error, warning, info or never (default: error)");
   declare_filters(app);
   add_word(app, "--pixels", validate_.pixels, "LEVEL",
-           "Images to decode: headers (none), needed or all (default: headers, strict: needed)");
+           "Images to decode: headers (none; khronos: always), needed (strict: default) or all");
   declare_budgets(app);
   add_word(app, "--root", validate_.root, "DIR",
            "Folder that buffers and images may come from (default: the asset's own)");
@@ -145,13 +145,15 @@ void Declaration::declare_filters(CLI::App& app) {
 
 void Declaration::declare_budgets(CLI::App& app) {
   add_word(app, "--max-texture-size", validate_.max_texture_size, "PIXELS",
-           "Budget for the longer side of an image (default: 0, no limit)");
+           "Budget for the longer side of an image, 0 for no limit (default: 0)");
   add_word(app, "--max-total-pixels", validate_.max_total_pixels, "PIXELS",
-           "Budget for all images together");
-  add_word(app, "--max-triangles", validate_.max_triangles, "N", "Budget for triangles");
-  add_word(app, "--max-draw-calls", validate_.max_draw_calls, "N", "Budget for primitives");
+           "Budget for all images together, 0 for no limit (default: 0)");
+  add_word(app, "--max-triangles", validate_.max_triangles, "N",
+           "Budget for triangles, 0 for no limit (default: 0)");
+  add_word(app, "--max-draw-calls", validate_.max_draw_calls, "N",
+           "Budget for primitives, 0 for no limit (default: 0)");
   add_word(app, "--max-file-size", validate_.max_file_size, "BYTES",
-           "Budget for the file and those it refers to");
+           "Budget for the file and those it refers to, 0 for no limit (default: 0)");
 }
 
 void Declaration::declare_upgrade() {

@@ -101,6 +101,10 @@ ExitCode Run::execute() {
     complain(problems);
     return ExitCode::internal;
   }
+  const auto& pixels = request_.validation.pixels;
+  if (!request_.quiet && pixels && *pixels != pixel_level(request_.validation)) {
+    complain("note: --pixels has no effect with --profile khronos, which reads headers only");
+  }
   const Inputs inputs = expand_paths(request_.paths, request_.quiet);
   if (const std::string clash = overwritten_input(request_, inputs.paths); !clash.empty()) {
     complain(clash);

@@ -32,7 +32,7 @@ inline constexpr std::array<ExitCodeEntry, 5> kExitCodes{{
     {ExitCode::internal, "gltfx failed, or could not write its output"},
 }};
 
-/// Position in the order 4 internal > 2 usage > 3 unreadable > 1 findings > 0.
+/// How bad it is: of several codes of one run the highest rank wins.
 constexpr int rank(ExitCode code) {
   switch (code) {
     case ExitCode::ok:

@@ -3,7 +3,7 @@
 
 #include <gltfx/version.hpp>
 
-// GLTFX_LIBRARY_VERSIONS ("name 1.2, name 3.4") comes from CMake.
+// GLTFX_LIBRARY_VERSIONS and GLTFX_CODEC_VERSIONS ("name 1.2, name 3.4") come from CMake.
 namespace gltfx::tool {
 namespace {
 
@@ -17,7 +17,8 @@ constexpr const char* kCompiler = "g++ " __VERSION__;
 
 std::string version_text() {
   std::string text = "gltfx ";
-  text.append(version()).append("\nbuilt with " GLTFX_LIBRARY_VERSIONS "\ncompiled by ");
+  text.append(version()).append("\nbuilt with " GLTFX_LIBRARY_VERSIONS
+                                "\ndecoders built with " GLTFX_CODEC_VERSIONS "\ncompiled by ");
   return text.append(kCompiler).append("\n");
 }
 

@@ -85,7 +85,8 @@ struct FormatOptions {
   bool quiet = false;       ///< text: findings only, no summary
   std::string command;      ///< text: how the user calls the program, for help lines ("gltfx")
   std::string profile;      ///< named in json, sarif, junit and agent
-  std::string pixel_level;  ///< named there too: how far images were looked into
+  /// How far images were looked into; named there and in github, in text where any was decoded.
+  std::string pixel_level;
   /// All rules, sorted by code, for what sarif and agent say beside a finding. Static storage.
   std::span<const RuleDescription> rules;
   /// sarif: the absolute folder that relative paths start from; may be empty.

@@ -39,4 +39,8 @@ std::vector<std::uint64_t> edges_of(const std::vector<Triangle>& triangles);
 /// read_indices().
 std::optional<Indices> first_at_position(DataPhase& phase, std::uint32_t accessor);
 
+/// The same for positions as near as single precision leaves those that were meant to be one: by
+/// some four millionths of the extent.
+std::optional<Indices> first_near_position(DataPhase& phase, std::uint32_t accessor);
+
 }  // namespace gltfx::validate

@@ -23,7 +23,7 @@ bool is_thick(const Context& context, std::uint32_t material) {
 }
 
 // Edges of a surface that no second triangle shares, whatever the vertices are called: seams have
-// two at one position.
+// two at one position, or nearly.
 class Boundary {
  public:
   explicit Boundary(DataPhase& phase) : phase_(phase) {}
@@ -64,7 +64,7 @@ class Boundary {
   // Vertices of another accessor would have to be compared with those of this one.
   bool place(std::uint32_t accessor) {
     if (placed_) return accessor_ == accessor;
-    auto first = first_at_position(phase_, accessor);
+    auto first = first_near_position(phase_, accessor);
     if (!first) return false;
     first_ = *std::move(first);
     accessor_ = accessor;

@@ -42,7 +42,9 @@ void MaterialNeeds::add_directions(const Context& context) {
     const json::NodeId object =
         model::extension_object(context.document, materials[i], "KHR_materials_anisotropy");
     const auto strength = model::number_member(context.document, object, "anisotropyStrength");
-    if (strength && *strength > 0) needs_[i].tangent_space = true;
+    if (!strength || !(*strength > 0)) continue;
+    needs_[i].direction_alone = !needs_[i].tangent_space;
+    needs_[i].tangent_space = true;
   }
 }
 

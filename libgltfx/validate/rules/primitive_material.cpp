@@ -29,8 +29,11 @@ struct Wearing {
   json::NodeId place;  // the index of the material
   const Path& path;    // of that index
 
-  void report(std::string_view code, std::string message, std::string help = {}) const {
-    report_link(state.context, path, place, code, std::move(message), std::move(help));
+  void report(std::string_view code, std::string message,
+              std::optional<Severity> severity = {}) const {
+    Finding finding = finding_on(state.context, place, code, std::move(message));
+    finding.severity = severity;
+    state.context.link_sink.report(path, std::move(finding));
   }
 };
 
@@ -57,7 +60,9 @@ void check_tangent_space(const Wearing& wearing, const MaterialNeed& need) {
     wearing.report("MESH_PRIMITIVE_NO_TANGENT_SPACE",
                    fmt::format("The material needs a tangent space, but the primitive has no {}, "
                                "and the material no normal texture.",
-                               missing));
+                               missing),
+                   // Highlights that lie another way are a lesser evil than bumps that do.
+                   need.direction_alone ? std::optional(Severity::warning) : std::nullopt);
   }
 }
 
