@@ -55,6 +55,7 @@ struct Bvh::State {
   Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
   float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
   bool is_front(const Hit& hit, const Vec3d& direction) const;
+  std::optional<Hit> intersect(Tracing& tracing, const Ray& ray) const;
   static void filter_closest(const RTCFilterFunctionNArguments* args);
   static void filter_any(const RTCFilterFunctionNArguments* args);
 
@@ -77,6 +78,7 @@ struct Bvh::Tracing {
   RTCIntersectContext embree;
   const State* state;
   std::uint32_t key;
+  bool every_layer = false;  // whatever covers anything counts
   Vec3d direction;
   float visibility = 1;
 };
@@ -244,7 +246,7 @@ void Bvh::State::filter_closest(const RTCFilterFunctionNArguments* args) {
   const auto& tracing = *reinterpret_cast<const Tracing*>(args->context);
   Hit hit;
   const float coverage = tracing.state->coverage(args, hit);
-  if (coverage >= 1) return;
+  if (coverage >= 1 || (tracing.every_layer && coverage > 0)) return;
   const std::uint32_t surface = mix_bits(hit.triangle, hit.instance);
   if (coverage <= unit_float(mix_bits(tracing.key, surface))) args->valid[0] = 0;
 }
@@ -297,19 +299,35 @@ Result<Bvh> Bvh::build(const Scene& scene) {
   return Bvh(std::move(state));
 }
 
-std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key) const {
-  Tracing tracing(*state_, ray, key);
+std::optional<Hit> Bvh::State::intersect(Tracing& tracing, const Ray& ray) const {
   RTCRayHit query;
   start(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(state_->top, &tracing.embree, &query);
+  rtcIntersect1(top, &tracing.embree, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  Hit hit = state_->hit_of(query.hit.instID[0], query.hit.geomID, query.hit.primID);
+  Hit hit = hit_of(query.hit.instID[0], query.hit.geomID, query.hit.primID);
   hit.distance = query.ray.tfar;
   hit.u = query.hit.u;
   hit.v = query.hit.v;
   return hit;
+}
+
+std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key) const {
+  Tracing tracing(*state_, ray, key);
+  return state_->intersect(tracing, ray);
+}
+
+std::optional<Hit> Bvh::first_layer(const Ray& ray) const {
+  Tracing tracing(*state_, ray, 0);
+  tracing.every_layer = true;
+  return state_->intersect(tracing, ray);
+}
+
+float Bvh::coverage(const Hit& hit) const {
+  const Mesh& mesh = state_->scene.meshes[state_->scene.instances[hit.instance].mesh];
+  const SceneMaterial& material = material_of(state_->scene, mesh);
+  return has_holes(material) ? coverage_at(state_->scene, mesh, material, hit) : 1.0F;
 }
 
 float Bvh::visibility(const Ray& ray) const {

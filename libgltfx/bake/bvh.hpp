@@ -24,6 +24,11 @@ class Bvh {
   /// through what is partly transparent by alpha.
   std::optional<Hit> intersect(const Ray& ray, std::uint32_t key) const;
 
+  /// The first surface that covers anything at all, however little.
+  std::optional<Hit> first_layer(const Ray& ray) const;
+  /// What part of a ray that surface stops: above 0 for what was hit.
+  float coverage(const Hit& hit) const;
+
   /// What part of light comes through to the end of the ray past surfaces: 0 when one is solid.
   float visibility(const Ray& ray) const;
 

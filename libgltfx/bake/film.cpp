@@ -29,6 +29,7 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
     sums.square += static_cast<float>(y * y);
   }
   ++sums.samples;
+  sums.rays += sample.rays;
   sums.alpha += static_cast<float>(sample.alpha);
   add_to(sums.albedo, sample.albedo);
   add_to(sums.normal, sample.normal);

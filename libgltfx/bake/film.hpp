@@ -14,6 +14,7 @@ namespace gltfx::bake {
 /// Sums over the samples of one pixel, which is added to by one thread, in the order of samples.
 struct PixelSums {
   std::uint32_t samples = 0;
+  std::uint32_t rays = 0;
   std::uint32_t material = kNone;  ///< of the first sample that met one
   /// What is to be denoised, in two halves: of even and of odd samples.
   std::array<Float3, 2> scattered{};

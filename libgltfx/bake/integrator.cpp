@@ -16,9 +16,11 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr int kSteps = 1024;          // of a path, in media and on surfaces
-constexpr int kRouletteFrom = 3;      // step
-constexpr double kShadowDepth = 0.7;  // how dark the floor becomes
+constexpr std::uint32_t kSteps = 1024;      // of a path, in media and on surfaces
+constexpr std::uint32_t kLayers = 4;        // of alpha, before the camera
+constexpr double kLeast = 1.0 / 512;        // of a layer
+constexpr std::uint32_t kRouletteFrom = 3;  // step
+constexpr double kShadowDepth = 0.7;        // how dark the floor becomes
 
 // Dimensions of the random numbers of one step of a path.
 enum Draw : std::uint32_t {
@@ -44,12 +46,19 @@ double power_weight(double own, double other) {
 // One path, from the camera on.
 class Path {
  public:
-  Path(const PathSetting& setting, const Ray& ray, const Float2& point, const SampleStream& random)
-      : s_(setting), ray_(ray), point_(point), random_(random) {}
+  Path(const PathSetting& setting, const Ray& ray, const Float2& point, const SampleStream& random,
+       std::uint32_t layer)
+      : s_(setting),
+        ray_(ray),
+        point_(point),
+        random_(random),
+        first_draw_(kFirstDraw + layer * kSteps * kDraws) {}
 
-  PathSample run() {
+  // `hit`: what the ray from the camera hits.
+  PathSample run(std::optional<Hit> hit) {
     for (; step_ < kSteps; ++step_) {
-      const auto hit = s_.bvh.intersect(ray_, random_.key() + static_cast<std::uint32_t>(step_));
+      if (step_ > 0) hit = s_.bvh.intersect(ray_, key());
+      ++result_.rays;
       if (!media_.empty() && scatters_before(hit)) {
         if (!survives()) break;
         continue;
@@ -64,9 +73,8 @@ class Path {
   }
 
  private:
-  std::uint32_t dimension(Draw draw) const {
-    return kFirstDraw + static_cast<std::uint32_t>(step_) * kDraws + draw;
-  }
+  std::uint32_t dimension(Draw draw) const { return first_draw_ + step_ * kDraws + draw; }
+  std::uint32_t key() const { return random_.key() + step_; }
   Float2 pair(Draw draw) const { return random_.pair(dimension(draw)); }
   double single(Draw draw) const { return static_cast<double>(random_.single(dimension(draw))); }
 
@@ -115,7 +123,7 @@ class Path {
 
   // What part of the light that falls onto the floor is kept away from it. Only what is kept away
   // is estimated: where nothing stands in the way there is no noise.
-  double floor_shadow() const {
+  double floor_shadow() {
     const auto& floor = s_.setting.floor;
     if (!floor || !s_.setting.environment || ray_.direction.y >= 0) return 0;
     const double distance = (floor->height - ray_.origin.y) / ray_.direction.y;
@@ -123,6 +131,7 @@ class Path {
     const Vec3d point = beside(ray_.origin + ray_.direction * distance, Vec3d(0, 1, 0), s_.size);
     const EnvironmentSample light = s_.setting.environment->sample(pair(Draw::environment));
     if (!(light.pdf > 0) || light.direction.y <= 0) return 0;
+    ++result_.rays;
     const double kept = 1 - static_cast<double>(s_.bvh.visibility({point, light.direction}));
     const double share = luminance(light.radiance) * light.direction.y / light.pdf;
     return kept * share / floor->irradiance * kShadowDepth;
@@ -207,6 +216,7 @@ class Path {
 
   void add_seen(const Ray& towards, const Rgb& share) {
     if (!(max_value(share) > 0)) return;
+    ++result_.rays;
     result_.radiance += throughput_ * share * static_cast<double>(s_.bvh.visibility(towards));
   }
 
@@ -243,21 +253,48 @@ class Path {
   Ray ray_;
   const Float2 point_;
   const SampleStream& random_;
+  std::uint32_t first_draw_;
   PathSample result_;
   Rgb throughput_{1, 1, 1};
   MediaStack media_;
-  int step_ = 0;
+  std::uint32_t step_ = 0;
   int surfaces_ = 0;      // that scattered
   int color_ = -1;        // that the path follows, after dispersion
   bool straight_ = true;  // nothing but sheets of glass so far
   double pdf_ = 0;        // of the last direction; 0: no lamp was looked for
 };
 
+void add(PathSample& sum, const PathSample& layer, double share) {
+  sum.radiance += layer.radiance * share;
+  sum.direct += layer.direct * share;
+  sum.alpha += layer.alpha * share;
+  sum.albedo += layer.albedo * share;
+  sum.normal += layer.normal * share;
+  sum.depth += layer.depth * share;
+  if (sum.material == kNone) sum.material = layer.material;
+  sum.rays += layer.rays;
+}
+
 }  // namespace
 
+// What is partly transparent by alpha is not left to chance where it is seen directly: each layer
+// is a path of its own, and counts for what it covers of what is left.
 PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
                       const SampleStream& random) {
-  return Path(setting, ray, point, random).run();
+  PathSample sum;
+  Ray rest = ray;
+  double left = 1;
+  for (std::uint32_t layer = 0;; ++layer) {
+    const bool last = layer + 1 == kLayers;
+    const auto hit =
+        last ? setting.bvh.intersect(rest, random.key()) : setting.bvh.first_layer(rest);
+    const double covered = hit && !last ? static_cast<double>(setting.bvh.coverage(*hit)) : 1.0;
+    add(sum, Path(setting, rest, point, random, layer).run(hit), left * covered);
+    left *= 1 - covered;
+    if (left < kLeast) return sum;
+    const Vec3d behind = rest.origin + rest.direction * hit->distance;
+    rest.origin = beside(behind, rest.direction, setting.size);
+  }
 }
 
 }  // namespace gltfx::bake

@@ -24,6 +24,7 @@ struct PathSample {
   Vec3d normal;
   double depth = 0;  ///< along the ray
   std::uint32_t material = kNone;
+  std::uint32_t rays = 0;  ///< that were traced
 };
 
 /// What all paths of a picture share. References must outlive it.

@@ -9,6 +9,7 @@ city      one .gltf of some 70 MB of JSON: many nodes, meshes, materials and ani
 terrain   one .glb of some 400 MB of plain geometry: 8 meshes with positions, normals, tangents,
           texture coordinates and indices
 normals   two .glb of a million vertices: clean.glb, and bad.glb whose normals are all too long
+statue    one .glb of 100,000 triangles with three textures of 1,024 texels a side, to be drawn
 textures  one .glb of some 500 MB with 40 PNG images of 2,048 to 4,096 texels a side
 """
 import argparse
@@ -272,12 +273,17 @@ def make_terrain(path, side, meshes, normal=(0.0, 1.0, 0.0)):
     write_glb(path, document, own * meshes)
 
 
-def png(size, seed):
-    """An RGB image of size x size texels that packs as badly as a photograph: noise of four bits,
-    which repeats only farther away than zlib looks."""
+def png(size, seed, base=(96, 96, 96)):
+    """An RGB image of size x size texels that packs as badly as a photograph: noise of four bits on
+    a colour, which repeats only farther away than zlib looks."""
     rnd = random.Random(seed)
-    four_bits = bytes(96 + value % 16 for value in range(256))
-    rows = [b"\0" + rnd.randbytes(3 * size).translate(four_bits) for _ in range(64)]
+    rows = []
+    for _ in range(64):
+        row = bytearray(rnd.randbytes(3 * size))
+        for channel, least in enumerate(base):
+            four_bits = bytes(least + value % 16 for value in range(256))
+            row[channel::3] = row[channel::3].translate(four_bits)
+        rows.append(b"\0" + bytes(row))
     data = zlib.compress(b"".join(rows[y % 64] for y in range(size)), 1)
 
     def chunk(kind, body):
@@ -285,6 +291,49 @@ def png(size, seed):
 
     header = struct.pack(">IIBBBBB", size, size, 8, 2, 0, 0, 0)
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", data) + chunk(b"IEND", b"")
+
+
+def statue_parts(rings):
+    """Views and accessors of a ball with bumps, of four times `rings` squared triangles."""
+    points, normals, uvs, triangles = (array.array(code) for code in "fffI")
+    columns = 2 * rings
+    for j in range(rings + 1):
+        for i in range(columns + 1):
+            down, turn = math.pi * j / rings, 2 * math.pi * i / columns
+            x, y, z = (math.sin(down) * math.cos(turn), math.cos(down),
+                       math.sin(down) * math.sin(turn))
+            radius = 1 + 0.15 * math.sin(5 * turn) * math.sin(7 * down) * math.sin(down)
+            points.extend((radius * x, radius * y, radius * z))
+            normals.extend((x, y, z))
+            uvs.extend((4 * i / columns, 2 * j / rings))
+            if i < columns and j < rings:
+                k = j * (columns + 1) + i
+                triangles.extend((k, k + 1, k + columns + 1,
+                                  k + 1, k + columns + 2, k + columns + 1))
+    bounds = {"min": [min(points[c::3]) for c in range(3)],
+              "max": [max(points[c::3]) for c in range(3)]}
+    count = len(points) // 3
+    accessors = [
+        dict(bufferView=0, componentType=5126, count=count, type="VEC3", **bounds),
+        dict(bufferView=1, componentType=5126, count=count, type="VEC3"),
+        dict(bufferView=2, componentType=5126, count=count, type="VEC2"),
+        dict(bufferView=3, componentType=5125, count=len(triangles), type="SCALAR")]
+    return [part.tobytes() for part in (points, normals, uvs, triangles)], accessors
+
+
+def make_statue(path, rings):
+    parts, accessors = statue_parts(rings)
+    colors = [(150, 110, 80), (20, 120, 0), (120, 120, 235)]
+    images = [png(1024, i, base) for i, base in enumerate(colors)]
+    write_glb(path, {
+        "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "accessors": accessors,
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
+                                    "indices": 3, "material": 0}]}],
+        "images": [{"bufferView": 4 + i, "mimeType": "image/png"} for i in range(3)],
+        "textures": [{"source": i} for i in range(3)],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+                                                "metallicRoughnessTexture": {"index": 1}},
+                       "normalTexture": {"index": 2}}]}, parts + images)
 
 
 def make_textures(path, count):
@@ -300,7 +349,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
-    parser.add_argument("--only", default="batch,city,terrain,normals,textures")
+    parser.add_argument("--only", default="batch,city,terrain,normals,statue,textures")
     parser.add_argument("--files", type=int, default=1000)
     parser.add_argument("--blocks", type=int, default=1500)
     parser.add_argument("--side", type=int, default=800, help="vertices along a side of a terrain")
@@ -317,6 +366,8 @@ def main():
         elif name == "normals":
             make_terrain(os.path.join(folder, "clean.glb"), 1000, 1)
             make_terrain(os.path.join(folder, "bad.glb"), 1000, 1, (0.0, 1.5, 0.0))
+        elif name == "statue":
+            make_statue(os.path.join(folder, "statue.glb"), 158)
         else:
             make_textures(os.path.join(folder, "textures.glb"), 40)
 
