@@ -2,45 +2,12 @@
 #include "bake/distribution.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <span>
 #include <utility>
 
 namespace gltfx::bake {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1F;
-
-// Turns weights into running sums that end in 1 and gives their total.
-double accumulate(std::span<float> weights) {
-  double total = 0;
-  for (const float weight : weights) total += weight;
-  const double even = 1.0 / static_cast<double>(weights.size());
-  double sum = 0;
-  for (float& weight : weights) {
-    sum += total > 0 ? weight / total : even;
-    weight = static_cast<float>(sum);
-  }
-  weights.back() = 1;
-  return total;
-}
-
-struct Choice {
-  std::size_t index = 0;
-  float within = 0;  // where between the sums before and after
-};
-
-Choice choose(std::span<const float> sums, float random) {
-  const auto found = std::upper_bound(sums.begin(), sums.end() - 1, random);
-  const auto index = static_cast<std::size_t>(found - sums.begin());
-  const float before = index > 0 ? sums[index - 1] : 0.0F;
-  const float width = sums[index] - before;
-  return {index, width > 0 ? std::min((random - before) / width, kBelowOne) : 0.5F};
-}
-
-float probability(std::span<const float> sums, std::size_t index) {
-  return sums[index] - (index > 0 ? sums[index - 1] : 0.0F);
-}
 
 std::size_t cell_of(float coordinate, std::size_t count) {
   const auto scaled =
@@ -50,29 +17,68 @@ std::size_t cell_of(float coordinate, std::size_t count) {
 
 }  // namespace
 
-GridDistribution::GridDistribution(std::size_t width, std::vector<float> weights)
-    : width_(width), cells_(std::move(weights)) {
-  const std::size_t height = cells_.size() / width_;
-  for (std::size_t row = 0; row < height; ++row) {
-    rows_.push_back(
-        static_cast<float>(accumulate(std::span(cells_).subspan(row * width_, width_))));
+// One more list of weights. The guide says for each of as many equal parts of [0, 1) at which step
+// it begins.
+void GridDistribution::Steps::add(std::span<const float> weights) {
+  double total = 0;
+  for (const float weight : weights) total += static_cast<double>(weight);
+  const double even = 1.0 / static_cast<double>(weights.size());
+  double sum = 0;
+  for (const float weight : weights) {
+    sum += total > 0 ? static_cast<double>(weight) / total : even;
+    sums.push_back(static_cast<float>(sum));
   }
-  accumulate(rows_);
+  sums.back() = 1;
+  const float* own = sums.data() + sums.size() - weights.size();
+  std::uint32_t step = 0;
+  for (std::size_t part = 0; part < weights.size(); ++part) {
+    const float begin = static_cast<float>(part) / static_cast<float>(weights.size());
+    while (step + 1 < weights.size() && own[step] <= begin) ++step;
+    guide.push_back(step);
+  }
+}
+
+GridDistribution::Choice GridDistribution::choose(const Steps& steps, std::size_t first,
+                                                  std::size_t count, float random) {
+  const float* sums = steps.sums.data() + first;
+  std::size_t index = steps.guide[first + cell_of(random, count)];
+  while (index + 1 < count && sums[index] <= random) ++index;
+  while (index > 0 && sums[index - 1] > random) --index;  // where a part was rounded
+  const float before = index > 0 ? sums[index - 1] : 0.0F;
+  const float width = sums[index] - before;
+  return {index, width > 0 ? std::clamp((random - before) / width, 0.0F, kBelowOne) : 0.5F};
+}
+
+float GridDistribution::probability(const Steps& steps, std::size_t first, std::size_t index) {
+  return steps.sums[first + index] - (index > 0 ? steps.sums[first + index - 1] : 0.0F);
+}
+
+GridDistribution::GridDistribution(std::size_t width, std::vector<float> weights) : width_(width) {
+  std::vector<float> totals;
+  for (std::size_t first = 0; first < weights.size(); first += width_) {
+    const auto row = std::span<const float>(weights).subspan(first, width_);
+    cells_.add(row);
+    double total = 0;
+    for (const float weight : row) total += static_cast<double>(weight);
+    totals.push_back(static_cast<float>(total));
+  }
+  rows_.add(totals);
 }
 
 Float2 GridDistribution::sample(const Float2& random) const {
-  const Choice row = choose(rows_, random[1]);
-  const Choice cell = choose(std::span(cells_).subspan(row.index * width_, width_), random[0]);
+  const std::size_t height = rows_.sums.size();
+  const Choice row = choose(rows_, 0, height, random[1]);
+  const Choice cell = choose(cells_, row.index * width_, width_, random[0]);
   return {(static_cast<float>(cell.index) + cell.within) / static_cast<float>(width_),
-          (static_cast<float>(row.index) + row.within) / static_cast<float>(rows_.size())};
+          (static_cast<float>(row.index) + row.within) / static_cast<float>(height)};
 }
 
 double GridDistribution::density(const Float2& point) const {
-  const std::size_t row = cell_of(point[1], rows_.size());
+  const std::size_t row = cell_of(point[1], rows_.sums.size());
   const std::size_t cell = cell_of(point[0], width_);
-  const auto cells = std::span(cells_).subspan(row * width_, width_);
-  return static_cast<double>(probability(rows_, row)) * probability(cells, cell) *
-         static_cast<double>(cells_.size());
+  return static_cast<double>(probability(rows_, 0, row)) *
+         static_cast<double>(probability(cells_, row * width_, cell)) *
+         static_cast<double>(cells_.sums.size());
 }
 
 }  // namespace gltfx::bake

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bake/scene.hpp"
@@ -22,9 +24,22 @@ class GridDistribution {
   double density(const Float2& point) const;
 
  private:
+  /// Running sums of weights, ending in 1, and where a search in them may begin.
+  struct Steps {
+    std::vector<float> sums;
+    std::vector<std::uint32_t> guide;
+    void add(std::span<const float> weights);
+  };
+  struct Choice {
+    std::size_t index = 0;
+    float within = 0;  ///< between the sums before and after
+  };
+  static Choice choose(const Steps& steps, std::size_t first, std::size_t count, float random);
+  static float probability(const Steps& steps, std::size_t first, std::size_t index);
+
   std::size_t width_ = 1;
-  std::vector<float> rows_;   // running sums of the rows' weights, ending in 1
-  std::vector<float> cells_;  // row by row running sums within the row, ending in 1
+  Steps rows_;
+  Steps cells_;  ///< row by row, each from 0 to 1
 };
 
 }  // namespace gltfx::bake

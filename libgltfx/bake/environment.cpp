@@ -13,10 +13,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+// A column may lie one beside the image, on whose other side it goes on; a row as well, where the
+// outermost counts.
 Rgb texel(const EnvironmentImage& image, std::int64_t column, std::int64_t row) {
   const auto width = static_cast<std::int64_t>(image.width);
   const auto height = static_cast<std::int64_t>(image.height);
-  const std::int64_t x = (column % width + width) % width;
+  const std::int64_t x = column < 0 ? column + width : column >= width ? column - width : column;
   const std::int64_t y = std::clamp<std::int64_t>(row, 0, height - 1);
   return to_vec(image.radiance[static_cast<std::size_t>(y * width + x)]);
 }
@@ -64,34 +66,35 @@ Float2 point_of(const Vec3d& direction) {
 Environment::Environment(EnvironmentImage image)
     : image_(std::move(image)), distribution_(image_.width, weights_of(image_)) {}
 
-Rgb Environment::radiance(const Vec3d& direction) const {
-  const Float2 point = point_of(direction);
+Rgb Environment::radiance_at(const Float2& point) const {
   const double x = static_cast<double>(point[0]) * image_.width - 0.5;
   const double y = static_cast<double>(point[1]) * image_.height - 0.5;
-  const auto left = static_cast<std::int64_t>(std::floor(x));
-  const auto top = static_cast<std::int64_t>(std::floor(y));
-  const double fx = x - std::floor(x);
-  const double fy = y - std::floor(y);
+  const std::int64_t left = floor_of(x);
+  const std::int64_t top = floor_of(y);
+  const double fx = x - static_cast<double>(left);
+  const double fy = y - static_cast<double>(top);
   const Rgb upper = texel(image_, left, top) * (1 - fx) + texel(image_, left + 1, top) * fx;
   const Rgb lower = texel(image_, left, top + 1) * (1 - fx) + texel(image_, left + 1, top + 1) * fx;
   return upper * (1 - fy) + lower * fy;
+}
+
+EnvironmentSample Environment::look(const Vec3d& direction) const {
+  const Float2 point = point_of(direction);
+  const double ring = std::sqrt(std::max(0.0, 1 - direction.y * direction.y));
+  const double area = 2 * kPi * kPi * ring;
+  return {direction, radiance_at(point), area > 0 ? distribution_.density(point) / area : 0.0};
 }
 
 EnvironmentSample Environment::sample(const Float2& random) const {
   const Float2 point = distribution_.sample(random);
   EnvironmentSample sample;
   sample.direction = direction_of(point);
-  const double ring = std::sin(kPi * static_cast<double>(point[1]));
-  if (ring <= 0) return sample;
-  sample.pdf = distribution_.density(point) / (2 * kPi * kPi * ring);
-  sample.radiance = radiance(sample.direction);
+  const double area =
+      2 * kPi * kPi * std::sqrt(std::max(0.0, 1 - sample.direction.y * sample.direction.y));
+  if (area <= 0) return sample;
+  sample.pdf = distribution_.density(point) / area;
+  sample.radiance = radiance_at(point);
   return sample;
-}
-
-double Environment::pdf(const Vec3d& direction) const {
-  const double ring = std::sqrt(std::max(0.0, 1 - direction.y * direction.y));
-  if (ring <= 0) return 0;
-  return distribution_.density(point_of(direction)) / (2 * kPi * kPi * ring);
 }
 
 }  // namespace gltfx::bake

@@ -22,12 +22,16 @@ class Environment {
   /// `image` has at least one texel.
   explicit Environment(EnvironmentImage image);
 
-  Rgb radiance(const Vec3d& direction) const;
+  Rgb radiance(const Vec3d& direction) const { return look(direction).radiance; }
+  /// Radiance and density of a direction in one go.
+  EnvironmentSample look(const Vec3d& direction) const;
   EnvironmentSample sample(const Float2& random) const;
   /// Of sample(), per steradian.
-  double pdf(const Vec3d& direction) const;
+  double pdf(const Vec3d& direction) const { return look(direction).pdf; }
 
  private:
+  Rgb radiance_at(const Float2& point) const;
+
   EnvironmentImage image_;
   GridDistribution distribution_;
 };

@@ -101,8 +101,9 @@ class Path {
     } else if (s_.setting.environment) {
       const Environment& light = *s_.setting.environment;
       // What a mirror or a medium sent here is found in no other way.
-      const double weight = pdf_ > 0 ? power_weight(pdf_, light.pdf(ray_.direction)) : 1.0;
-      result_.radiance += throughput_ * light.radiance(ray_.direction) * weight;
+      const EnvironmentSample seen = light.look(ray_.direction);
+      const double weight = pdf_ > 0 ? power_weight(pdf_, seen.pdf) : 1.0;
+      result_.radiance += throughput_ * seen.radiance * weight;
     }
   }
 
@@ -140,8 +141,7 @@ class Path {
   // A surface: the light it sends, that of lamps on it, and where the path goes on. False where it
   // ends.
   bool meet(const Hit& hit) {
-    const bool front = s_.bvh.is_front(hit, ray_.direction);
-    Surface surface = surface_at(s_.scene, hit, ray_, front);
+    Surface surface = surface_at(s_.scene, hit, ray_);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
     if (surfaces_ == 0) note(hit, surface);
     const Rgb own = throughput_ * emitted(surface.material, v);

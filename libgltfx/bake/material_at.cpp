@@ -21,7 +21,7 @@ class Reader {
 
   Float4 texel(Slot slot) const {
     const TextureUse& use = material_.use(slot);
-    const Float2 uv = transform_uv(use, uv_at(mesh_, use.uv_set, hit_));
+    const Float2 uv = uv_of(use);
     return sample_texture(scene_.textures[use.texture], uv[0], uv[1], is_srgb(slot));
   }
 
@@ -35,16 +35,26 @@ class Reader {
   void scale(double& value, Slot slot, std::uint32_t channel) const {
     if (!has(slot) || value == 0) return;
     const TextureUse& use = material_.use(slot);
-    const Float2 uv = transform_uv(use, uv_at(mesh_, use.uv_set, hit_));
+    const Float2 uv = uv_of(use);
     value *= static_cast<double>(sample_channel(scene_.textures[use.texture], uv[0], uv[1],
                                                 use.channel == kNone ? channel : use.channel));
   }
 
  private:
+  Float2 uv_of(const TextureUse& use) const {
+    if (use.uv_set != set_) {
+      set_ = use.uv_set;
+      uv_ = uv_at(mesh_, set_, hit_);
+    }
+    return transform_uv(use, uv_);
+  }
+
   const Scene& scene_;
   const Mesh& mesh_;
   const SceneMaterial& material_;
   const Hit& hit_;
+  mutable std::uint32_t set_ = kNone;  // of the coordinates that were interpolated last
+  mutable Float2 uv_{};
 };
 
 constexpr std::uint32_t kR = 0;

@@ -55,7 +55,7 @@ Rgb trace_simply(const PathSetting& s, const Ray& first, const SampleStream& ran
       if (!s.setting.environment) return result;
       return result + throughput * s.setting.environment->radiance(ray.direction);
     }
-    const Surface surface = surface_at(s.scene, *hit, ray, s.bvh.is_front(*hit, ray.direction));
+    const Surface surface = surface_at(s.scene, *hit, ray);
     const Vec3d v = surface.frame.to_local(-ray.direction);
     result += throughput * emitted(surface.material, v);
     if (step == s.bounces || surface.material.unlit) return result;

@@ -5,6 +5,7 @@
 #include <gltfx/vec3.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 #include "bake/scene.hpp"
 
@@ -13,6 +14,12 @@ namespace gltfx::bake {
 inline Vec3d to_vec(const Float3& a) { return {a[0], a[1], a[2]}; }
 inline Float3 to_float3(const Vec3d& a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+/// The next whole number below, of one that fits. (Without SSE4.1 std::floor is a call.)
+inline std::int64_t floor_of(double value) {
+  const auto whole = static_cast<std::int64_t>(value);
+  return whole - (value < static_cast<double>(whole) ? 1 : 0);
 }
 
 inline double length(const Vec3d& a) { return std::sqrt(dot(a, a)); }

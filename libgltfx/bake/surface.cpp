@@ -40,13 +40,13 @@ class Triangle {
     return norm > 0 && std::isfinite(norm) ? n / norm : Vec3d();
   }
 
-  Vec3d smooth_normal() const {
-    if (mesh_.normals.empty()) return flat_normal();
+  Vec3d smooth_normal(const Vec3d& flat) const {
+    if (mesh_.normals.empty()) return flat;
     Vec3d sum;
     for (std::size_t i = 0; i < 3; ++i) sum += to_vec(mesh_.normals[corners_[i]]) * weight(i);
     const Vec3d n = transform_normal(instance_.to_world, sum) * mirrored_;
     const double norm = length(n);
-    return norm > 0 && std::isfinite(norm) ? n / norm : flat_normal();
+    return norm > 0 && std::isfinite(norm) ? n / norm : flat;
   }
 
   // Right-angled to the normal: the mesh's own, or else along u of the texture coordinates that the
@@ -147,7 +147,7 @@ Frame frame_around(const Vec3d& n) {
   return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
-Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray, bool front) {
+Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
   const SceneMaterial& material = material_of(scene, mesh);
   const Triangle triangle(scene, hit);
@@ -155,7 +155,8 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray, bool fron
   surface.material = material_at(scene, mesh, material, hit);
   surface.position = triangle.position();
   surface.flat_normal = triangle.flat_normal();
-  const Vec3d smooth = triangle.smooth_normal();
+  const bool front = dot(surface.flat_normal, ray.direction) < 0;
+  const Vec3d smooth = triangle.smooth_normal(surface.flat_normal);
   if (length(smooth) == 0) return surface;
 
   const bool inside = surface.material.volumetric() && !front;

@@ -33,7 +33,6 @@ struct Surface {
   Material material;
 };
 
-/// `direction`: of the ray; `front`: whether it hit the front of the triangle.
-Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray, bool front);
+Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray);
 
 }  // namespace gltfx::bake

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 
 namespace gltfx::bake {
@@ -37,12 +38,12 @@ Footprint footprint(float coordinate, std::uint32_t size, Wrap wrap, Filter filt
   const float scaled = coordinate * static_cast<float>(size);
   if (!(std::fabs(scaled) < kFar)) return {};
   if (filter == Filter::nearest) {
-    const std::uint32_t texel = wrapped(static_cast<std::int64_t>(std::floor(scaled)), size, wrap);
+    const std::uint32_t texel = wrapped(floor_of(static_cast<double>(scaled)), size, wrap);
     return {texel, texel, 0};
   }
-  const float base = std::floor(scaled - 0.5F);
-  const auto texel = static_cast<std::int64_t>(base);
-  return {wrapped(texel, size, wrap), wrapped(texel + 1, size, wrap), scaled - 0.5F - base};
+  const std::int64_t texel = floor_of(static_cast<double>(scaled - 0.5F));
+  return {wrapped(texel, size, wrap), wrapped(texel + 1, size, wrap),
+          scaled - 0.5F - static_cast<float>(texel)};
 }
 
 float component(const Texture& texture, std::size_t texel, std::uint32_t channel, bool srgb) {
