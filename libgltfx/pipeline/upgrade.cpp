@@ -98,7 +98,8 @@ class Upgrade {
     const model::Asset asset(parsed_.document);
     upgrade::AssetBytes bytes(asset, container_, resolver_);
     upgrade::AssetPictures pictures(bytes, upgrade::ImageCache::shared());
-    upgrade::Plan plan = upgrade::make_plan(parsed_.document, *schemas_, options_, &pictures);
+    upgrade::Plan plan =
+        upgrade::make_plan(parsed_.document, *schemas_, options_, &pictures, &bytes);
     const auto ambiguity = upgrade::find_ambiguity(parsed_, plan);
     report_.actions = std::move(plan.actions);
     edits_ = std::move(plan.edits);

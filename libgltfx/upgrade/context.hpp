@@ -3,11 +3,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -15,8 +15,10 @@
 #include "json/edit.hpp"
 #include "model/asset.hpp"
 #include "schema/holds.hpp"
+#include "upgrade/material_split.hpp"
 #include "upgrade/plan.hpp"
 #include "upgrade/pointers.hpp"
+#include "upgrade/vertex_colors.hpp"
 
 namespace gltfx::upgrade {
 
@@ -41,12 +43,13 @@ struct Origin {
 /// State of one plan. Keeps references to all it is made of.
 struct Context {
   Context(const json::Document& read, const schema::Set& known, const UpgradeOptions& wanted,
-          Pictures* of_document)
+          Pictures* of_document, AssetBytes* bytes)
       : document(read),
         asset(read),
         set(known),
         options(wanted),
         pictures(of_document),
+        values(asset, bytes),
         pointers(read),
         holds(read, known),
         editor(read) {
@@ -58,6 +61,7 @@ struct Context {
   const schema::Set& set;
   const UpgradeOptions& options;
   Pictures* const pictures;  ///< null: nobody can look at pixels
+  AccessorValues values;
   const Pointers pointers;
   schema::Holds holds;
   json::Editor editor;
@@ -71,8 +75,13 @@ struct Context {
   std::set<std::pair<json::NodeId, std::string>> given;
   /// Members of carriers that have got another value, by the carrier's object and their path.
   std::map<std::pair<json::NodeId, std::string>, Origin> moved;
-  /// By attribute: materials of the primitives that have it.
-  std::unordered_map<std::string, std::unordered_set<std::uint64_t>> attribute_users;
+  std::optional<MaterialUses> uses;  ///< once somebody asked
+  std::vector<MaterialSplit> splits;
+  // What animated copies have got: accessors by what they are cut from, samplers by the old one and
+  // the new accessor, and how many samplers a list has got.
+  std::map<std::string, std::uint64_t> cut_accessors;
+  std::map<std::pair<json::NodeId, std::uint64_t>, std::uint64_t> cut_samplers;
+  std::map<json::NodeId, std::uint64_t> added_samplers;
 
   /// Whether a carrier has an extension, as far as this run has come.
   bool has_beside(const Carrier& carrier, const std::string& extension) const;
@@ -80,6 +89,8 @@ struct Context {
   Origin origin_of(const Carrier& carrier, const std::string& path) const;
   /// Number of textures in the document.
   std::uint64_t texture_count() const { return asset.count(model::RootArray::textures); }
+  /// Who uses a material.
+  const std::vector<MaterialUse>& uses_of(std::uint64_t material);
   /// Whether a primitive with that attribute uses the material, also by way of an extension.
   bool is_used_with(const std::string& attribute, std::uint64_t material);
 };

@@ -11,7 +11,6 @@
 #include "upgrade/generation.hpp"
 
 namespace gltfx::upgrade {
-namespace {
 
 std::vector<json::Number> numbers_of(const json::Document& document, json::NodeId list) {
   std::vector<json::Number> numbers;
@@ -21,8 +20,6 @@ std::vector<json::Number> numbers_of(const json::Document& document, json::NodeI
   }
   return numbers;
 }
-
-}  // namespace
 
 ObjectPlan::ObjectPlan(Context& context, const schema::Extension& extension,
                        const schema::Extension& successor, Carrier carrier)
@@ -178,9 +175,8 @@ ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
     if (Problem problem = fill_copy(found, origin.path)) return problem;
     if (!found.json.empty()) found_.push_back(std::move(found));
   }
-  if (is_pointed_at(origin.path)) {
-    lose(fmt::format("{} is animated; the copy in {} stays as it is now", step.from, step.to));
-  }
+  const bool copied = origin.value != json::kNoNode || step.take > 0;
+  if (copied && is_pointed_at(origin.path)) follow_animation(step, origin.path);
   return std::nullopt;
 }
 
@@ -221,28 +217,6 @@ bool ObjectPlan::is_default(const std::string& property,
                     [](const auto& a, const auto& b) { return a.value == b.value; });
 }
 
-void ObjectPlan::lose(std::string note) {
-  if (action_.fate == UpgradeFate::safe) action_.fate = UpgradeFate::unsafe;
-  action_.notes.push_back(std::move(note));
-}
-
-void ObjectPlan::note_losses() {
-  for (const schema::UpgradeLoss& loss : extension_.upgrade.losses) {
-    if (!applies(loss.generations)) continue;
-    if (loss.vertex_attribute.empty()) {
-      if (extension_.upgrade.opt_in.empty()) {
-        lose(loss.because);
-      } else {
-        action_.lossy = true;
-        action_.notes.push_back(loss.because);
-      }
-    } else if (carrier_.array == "materials" &&
-               context_.is_used_with(loss.vertex_attribute, carrier_.index)) {
-      lose(fmt::format("{}: {}", loss.vertex_attribute, loss.because));
-    }
-  }
-}
-
 void ObjectPlan::apply() {
   const json::NodeId key = carrier_.object - 1;
   context_.gone.insert(carrier_.object);
@@ -250,6 +224,8 @@ void ObjectPlan::apply() {
     context_.dropped[carrier_.host].push_back(key);
     return;
   }
+  for (const Follower& follower : followers_) follow(context_, follower, tint_);
+  for (MaterialSplit& split : splits_) split_material(context_, std::move(split));
   context_.given.insert({carrier_.host, successor_.name});
   context_.editor.rename(key, successor_.name);
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "upgrade/animated_copy.hpp"
 #include "upgrade/channel_move.hpp"
 #include "upgrade/context.hpp"
 #include "upgrade/conversion.hpp"
@@ -68,7 +69,11 @@ class ObjectPlan {
   Problem fill_copy(Found& found, const std::vector<std::string>& path);
   Problem check_value(const std::string& name, json::NodeId value);
   Problem check_texture(const std::string& name, json::NodeId index);
+  void follow_animation(const schema::UpgradeStep& step, const std::vector<std::string>& path);
   void note_losses();
+  void note_lost_attribute(const schema::UpgradeLoss& loss);
+  Problem judge_tint();
+  Problem fold_tint(const schema::UpgradeStep& step, const Tint& tint);
   bool applies(const std::vector<std::string>& generations) const;
   bool is_default(const std::string& property, const std::vector<json::Number>& numbers) const;
   void lose(std::string note);
@@ -83,7 +88,13 @@ class ObjectPlan {
   std::unique_ptr<Conversion> conversion_;
   std::string generation_;
   std::vector<Found> found_;
+  std::vector<Follower> followers_;
+  Rgb tint_{1, 1, 1};                  ///< of the copy against its original
+  std::vector<MaterialSplit> splits_;  ///< where it is not the same everywhere
   UpgradeAction action_;
 };
+
+/// The elements of an array of numbers; none for anything else.
+std::vector<json::Number> numbers_of(const json::Document& document, json::NodeId list);
 
 }  // namespace gltfx::upgrade

@@ -307,7 +307,7 @@ std::optional<UpgradeAction> old_version(const json::Document& document) {
 }  // namespace
 
 Plan make_plan(const json::Document& document, const schema::Set& set,
-               const UpgradeOptions& options, Pictures* pictures) {
+               const UpgradeOptions& options, Pictures* pictures, AssetBytes* bytes) {
   if (auto action = old_version(document)) {
     Plan plan;
     plan.actions.push_back(*std::move(action));
@@ -315,7 +315,7 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
   }
   const std::vector<const schema::Extension*> legacy = legacy_of(document, set);
   if (legacy.empty()) return {};
-  Context context(document, set, options, pictures);
+  Context context(document, set, options, pictures, bytes);
   NameList used(document, "extensionsUsed");
   NameList required(document, "extensionsRequired");
   std::deque<ExtensionPlan> plans;
@@ -329,6 +329,7 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
   used.apply(context.editor);
   required.apply(context.editor);
   context.plan.edits = context.editor.take();
+  settle_splits(context);
   return std::move(context.plan);
 }
 

@@ -13,6 +13,7 @@
 #include "json/edit.hpp"
 #include "schema/set.hpp"
 #include "upgrade/additions.hpp"
+#include "upgrade/asset_bytes.hpp"
 #include "upgrade/pictures.hpp"
 
 namespace gltfx::upgrade {
@@ -30,8 +31,10 @@ struct Plan {
 /// Plans for a document that was read to its end; where it has faults, find_ambiguity() says
 /// whether the plan can be trusted. Time is linear in its size but for the number of extensions.
 /// `generation`, `only`, `to`, `ior`, `unsafe` and `pack` of the options are looked at. `pictures`
-/// are the document's images; without them what needs pixels is left alone.
+/// are the document's images; without them what needs pixels is left alone. `bytes` are those of
+/// its buffers; without them vertex colours and keyframes cannot be looked at.
 Plan make_plan(const json::Document& document, const schema::Set& set,
-               const UpgradeOptions& options, Pictures* pictures = nullptr);
+               const UpgradeOptions& options, Pictures* pictures = nullptr,
+               AssetBytes* bytes = nullptr);
 
 }  // namespace gltfx::upgrade

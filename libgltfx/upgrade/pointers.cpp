@@ -41,18 +41,24 @@ Pointers::Pointers(const json::Document& document) {
   }
 }
 
-bool Pointers::lead_below(std::string_view array, std::string_view index,
-                          std::span<const std::string> steps) const {
+std::vector<const PointerUse*> Pointers::below(std::string_view array, std::string_view index,
+                                               std::span<const std::string> steps) const {
+  std::vector<const PointerUse*> found;
   for (const std::string& key : {element_key(array, index), std::string(array)}) {
-    const auto found = by_element_.find(key);
-    if (found == by_element_.end()) continue;
-    for (const std::size_t use : found->second) {
+    const auto known = by_element_.find(key);
+    if (known == by_element_.end()) continue;
+    for (const std::size_t use : known->second) {
       const std::vector<std::string>& has = uses_[use].steps;
       if (has.size() < steps.size() + 2) continue;
-      if (std::equal(steps.begin(), steps.end(), has.begin() + 2)) return true;
+      if (std::equal(steps.begin(), steps.end(), has.begin() + 2)) found.push_back(&uses_[use]);
     }
   }
-  return false;
+  return found;
+}
+
+bool Pointers::lead_below(std::string_view array, std::string_view index,
+                          std::span<const std::string> steps) const {
+  return !below(array, index, steps).empty();
 }
 
 }  // namespace gltfx::upgrade

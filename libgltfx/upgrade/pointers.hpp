@@ -23,6 +23,9 @@ class Pointers {
  public:
   explicit Pointers(const json::Document& document);
 
+  /// Those that lead to, or below, a place of an element of a root array, templates of such too.
+  std::vector<const PointerUse*> below(std::string_view array, std::string_view index,
+                                       std::span<const std::string> steps) const;
   /// Whether one leads to, or below, a place of an element of a root array. A template leads to
   /// every element.
   bool lead_below(std::string_view array, std::string_view index,

@@ -124,12 +124,13 @@ TEST(Pointers, IntoAnObjectThatWouldGoKeepIt) {
   EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
 }
 
-TEST(Pointers, AnAnimatedBaseColourIsALoss) {
+TEST(Pointers, AnAnimatedBaseColourIsALossWhereItCannotBeFollowed) {
   for (const char* pointer : {"/materials/0/pbrMetallicRoughness/baseColorFactor",
                               "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/"
                               "KHR_texture_transform/offset"}) {
     const Upgraded result =
-        upgraded(document_with(R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1]},)",
+        upgraded(document_with(R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1],)"
+                               R"("baseColorTexture":{"index":0}},)",
                                R"("translucencyFactor":1)", animated(pointer)));
     EXPECT_EQ(result.only().fate, UpgradeFate::unsafe) << pointer;
   }

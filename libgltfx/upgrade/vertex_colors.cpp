@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "upgrade/vertex_colors.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "model/mesh.hpp"
+
+namespace gltfx::upgrade {
+namespace {
+
+constexpr Rgb kWhite{1, 1, 1};
+
+// What one accessor holds: one colour, or why it is none.
+struct Reading {
+  std::string problem;
+  std::optional<Rgb> color;
+};
+
+template <typename T>
+Rgb color_of(const T* element) {
+  Rgb color{};
+  for (std::size_t i = 0; i < color.size(); ++i) {
+    if constexpr (std::is_floating_point_v<T>) {
+      color[i] = element[i];
+    } else {
+      color[i] = model::normalize(element[i]);
+    }
+  }
+  return color;
+}
+
+bool is_color_format(const model::Format& format) {
+  using model::ComponentType;
+  if (format.type != model::ElementType::vec3 && format.type != model::ElementType::vec4) {
+    return false;
+  }
+  if (format.component == ComponentType::float32) return true;
+  const bool whole =
+      format.component == ComponentType::uint8 || format.component == ComponentType::uint16;
+  return whole && format.normalized;
+}
+
+Reading read_color(const model::AccessorData& data) {
+  Reading reading;
+  bool varies = false;
+  model::with_component_type(data.format().component, [&](auto type) {
+    using T = decltype(type);
+    data.visit<T>([&](const T* values, std::size_t elements, std::uint64_t) {
+      for (std::size_t i = 0; i < elements && !varies; ++i) {
+        const Rgb color = color_of(values + i * data.components());
+        varies = reading.color && *reading.color != color;
+        reading.color = color;
+      }
+    });
+  });
+  if (varies) return {"varies over the vertices", {}};
+  const bool sound = reading.color && std::all_of(reading.color->begin(), reading.color->end(),
+                                                  [](double x) { return x >= 0 && x <= 1; });
+  if (!sound) return {"goes beyond 0 to 1", {}};
+  return reading;
+}
+
+// Geometry that an extension of the primitive brings instead of the accessors'.
+bool is_encoded(const json::Document& document, json::NodeId primitive) {
+  const json::NodeId extensions = document.find(primitive, "extensions");
+  if (extensions == json::kNoNode || !document.is_object(extensions)) return false;
+  for (const auto member : document.members(extensions)) {
+    if (document.find(member.value, "bufferView") != json::kNoNode) return true;
+  }
+  return false;
+}
+
+bool is_morphed(const json::Document& document, json::NodeId primitive) {
+  const std::vector<json::NodeId> targets = model::morph_targets(document, primitive);
+  return std::any_of(targets.begin(), targets.end(), [&](json::NodeId target) {
+    return document.find(target, "COLOR_0") != json::kNoNode;
+  });
+}
+
+Reading color_of_primitive(const model::Asset& asset, AccessorValues& values,
+                           json::NodeId primitive) {
+  const json::Document& document = asset.document();
+  const json::NodeId attributes = document.find(primitive, "attributes");
+  if (document.find(attributes, "COLOR_0") == json::kNoNode) return {{}, kWhite};
+  if (is_encoded(document, primitive)) return {"is compressed", {}};
+  if (is_morphed(document, primitive)) return {"is changed by morph targets", {}};
+  const auto accessor = asset.index(attributes, "COLOR_0", model::RootArray::accessors);
+  const auto data = accessor ? values.open(*accessor) : std::nullopt;
+  if (!data || !is_color_format(data->format())) return {"cannot be read", {}};
+  return read_color(*data);
+}
+
+void note_uses(const json::Document& document, json::NodeId primitive, MaterialUses& uses) {
+  const json::KeyId name = document.key_id("material");
+  for (json::NodeId id = primitive; id < document.next(primitive); ++id) {
+    const json::Node& node = document.node(id);
+    if (node.kind != json::Kind::key || node.next != name || !document.is_number(id + 1)) continue;
+    if (const auto index = document.unsigned_integer(id + 1)) {
+      uses[*index].push_back({primitive, id + 1});
+    }
+  }
+}
+
+}  // namespace
+
+// Every member "material" below a primitive counts: extensions name further ones by mappings.
+MaterialUses find_material_uses(const model::Asset& asset) {
+  MaterialUses uses;
+  for (const json::NodeId mesh : asset.elements(model::RootArray::meshes)) {
+    if (mesh == json::kNoNode) continue;
+    for (const json::NodeId primitive : model::primitives(asset.document(), mesh)) {
+      if (primitive != json::kNoNode) note_uses(asset.document(), primitive, uses);
+    }
+  }
+  return uses;
+}
+
+Tint find_tint(const model::Asset& asset, AccessorValues& values,
+               const std::vector<MaterialUse>& uses) {
+  Tint tint;
+  for (const MaterialUse& use : uses) {
+    Reading reading = color_of_primitive(asset, values, use.primitive);
+    if (!reading.color) {
+      tint.problem = std::move(reading.problem);
+      return tint;
+    }
+    const auto part =
+        std::find_if(tint.parts.begin(), tint.parts.end(),
+                     [&](const Tint::Part& known) { return known.color == *reading.color; });
+    if (part != tint.parts.end()) {
+      part->users.push_back(use.index);
+    } else {
+      tint.parts.push_back({*reading.color, {use.index}});
+    }
+  }
+  return tint;
+}
+
+}  // namespace gltfx::upgrade

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Who uses a material, and what COLOR_0 of these primitives makes of its base colour (glTF 2.0
+/// section 3.9.2: it is multiplied with it).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "upgrade/accessor_values.hpp"
+
+namespace gltfx::upgrade {
+
+/// A place in the document that gives a primitive a material: its own, or one of those that
+/// extensions name.
+struct MaterialUse {
+  json::NodeId primitive;
+  json::NodeId index;  ///< number
+};
+
+/// By the material's index, in the order of the document.
+using MaterialUses = std::unordered_map<std::uint64_t, std::vector<MaterialUse>>;
+MaterialUses find_material_uses(const model::Asset& asset);
+
+using Rgb = std::array<double, 3>;
+
+/// The colours that multiply the base colour of a material.
+struct Tint {
+  struct Part {
+    Rgb color;
+    std::vector<json::NodeId> users;  ///< MaterialUse::index of the primitives that have it
+  };
+  std::string problem;      ///< why they are not known, or no numbers; else empty
+  std::vector<Part> parts;  ///< each color once; white for primitives without COLOR_0
+};
+
+/// `uses` are those of one material.
+Tint find_tint(const model::Asset& asset, AccessorValues& values,
+               const std::vector<MaterialUse>& uses);
+
+}  // namespace gltfx::upgrade
