@@ -89,8 +89,11 @@ double Held::factor(double n_l) const {
   return inside_ ? share_v_ : std::min(share_v_, share(n_l));
 }
 
-SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v, bool conserve)
-    : strength(max_value(color)), roughness(sheen_roughness), conserving(conserve) {
+SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v,
+                           ShaderMode mode)
+    : strength(max_value(color)),
+      roughness(sheen_roughness),
+      conserving(mode == ShaderMode::conserving) {
   if (strength <= 0) return;
   curve = SheenCurve(roughness);
   albedo_v = curve.at(v.z);

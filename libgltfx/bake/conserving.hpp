@@ -41,10 +41,10 @@ class Held {
 /// What is held back below the dielectric interface of a material: nothing in spec mode, or without
 /// diffuse lobes.
 inline Held held_below(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v,
-                       const Material& material, bool conserving) {
+                       const Material& material, ShaderMode mode) {
   const bool scatters = material.scattering == Scattering::unified && !material.volumetric();
   const bool diffuse = material.metallic < 1 && (material.transmission < 1 || scatters);
-  return conserving && diffuse ? Held(fresnel, facets, v) : Held();
+  return mode == ShaderMode::conserving && diffuse ? Held(fresnel, facets, v) : Held();
 }
 
 /// Weights of a sheen and of what is below it.
@@ -59,7 +59,7 @@ struct SheenScaling {
     double sheen, base;
   };
 
-  SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v, bool conserve);
+  SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v, ShaderMode mode);
   /// For a light under a cosine.
   Weights weights(double n_l) const;
 };

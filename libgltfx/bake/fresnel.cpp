@@ -2,6 +2,7 @@
 #include "bake/fresnel.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace gltfx::bake {
 namespace {
@@ -81,25 +82,29 @@ Rgb Fresnel::at(double cosine) const {
   const Rgb plain = schlick(f0, f90, cosine);
   if (film.strength <= 0) return plain;
   const Rgb iridescent = iridescent_fresnel(1, film.ior, f0, film.thickness, cosine);
-  return plain * (1 - film.strength) + iridescent * film.strength;
+  const Rgb mixed = plain * (1 - film.strength) + iridescent * film.strength;
+  return {std::min(mixed.x, film.most), std::min(mixed.y, film.most), std::min(mixed.z, film.most)};
 }
 
 namespace {
 
-Film film_of(const Material& m) {
-  return {m.iridescence, m.iridescence_ior, m.iridescence_thickness};
+Film film_of(const Material& m, ShaderMode mode) {
+  const double most = mode == ShaderMode::conserving ? 1 : std::numeric_limits<double>::infinity();
+  return {m.iridescence, m.iridescence_ior, m.iridescence_thickness, most};
 }
 
 }  // namespace
 
-Fresnel dielectric_fresnel(const Material& m, double eta) {
+Fresnel dielectric_fresnel(const Material& m, double eta, ShaderMode mode) {
   const double f0 = m.ior == 0 ? 1 : f0_of_ior(m.ior, m.outside_ior);
   const Rgb color(std::min(f0 * m.specular_color.x, 1.0), std::min(f0 * m.specular_color.y, 1.0),
                   std::min(f0 * m.specular_color.z, 1.0));
-  return {color * m.specular, Rgb(m.specular), eta, film_of(m)};
+  return {color * m.specular, Rgb(m.specular), eta, film_of(m, mode)};
 }
 
-Fresnel metal_fresnel(const Material& m) { return {m.base_color, Rgb(1), 1, film_of(m)}; }
+Fresnel metal_fresnel(const Material& m, ShaderMode mode) {
+  return {m.base_color, Rgb(1), 1, film_of(m, mode)};
+}
 
 Rgb dispersed_ior(double ior, double dispersion) {
   const double half_spread = (ior - 1) * 0.025 * dispersion;

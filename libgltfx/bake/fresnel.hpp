@@ -24,6 +24,8 @@ struct Film {
   double strength = 0;  ///< `iridescence`; 0: no film
   double ior = 1.3;
   double thickness = 0;  ///< nanometres
+  /// The fit can give a little more than 1, which the conserving mode cuts off.
+  double most = 1;
 };
 
 /// iridescent_fresnel: reflectance of a film on a base with `base_f0`, seen under a cosine.
@@ -43,9 +45,9 @@ struct Fresnel {
 };
 
 /// The surface of a dielectric: F0 by ior, scaled by specular colour and factor.
-Fresnel dielectric_fresnel(const Material& material, double eta);
+Fresnel dielectric_fresnel(const Material& material, double eta, ShaderMode mode);
 /// That of a metal.
-Fresnel metal_fresnel(const Material& material);
+Fresnel metal_fresnel(const Material& material, ShaderMode mode);
 
 /// KHR_materials_dispersion: indices of refraction of red, green and blue.
 Rgb dispersed_ior(double ior, double dispersion);

@@ -22,14 +22,13 @@ double relative_ior(const Material& m, int channel) {
 Vec3d in_front(const Vec3d& v) { return {v.x, v.y, std::max(std::fabs(v.z), kGrazing)}; }
 
 Seen see(const Material& m, const Vec3d& v, const ShaderOptions& options) {
-  const bool conserving = options.mode == ShaderMode::conserving;
   const double eta = relative_ior(m, options.channel);
-  if (v.z >= 0) return {m, in_front(v), eta, conserving};
-  if (m.clearcoat_normal == Vec3d(0, 0, 1)) return {m, in_front(v), 1 / eta, conserving};
+  if (v.z >= 0) return {m, in_front(v), eta, options.mode};
+  if (m.clearcoat_normal == Vec3d(0, 0, 1)) return {m, in_front(v), 1 / eta, options.mode};
   Material mirror = m;
   mirror.clearcoat_normal.x = -m.clearcoat_normal.x;
   mirror.clearcoat_normal.y = -m.clearcoat_normal.y;
-  return {mirror, in_front(v), 1 / eta, conserving};
+  return {mirror, in_front(v), 1 / eta, options.mode};
 }
 
 }  // namespace

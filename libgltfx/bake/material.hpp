@@ -23,14 +23,14 @@ struct Seen {
   SheenScaling sheen;
   SeenCoat coat;
 
-  Seen(const Material& m, const Vec3d& viewer, double relative_ior, bool conserving)
+  Seen(const Material& m, const Vec3d& viewer, double relative_ior, ShaderMode mode)
       : v(viewer),
         eta(relative_ior),
         alpha(microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation), v),
-        ior(dielectric_fresnel(m, m.volumetric() ? eta : 1)),
-        metal_f0(metal_fresnel(m)),
-        held(held_below(ior, alpha, v, m, conserving)),
-        sheen(m.sheen_color, m.sheen_roughness, v, conserving),
+        ior(dielectric_fresnel(m, m.volumetric() ? eta : 1, mode)),
+        metal_f0(metal_fresnel(m, mode)),
+        held(held_below(ior, alpha, v, m, mode)),
+        sheen(m.sheen_color, m.sheen_roughness, v, mode),
         coat(m.clearcoat_normal, m.clearcoat_roughness, v) {}
 };
 

@@ -186,29 +186,27 @@ bool unlit_is_its_color() {
 }
 
 struct Claim {
-  std::string_view start;  // of the statement
+  std::string_view part;  // of the statement
   bool (*holds)();
 };
 
 constexpr Claim kClaims[] = {
-    {"DT factor 0 == ", factor_0_is_core},
+    {"DT factor 0 ==", factor_0_is_core},
     {"transmission=1 + diffuseTransmission", transmission_hides_diffuse},
-    {"KHR_x_translucency", translucency_is_its_upgrade},
+    {"translucency{", translucency_is_its_upgrade},
     {"baseColor==diffuseTransmissionColor", furnace_knows_no_factor},
     {"metallic=1", metal_transmits_nothing},
     {"f(V,L)==f(L,V)", is_reciprocal},
-    {"KHR_x_pbrSpecularGlossiness", specular_glossiness_is_ior_0},
+    {"SpecularGlossiness{", specular_glossiness_is_ior_0},
     {"unlit", unlit_is_its_color},
 };
 
 }  // namespace
 
 Value identity(Inputs& inputs, const Value& expected) {
-  std::string statement = inputs.text("statement");
-  // Extensions are told by what stands behind their prefix.
-  if (statement.starts_with("KHR_materials_")) statement.replace(0, 14, "KHR_x_");
+  const std::string statement = inputs.text("statement");
   for (const Claim& claim : kClaims) {
-    if (!statement.starts_with(claim.start)) continue;
+    if (statement.find(claim.part) == std::string::npos) continue;
     const bool holds = claim.holds();
     return for_each_key(expected, [&](const std::string& key, const Value& wanted) -> Value {
       if (key != "relation") return {};

@@ -79,7 +79,7 @@ Value backlit_plane(Inputs& inputs, const Value& expected) {
     if (key == "radiance") return evaluate(material, v, l, kSpec) * (lux * -l.z);
     if (key == "fresnel") {
       const bake::Directions d(v, l);
-      return bake::dielectric_fresnel(material, 1).at(d.v_h).x;
+      return bake::dielectric_fresnel(material, 1, ShaderMode::spec).at(d.v_h).x;
     }
     return {};
   });
