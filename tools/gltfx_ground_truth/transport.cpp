@@ -182,7 +182,7 @@ double unscattered(double r, double radius) {
 // J0 is what is missing to 1 at albedo 1.
 class SphereSource {
  public:
-  SphereSource(double albedo, double radius) : radius_(radius) {
+  SphereSource(double albedo, double radius) {
     for (const Node& node : gauss_legendre(kCount)) {
       r_.push_back(node.x * radius);
       first_.push_back(unscattered(r_.back(), radius));
@@ -233,7 +233,6 @@ class SphereSource {
     return change;
   }
 
-  double radius_;
   std::vector<double> r_, weight_, first_, mean_, kernel_;
 };
 
