@@ -29,6 +29,12 @@ struct Fault {
   FaultKind kind = FaultKind::malformed;
   std::string message;  ///< one sentence; text of a decoder in it is not neutralised
 };
+/// Whether it took a limit of time or memory, or a process, to find it: callers with many payloads
+/// had better not ask for many of those.
+inline bool is_costly(const Fault& fault) {
+  return fault.kind == FaultKind::out_of_memory || fault.kind == FaultKind::timed_out ||
+         fault.kind == FaultKind::died;
+}
 
 /// How the components of a decoded attribute are stored.
 enum class Component : std::uint8_t {

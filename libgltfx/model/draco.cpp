@@ -25,11 +25,6 @@ std::uint64_t size_of(const codec::DracoMesh& mesh) {
   return size;
 }
 
-bool is_costly(const codec::Fault& fault) {
-  return fault.kind == codec::FaultKind::out_of_memory ||
-         fault.kind == codec::FaultKind::timed_out || fault.kind == codec::FaultKind::died;
-}
-
 ComponentType component_of(codec::Component component) {
   static constexpr ComponentType kTypes[] = {
       ComponentType::int8,  ComponentType::uint8,  ComponentType::int16,   ComponentType::uint16,
@@ -111,7 +106,7 @@ void DracoMeshes::decode(codec::Client& client, unsigned jobs) {
         if (stopped) decoded = NotLookedAt{};
         const auto* fault = std::get_if<codec::Fault>(&decoded);
         const auto* mesh = std::get_if<codec::DracoMesh>(&decoded);
-        if (fault != nullptr && is_costly(*fault) && ++costly == kMostCostly) stopped = true;
+        if (fault != nullptr && codec::is_costly(*fault) && ++costly == kMostCostly) stopped = true;
         if (mesh == nullptr) return;
         const std::uint64_t size = size_of(*mesh);
         if (size > left) {

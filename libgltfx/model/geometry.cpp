@@ -7,6 +7,7 @@
 
 #include "base/checked.hpp"
 #include "model/deformation.hpp"
+#include "model/skin.hpp"
 
 namespace gltfx::model {
 namespace {
@@ -62,14 +63,20 @@ class GeometryReader {
     return data_.source().views.accessors[*indices].count.value_or(0);
   }
 
-  // Bytes of all that will be read.
+  // Bytes of all that will be read. Morph targets and sets of joints are not kept, but count by the
+  // work that they are: a file may have any number of them over the same bytes.
   Checked size() const {
     std::uint64_t vertex = sizeof(float) * (3 + 2 * request_.tex_coords.size());
     if (has(SemanticKind::normal)) vertex += sizeof(float) * 3;
     if (has(SemanticKind::tangent)) vertex += sizeof(float) * 4;
     if (has(SemanticKind::color)) vertex += sizeof(float) * 4;
+    const auto moving = std::count_if(request_.weights.begin(), request_.weights.end(),
+                                      [](float weight) { return weight != 0; });
+    vertex += sizeof(float) * static_cast<std::uint64_t>(moving);
+    if (!request_.joints.empty()) vertex += sizeof(float) * joint_sets(data_.primitive());
+    const Checked vertices = checked_mul(count_, vertex);
     const Checked triangles = checked_mul(index_count(), sizeof(Triangle));
-    return triangles ? checked_add(*triangles, count_ * vertex) : std::nullopt;
+    return vertices && triangles ? checked_add(*triangles, *vertices) : std::nullopt;
   }
 
   // True when there are as many elements as vertices. An attribute without bytes is all zeros: of

@@ -7,9 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
-#include "container/resolve_fault.hpp"
-#include "container/uri.hpp"
+#include "container/fetch.hpp"
 #include "model/fields.hpp"
 #include "model/meshopt_decode.hpp"
 
@@ -17,6 +15,11 @@ namespace gltfx::model {
 namespace {
 
 using container::Bytes;
+
+// Some say a sentence with its full stop.
+std::string_view without_stop(std::string_view sentence) {
+  return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
+}
 
 class Loader {
  public:
@@ -63,33 +66,10 @@ class Loader {
     const json::NodeId member = document().find(object, "uri");
     if (member == json::kNoNode || !document().is_string(member)) return std::nullopt;
     std::string buffer;
-    const std::string_view text = document().string(member, buffer);
-    const container::Uri uri = container::classify_uri(text);
-    if (uri.kind == container::UriKind::data) return decode(what, index, text);
-    if (uri.kind != container::UriKind::relative_path) {
-      note(what, index, "has a URI that is not fetched");
-      return std::nullopt;
-    }
-    container::Resolved resolved = resolver_.open(uri.path);
-    if (resolved.git_lfs_pointer) {
-      note(what, index, fmt::format("is a Git-LFS pointer, {}", gltfx::quoted(uri.normalized)));
-      return std::nullopt;
-    }
-    if (resolved.fault == container::ResolveFault::none) return std::move(resolved.bytes);
+    auto bytes = container::fetch(resolver_, document().string(member, buffer));
+    if (bytes) return *std::move(bytes);
     loaded_.notes.push_back(
-        fmt::format("{} {}: {}", what, index,
-                    container::describe(resolved.fault, uri.normalized, resolved.problem)));
-    return std::nullopt;
-  }
-
-  std::optional<Bytes> decode(std::string_view what, std::size_t index, std::string_view text) {
-    const auto split = container::split_data_uri(text);
-    if (split) {
-      if (auto decoded = container::decode_payload(*split)) {
-        return Bytes::from_string(*std::move(decoded));
-      }
-    }
-    note(what, index, "has a data URI that cannot be decoded");
+        fmt::format("{} {} cannot be had: {}.", what, index, without_stop(bytes.error().message)));
     return std::nullopt;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/scene_textures.hpp"
 
+#include <atomic>
 #include <string>
 #include <utility>
 #include <variant>
@@ -10,22 +11,13 @@
 #include "base/checked.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "model/image_codec.hpp"
 
 namespace gltfx {
 namespace {
 
-std::optional<codec::ImageFormat> codec_format(image::Format format) {
-  switch (format) {
-    case image::Format::png:
-      return codec::ImageFormat::png;
-    case image::Format::jpeg:
-      return codec::ImageFormat::jpeg;
-    case image::Format::webp:
-      return codec::ImageFormat::webp;
-    default:
-      return std::nullopt;
-  }
-}
+// Images that run into a limit cost a second each: one asset gets no more than two of them.
+constexpr int kMostCostly = 2;
 
 bake::Wrap wrap_of(model::Wrap wrap) {
   if (wrap == model::Wrap::clamp_to_edge) return bake::Wrap::clamp_to_edge;
@@ -61,7 +53,7 @@ std::string SceneTextures::obstacle(std::uint32_t image) const {
   const model::ImageData& data = resources_.images[image];
   if (!data.bytes) return "has an image that is not there";
   if (!data.format) return "has an image of no format known here";
-  if (!codec_format(*data.format)) {
+  if (!model::codec_format(*data.format)) {
     return fmt::format("has an image of type {}, which is not decoded",
                        image::media_type(*data.format));
   }
@@ -85,19 +77,26 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
 
 void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget) {
   plan(budget);
+  std::atomic<bool> stopped = false;
+  int costly = 0;
   parallel_ordered(
       jobs_.size(), jobs,
       [&](std::size_t i) {
         Job& job = jobs_[i];
-        if (std::holds_alternative<codec::Fault>(job.result)) return;
+        if (stopped || std::holds_alternative<codec::Fault>(job.result)) return;
         const model::ImageData& data = resources_.images[job.image];
         codec::ImageRequest request;
         request.bytes = data.bytes->view();
-        request.format = *codec_format(*data.format);
+        request.format = *model::codec_format(*data.format);
         request.pixels = true;
         job.result = client.decode_image(request);
       },
-      [](std::size_t) {});
+      [&](std::size_t i) {
+        codec::ImageResult& result = jobs_[i].result;
+        if (stopped) result = codec::Fault{codec::FaultKind::timed_out, "others took too long"};
+        const auto* fault = std::get_if<codec::Fault>(&result);
+        if (fault != nullptr && codec::is_costly(*fault) && ++costly == kMostCostly) stopped = true;
+      });
   for (std::uint32_t i = 0; i < used_.size(); ++i) finish(i);
 }
 

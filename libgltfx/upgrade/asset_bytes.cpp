@@ -4,9 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/checked.hpp"
+#include "container/fetch.hpp"
 #include "container/uri.hpp"
 #include "model/buffer_view.hpp"
 #include "model/fields.hpp"
@@ -31,27 +30,6 @@ json::NodeId AssetBytes::element(RootArray array, std::uint64_t index) const {
   return index < asset_.count(array) ? asset_.elements(array)[index] : json::kNoNode;
 }
 
-Result<Bytes> AssetBytes::uri_bytes(const std::string& uri) const {
-  const container::Uri reference = container::classify_uri(uri);
-  if (reference.kind == UriKind::data) {
-    const auto split = container::split_data_uri(uri);
-    if (!split) return split.error();
-    auto decoded = container::decode_payload(*split);
-    if (!decoded) return decoded.error();
-    return Bytes::from_string(*std::move(decoded));
-  }
-  if (reference.kind != UriKind::relative_path) return Error{"its URI names no file of the asset"};
-  container::Resolved file = resolver_.open(reference.path);
-  if (file.fault != container::ResolveFault::none) {
-    return Error{container::describe(file.fault, reference.normalized, file.problem)};
-  }
-  if (file.git_lfs_pointer) {
-    return Error{fmt::format("{} is a Git-LFS pointer; 'git lfs pull' fetches the file itself",
-                             reference.normalized)};
-  }
-  return std::move(file.bytes);
-}
-
 Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
   const auto known = buffers_.find(index);
   if (known != buffers_.end()) return known->second;
@@ -59,7 +37,7 @@ Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
   if (object == json::kNoNode) return Error{"there is no such buffer"};
   const std::string uri = model::string_member(asset_.document(), object, "uri");
   if (!uri.empty()) {
-    auto bytes = uri_bytes(uri);
+    auto bytes = container::fetch(resolver_, uri);
     if (bytes) buffers_.emplace(index, *bytes);
     return bytes;
   }
@@ -94,7 +72,7 @@ Result<Bytes> AssetBytes::image(std::uint64_t index) {
   const json::NodeId object = element(RootArray::images, index);
   if (object == json::kNoNode) return Error{"there is no such image"};
   const std::string uri = model::string_member(asset_.document(), object, "uri");
-  return uri.empty() ? view_bytes(object) : uri_bytes(uri);
+  return uri.empty() ? view_bytes(object) : container::fetch(resolver_, uri);
 }
 
 Storage AssetBytes::image_storage(std::uint64_t index) const {

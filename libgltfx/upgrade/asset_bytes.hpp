@@ -36,7 +36,6 @@ class AssetBytes {
 
  private:
   json::NodeId element(model::RootArray array, std::uint64_t index) const;
-  Result<container::Bytes> uri_bytes(const std::string& uri) const;
   Result<container::Bytes> view_bytes(json::NodeId image);
   std::uint64_t buffer_of(json::NodeId image) const;
 

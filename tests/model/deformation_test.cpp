@@ -45,6 +45,17 @@ TEST(Morph, TargetsAddUpByTheirWeights) {
   EXPECT_THAT(at({-0.5F, 0.25F, 9}), ElementsAre(near(-1, 0, 1), near(0, 0, 1), near(-1, 1, 2)));
 }
 
+TEST(Morph, TargetsCountByTheirWork) {
+  Accessors accessors;
+  accessors.add("VEC3", kFloat, 3, kTriangle);
+  const BytesAsset asset(accessors, one_mesh(R"("POSITION": 0)",
+                                             R"(, "targets": [{"POSITION": 0}, {"POSITION": 0}])"));
+  const std::vector<float> weights{1, 0};
+  constexpr std::uint64_t kNeeded = 3 * (12 + 4) + 3 * sizeof(Triangle);
+  EXPECT_EQ(asset.read({{}, weights, {}}, kNeeded).fault, GeometryFault::none);
+  EXPECT_EQ(asset.read({{}, weights, {}}, kNeeded - 1).fault, GeometryFault::too_large);
+}
+
 TEST(Morph, EveryAttributeMoves) {
   Accessors accessors;
   accessors.add("VEC3", kFloat, 3, kTriangle);

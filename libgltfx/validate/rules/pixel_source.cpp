@@ -2,29 +2,13 @@
 #include "validate/rules/pixel_source.hpp"
 
 #include "base/parallel.hpp"
+#include "model/image_codec.hpp"
 
 namespace gltfx::validate {
-namespace {
-
-std::optional<codec::ImageFormat> codec_format(image::Format format) {
-  switch (format) {
-    case image::Format::png:
-      return codec::ImageFormat::png;
-    case image::Format::jpeg:
-      return codec::ImageFormat::jpeg;
-    case image::Format::webp:
-      return codec::ImageFormat::webp;
-    case image::Format::ktx2:
-      break;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 bool PixelSource::take(std::uint32_t image) {
   const auto& header = resources_.images[image].header;
-  if (!header || !header->doubt.empty() || !codec_format(header->format)) return false;
+  if (!header || !header->doubt.empty() || !model::codec_format(header->format)) return false;
   const std::uint64_t texels = std::uint64_t{header->width} * header->height;
   if (texels <= texels_left_) {
     texels_left_ -= texels;
@@ -44,7 +28,7 @@ void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
     const Request& next = requests[i];
     const model::ImageData& data = resources_.images[next.image];
     if (!data.bytes) return;
-    const auto format = codec_format(data.header->format);
+    const auto format = model::codec_format(data.header->format);
     if (!format) return;
     codec::ImageRequest request;
     request.bytes = data.bytes->view();
