@@ -55,6 +55,7 @@ struct Bvh::State {
   Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
   float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
   bool is_front(const Hit& hit, const Vec3d& direction) const;
+  bool offers_front(const RTCFilterFunctionNArguments* args, const Hit& hit) const;
   std::optional<Hit> intersect(Tracing& tracing, const Ray& ray) const;
   static void filter_closest(const RTCFilterFunctionNArguments* args);
   static void filter_any(const RTCFilterFunctionNArguments* args);
@@ -71,15 +72,11 @@ struct Bvh::State {
 
 // What the filters know of the ray. Embree hands back its own part, which is the first one.
 struct Bvh::Tracing {
-  Tracing(const State& s, const Ray& ray, std::uint32_t k)
-      : state(&s), key(k), direction(ray.direction) {
-    rtcInitIntersectContext(&embree);
-  }
+  Tracing(const State& s, std::uint32_t k) : state(&s), key(k) { rtcInitIntersectContext(&embree); }
   RTCIntersectContext embree;
   const State* state;
   std::uint32_t key;
   bool every_layer = false;  // whatever covers anything counts
-  Vec3d direction;
   float visibility = 1;
 };
 
@@ -236,9 +233,17 @@ float Bvh::State::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) co
   hit.v = RTCHitN_v(args->hit, 1, 0);
   const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  const auto& tracing = *reinterpret_cast<const Tracing*>(args->context);
-  if (is_culled(material) && !is_front(hit, tracing.direction)) return 0;
+  if (is_culled(material) && !offers_front(args, hit)) return 0;
   return has_holes(material) ? coverage_at(scene, mesh, material, hit) : 1.0F;
+}
+
+// A mesh of many instances is met in its own space, where nothing is mirrored.
+bool Bvh::State::offers_front(const RTCFilterFunctionNArguments* args, const Hit& hit) const {
+  const float along = RTCHitN_Ng_x(args->hit, 1, 0) * RTCRayN_dir_x(args->ray, 1, 0) +
+                      RTCHitN_Ng_y(args->hit, 1, 0) * RTCRayN_dir_y(args->ray, 1, 0) +
+                      RTCHitN_Ng_z(args->hit, 1, 0) * RTCRayN_dir_z(args->ray, 1, 0);
+  const bool instance = RTCHitN_instID(args->hit, 1, 0, 0) != RTC_INVALID_GEOMETRY_ID;
+  return (instance || facing[hit.instance] > 0 ? along : -along) < 0;
 }
 
 void Bvh::State::filter_closest(const RTCFilterFunctionNArguments* args) {
@@ -314,12 +319,12 @@ std::optional<Hit> Bvh::State::intersect(Tracing& tracing, const Ray& ray) const
 }
 
 std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key) const {
-  Tracing tracing(*state_, ray, key);
+  Tracing tracing(*state_, key);
   return state_->intersect(tracing, ray);
 }
 
 std::optional<Hit> Bvh::first_layer(const Ray& ray) const {
-  Tracing tracing(*state_, ray, 0);
+  Tracing tracing(*state_, 0);
   tracing.every_layer = true;
   return state_->intersect(tracing, ray);
 }
@@ -331,7 +336,7 @@ float Bvh::coverage(const Hit& hit) const {
 }
 
 float Bvh::visibility(const Ray& ray) const {
-  Tracing tracing(*state_, ray, 0);
+  Tracing tracing(*state_, 0);
   RTCRay query;
   start(query, ray);
   rtcOccluded1(state_->top, &tracing.embree, &query);

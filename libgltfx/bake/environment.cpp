@@ -48,13 +48,16 @@ std::vector<float> weights_of(const EnvironmentImage& image) {
   return weights;
 }
 
+// `down`: from the upper edge.
+Vec3d direction_at(const Float2& point, const Turn& down) {
+  const Turn around = turn_by(static_cast<double>(point[0]) - 0.5);  // from -z to +x
+  return {down.sine * around.sine, down.cosine, -down.sine * around.cosine};
+}
+
 }  // namespace
 
 Vec3d direction_of(const Float2& point) {
-  const double turn = (static_cast<double>(point[0]) - 0.5) * 2 * kPi;  // from -z to +x
-  const double down = static_cast<double>(point[1]) * kPi;
-  const double ring = std::sin(down);
-  return {ring * std::sin(turn), std::cos(down), -ring * std::cos(turn)};
+  return direction_at(point, turn_by(static_cast<double>(point[1]) / 2));
 }
 
 Float2 point_of(const Vec3d& direction) {
@@ -78,22 +81,21 @@ Rgb Environment::radiance_at(const Float2& point) const {
   return upper * (1 - fy) + lower * fy;
 }
 
-EnvironmentSample Environment::look(const Vec3d& direction) const {
+EnvironmentLook Environment::look(const Vec3d& direction) const {
   const Float2 point = point_of(direction);
   const double ring = std::sqrt(std::max(0.0, 1 - direction.y * direction.y));
   const double area = 2 * kPi * kPi * ring;
-  return {direction, radiance_at(point), area > 0 ? distribution_.density(point) / area : 0.0};
+  return {radiance_at(point), area > 0 ? distribution_.density(point) / area : 0.0};
 }
 
 EnvironmentSample Environment::sample(const Float2& random) const {
-  const Float2 point = distribution_.sample(random);
   EnvironmentSample sample;
-  sample.direction = direction_of(point);
-  const double area =
-      2 * kPi * kPi * std::sqrt(std::max(0.0, 1 - sample.direction.y * sample.direction.y));
-  if (area <= 0) return sample;
-  sample.pdf = distribution_.density(point) / area;
-  sample.radiance = radiance_at(point);
+  sample.point = distribution_.sample(random);
+  const Turn down = turn_by(static_cast<double>(sample.point[1]) / 2);
+  sample.direction = direction_at(sample.point, down);
+  if (down.sine > 0) {
+    sample.pdf = distribution_.density(sample.point) / (2 * kPi * kPi * down.sine);
+  }
   return sample;
 }
 

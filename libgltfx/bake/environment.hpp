@@ -9,11 +9,17 @@
 
 namespace gltfx::bake {
 
-/// Where light comes from, and how likely that direction was.
+/// A direction that light comes from, and how likely it was.
 struct EnvironmentSample {
   Vec3d direction;
-  Rgb radiance;
+  Float2 point{};  ///< of the image
   double pdf = 0;  ///< per steradian; 0: no sample
+};
+
+/// What is seen in a direction.
+struct EnvironmentLook {
+  Rgb radiance;
+  double pdf = 0;  ///< with which sample() takes the direction
 };
 
 /// An equirectangular image that is read between its texels, and sampled by its brightness.
@@ -24,8 +30,10 @@ class Environment {
 
   Rgb radiance(const Vec3d& direction) const { return look(direction).radiance; }
   /// Radiance and density of a direction in one go.
-  EnvironmentSample look(const Vec3d& direction) const;
+  EnvironmentLook look(const Vec3d& direction) const;
   EnvironmentSample sample(const Float2& random) const;
+  /// That of a sample.
+  Rgb radiance(const EnvironmentSample& sample) const { return radiance_at(sample.point); }
   /// Of sample(), per steradian.
   double pdf(const Vec3d& direction) const { return look(direction).pdf; }
 

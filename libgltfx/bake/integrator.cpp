@@ -101,7 +101,7 @@ class Path {
     } else if (s_.setting.environment) {
       const Environment& light = *s_.setting.environment;
       // What a mirror or a medium sent here is found in no other way.
-      const EnvironmentSample seen = light.look(ray_.direction);
+      const EnvironmentLook seen = light.look(ray_.direction);
       const double weight = pdf_ > 0 ? power_weight(pdf_, seen.pdf) : 1.0;
       result_.radiance += throughput_ * seen.radiance * weight;
     }
@@ -134,7 +134,9 @@ class Path {
     if (!(light.pdf > 0) || light.direction.y <= 0) return 0;
     ++result_.rays;
     const double kept = 1 - static_cast<double>(s_.bvh.visibility({point, light.direction}));
-    const double share = luminance(light.radiance) * light.direction.y / light.pdf;
+    if (kept == 0) return 0;
+    const double share =
+        luminance(s_.setting.environment->radiance(light)) * light.direction.y / light.pdf;
     return kept * share / floor->irradiance * kShadowDepth;
   }
 
@@ -198,7 +200,7 @@ class Path {
     const Vec3d l = surface.frame.to_local(light.direction);
     if (!leads_out(surface, light.direction, l)) return;
     const Evaluation value = bsdf.evaluate(l);
-    const Rgb share = value.f * light.radiance *
+    const Rgb share = value.f * s_.setting.environment->radiance(light) *
                       (std::fabs(l.z) / light.pdf * power_weight(light.pdf, value.pdf));
     add_seen({start(surface, l.z > 0), light.direction}, share);
   }

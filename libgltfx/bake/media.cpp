@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace gltfx::bake {
@@ -22,26 +23,24 @@ int choose_color(const Rgb& odds, double random) {
 }  // namespace
 
 void MediaStack::enter(const Material& material, std::uint32_t instance) {
-  if (depth_ == entries_.size()) return;
-  entries_[depth_++] = {medium_of(material), material.ior, instance};
+  constexpr std::size_t kDeepest = 16;
+  if (entries_.size() < kDeepest) {
+    entries_.push_back({medium_of(material), material.ior, instance});
+  }
 }
 
 void MediaStack::leave(std::uint32_t instance) {
-  for (std::size_t i = depth_; i-- > 0;) {
-    if (entries_[i].instance != instance) continue;
-    std::move(entries_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-              entries_.begin() + static_cast<std::ptrdiff_t>(depth_),
-              entries_.begin() + static_cast<std::ptrdiff_t>(i));
-    --depth_;
-    return;
-  }
+  const auto innermost =
+      std::find_if(entries_.rbegin(), entries_.rend(),
+                   [instance](const Entry& each) { return each.instance == instance; });
+  if (innermost != entries_.rend()) entries_.erase(std::next(innermost).base());
 }
 
 double MediaStack::ior_around(std::uint32_t instance) const {
-  for (std::size_t i = depth_; i-- > 0;) {
-    if (entries_[i].instance != instance) return entries_[i].ior;
-  }
-  return 1;
+  const auto around =
+      std::find_if(entries_.rbegin(), entries_.rend(),
+                   [instance](const Entry& each) { return each.instance != instance; });
+  return around != entries_.rend() ? around->ior : 1.0;
 }
 
 MediumStep walk(const Medium& medium, const Rgb& throughput, double reach, const Float2& random) {

@@ -4,22 +4,21 @@
 
 #include <gltfx/material.hpp>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "bake/medium.hpp"
 #include "bake/scene.hpp"
 
 namespace gltfx::bake {
 
-/// A path enters and leaves closed meshes. What is nested deeper than there is room for counts as
-/// the medium around it.
+/// A path enters and leaves closed meshes. What is nested deeper than some levels counts as the
+/// medium around it.
 class MediaStack {
  public:
-  bool empty() const { return depth_ == 0; }
+  bool empty() const { return entries_.empty(); }
   /// Precondition: not empty.
-  const Medium& top() const { return entries_[depth_ - 1].medium; }
+  const Medium& top() const { return entries_.back().medium; }
 
   void enter(const Material& material, std::uint32_t instance);
   void leave(std::uint32_t instance);
@@ -32,8 +31,7 @@ class MediaStack {
     double ior = 1;
     std::uint32_t instance = kNone;
   };
-  std::array<Entry, 6> entries_{};
-  std::size_t depth_ = 0;
+  std::vector<Entry> entries_;  // most paths never have one
 };
 
 /// What becomes of a path inside of a medium.

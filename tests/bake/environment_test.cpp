@@ -36,6 +36,14 @@ TEST(Environment, DirectionsAndPointsOfTheImageBelongTogether) {
   }
 }
 
+TEST(Environment, TurnsAreSinesAndCosines) {
+  for (double turns = -1; turns <= 1; turns += 0.00137) {
+    const Turn turn = turn_by(turns);
+    EXPECT_NEAR(turn.sine, std::sin(turns * 2 * std::numbers::pi), 4e-9) << turns;
+    EXPECT_NEAR(turn.cosine, std::cos(turns * 2 * std::numbers::pi), 4e-9) << turns;
+  }
+}
+
 TEST(Environment, RadianceIsReadBetweenTexels) {
   const Environment environment(spotted());
   const Vec3d middle = direction_of({20.5F / 32, 5.5F / 16});
@@ -58,6 +66,7 @@ TEST(Environment, SamplesFollowTheirDensity) {
   for (std::uint32_t i = 0; i < kSamples; ++i) {
     const EnvironmentSample sample = environment.sample(SampleStream(1, 2, i).pair(0));
     ASSERT_GT(sample.pdf, 0);
+    EXPECT_NEAR(environment.radiance(sample).x, environment.radiance(sample.direction).x, 1e-2);
     EXPECT_NEAR(sample.pdf, environment.pdf(sample.direction), 0.01 * sample.pdf);
     found[cell(point_of(sample.direction))] += 1.0 / kSamples;
   }
@@ -108,7 +117,8 @@ TEST(Studio, AWhiteSurfaceComesOutBelowWhite) {
   for (std::uint32_t i = 0; i < kSamples; ++i) {
     const EnvironmentSample light = studio.sample(SampleStream(3, 1, i).pair(0));
     const double cosine = dot(light.direction, backward);
-    if (cosine > 0) sum += light.radiance * (cosine / light.pdf / std::numbers::pi / kSamples);
+    if (cosine > 0)
+      sum += studio.radiance(light) * (cosine / light.pdf / std::numbers::pi / kSamples);
   }
   EXPECT_GT(luminance(sum), 0.6);
   EXPECT_LT(luminance(sum), 1.1);

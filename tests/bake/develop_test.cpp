@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/develop.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bake/tonemap.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+using testing::ElementsAre;
+using testing::FloatEq;
+
+// Two pixels: half covered by something grey, and nothing.
+Film two_pixels() {
+  Film film(2, 1);
+  PathSample there;
+  there.radiance = Rgb(0.5);
+  there.direct = Rgb(0.5);
+  there.alpha = 1;
+  there.albedo = Rgb(0.25, 0.5, 1);
+  there.normal = {0, 0, 2};
+  there.depth = 4;
+  there.material = 3;
+  film.add(0, there);
+  film.add(0, PathSample());
+  film.add(1, PathSample());
+  film.add(1, PathSample());
+  return film;
+}
+
+std::vector<Rgb> radiance(const Film& film) { return {film.radiance(0), film.radiance(1)}; }
+
+TEST(Film, KeepsMeansAndErrors) {
+  Film film(1, 1);
+  for (const double value : {1.0, 3.0}) {
+    PathSample sample;
+    sample.radiance = Rgb(value);
+    film.add(0, sample);
+  }
+  EXPECT_EQ(film.radiance(0), Rgb(2));
+  EXPECT_NEAR(film.error(0), 1, 1e-6);
+}
+
+TEST(Film, WhatIsNoNumberIsLeftOut) {
+  Film film(1, 1);
+  PathSample sample;
+  sample.radiance = Rgb(std::nan(""));
+  film.add(0, sample);
+  EXPECT_EQ(film.radiance(0), Rgb());
+}
+
+TEST(Develop, AlphaIsNotMultipliedIn) {
+  const Film film = two_pixels();
+  const Picture picture = develop(film, radiance(film), true, Numbers::floats);
+  EXPECT_EQ(picture.channels, 4U);
+  EXPECT_THAT(picture.floats, ElementsAre(0.5F, 0.5F, 0.5F, 0.5F, 0, 0, 0, 0));
+  EXPECT_TRUE(picture.bytes.empty());
+}
+
+TEST(Develop, BytesAreToneMapped) {
+  const Film film = two_pixels();
+  const Picture picture = develop(film, radiance(film), false, Numbers::bytes);
+  const auto expected = to_byte(srgb_encode(tone_map({0.25F, 0.25F, 0.25F})[0]));
+  EXPECT_THAT(picture.bytes, ElementsAre(expected, expected, expected, 0, 0, 0));
+}
+
+TEST(Develop, Layers) {
+  const Film film = two_pixels();
+  EXPECT_THAT(develop_layer(film, Layer::albedo, Numbers::floats).floats,
+              ElementsAre(0.125F, 0.25F, 0.5F, 0, 0, 0));
+  EXPECT_THAT(develop_layer(film, Layer::normal, Numbers::bytes).bytes,
+              ElementsAre(128, 128, 255, 0, 0, 0));
+  EXPECT_THAT(develop_layer(film, Layer::depth, Numbers::floats).floats,
+              ElementsAre(FloatEq(4), FloatEq(4), FloatEq(4), 0, 0, 0));
+  EXPECT_EQ(develop_layer(film, Layer::depth, Numbers::bytes).bytes[0], 255);
+  EXPECT_EQ(develop_layer(film, Layer::material, Numbers::floats).floats[0], 3);
+}
+
+TEST(Develop, DifferencesCountWhereThereIsSomething) {
+  const Film film = two_pixels();
+  const Picture a{2, 1, 3, {10, 20, 30, 0, 0, 0}, {}};
+  const Picture b{2, 1, 3, {13, 20, 30, 99, 99, 99}, {}};
+  EXPECT_DOUBLE_EQ(mean_square_difference(a, b, film, film), 3);
+  EXPECT_THAT(difference(a, b).bytes, ElementsAre(116, 128, 128, 0, 0, 0));
+}
+
+}  // namespace
+}  // namespace gltfx::bake

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/media.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "bake/sampler.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+Material glass(double ior) {
+  Material material;
+  material.ior = ior;
+  material.transmission = 1;
+  material.thickness = 1;
+  return material;
+}
+
+TEST(MediaStack, WhatIsEnteredLastIsLeftFirst) {
+  MediaStack media;
+  EXPECT_TRUE(media.empty());
+  EXPECT_EQ(media.ior_around(0), 1);
+  media.enter(glass(1.33), 0);
+  EXPECT_EQ(media.ior_around(1), 1.33);
+  EXPECT_EQ(media.ior_around(0), 1) << "of the instance itself: what lies around it";
+  media.enter(glass(1.5), 1);
+  media.leave(1);
+  EXPECT_EQ(media.ior_around(5), 1.33);
+  media.leave(7);
+  media.leave(0);
+  EXPECT_TRUE(media.empty());
+}
+
+TEST(MediaStack, HasABottom) {
+  MediaStack media;
+  for (std::uint32_t i = 0; i < 1000; ++i) media.enter(glass(1.5), i);
+  for (std::uint32_t i = 0; i < 1000; ++i) media.leave(i);
+  EXPECT_TRUE(media.empty());
+}
+
+// Of light that goes through a slab without turning, and of all light scattered in a deep medium:
+// both are known.
+TEST(Walk, WeighsAllColours) {
+  Medium medium;
+  medium.absorption = {0.1, 0.5, 0};
+  medium.scattering = {1, 0.5, 3};
+  Rgb through;
+  Rgb scattered;
+  constexpr std::uint32_t kSamples = 1U << 14U;
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    const MediumStep step = walk(medium, {1, 0.5, 0.2}, 0.7, SampleStream(1, 1, i).pair(0));
+    (step.scattered ? scattered : through) += step.weight;
+    if (step.scattered) EXPECT_LT(step.distance, 0.7);
+  }
+  for (int c = 0; c < 3; ++c) {
+    const double extinction = medium.extinction()[c];
+    const double expected = std::exp(-extinction * 0.7);
+    EXPECT_NEAR(through[c] / kSamples, expected, 0.01) << c;
+    EXPECT_NEAR(scattered[c] / kSamples, (1 - expected) * medium.scattering[c] / extinction, 0.01);
+  }
+}
+
+TEST(Walk, OnlyDimsWhereNothingScatters) {
+  Medium medium;
+  medium.absorption = {1, 2, 0};
+  const MediumStep step = walk(medium, {1, 1, 1}, 0.5, {0.3F, 0.3F});
+  EXPECT_FALSE(step.scattered);
+  EXPECT_NEAR(step.weight.x, std::exp(-0.5), 1e-12);
+  EXPECT_NEAR(step.weight.y, std::exp(-1.0), 1e-12);
+  EXPECT_EQ(step.weight.z, 1);
+}
+
+}  // namespace
+}  // namespace gltfx::bake

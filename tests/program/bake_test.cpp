@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `gltfx bake` from outside: what it writes, what it says, what it exits with.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "container/temp_folder.hpp"
+#include "program/process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+namespace fs = std::filesystem;
+using container::test::TempFolder;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class BakeTest : public testing::Test {
+ protected:
+  Outcome bake(std::vector<std::string> words) const {
+    words.insert(words.begin(), {"bake", "--size", "16", "--samples", "2"});
+    return gltfx(std::move(words), {folder_.path().native(), {}, {}});
+  }
+  std::string content(const std::string& name) const {
+    return read_file((folder_.path() / name).native());
+  }
+  void copy(const std::string& name) const {
+    folder_.write(fs::path(name).filename().native(), read_file(fixture(name)));
+  }
+  const TempFolder folder_;
+};
+
+TEST_F(BakeTest, AFileBecomesAPicture) {
+  const Outcome outcome = bake({fixture("good/leaf.gltf"), "-o", "leaf.png"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("-> leaf.png\n"));
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(content("leaf.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(BakeTest, ThreadsDoNotShow) {
+  bake({fixture("good/leaf.gltf"), "-o", "one.png", "--jobs", "1"});
+  bake({fixture("good/leaf.gltf"), "-o", "two.png", "--jobs", "2"});
+  bake({fixture("good/leaf.gltf"), "-o", "other.png", "--seed", "1"});
+  EXPECT_EQ(content("one.png"), content("two.png"));
+  EXPECT_NE(content("one.png"), content("other.png"));
+}
+
+TEST_F(BakeTest, AFolderBecomesAFolderWithASheet) {
+  fs::create_directory(folder_.path() / "in");
+  folder_.write("in/a.glb", read_file(fixture("good/bowl.glb")));
+  folder_.write("in/b.glb", read_file(fixture("good/tumbler.glb")));
+  const Outcome outcome = bake({"in", "-o", "out", "--format", "webp", "--quiet"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(content("out/a.webp"), StartsWith("RIFF"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "out/b.webp"));
+  EXPECT_THAT(content("out/contact-sheet.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(BakeTest, AnInvalidAssetIsRefusedWithItsFaults) {
+  folder_.write("faulty.gltf", kFaulty);
+  const Outcome outcome = bake({"faulty.gltf", "-o", "a.png"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("error["));
+  EXPECT_THAT(outcome.err, HasSubstr("it is not valid (--force draws it all the same)"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+}
+
+TEST_F(BakeTest, NothingToSeeIsNoPicture) {
+  folder_.write("empty.gltf", kSound);
+  const Outcome outcome = bake({"empty.gltf", "-o", "a.png"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("no visible triangles"));
+  EXPECT_EQ(bake({"gone.gltf", "-o", "a.png"}).code, 3);
+}
+
+TEST_F(BakeTest, EmbedWritesTheAsset) {
+  copy("good/bowl.glb");
+  const Outcome outcome = bake({"bowl.glb", "--embed"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "bowl.glb: thumbnail embedded\n");
+  EXPECT_THAT(content("bowl.glb"), HasSubstr("\"thumbnail\""));
+}
+
+TEST_F(BakeTest, CompareSaysHowMuchDiffers) {
+  const Outcome same =
+      bake({fixture("good/bowl.glb"), "--compare", fixture("good/bowl.glb"), "-o", "d.png"});
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_EQ(same.out, "the same picture\n");
+  EXPECT_TRUE(fs::exists(folder_.path() / "d.png"));
+  const Outcome other = bake({fixture("good/bowl.glb"), "--compare", fixture("good/leaf.gltf")});
+  EXPECT_THAT(other.out, testing::ContainsRegex("^PSNR [0-9]+\\.[0-9][0-9] dB\n$"));
+}
+
+TEST_F(BakeTest, WrongWordsAreNamed) {
+  const std::string leaf = fixture("good/leaf.gltf");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{leaf}, "say where the picture goes"},
+      {{"-o", "a.png"}, "name at least one file"},
+      {{leaf, "-o", "a.png", "--size", "0"}, "--size"},
+      {{leaf, "-o", "a.png", "--size", "10x"}, "--size"},
+      {{leaf, "-o", "a.png", "--samples", "-1"}, "--samples"},
+      {{leaf, "-o", "a.png", "--lights", "sun"}, "none of asset, studio, both"},
+      {{leaf, "-o", "a.png", "--layer", "colour"}, "none of albedo"},
+      {{leaf, "-o", "a.png", "--noise", "2"}, "--noise"},
+      {{leaf, "-o", "a.png", "--exposure", "nan"}, "--exposure"},
+      {{leaf, "-o", "a.png", "--denoise", "yes"}, "none of on, off"},
+      {{leaf, "--embed", "--time-budget", "1"}, "exclude each other"},
+      {{"-", "-o", "a.png"}, "standard input"},
+  };
+  for (const auto& [words, expected] : cases) {
+    const Outcome outcome = bake(words);
+    EXPECT_EQ(outcome.code, 2) << expected;
+    EXPECT_THAT(outcome.err, HasSubstr(expected));
+  }
+  EXPECT_THAT(bake({leaf, "-o", "a.tga"}).err, HasSubstr("does not end in .png"));
+  EXPECT_EQ(bake({leaf, "-o", "a.tga"}).code, 1);
+}
+
+}  // namespace
+}  // namespace gltfx::program
