@@ -256,8 +256,7 @@ std::vector<float> value_at(const Curve& curve, double time, std::uint64_t width
 AnimationSample sample_animation(const Asset& asset, const Views& views,
                                  const ResourceData& resources, const schema::Set& schemas,
                                  std::uint32_t index, double time) {
-  const json::NodeId object = asset.elements(RootArray::animations)[index];
-  return Sampling(asset, views, resources, schemas, time).run(read_animation(asset, object));
+  return Sampling(asset, views, resources, schemas, time).run(views.animations[index]);
 }
 
 }  // namespace gltfx::model
