@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "codec/pool.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -24,10 +25,20 @@ constexpr milliseconds kWallAtLeast{2000};
 
 Reply fault(FaultKind kind, std::string message) { return {Fault{kind, std::move(message)}, {}}; }
 
+// Its end closes the socket, but where somebody else holds a copy of it nobody hears of that.
+bool wait_for_answer(const Process& worker, milliseconds time) {
+  constexpr milliseconds kLook{250};
+  for (; time > milliseconds::zero(); time -= kLook) {
+    if (wait_for_packet(worker.socket(), std::min(time, kLook)) == Wait::ready) return true;
+    if (worker.has_ended()) break;
+  }
+  return wait_for_packet(worker.socket(), milliseconds::zero()) == Wait::ready;
+}
+
 std::unique_ptr<Process> start(const std::string& program) {
   auto process = std::make_unique<Process>(program);
   if (!process->started()) return nullptr;
-  if (wait_for_packet(process->socket(), kStartTime) != Wait::ready) return nullptr;
+  if (!wait_for_answer(*process, kStartTime)) return nullptr;
   const auto greeting = receive_packet(process->socket());
   return greeting && read_hello(greeting->bytes) ? std::move(process) : nullptr;
 }
@@ -134,7 +145,8 @@ Reply Pool::ask(Worker& worker, const Job& job, std::span<const std::byte> bytes
   }
   Worker asked = std::move(worker);  // given back when it has shown to be sound
   const milliseconds wall(job.milliseconds * kWallPerProcessorTime);
-  if (wait_for_packet(asked->socket(), wall + kWallAtLeast) == Wait::timed_out) {
+  if (!wait_for_answer(*asked, wall + kWallAtLeast)) {
+    if (asked->has_ended()) return epitaph(*asked, job);
     return fault(FaultKind::timed_out, "The decoder does not come to an end.");
   }
   const auto packet = receive_packet(asked->socket());

@@ -89,6 +89,12 @@ Process::Process(const std::string& program) {
   lifeline_ = std::move(ends.lifeline);
 }
 
+bool Process::has_ended() const {
+  siginfo_t info{};
+  const int flags = WEXITED | WNOHANG | WNOWAIT;
+  return ::waitid(P_PID, static_cast<id_t>(id_), &info, flags) != 0 || info.si_pid != 0;
+}
+
 int Process::cause_of_death() {
   if (id_ <= 0) return 0;
   int status = 0;

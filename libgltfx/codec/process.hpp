@@ -30,6 +30,8 @@ class Process {
   bool started() const { return id_ > 0; }
   int socket() const { return socket_.get(); }
 
+  /// Whether the process runs no more.
+  bool has_ended() const;
   /// The signal that has ended the process; 0 when it ended otherwise, or not within a moment.
   int cause_of_death();
   /// Ends the process if it has not ended.
