@@ -123,6 +123,13 @@ class Settler {
     append("textures", fmt::format(R"({{{}"source":{}}})", sampler, texture.image));
   }
 
+  // Whether another new file has the name.
+  bool is_taken(const std::string& path, std::string_view bytes) const {
+    return std::any_of(
+        settlement_.files.begin(), settlement_.files.end(),
+        [&](const NewFile& file) { return file.path == path && *file.bytes != bytes; });
+  }
+
   // The URI of a new file named after an old one; empty when all names are taken.
   std::string add_file(std::string_view old, std::string_view ending, const File& file) {
     const std::string hash = fmt::format("{:016x}", content_hash(*file));
@@ -131,7 +138,7 @@ class Settler {
       if (attempt > 1) fmt::format_to(std::back_inserter(mark), "-{}", attempt);
       std::string uri = renamed(old, mark, ending);
       std::string path = container::classify_uri(uri).path;
-      if (path.empty() || !is_free_(path, *file)) continue;
+      if (path.empty() || is_taken(path, *file) || !is_free_(path, *file)) continue;
       settlement_.files.push_back({std::move(path), file});
       return uri;
     }

@@ -11,6 +11,7 @@ terrain   one .glb of some 400 MB of plain geometry: 8 meshes with positions, no
 normals   two .glb of a million vertices: clean.glb, and bad.glb whose normals are all too long
 statue    one .glb of 100,000 triangles with three textures of 1,024 texels a side, to be drawn
 textures  one .glb of some 500 MB with 40 PNG images of 2,048 to 4,096 texels a side
+legacy    200 models with a retired extension, each with a map of its own of 512 texels a side
 """
 import argparse
 import array
@@ -345,11 +346,25 @@ def make_textures(path, count):
     write_glb(path, document, images)
 
 
+def make_legacy(folder, count):
+    for i in range(count):
+        with open(os.path.join(folder, f"m{i:04d}.png"), "wb") as file:
+            file.write(png(512, i))
+        document = {"asset": ASSET, "extensionsUsed": ["KHR_materials_translucency"],
+                    "images": [{"uri": f"m{i:04d}.png"}], "textures": [{"source": 0}],
+                    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.4, 0.7, 0.2, 1]},
+                                   "extensions": {"KHR_materials_translucency": {
+                                       "translucencyFactor": 0.5,
+                                       "translucencyTexture": {"index": 0}}}}]}
+        with open(os.path.join(folder, f"m{i:04d}.gltf"), "w", encoding="utf-8") as file:
+            json.dump(document, file, indent=2)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
-    parser.add_argument("--only", default="batch,city,terrain,normals,statue,textures")
+    parser.add_argument("--only", default="batch,city,terrain,normals,statue,textures,legacy")
     parser.add_argument("--files", type=int, default=1000)
     parser.add_argument("--blocks", type=int, default=1500)
     parser.add_argument("--side", type=int, default=800, help="vertices along a side of a terrain")
@@ -368,6 +383,8 @@ def main():
             make_terrain(os.path.join(folder, "bad.glb"), 1000, 1, (0.0, 1.5, 0.0))
         elif name == "statue":
             make_statue(os.path.join(folder, "statue.glb"), 158)
+        elif name == "legacy":
+            make_legacy(folder, 200)
         else:
             make_textures(os.path.join(folder, "textures.glb"), 40)
 

@@ -81,5 +81,18 @@ TEST(Base64, SpareBitsMustBeZero) {
   EXPECT_EQ(decoded("AAE="), std::string("\0\1", 2));
 }
 
+TEST(Base64, WhatIsEncodedIsDecodedAgain) {
+  std::string bytes;
+  for (int i = 0; i < 300; ++i) {
+    const std::string text = encode_base64(bytes);
+    EXPECT_EQ(text.size() % 4, 0U);
+    const auto again = decode_base64(text);
+    ASSERT_TRUE(again) << text;
+    EXPECT_EQ(*again, bytes);
+    bytes += static_cast<char>(i * 37);
+  }
+  EXPECT_EQ(encode_base64("M"), "TQ==");
+}
+
 }  // namespace
 }  // namespace gltfx::container

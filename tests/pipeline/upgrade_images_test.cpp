@@ -4,6 +4,8 @@
 #include <tuple>
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "codec/support/png_encoder.hpp"
 #include "legacy_asset.hpp"
@@ -353,6 +355,39 @@ TEST(UpgradeImages, NothingNewIsLeftOfAFileThatCannotBeReplaced) {
   EXPECT_EQ(upgrade_file(path.native(), in_place()).problem, UpgradeProblem::not_written);
   const auto files = std::distance(std::filesystem::directory_iterator(folder.path()), {});
   EXPECT_EQ(files, 3);
+}
+
+// The number of a process that runs no more.
+std::string ended_process() {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  return std::to_string(child);
+}
+
+TEST(UpgradeImages, AssetsThatShareAMapShareTheNewOneAlsoAfterACrash) {
+  const std::string map = noisy_png(PngColor::rgb, 8, 24);
+  const std::string text = document({mapped()}, {{{"uri", "leaf.png"}}}).dump();
+  const TempFolder elsewhere;
+  elsewhere.write("leaf.png", map);
+  const auto first = elsewhere.write("a.gltf", text);
+  const UpgradeReport alone = upgrade_file(first.native(), in_place());
+  ASSERT_THAT(alone.new_files, SizeIs(1)) << alone.error;
+
+  const TempFolder folder;
+  folder.write("leaf.png", map);
+  const std::string dead = ended_process();
+  folder.write(alone.new_files[0] + "." + dead + "-0.part", "half");
+  folder.write("7.gltf." + dead + "-3.part", "half");
+  std::vector<UpgradeInput> inputs;
+  for (int i = 0; i < 40; ++i) {
+    inputs.push_back({folder.write(std::to_string(i) + ".gltf", text).native(), {}});
+  }
+  upgrade_files(inputs, in_place(), 2, [&](UpgradeReport&& report) {
+    EXPECT_TRUE(report.written) << report.error;
+    EXPECT_EQ(report.new_files, alone.new_files);
+  });
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 42);
 }
 
 }  // namespace

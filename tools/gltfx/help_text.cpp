@@ -34,6 +34,7 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade model.gltf                  what would be done, and why; nothing is written
   gltfx upgrade model.gltf --diff           the same as a diff
   gltfx upgrade assets/ --in-place          only what keeps the picture the same
+  gltfx upgrade model.glb -o new.glb --pack --prune   with no more images than before
   gltfx upgrade assets/ --check             for CI: 1 when there is something to do
   gltfx upgrade assets/ -o current/         the same tree there, with what the assets refer to
   gltfx upgrade old.glb -o new.glb --unsafe --generation v2
