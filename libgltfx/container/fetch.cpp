@@ -20,11 +20,12 @@ Result<Bytes> decode(std::string_view uri) {
 
 }  // namespace
 
-Result<Bytes> fetch(const Resolver& resolver, std::string_view uri) {
+Result<Bytes> fetch(const Resolver& resolver, std::string_view uri, ResolveFault* fault) {
   const Uri reference = classify_uri(uri);
   if (reference.kind == UriKind::data) return decode(uri);
   if (reference.kind != UriKind::relative_path) return Error{"its URI names no file of the asset"};
   Resolved file = resolver.open(reference.path);
+  if (fault != nullptr) *fault = file.fault;
   if (file.fault != ResolveFault::none) {
     return Error{describe(file.fault, reference.normalized, file.problem)};
   }

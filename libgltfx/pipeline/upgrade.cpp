@@ -100,6 +100,9 @@ class Upgrade {
     upgrade::AssetPictures pictures(bytes, upgrade::ImageCache::shared());
     upgrade::Plan plan =
         upgrade::make_plan(parsed_.document, *schemas_, options_, &pictures, &bytes);
+    if (const std::string why = pictures.failure(); !why.empty()) {
+      return fail(UpgradeProblem::unreadable, why);
+    }
     const auto ambiguity = upgrade::find_ambiguity(parsed_, plan);
     report_.actions = std::move(plan.actions);
     edits_ = std::move(plan.edits);

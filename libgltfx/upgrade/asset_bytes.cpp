@@ -19,6 +19,13 @@ using model::RootArray;
 
 constexpr std::uint64_t kNoBuffer = UINT64_MAX;
 
+// Whether it says nothing of the asset: another run may be luckier.
+bool may_pass(container::ResolveFault fault) {
+  using container::ResolveFault;
+  return fault == ResolveFault::no_permission || fault == ResolveFault::io_error ||
+         fault == ResolveFault::truncated;
+}
+
 Storage storage_of(const std::string& uri) {
   if (uri.empty()) return Storage::nowhere;
   return container::classify_uri(uri).kind == UriKind::data ? Storage::data_uri : Storage::file;
@@ -30,6 +37,13 @@ json::NodeId AssetBytes::element(RootArray array, std::uint64_t index) const {
   return index < asset_.count(array) ? asset_.elements(array)[index] : json::kNoNode;
 }
 
+Result<Bytes> AssetBytes::fetch(const std::string& uri) {
+  container::ResolveFault fault = container::ResolveFault::none;
+  auto bytes = container::fetch(resolver_, uri, &fault);
+  if (trouble_.empty() && may_pass(fault)) trouble_ = bytes.error().message;
+  return bytes;
+}
+
 Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
   const auto known = buffers_.find(index);
   if (known != buffers_.end()) return known->second;
@@ -37,7 +51,7 @@ Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
   if (object == json::kNoNode) return Error{"there is no such buffer"};
   const std::string uri = model::string_member(asset_.document(), object, "uri");
   if (!uri.empty()) {
-    auto bytes = container::fetch(resolver_, uri);
+    auto bytes = fetch(uri);
     if (bytes) buffers_.emplace(index, *bytes);
     return bytes;
   }
@@ -72,7 +86,7 @@ Result<Bytes> AssetBytes::image(std::uint64_t index) {
   const json::NodeId object = element(RootArray::images, index);
   if (object == json::kNoNode) return Error{"there is no such image"};
   const std::string uri = model::string_member(asset_.document(), object, "uri");
-  return uri.empty() ? view_bytes(object) : container::fetch(resolver_, uri);
+  return uri.empty() ? view_bytes(object) : fetch(uri);
 }
 
 Storage AssetBytes::image_storage(std::uint64_t index) const {

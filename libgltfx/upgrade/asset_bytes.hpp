@@ -28,6 +28,8 @@ class AssetBytes {
   /// none. Those of a buffer may be fewer than it says.
   Result<container::Bytes> image(std::uint64_t index);
   Result<container::Bytes> buffer(std::uint64_t index);
+  /// Why a file that is there could not be read, the first time that happened; empty: it did not.
+  const std::string& trouble() const { return trouble_; }
   Storage image_storage(std::uint64_t index) const;
   Storage buffer_storage(std::uint64_t index) const;
   /// The URI of the file that an image stands in or that its buffer view leads to, as written;
@@ -36,12 +38,14 @@ class AssetBytes {
 
  private:
   json::NodeId element(model::RootArray array, std::uint64_t index) const;
+  Result<container::Bytes> fetch(const std::string& uri);
   Result<container::Bytes> view_bytes(json::NodeId image);
   std::uint64_t buffer_of(json::NodeId image) const;
 
   const model::Asset& asset_;
   const container::Container& container_;
   const container::Resolver& resolver_;
+  std::string trouble_;
   std::unordered_map<std::uint64_t, container::Bytes> buffers_;  ///< those that were asked for
 };
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "upgrade/content_hash.hpp"
 
 namespace gltfx::upgrade {
@@ -13,7 +15,11 @@ const Picture& AssetPictures::picture(std::uint64_t image) {
   auto bytes = bytes_.image(image);
   Picture picture;
   if (bytes) {
-    picture = cache_.decode(*bytes)->picture;
+    const auto decoded = cache_.decode(*bytes);
+    picture = decoded->picture;
+    if (decoded->may_pass && failure_.empty()) {
+      failure_ = fmt::format("image {}: {}", image, picture.problem);
+    }
   } else {
     picture.problem = bytes.error().message;
   }

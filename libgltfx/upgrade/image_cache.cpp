@@ -46,7 +46,10 @@ Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes) {
   request.pixels = true;
   codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (const auto* fault = std::get_if<codec::Fault>(&result)) {
-    return unreadable(fmt::format("it cannot be decoded: {}", printable(fault->message)));
+    Decoded none = unreadable(fmt::format("it cannot be decoded: {}", printable(fault->message)));
+    none.may_pass =
+        fault->kind != codec::FaultKind::malformed && fault->kind != codec::FaultKind::too_large;
+    return none;
   }
   auto image = std::make_shared<codec::Image>(std::move(*std::get_if<codec::Image>(&result)));
   if (!image->doubt.empty()) {

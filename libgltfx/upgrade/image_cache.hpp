@@ -20,6 +20,7 @@ namespace gltfx::upgrade {
 struct Decoded {
   Picture picture;
   std::shared_ptr<const codec::Image> pixels;  ///< null: `picture.problem`
+  bool may_pass = false;                       ///< the problem need not lie in the image
 };
 
 /// What a file was made of: for each channel the decoded image and what was taken of it.
