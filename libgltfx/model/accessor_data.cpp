@@ -88,8 +88,12 @@ bool AccessorData::open_base(const Asset& asset, const Views& views, const Resou
   if (bad_stride && malformed == Malformed::unusable) return false;
   stride_ = view.byte_stride.value_or(packed_stride(format_));
   const auto offset = start_of(asset.document(), accessor.node, accessor.byte_offset);
-  if (!offset || stride_ < element_size(format_) || stride_ % component_size_ != 0) return false;
+  if (!offset || stride_ < element_size(format_)) return false;
   const Range range{*offset, component_size_, accessor.span_size(stride_)};
+  if (stride_ % component_size_ != 0) {
+    if (malformed == Malformed::unusable) return false;
+    stride_ -= stride_ % component_size_;  // which counts whole components
+  }
   auto bytes = aligned_part(asset, view, resources, range);
   if (!bytes) return false;
   base_ = *std::move(bytes);

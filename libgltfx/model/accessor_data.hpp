@@ -17,7 +17,7 @@
 namespace gltfx::model {
 
 /// What a malformed member does: it makes the data unusable, or it counts as absent as for the
-/// Khronos validator.
+/// Khronos validator, which of a stride takes whole components.
 enum class Malformed : std::uint8_t { unusable, absent };
 
 /// Numbers of one component type that lie packed, and how many.

@@ -6,6 +6,7 @@
 
 #include "base/checked.hpp"
 #include "container/mapping.hpp"
+#include "container/uri.hpp"
 #include "model/fields.hpp"
 #include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
@@ -69,11 +70,25 @@ std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uin
   return kept ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
+// The Khronos validator keeps what a data URI holds whatever the buffer declares, and lists nothing
+// of it.
+std::optional<Bytes> undeclared_bytes(const Resource& resource) {
+  const json::Document& document = resource.context.document;
+  const std::string uri = model::string_member(document, resource.object, "uri");
+  if (!resource.context.khronos() ||
+      container::classify_uri(uri).kind != container::UriKind::data) {
+    return std::nullopt;
+  }
+  ResourceInfo unlisted = resource.info;
+  return fetch_uri(
+      {resource.context, resource.sink, resource.report, resource.path, resource.object, unlisted});
+}
+
 std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index) {
   const json::Document& document = resource.context.document;
   resource.info.mime_type = "application/gltf-buffer";
   const auto declared = model::unsigned_member(document, resource.object, "byteLength");
-  if (!declared || *declared == 0) return std::nullopt;
+  if (!declared || *declared == 0) return undeclared_bytes(resource);
   const bool has_uri = document.holds(resource.object, "uri");
   const container::Container& container = resource.context.container;
   const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;

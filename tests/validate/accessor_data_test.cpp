@@ -316,5 +316,30 @@ TEST(Data, SharedByManyPrimitivesIsReportedOnceButListedForEach) {
                    "ACCESSOR_VECTOR3_NON_UNIT /meshes/0/primitives/1/attributes/NORMAL"}));
 }
 
+TEST(KhronosData, OfAnUnevenStrideIsReadByWholeComponents) {
+  DataAsset asset;
+  asset.accessor("SCALAR", kFloat, 2, floats({1, 2, 3}), R"(, "min": [1], "max": [2])",
+                 R"(, "byteStride": 6)");
+  const std::string text = asset.text();
+  EXPECT_EQ(about_data(text, Profile::khronos), Lines{}) << "as with a stride of 4";
+  EXPECT_EQ(about_data(text), Lines{}) << "nothing that could be meant";
+  DataAsset other;
+  other.accessor("SCALAR", kFloat, 2, floats({1, 2, 3}), R"(, "min": [1], "max": [3])",
+                 R"(, "byteStride": 6)");
+  EXPECT_EQ(about_data(other.text(), Profile::khronos),
+            Lines{"ACCESSOR_MAX_MISMATCH /accessors/0/max/0"});
+}
+
+TEST(KhronosData, OfADataUriIsThereWhateverItsBufferDeclares) {
+  const std::string buffer = R"("buffers": [{"uri": ")" + buffer_uri(floats({5})) + "\"";
+  const std::string rest = R"(}], "bufferViews": [{"buffer": 0, "byteLength": 4}], "accessors":
+    [{"bufferView": 0, "componentType": 5126, "type": "SCALAR", "count": 1, "min": [4], "max": [5]}])";
+  const Lines wrong{"ACCESSOR_MIN_MISMATCH /accessors/0/min/0"};
+  EXPECT_EQ(about_data(asset_with(buffer + rest), Profile::khronos), wrong);
+  EXPECT_EQ(about_data(asset_with(buffer + R"(, "byteLength": 0)" + rest), Profile::khronos),
+            wrong);
+  EXPECT_EQ(about_data(asset_with(buffer + rest)), Lines{});
+}
+
 }  // namespace
 }  // namespace gltfx::test

@@ -233,5 +233,16 @@ TEST(KhronosSpot, IsOnlyReadWhenItIsNamed) {
                    "UNUSED_OBJECT /extensions/KHR_lights_punctual/lights/3"}));
 }
 
+TEST(KhronosCamera, ThatIsNullIsMissingToo) {
+  EXPECT_EQ(khronos(R"("cameras": [{"type": "perspective", "perspective": null}])"),
+            (Lines{"TYPE_MISMATCH /cameras/0/perspective", "UNDEFINED_PROPERTY /cameras/0",
+                   "UNUSED_OBJECT /cameras/0"}));
+  EXPECT_EQ(khronos(R"("cameras": [{"type": "orthographic", "orthographic": null}])"),
+            (Lines{"TYPE_MISMATCH /cameras/0/orthographic", "UNDEFINED_PROPERTY /cameras/0",
+                   "UNUSED_OBJECT /cameras/0"}));
+  EXPECT_EQ(khronos(R"("cameras": [{"type": "perspective", "perspective": 5}])"),
+            (Lines{"TYPE_MISMATCH /cameras/0/perspective", "UNUSED_OBJECT /cameras/0"}));
+}
+
 }  // namespace
 }  // namespace gltfx::test

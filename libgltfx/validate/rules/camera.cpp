@@ -138,8 +138,26 @@ schema::Reading read_perspective(const Context& context, json::NodeId camera, js
   return read_projection(context, camera, "perspective");
 }
 
+// null is of the wrong type, and missing besides.
+void check_given(const Context& context, json::NodeId camera, const Path& path,
+                 std::string_view name) {
+  if (!context.khronos() || model::string_member(context.document, camera, "type") != name) return;
+  const json::NodeId value = context.document.find_in_text(camera, name);
+  if (value == json::kNoNode || context.document.kind(value) != json::Kind::null) return;
+  context.schema_sink.report(path, finding_on(context, camera, "UNDEFINED_PROPERTY",
+                                              fmt::format("The camera has no {}.", name)));
+}
+void check_orthographic_given(const Context& context, json::NodeId camera, const Path& path) {
+  check_given(context, camera, path, "orthographic");
+}
+void check_perspective_given(const Context& context, json::NodeId camera, const Path& path) {
+  check_given(context, camera, path, "perspective");
+}
+
 constexpr ObjectRuleEntry kObjectRules[] = {
     {"camera", check_camera},
+    {"camera", check_orthographic_given, "orthographic"},
+    {"camera", check_perspective_given, "perspective"},
     {"camera.orthographic", only_khronos<check_orthographic>, "znear"},
     {"camera.perspective", only_khronos<check_angle>, "yfov"},
     {"camera.perspective", only_khronos<check_near_and_far>, "znear"}};
