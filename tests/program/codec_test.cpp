@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "codec/support/png_encoder.hpp"
 #include "container/temp_folder.hpp"
 #include "process.hpp"
 
@@ -60,6 +61,23 @@ TEST(Codecs, TheProgramLinksNoDecoder) {
   for (const char* library : {"OpenImageIO", "draco", "webp", "libpng", "libjpeg"}) {
     EXPECT_THAT(needed, Not(HasSubstr(library)));
   }
+}
+
+// Without a decoder nobody knows what the image holds: no file is made that says otherwise.
+TEST(UpgradeWithoutDecoder, WritesNothingAndSaysWhy) {
+  const TempFolder folder;
+  folder.write("leaf.png",
+               gltfx::test::encode_png({1, 1, gltfx::test::PngColor::rgb, 8, "\1\2\3"}));
+  folder.write("a.gltf",
+               R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_translucency"],)"
+               R"("images":[{"uri":"leaf.png"}],"textures":[{"source":0}],"materials":[)"
+               R"({"extensions":{"KHR_materials_translucency":{"translucencyFactor":1,)"
+               R"("translucencyTexture":{"index":0}}}}]})");
+  Setting setting{folder.path().native(), {}, {{"GLTFX_CODEC_WORKERS", folder.path().native()}}};
+  const Outcome outcome = gltfx({"upgrade", "a.gltf", "-o", "b.gltf"}, setting);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("could not be started"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.gltf"));
 }
 
 }  // namespace
