@@ -20,7 +20,6 @@ constexpr int kPatch = 2;  // half width of what is compared
 constexpr int kCompared = kTile + 2 * kPatch;
 constexpr float kStrictness = 0.5F;  // squared: differences that are left to noise
 constexpr float kRidge = 1e-3F;
-constexpr float kAlphaScale = 6;
 
 constexpr std::size_t kTerms = 3 + DenoisePlanes::kFeatures;  // 1, x, y
 constexpr std::size_t kProducts = NormalEquations<kTerms>::kProducts;
