@@ -59,18 +59,26 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
   });
 }
 
-void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
-                    unsigned jobs, const std::function<void(FileReport&&)>& consume) {
-  std::vector<std::optional<FileReport>> reports(paths.size());
-  ValidateOptions each = options;
-  // Many files keep all threads busy by themselves.
-  each.jobs = paths.size() == 1 ? jobs : 1;
+void validate_files(std::span<const ValidateInput> inputs, unsigned jobs,
+                    const std::function<void(FileReport&&)>& consume) {
+  std::vector<std::optional<FileReport>> reports(inputs.size());
   parallel_ordered(
-      paths.size(), jobs, [&](std::size_t i) { reports[i] = validate_file(paths[i], each); },
+      inputs.size(), jobs,
+      [&](std::size_t i) { reports[i] = validate_file(inputs[i].path, *inputs[i].options); },
       [&](std::size_t i) {
         consume(std::move(*reports[i]));
         reports[i].reset();
       });
+}
+
+void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
+                    unsigned jobs, const std::function<void(FileReport&&)>& consume) {
+  ValidateOptions each = options;
+  // Many files keep all threads busy by themselves.
+  each.jobs = paths.size() == 1 ? jobs : 1;
+  std::vector<ValidateInput> inputs;
+  for (const std::string& path : paths) inputs.push_back({path, &each});
+  validate_files(inputs, jobs, consume);
 }
 
 }  // namespace gltfx

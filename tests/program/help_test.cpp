@@ -28,6 +28,9 @@ const std::vector<Verb>& verbs() {
         "--select",
         "--ignore",
         "--severity",
+        "--inline-suppressions",
+        "--config",
+        "--isolated",
         "--max-issues",
         "--pixels",
         "--max-texture-size",
@@ -46,11 +49,15 @@ const std::vector<Verb>& verbs() {
         "--color"}},
       {"upgrade",
        {"PATH", "--in-place", "--output", "--backup", "--check", "--diff", "--unsafe", "--strict",
-        "--generation", "--root", "--schema", "--schema-dir", "--quiet", "--jobs", "--color"}},
+        "--generation", "--root", "--schema", "--schema-dir", "--config", "--isolated", "--quiet",
+        "--jobs", "--color"}},
       {"hook", {"VERB"}},
       {"explain", {"CODE", "--jobs", "--color"}},
       {"rules", {"--format", "--jobs", "--color"}},
-      {"schema", {"NAME", "--format", "--schema", "--schema-dir", "--jobs", "--color"}},
+      {"schema",
+       {"NAME", "--format", "--schema", "--schema-dir", "--config", "--isolated", "--jobs",
+        "--color"}},
+      {"config", {"PATH", "--config", "--isolated", "--jobs", "--color"}},
   };
   return kVerbs;
 }
@@ -92,9 +99,9 @@ TEST(Help, FitsATerminalOfAHundredAndTenColumns) {
 TEST(Version, NamesEverythingItWasBuiltWith) {
   const Outcome outcome = gltfx({"--version"});
   EXPECT_EQ(outcome.code, 0);
-  for (const char* name :
-       {"gltfx 0.", "CLI11 2.", "fmt 9", "nlohmann_json 3.", "simdjson 3.", "TBB 20",
-        "meshoptimizer 0.", "Draco 1.", "OpenImageIO 2.", "libwebp 1.", "compiled by "}) {
+  for (const char* name : {"gltfx 0.", "CLI11 2.", "fmt 9", "nlohmann_json 3.", "simdjson 3.",
+                           "TBB 20", "tomlplusplus 3.", "meshoptimizer 0.", "Draco 1.",
+                           "OpenImageIO 2.", "libwebp 1.", "compiled by "}) {
     EXPECT_THAT(outcome.out, HasSubstr(name));
   }
 }

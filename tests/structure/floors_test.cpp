@@ -42,6 +42,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"meshoptimizer.h", {"libgltfx/model/"}},
     {"embree3/", {"libgltfx/bake/"}},
     {"CLI/", {"tools/gltfx/command_line"}},
+    {"toml++/", {"tools/gltfx/config_file.cpp"}},
     {"fmt/", {"libgltfx/", "tools/gltfx/", "tools/gltfx_ground_truth/"}},
     {"draco/", {"tools/gltfx_codec/draco_"}},
     {"OpenImageIO/", {"tools/gltfx_codec/image_"}},

@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "command_line_parts.hpp"
+#include "configuration.hpp"
 #include "help_text.hpp"
 #include "suggestion.hpp"
 #include "version.hpp"
@@ -66,6 +67,7 @@ class Declaration {
     declare_explain();
     declare_rules();
     declare_schema();
+    declare_config(verb("config", "Show what is configured for a path, and why"), config_);
   }
 
   CommandLine read(int argc, const char* const* argv);
@@ -99,6 +101,7 @@ class Declaration {
   ExplainWords explain_;
   RulesWords rules_;
   SchemaWords schema_;
+  ConfigWords config_;
 };
 
 CLI::App& Declaration::verb(const char* name, const char* text) {
@@ -129,6 +132,7 @@ void Declaration::declare_validate() {
   add_word(app, "--write-baseline", validate_.write_baseline, "FILE",
            "Record all findings in FILE and exit with 0 for them");
   app.add_flag("-q,--quiet", validate_.quiet, "Findings only: no summary, no notes");
+  add_configuration(app, validate_.configuration);
   add_common(app, validate_.common);
 }
 
@@ -139,6 +143,9 @@ void Declaration::declare_filters(CLI::App& app) {
   add_list(app, "--ignore", validate_.ignore, "CODES", "Not these codes (comma list, repeatable)");
   add_list(app, "--severity", validate_.severities, "CODE=LEVEL",
            "Report a code as error, warning, info or hint (repeatable)");
+  app.add_flag_callback(
+      "--inline-suppressions", [this] { validate_.inline_suppressions = "true"; },
+      "Leave out what assets ignore in extras.gltfx, errors too");
   add_word(app, "--max-issues", validate_.max_issues, "N",
            "Findings listed for each file, 0 for no limit (default: 0)");
 }
@@ -184,6 +191,7 @@ void Declaration::declare_upgrade() {
            "Folder that buffers and images may come from (default: the asset's own)");
   add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);
   app.add_flag("-q,--quiet", upgrade_.quiet, "Problems only: no plan, no summary");
+  add_configuration(app, upgrade_.configuration);
   add_common(app, upgrade_.common);
 }
 
@@ -210,6 +218,7 @@ void Declaration::declare_schema() {
   describe_positional(app, "NAME", "An extension or a core type (default: list them)");
   add_word(app, "-f,--format", schema_.format, "NAME", "text or json (default: text)");
   add_schema_sources(app, schema_.schema_files, schema_.schema_folders);
+  add_configuration(app, schema_.configuration);
   add_common(app, schema_.common);
 }
 
@@ -269,6 +278,7 @@ std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "upgrade") return &upgrade_.paths;
   if (verb == "bake") return &bake_.paths;
   if (verb == "explain") return &explain_.codes;
+  if (verb == "config") return &config_.words;
   return verb == "schema" ? &schema_.names : nullptr;
 }
 
@@ -300,12 +310,13 @@ CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "hook") {
     return usage_error(verb, "hook: name the verb to run: validate or upgrade, with its options.");
   }
-  if (verb == "validate") return command_of(verb, request_of(validate_));
-  if (verb == "upgrade") return command_of(verb, request_of(upgrade_));
-  if (verb == "bake") return command_of(verb, request_of(bake_));
+  if (verb == "validate") return command_of(verb, configured(validate_));
+  if (verb == "upgrade") return command_of(verb, configured(upgrade_));
+  if (verb == "bake") return command_of(verb, configured(bake_));
   if (verb == "explain") return command_of(verb, request_of(explain_));
   if (verb == "rules") return command_of(verb, request_of(rules_));
-  return command_of(verb, request_of(schema_));
+  if (verb == "config") return command_of(verb, request_of(config_));
+  return command_of(verb, configured(schema_));
 }
 
 // "--name=" would take the next argument for its value.

@@ -61,6 +61,7 @@ void declare_bake(CLI::App& app, BakeWords& words) {
            "Folder that buffers and images may come from (default: the asset's own)");
   add_schema_sources(app, words.schema_files, words.schema_folders);
   app.add_flag("-q,--quiet", words.quiet, "Problems only: no progress, no list of files");
+  add_configuration(app, words.configuration);
   add_common(app, words.common);
 }
 

@@ -29,7 +29,11 @@ void add_common(CLI::App& app, CommonWords& words);
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders);
 
+void add_configuration(CLI::App& app, ConfigChoice& choice);
+
 /// The options of `gltfx bake`.
 void declare_bake(CLI::App& app, BakeWords& words);
+/// The options of `gltfx config`.
+void declare_config(CLI::App& app, ConfigWords& words);
 
 }  // namespace gltfx::tool

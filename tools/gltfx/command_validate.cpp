@@ -2,12 +2,14 @@
 #include <gltfx/pipeline.hpp>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "configuration.hpp"
 #include "input_paths.hpp"
 #include "known_findings.hpp"
 #include "read_input.hpp"
@@ -31,11 +33,14 @@ class Run {
 
  private:
   void check(const std::vector<std::string>& paths);
+  void check_files(const std::vector<std::string>& paths);
+  const ValidateOptions& options_for(const std::string& path);
   void take(FileReport report);
   ExitCode verdict() const;
 
   const ValidateRequest& request_;
   ValidateOptions options_;
+  std::map<std::vector<std::size_t>, ValidateOptions> by_path_;  ///< where they differ
   KnownFindings known_;
   ReportTargets targets_;
   RunSummary summary_;
@@ -69,12 +74,30 @@ FileReport check_stdin(const ValidateOptions& options) {
   return validate_bytes(*std::move(bytes), "-", options);
 }
 
+const ValidateOptions& Run::options_for(const std::string& path) {
+  if (!request_.by_path) return options_;
+  const std::vector<std::size_t> kind = request_.by_path->kind_of(path);
+  if (kind.empty()) return options_;
+  const auto [entry, fresh] = by_path_.try_emplace(kind, options_);
+  if (fresh) request_.by_path->apply(kind, entry->second);
+  return entry->second;
+}
+
+void Run::check_files(const std::vector<std::string>& paths) {
+  // Many files keep all threads busy by themselves.
+  options_.jobs = paths.size() == 1 ? request_.common.jobs : 1;
+  by_path_.clear();
+  std::vector<ValidateInput> inputs;
+  for (const std::string& path : paths) inputs.push_back({path, &options_for(path)});
+  validate_files(inputs, request_.common.jobs,
+                 [this](FileReport&& report) { take(std::move(report)); });
+}
+
 // Standard input is read where it stands among the paths; what lies between runs in parallel.
 void Run::check(const std::vector<std::string>& paths) {
   std::vector<std::string> batch;
   const auto run_batch = [&] {
-    validate_files(batch, options_, request_.common.jobs,
-                   [this](FileReport&& report) { take(std::move(report)); });
+    check_files(batch);
     batch.clear();
   };
   for (const std::string& path : paths) {

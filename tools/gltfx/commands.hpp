@@ -17,6 +17,7 @@ ExitCode run(const BakeRequest& request);
 ExitCode run(const ExplainRequest& request);
 ExitCode run(const RulesRequest& request);
 ExitCode run(const SchemaRequest& request);
+ExitCode run(const ConfigRequest& request);
 
 /// Writes to standard output: ok, or internal when that fails.
 ExitCode print(std::string_view text);

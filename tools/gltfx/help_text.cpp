@@ -78,6 +78,12 @@ constexpr std::string_view kSchemaExamples = R"(Examples:
   gltfx schema material --format json   a core type, for programs
 )";
 
+constexpr std::string_view kConfigExamples = R"(Examples:
+  gltfx config                          what holds everywhere, and which line says so
+  gltfx config props/lamp.glb           what holds for one path
+  gltfx config import khronos.yaml >gltfx.toml
+)";
+
 std::string_view examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
   if (verb == "upgrade") return kUpgradeExamples;
@@ -86,6 +92,7 @@ std::string_view examples(std::string_view verb) {
   if (verb == "explain") return kExplainExamples;
   if (verb == "rules") return kRulesExamples;
   if (verb == "schema") return kSchemaExamples;
+  if (verb == "config") return kConfigExamples;
   return kProgramExamples;
 }
 

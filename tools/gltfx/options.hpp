@@ -8,6 +8,7 @@
 #include <gltfx/validate.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,14 @@ struct CommonOptions {
   unsigned jobs = 1;
   ColorMode color = ColorMode::automatic;
 };
+
+/// Which configuration file holds.
+struct ConfigChoice {
+  std::string config;     ///< empty: the nearest gltfx.toml from the working folder upwards
+  bool isolated = false;  ///< none
+};
+
+class PathOptions;
 
 /// What the user named: to be searched and expanded, or taken as it is.
 struct NamedPaths {
@@ -46,6 +55,7 @@ struct ValidateRequest {
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
   /// All but `schemas`, which comes from the files below.
   ValidateOptions validation;
+  std::shared_ptr<const PathOptions> by_path;  ///< null: `validation` holds for all paths
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
@@ -105,8 +115,15 @@ struct SchemaRequest {
   std::vector<std::string> schema_folders;
 };
 
+struct ConfigRequest {
+  CommonOptions common;
+  ConfigChoice choice;
+  std::string path;         ///< show what holds for it; empty: for all paths
+  std::string import_file;  ///< not empty: a configuration of the Khronos validator to be read
+};
+
 using Request = std::variant<ValidateRequest, UpgradeRequest, BakeRequest, HookRequest,
-                             ExplainRequest, RulesRequest, SchemaRequest>;
+                             ExplainRequest, RulesRequest, SchemaRequest, ConfigRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.

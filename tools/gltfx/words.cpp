@@ -10,9 +10,15 @@
 namespace gltfx::tool {
 namespace {
 
+// A word that was not given leaves the value as it is.
+template <class T, class Parse>
+void read_word(Reading& reading, T& value, const std::string& word, const Parse& parse) {
+  if (!word.empty()) reading.set(value, parse(word));
+}
+
 void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets) {
   const auto read = [&](std::uint64_t& limit, std::string_view option, const std::string& word) {
-    reading.set(limit, parse_number(option, word, 0));
+    if (!word.empty()) reading.set(limit, parse_number(option, word, 0));
   };
   read(budgets.texture_size, "--max-texture-size", words.max_texture_size);
   read(budgets.total_pixels, "--max-total-pixels", words.max_total_pixels);
@@ -40,12 +46,14 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
                   "validate: name at least one file, folder or glob; '-' is standard input.");
   request.paths.words = words.paths;
   reading.set(request.targets, parse_targets(words.formats));
-  reading.set(request.fail_on, parse_fail_on(words.fail_on));
-  reading.set(request.validation.profile, parse_profile(words.profile));
-  if (!words.pixels.empty()) reading.set(request.validation.pixels, parse_pixels(words.pixels));
+  read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
+  read_word(reading, request.validation.profile, words.profile, parse_profile);
+  read_word(reading, request.validation.pixels, words.pixels, parse_pixels);
   read_budgets(reading, words, request.validation.budgets);
-  reading.set(request.validation.lfs, parse_lfs(words.lfs));
-  reading.set(request.validation.max_issues, parse_number("--max-issues", words.max_issues, 0));
+  read_word(reading, request.validation.lfs, words.lfs, parse_lfs);
+  read_word(reading, request.validation.max_issues, words.max_issues,
+            [](const std::string& word) { return parse_number("--max-issues", word, 0); });
+  request.validation.inline_suppressions = words.inline_suppressions == "true";
   reading.set(request.validation.select, parse_codes("--select", words.select));
   reading.set(request.validation.ignore, parse_codes("--ignore", words.ignore));
   reading.set(request.validation.severity, parse_severities(words.severities));
@@ -124,6 +132,22 @@ Result<SchemaRequest> request_of(const SchemaWords& words) {
   if (!words.names.empty()) request.name = words.names.front();
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;
+  return reading.finish(request);
+}
+
+Result<ConfigRequest> request_of(const ConfigWords& words) {
+  Reading reading;
+  ConfigRequest request;
+  read_common(reading, words.common, request.common);
+  request.choice = words.configuration;
+  const bool import = !words.words.empty() && words.words.front() == "import";
+  reading.require(!import || words.words.size() == 2, "config: import takes one file.");
+  reading.require(import || words.words.size() <= 1, "config: name one path at a time.");
+  if (import) {
+    request.import_file = words.words.back();
+  } else if (!words.words.empty()) {
+    request.path = words.words.front();
+  }
   return reading.finish(request);
 }
 

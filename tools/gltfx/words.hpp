@@ -14,13 +14,13 @@ struct CommonWords {
   std::string color = "auto";
 };
 
+/// Empty words were not given.
 struct ValidateWords {
   CommonWords common;
+  ConfigChoice configuration;
   std::vector<std::string> paths, formats, select, ignore, severities, schema_files, schema_folders;
-  std::string fail_on = "error", profile = "default", lfs = "skip", max_issues = "0";
-  std::string pixels;
-  std::string max_texture_size = "0", max_total_pixels = "0", max_triangles = "0";
-  std::string max_draw_calls = "0", max_file_size = "0";
+  std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
+  std::string max_texture_size, max_total_pixels, max_triangles, max_draw_calls, max_file_size;
   std::string root, baseline, write_baseline;
   bool quiet = false;
   bool hook = false;  ///< the paths may be left out
@@ -28,6 +28,7 @@ struct ValidateWords {
 
 struct UpgradeWords {
   CommonWords common;
+  ConfigChoice configuration;
   std::vector<std::string> paths, schema_files, schema_folders, only, to;
   std::string output, generation = "auto", root, ior = "0";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
@@ -37,6 +38,7 @@ struct UpgradeWords {
 
 struct BakeWords {
   CommonWords common;
+  ConfigChoice configuration;
   std::vector<std::string> paths, sizes, layers, schema_files, schema_folders;
   std::string output, format = "png", sheet, compare, root;
   std::string turntable = "0", samples = "32", bounces = "6", seed = "0";
@@ -58,8 +60,15 @@ struct RulesWords {
 
 struct SchemaWords {
   CommonWords common;
+  ConfigChoice configuration;
   std::vector<std::string> names, schema_files, schema_folders;
   std::string format = "text";
+};
+
+struct ConfigWords {
+  CommonWords common;
+  ConfigChoice configuration;
+  std::vector<std::string> words;  ///< a path, or "import" and a file
 };
 
 // Words into a request; the Error says which word is wrong.
@@ -69,5 +78,6 @@ Result<BakeRequest> request_of(const BakeWords& words);
 Result<ExplainRequest> request_of(const ExplainWords& words);
 Result<RulesRequest> request_of(const RulesWords& words);
 Result<SchemaRequest> request_of(const SchemaWords& words);
+Result<ConfigRequest> request_of(const ConfigWords& words);
 
 }  // namespace gltfx::tool

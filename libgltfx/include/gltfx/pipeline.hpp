@@ -8,6 +8,7 @@
 #include <gltfx/validate.hpp>
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,16 @@ FileReport validate_example(const RuleDescription& rule, std::string_view exampl
 /// `paths`, one at a time. Memory does not grow with the number of files.
 void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
                     unsigned jobs, const std::function<void(FileReport&&)>& consume);
+
+/// A file and what is asked of it. The options outlive the call.
+struct ValidateInput {
+  std::string path;
+  const ValidateOptions* options = nullptr;
+};
+
+/// The same for files of which not the same is asked.
+void validate_files(std::span<const ValidateInput> inputs, unsigned jobs,
+                    const std::function<void(FileReport&&)>& consume);
 
 /// Brings the legacy extensions of the file at `path` to their successors, as far as the options
 /// ask for. A file is changed whole or not at all, only after the new bytes were validated, and

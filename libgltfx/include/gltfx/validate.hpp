@@ -50,6 +50,10 @@ struct ValidateOptions {
   std::optional<PixelLevel> pixels;
   Budgets budgets;
   LfsPolicy lfs = LfsPolicy::skip;
+  /// Leave out what an asset asks to leave out, errors too: `{"ignore": [{"code": "UNUSED_OBJECT",
+  /// "reason": "..."}]}` in `extras.gltfx` of an object, for findings on it and below it. Only for
+  /// assets that somebody vouches for; the khronos profile never does.
+  bool inline_suppressions = false;
   /// Folder that resources may come from; empty: the asset's own folder.
   std::string root;
   /// Findings kept per file, 0: no limit.

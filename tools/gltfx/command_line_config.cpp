@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+
+#include "command_line_parts.hpp"
+
+namespace gltfx::tool {
+
+void add_configuration(CLI::App& app, ConfigChoice& choice) {
+  add_word(app, "--config", choice.config, "FILE",
+           "Configuration (default: the nearest gltfx.toml of this folder and those above)");
+  app.add_flag("--isolated", choice.isolated, "Read no configuration");
+}
+
+void declare_config(CLI::App& app, ConfigWords& words) {
+  describe_positional(app, "PATH",
+                      "A path, or import FILE: a configuration of the Khronos validator");
+  add_configuration(app, words.configuration);
+  add_common(app, words.common);
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config_file.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+// Faults come back as values, and nothing is printed.
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include "base/text.hpp"
+#include "suggestion.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+constexpr std::string_view kOverrides = "overrides";
+constexpr std::string_view kPaths = "paths";
+
+std::string_view form_words(ConfigForm form) {
+  switch (form) {
+    case ConfigForm::number:
+      return "a whole number";
+    case ConfigForm::flag:
+      return "true or false";
+    case ConfigForm::codes:
+    case ConfigForm::paths:
+      return "a list of strings";
+    case ConfigForm::levels:
+      return "a table of CODE = \"level\"";
+    default:
+      return "a string";
+  }
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& name) : name_(name) {}
+
+  void read(const toml::table& root) {
+    for (const auto& [key, node] : root) {
+      if (key.str() == kOverrides) {
+        read_overrides(node);
+      } else {
+        read_member(key, node, {}, false, file_.values);
+      }
+    }
+    by_line(file_.values);
+  }
+  void complain(std::uint32_t line, std::string_view text) {
+    mistakes_.emplace(line, fmt::format("{}:{}: {}", printable(name_), line, text));
+  }
+  Result<ConfigFile> finish() {
+    if (mistakes_.empty()) return std::move(file_);
+    std::string lines = "the configuration has mistakes";
+    for (const auto& [line, text] : mistakes_) lines.append("\n").append(text);
+    return Error{lines};
+  }
+
+ private:
+  using Values = std::vector<ConfigValue>;
+
+  static std::uint32_t line_of(const toml::key& key) { return key.source().begin.line; }
+  static std::uint32_t line_of(const toml::node& node) { return node.source().begin.line; }
+  static void by_line(Values& values) {
+    std::stable_sort(values.begin(), values.end(),
+                     [](const auto& a, const auto& b) { return a.line < b.line; });
+  }
+
+  // A key, or a table of keys: `table` is "budgets." within the one of that name.
+  void read_member(const toml::key& key, const toml::node& node, std::string_view table,
+                   bool by_path, Values& values) {
+    const std::string name = fmt::format("{}{}", table, key.str());
+    const ConfigKey* known = find_config_key(name);
+    if (known != nullptr && known->by_path >= by_path) {
+      read_value(*known, node, values);
+    } else if (table.empty() && key.str() == "budgets" && node.is_table()) {
+      for (const auto& [inner, value] : *node.as_table()) {
+        read_member(inner, value, "budgets.", by_path, values);
+      }
+    } else if (known != nullptr) {
+      complain(line_of(key),
+               fmt::format("{} holds for all paths: it cannot stand in an override", quoted(name)));
+    } else {
+      complain(line_of(key), fmt::format("there is no key {}.{}", quoted(name),
+                                         suggestion(name, names(by_path))));
+    }
+  }
+
+  static std::vector<std::string_view> names(bool by_path) {
+    std::vector<std::string_view> all{by_path ? kPaths : kOverrides};
+    for (const ConfigKey& key : config_keys()) {
+      if (key.by_path >= by_path) all.push_back(key.name);
+    }
+    return all;
+  }
+
+  void read_value(const ConfigKey& key, const toml::node& node, Values& values) {
+    bool fits = false;
+    if (key.form == ConfigForm::number) {
+      fits = node.is_integer();
+      if (fits) keep(key, std::to_string(**node.as_integer()), node, values);
+    } else if (key.form == ConfigForm::flag) {
+      fits = node.is_boolean();
+      if (fits) keep(key, **node.as_boolean() ? "true" : "false", node, values);
+    } else if (key.form == ConfigForm::levels) {
+      fits = read_levels(key, node, values);
+    } else if (key.form == ConfigForm::codes || key.form == ConfigForm::paths) {
+      fits = read_strings(key, node, values);
+    } else {
+      fits = node.is_string();
+      if (fits) keep(key, **node.as_string(), node, values);
+    }
+    if (!fits) {
+      complain(line_of(node), fmt::format("{}: {} is expected", key.name, form_words(key.form)));
+    }
+  }
+
+  bool read_strings(const ConfigKey& key, const toml::node& node, Values& values) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return false;
+    for (const toml::node& item : *list) {
+      if (!item.is_string()) return false;
+      keep(key, **item.as_string(), item, values);
+    }
+    return true;
+  }
+
+  bool read_levels(const ConfigKey& key, const toml::node& node, Values& values) {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) return false;
+    for (const auto& [code, level] : *table) {
+      if (!level.is_string()) return false;
+      keep(key, fmt::format("{}={}", code.str(), **level.as_string()), level, values);
+    }
+    return true;
+  }
+
+  // Takes what the command line would take, and complains in its words.
+  void keep(const ConfigKey& key, std::string word, const toml::node& node, Values& values) {
+    ValidateWords words;
+    words.hook = true;  // no paths
+    if (key.word != nullptr) {
+      words.*key.word = word;
+    } else if (key.words != nullptr) {
+      words.*key.words = {word};
+    }
+    const bool list = key.form == ConfigForm::codes || key.form == ConfigForm::levels;
+    const auto read = request_of(words);
+    if (word.empty() || (list && word.find(',') != std::string::npos)) {
+      complain(line_of(node), fmt::format("{}: {} is no value", key.name, quoted(word)));
+    } else if (!read) {
+      const std::string& message = read.error().message;
+      complain(line_of(node),
+               fmt::format("{}{}", key.name,
+                           message.substr(std::min(message.find(':'), message.size()))));
+    } else {
+      values.push_back({&key, std::move(word), line_of(node)});
+    }
+  }
+
+  void read_overrides(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr || !list->is_homogeneous(toml::node_type::table)) {
+      return complain(line_of(node), "'overrides' is a list of tables: write [[overrides]]");
+    }
+    for (const toml::node& item : *list) read_override(*item.as_table());
+  }
+
+  void read_override(const toml::table& table) {
+    ConfigOverride found;
+    found.line = line_of(table);
+    for (const auto& [key, node] : table) {
+      if (key.str() == kPaths) {
+        read_paths(node, found);
+      } else {
+        read_member(key, node, {}, true, found.values);
+      }
+    }
+    if (found.paths.empty())
+      complain(found.line, "an override names its 'paths', a list of patterns");
+    by_line(found.values);
+    file_.overrides.push_back(std::move(found));
+  }
+
+  void read_paths(const toml::node& node, ConfigOverride& found) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return;
+    for (const toml::node& item : *list) {
+      if (item.is_string()) {
+        found.paths.push_back(**item.as_string());
+      } else {
+        complain(line_of(item), "paths: a list of strings is expected");
+      }
+    }
+  }
+
+  const std::string& name_;
+  ConfigFile file_;
+  std::multimap<std::uint32_t, std::string> mistakes_;
+};
+
+}  // namespace
+
+Result<ConfigFile> parse_config(std::string_view text, const std::string& name) {
+  Reader reader(name);
+  const toml::parse_result root = toml::parse(text);
+  if (root) {
+    reader.read(root.table());
+  } else {
+    reader.complain(root.error().source().begin.line, printable(root.error().description()));
+  }
+  return reader.finish();
+}
+
+}  // namespace gltfx::tool

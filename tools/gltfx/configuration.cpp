@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "configuration.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
+#include "path_pattern.hpp"
+#include "read_input.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Empty when there is none.
+fs::path nearest_file(const fs::path& start) {
+  std::error_code fault;
+  for (fs::path folder = start; !folder.empty(); folder = folder.parent_path()) {
+    if (fs::is_regular_file(folder / kConfigName, fault)) return folder / kConfigName;
+    if (folder == folder.root_path()) break;
+  }
+  return {};
+}
+
+// Below the folder of the configuration, or absolute without the first '/'.
+std::string path_for_patterns(const std::string& path, const fs::path& folder) {
+  std::error_code fault;
+  const fs::path whole = fs::absolute(path, fault).lexically_normal();
+  const fs::path below = whole.lexically_relative(folder);
+  const bool outside = below.empty() || *below.begin() == "..";
+  return (outside ? whole.relative_path() : below).native();
+}
+
+bool fits(const ConfigOverride& one, std::string_view path) {
+  return std::any_of(one.paths.begin(), one.paths.end(),
+                     [&](const std::string& pattern) { return fits_pattern(pattern, path); });
+}
+
+void put_first(std::vector<std::string>& words, std::vector<std::string> before) {
+  before.insert(before.end(), words.begin(), words.end());
+  words = std::move(before);
+}
+
+// Who asks for a code on the command line gets it, whatever a file leaves out.
+void drop_selected(std::vector<std::string>& ignored, const std::vector<std::string>& select) {
+  const auto asked = parse_codes("--select", select);
+  if (!asked) return;
+  std::erase_if(ignored, [&](const std::string& code) {
+    const RuleDescription* rule = rule_from_user(code);
+    return rule != nullptr && asked->count(rule->code) > 0;
+  });
+}
+
+}  // namespace
+
+Result<Configuration> Configuration::load(const ConfigChoice& choice) {
+  Configuration found;
+  if (!choice.config.empty() && choice.isolated) {
+    return Error{"--config and --isolated exclude each other."};
+  }
+  if (choice.isolated) return found;
+  std::error_code fault;
+  const fs::path here = fs::current_path(fault);
+  const fs::path file = choice.config.empty() ? nearest_file(here) : fs::path(choice.config);
+  if (file.empty()) return found;
+  const auto text = read_text_file(file.native());
+  if (!text) return Error{"--config: " + text.error().message};
+  const fs::path whole = fs::absolute(file, fault).lexically_normal();
+  found.shown_ = choice.config.empty() ? whole.lexically_proximate(here).native() : choice.config;
+  found.folder_ = whole.parent_path().native();
+  auto content = parse_config(*text, found.shown_);
+  if (!content) return content.error();
+  found.content_ = *std::move(content);
+  return found;
+}
+
+std::vector<std::size_t> Configuration::overrides_for(const std::string& path) const {
+  std::vector<std::size_t> found;
+  if (!has_overrides() || path == "-") return found;
+  const std::string plain = path_for_patterns(path, folder_);
+  for (std::size_t i = 0; i < content_.overrides.size(); ++i) {
+    if (fits(content_.overrides[i], plain)) found.push_back(i);
+  }
+  return found;
+}
+
+std::vector<Holding> Configuration::holding(const ConfigKey& key,
+                                            const std::vector<std::size_t>& overrides) const {
+  std::vector<Holding> found;
+  const auto take = [&](const std::vector<ConfigValue>& values, const ConfigOverride* because) {
+    bool fresh = true;
+    for (const ConfigValue& value : values) {
+      if (value.key != &key) continue;
+      if (fresh && key.merge == ConfigMerge::last) found.clear();
+      fresh = false;
+      found.push_back({&value, because});
+    }
+  };
+  take(content_.values, nullptr);
+  for (const std::size_t i : overrides) take(content_.overrides[i].values, &content_.overrides[i]);
+  return found;
+}
+
+std::string Configuration::path_from_file(const std::string& path) const {
+  std::error_code fault;
+  const fs::path here = fs::current_path(fault);
+  return (fs::path(folder_) / path).lexically_normal().lexically_proximate(here).native();
+}
+
+std::vector<std::string> Configuration::words_of(const ConfigKey& key,
+                                                 const std::vector<std::size_t>& overrides) const {
+  const bool path = key.form == ConfigForm::path || key.form == ConfigForm::paths;
+  std::vector<std::string> words;
+  for (const Holding& one : holding(key, overrides)) {
+    words.push_back(path ? path_from_file(one.value->word) : one.value->word);
+  }
+  return words;
+}
+
+void Configuration::add_schemas(std::vector<std::string>& files,
+                                std::vector<std::string>& folders) const {
+  std::vector<std::string> more_files, more_folders;
+  for (std::string& path : words_of(*find_config_key("schemas"), {})) {
+    std::error_code fault;
+    (fs::is_directory(path, fault) ? more_folders : more_files).push_back(std::move(path));
+  }
+  put_first(files, std::move(more_files));
+  put_first(folders, std::move(more_folders));
+}
+
+ValidateWords Configuration::apply(ValidateWords words,
+                                   const std::vector<std::size_t>& overrides) const {
+  for (const ConfigKey& key : config_keys()) {
+    if (key.form == ConfigForm::paths || (key.word == nullptr && key.words == nullptr)) continue;
+    std::vector<std::string> said = words_of(key, overrides);
+    if (said.empty()) continue;
+    if (key.word != nullptr) {
+      if ((words.*key.word).empty()) words.*key.word = std::move(said.front());
+      continue;
+    }
+    std::vector<std::string>& list = words.*key.words;
+    if (key.words == &ValidateWords::ignore) drop_selected(said, words.select);
+    if (key.merge == ConfigMerge::all) {
+      put_first(list, std::move(said));
+    } else if (list.empty()) {
+      list = std::move(said);
+    }
+  }
+  add_schemas(words.schema_files, words.schema_folders);
+  return words;
+}
+
+void Configuration::fill(std::string_view key, std::string& word) const {
+  std::vector<std::string> said = words_of(*find_config_key(key), {});
+  if (word.empty() && !said.empty()) word = std::move(said.front());
+}
+
+void Configuration::apply(UpgradeWords& words) const {
+  fill("root", words.root);
+  add_schemas(words.schema_files, words.schema_folders);
+}
+
+void Configuration::apply(BakeWords& words) const {
+  fill("root", words.root);
+  fill("environment", words.environment);
+  add_schemas(words.schema_files, words.schema_folders);
+}
+
+void Configuration::apply(SchemaWords& words) const {
+  add_schemas(words.schema_files, words.schema_folders);
+}
+
+// Every value was read once when the file was: it cannot fail here.
+void PathOptions::apply(const std::vector<std::size_t>& kind, ValidateOptions& options) const {
+  auto request = request_of(configuration_.apply(words_, kind));
+  if (!request) return;
+  ValidateOptions& own = request->validation;
+  options.select = std::move(own.select);
+  options.ignore = std::move(own.ignore);
+  options.severity = std::move(own.severity);
+  options.budgets = own.budgets;
+  options.lfs = own.lfs;
+  options.inline_suppressions = own.inline_suppressions;
+}
+
+Result<ValidateRequest> configured(const ValidateWords& words) {
+  auto configuration = Configuration::load(words.configuration);
+  if (!configuration) return configuration.error();
+  auto request = request_of(configuration->apply(words, {}));
+  if (request && configuration->has_overrides()) {
+    request->by_path = std::make_shared<const PathOptions>(words, *std::move(configuration));
+  }
+  return request;
+}
+
+namespace {
+
+template <class Wanted, class Words>
+Result<Wanted> request_with_configuration(Words words) {
+  const auto configuration = Configuration::load(words.configuration);
+  if (!configuration) return configuration.error();
+  configuration->apply(words);
+  return request_of(words);
+}
+
+}  // namespace
+
+Result<UpgradeRequest> configured(UpgradeWords words) {
+  return request_with_configuration<UpgradeRequest>(std::move(words));
+}
+
+Result<BakeRequest> configured(BakeWords words) {
+  return request_with_configuration<BakeRequest>(std::move(words));
+}
+
+Result<SchemaRequest> configured(SchemaWords words) {
+  return request_with_configuration<SchemaRequest>(std::move(words));
+}
+
+}  // namespace gltfx::tool
