@@ -47,6 +47,8 @@ FileReport validate_example(const RuleDescription& rule, std::string_view exampl
   options.profile = Profile::strict;
   // What only the Khronos profile says is only said there.
   if (rule.code == "INCOMPLETE_EXTENSION_SUPPORT") options.profile = Profile::khronos;
+  // Wishes of the asset count where they are asked for.
+  options.inline_suppressions = rule.code.substr(0, 12) == "SUPPRESSION_";
   // Files are looked for where the program runs, but for the rule about not looking for them.
   if (rule.code != "RESOURCE_NOT_CHECKED") options.root = ".";
   // Budgets are silent unless they are set.

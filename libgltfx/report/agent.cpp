@@ -59,6 +59,7 @@ class AgentWriter final : public ReportWriter {
     if (summary.suppressed > 0) {
       out += fmt::format("; {} known to the baseline", counted(summary.suppressed, "finding"));
     }
+    if (summary.left_out > 0) out += "; " + left_out_note(summary.left_out);
     out += fmt::format("; profile {}, pixels {}\n", options_.profile, options_.pixel_level);
   }
 

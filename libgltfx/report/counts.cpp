@@ -42,6 +42,7 @@ void RunSummary::add(const FileReport& report) {
   if (!report.readable) ++unreadable;
   unverified += report.unverified;
   suppressed += report.suppressed;
+  left_out += report.left_out;
   counts += report.counts;
 }
 

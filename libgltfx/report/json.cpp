@@ -65,6 +65,7 @@ void write_file(json::Writer& writer, const FileReport& report) {
   writer.end_object();
   writer.member("truncated", report.truncated);
   writer.member("suppressed", report.suppressed);
+  writer.member("leftOut", report.left_out);
   writer.member("unverified", report.unverified);
   writer.key("findings");
   writer.begin_array();
@@ -86,6 +87,7 @@ void write_summary(json::Writer& writer, const RunSummary& summary) {
   writer.member("unreadable", summary.unreadable);
   writer.member("unverified", summary.unverified);
   writer.member("suppressed", summary.suppressed);
+  writer.member("leftOut", summary.left_out);
   write_counts(writer, summary.counts);
   writer.end_object();
 }

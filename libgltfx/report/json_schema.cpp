@@ -33,6 +33,7 @@ constexpr std::string_view kSchema = R"json({
         "unreadable": { "$ref": "#/$defs/count", "description": "Files that could not be opened." },
         "unverified": { "$ref": "#/$defs/count", "description": "Git-LFS pointers met." },
         "suppressed": { "$ref": "#/$defs/count", "description": "Findings the baseline knew." },
+        "leftOut": { "$ref": "#/$defs/count", "description": "Findings that assets ask to leave out." },
         "errors": { "$ref": "#/$defs/count" },
         "warnings": { "$ref": "#/$defs/count" },
         "infos": { "$ref": "#/$defs/count" },
@@ -69,6 +70,7 @@ constexpr std::string_view kSchema = R"json({
         },
         "truncated": { "type": "boolean", "description": "--max-issues ended the listing." },
         "suppressed": { "$ref": "#/$defs/count", "description": "Findings the baseline knew." },
+        "leftOut": { "$ref": "#/$defs/count", "description": "Findings that assets ask to leave out." },
         "unverified": { "$ref": "#/$defs/count", "description": "Git-LFS pointers met." },
         "findings": {
           "type": "array",

@@ -86,6 +86,7 @@ class TextWriter final : public ReportWriter {
     if (summary.suppressed > 0) {
       out += counted(summary.suppressed, "finding") + " known to the baseline\n";
     }
+    if (summary.left_out > 0) out += left_out_note(summary.left_out) + "\n";
     if (summary.counts.at_least(Severity::hint) > 0) {
       out += fmt::format("`{} explain CODE` tells more about a finding\n", safe(command_));
     }

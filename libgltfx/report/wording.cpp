@@ -64,6 +64,10 @@ std::string truncation_note(const FileReport& report) {
                      more == 1 ? " is" : "s are");
 }
 
+std::string left_out_note(std::uint64_t left_out) {
+  return counted(left_out, "finding") + " left out, as the assets ask";
+}
+
 std::string unverified_note(std::uint64_t unverified) {
   return counted(unverified, "file") + " not verified (Git-LFS pointers)";
 }

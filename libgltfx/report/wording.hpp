@@ -30,6 +30,9 @@ std::uint64_t unlisted(const FileReport& report);
 /// "3 more findings are not listed (--max-issues)". Precondition: the report is truncated.
 std::string truncation_note(const FileReport& report);
 
+/// "2 findings left out, as the assets ask".
+std::string left_out_note(std::uint64_t left_out);
+
 /// "4 files not verified (Git-LFS pointers)".
 std::string unverified_note(std::uint64_t unverified);
 

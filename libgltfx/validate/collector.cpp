@@ -76,6 +76,7 @@ bool is_heard(const ValidateOptions& options, std::string_view code) {
 }
 
 Collector::Collector(const ValidateOptions& options) : options_(options) {
+  if (options_.changed_lines) changed_.emplace(*options_.changed_lines, std::string_view());
   for (std::size_t i = 0; i < kPhaseCount; ++i) sinks_[i].bind(*this, static_cast<Phase>(i));
 }
 
@@ -115,22 +116,35 @@ bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
   return true;
 }
 
+bool Collector::wants(const Finding& finding, Severity severity) const {
+  if (!accepts(options_, finding.code, severity)) return false;
+  return !changed_ || changed_->touches(finding.span);
+}
+
+void Collector::keep_text(SharedText text) {
+  text_ = std::move(text);
+  if (options_.changed_lines && text_) changed_.emplace(*options_.changed_lines, *text_);
+}
+
 void Collector::add(Phase phase, const Path& path, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (!accepts(options_, finding.code, severity) || fold(phase, path, finding)) return;
+  if (!wants(finding, severity)) return;
+  if (suppressions_ != nullptr &&
+      suppressions_->covers(finding.code, path, static_cast<std::size_t>(phase), finding.count)) {
+    return;
+  }
+  if (fold(phase, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
 
 void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (accepts(options_, finding.code, severity))
-    store(phase, severity, std::move(finding), {}, offset);
+  if (wants(finding, severity)) store(phase, severity, std::move(finding), {}, offset);
 }
 
 void Collector::report_file(Phase phase, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (accepts(options_, finding.code, severity))
-    store(phase, severity, std::move(finding), {}, std::nullopt);
+  if (wants(finding, severity)) store(phase, severity, std::move(finding), {}, std::nullopt);
 }
 
 void Collector::store(Phase phase, Severity severity, Finding finding, std::string pointer,

@@ -20,12 +20,15 @@
 #include "json/document.hpp"
 #include "json/lines.hpp"
 #include "model/lookup.hpp"
+#include "validate/changed_lines.hpp"
+#include "validate/suppressions.hpp"
 
 namespace gltfx::validate {
 
 /// The order of a report. Within a phase findings stand as they were found.
 enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };
 inline constexpr std::size_t kPhaseCount = 6;
+static_assert(kPhaseCount <= Suppressions::kMostPhases);
 
 /// Whether the options ask for findings of that code and severity.
 bool accepts(const ValidateOptions& options, std::string_view code, Severity severity);
@@ -50,8 +53,10 @@ class Collector {
   void report_offset(Phase phase, std::uint64_t offset, Finding finding);
   /// A finding that belongs to no value: about the file as a whole, or about its text.
   void report_file(Phase phase, Finding finding);
-  /// The JSON text that spans refer to; may be null.
-  void keep_text(SharedText text) { text_ = std::move(text); }
+  /// The JSON text that spans refer to, before they come; may be null.
+  void keep_text(SharedText text);
+  /// What the asset asks to leave out from now on; null: nothing. Outlives the collector's phases.
+  void suppress(Suppressions* suppressions) { suppressions_ = suppressions; }
 
   /// Moves everything into `report`: diagnostics in order, counts, and for those with a place in
   /// the text its line, column, excerpt and name. `document` may be empty. `json_offset` is where
@@ -81,6 +86,7 @@ class Collector {
   };
 
   void add(Phase phase, const Path& path, Finding finding);
+  bool wants(const Finding& finding, Severity severity) const;
   bool fold(Phase phase, const Path& path, const Finding& finding);
   Severity severity_of(const Finding& finding) const;
   void store(Phase phase, Severity severity, Finding finding, std::string pointer,
@@ -96,6 +102,8 @@ class Collector {
   std::array<std::unordered_map<std::uint64_t, std::size_t>, kPhaseCount> folded_;
   std::array<std::unordered_map<std::string_view, Places>, kPhaseCount> places_;
   SharedText text_;
+  std::optional<ChangedLines> changed_;
+  Suppressions* suppressions_ = nullptr;
   std::optional<json::LineIndex> lines_;
   std::optional<model::Lookup> lookup_;
 };

@@ -163,6 +163,7 @@ bool report_as_khronos(const json::Parsed& parsed, std::string_view text,
 
 bool parse_document(const container::Container& container, const ValidateOptions& options,
                     Collector& collector, json::Document& document) {
+  collector.keep_text(container.json);
   json::Parsed parsed = json::parse(container.json);
   bool readable = true;
   if (!parsed.faults.empty()) {
@@ -176,7 +177,6 @@ bool parse_document(const container::Container& container, const ValidateOptions
       report_unlisted(parsed.unrecorded_faults, collector);
     }
   }
-  collector.keep_text(container.json);
   document = std::move(parsed.document);
   return readable && !document.empty();
 }

@@ -85,7 +85,8 @@ void check_links(const Context& context) {
 
 // Phases 3 to 7. Each phase reports to a sink of its own, so that two of them can run at once:
 // what they share is only read. The khronos profile hides members of the document in phase 3.
-void check_document(Context& context, json::Document& document, Collector& collector,
+// Returns whether all of them could run.
+bool check_document(Context& context, json::Document& document, Collector& collector,
                     FileReport& report) {
   const unsigned jobs = jobs_for(context);
   schema::CheckResult checked;
@@ -97,13 +98,16 @@ void check_document(Context& context, json::Document& document, Collector& colle
         views = model::Views(context.asset);
         graph = model::SceneGraph(context.asset, views.nodes);
       });
-  if (checked.stopped_at_asset || !context.document.is_object(context.document.root())) return;
+  if (checked.stopped_at_asset || !context.document.is_object(context.document.root())) {
+    return false;
+  }
   context.checked = std::move(checked);
   context.views = std::move(views);
   context.graph = std::move(graph);
   run_both(
       jobs, [&] { check_links(context); },
       [&] { check_bytes(context, collector.sink(Phase::resources), report); });
+  return true;
 }
 
 }  // namespace
@@ -134,7 +138,14 @@ FileReport validate(const container::Container& container, const std::string& na
     if (khronos) context.order = &*order;
     DataUris data_uris;
     context.data_uris = &data_uris;
-    if (check_identity(context, collector)) check_document(context, document, collector, report);
+    Suppressions suppressions;
+    if (options.inline_suppressions && !khronos) suppressions = Suppressions(document);
+    if (!suppressions.empty()) collector.suppress(&suppressions);
+    if (check_identity(context, collector) &&
+        check_document(context, document, collector, report)) {
+      suppressions.report(options, links);
+    }
+    report.left_out = suppressions.total();
   }
   report.mime_type = mime_type(container, document);
   collector.finish(report, document, container.json_offset);

@@ -134,6 +134,21 @@ TEST_F(Config, BudgetsHold) {
   EXPECT_EQ(validate({"props/info.gltf", "--max-file-size", "0"}).code, 0);
 }
 
+TEST_F(Config, WishesOfAssetsAreHeardWhereItSaysSo) {
+  const std::string wish =
+      R"("extras": {"gltfx": {"ignore": [{"code": "VALUE_NOT_IN_RANGE", "reason": "r"}]}}, )";
+  for (const char* name : {"own/a.gltf", "vendor/a.gltf"}) {
+    folder_.write(name, "{" + wish + kFaulty.substr(1));
+  }
+  EXPECT_EQ(validate({"own"}).code, 1);
+  const Outcome asked = validate({"own", "--inline-suppressions"});
+  EXPECT_EQ(asked.code, 0);
+  EXPECT_THAT(asked.out, HasSubstr("1 finding left out, as the assets ask"));
+  configure("[[overrides]]\npaths = [\"own/\"]\ninline-suppressions = true\n");
+  EXPECT_EQ(validate({"own"}).code, 0);
+  EXPECT_EQ(validate({"vendor"}).code, 1);
+}
+
 TEST_F(Config, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(said("\nprofil = \"strict\"\n"),
               HasSubstr("\ngltfx.toml:2: there is no key 'profil'. Did you mean 'profile'?\n"));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// --help, --version, explain and rules: what the program says about itself.
+#include <regex>
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -29,6 +32,7 @@ const std::vector<Verb>& verbs() {
         "--ignore",
         "--severity",
         "--inline-suppressions",
+        "--diff-base",
         "--config",
         "--isolated",
         "--max-issues",
@@ -47,11 +51,18 @@ const std::vector<Verb>& verbs() {
         "--write-baseline",
         "--jobs",
         "--color"}},
-      {"upgrade",
-       {"PATH", "--in-place", "--output", "--backup", "--check", "--diff", "--unsafe", "--strict",
-        "--generation", "--root", "--schema", "--schema-dir", "--config", "--isolated", "--quiet",
-        "--jobs", "--color"}},
+      {"upgrade", {"PATH",       "--in-place",   "--output", "--backup", "--check",      "--diff",
+                   "--unsafe",   "--strict",     "--only",   "--to",     "--ior",        "--pack",
+                   "--prune",    "--generation", "--root",   "--schema", "--schema-dir", "--config",
+                   "--isolated", "--quiet",      "--jobs",   "--color"}},
       {"hook", {"VERB"}},
+      {"bake",
+       {"PATH",          "--output",      "--format",  "--sheet",     "--size",       "--turntable",
+        "--layer",       "--transparent", "--embed",   "--compare",   "--camera",     "--lights",
+        "--environment", "--exposure",    "--scene",   "--animation", "--time",       "--variant",
+        "--force",       "--samples",     "--bounces", "--seed",      "--denoise",    "--noise",
+        "--time-budget", "--shader",      "--root",    "--schema",    "--schema-dir", "--quiet",
+        "--config",      "--isolated",    "--jobs",    "--color"}},
       {"explain", {"CODE", "--jobs", "--color"}},
       {"rules", {"--format", "--jobs", "--color"}},
       {"schema",
@@ -82,6 +93,29 @@ TEST(Help, OfEachVerbListsEveryOptionExamplesAndExitCodes) {
                 AllOf(HasSubstr("Examples:\n  gltfx " + verb.name), HasSubstr("Exit codes"),
                       HasSubstr("Usage: gltfx " + verb.name)));
     EXPECT_EQ(gltfx({verb.name, "-h"}).out, outcome.out);
+  }
+}
+
+// The options that a help text names.
+std::set<std::string> options_in(const std::string& text) {
+  std::set<std::string> found;
+  const std::regex option("(?:^|\n) +(?:-[A-Za-z],)?(--[a-z][a-z-]*)");
+  for (std::sregex_iterator at(text.begin(), text.end(), option), end; at != end; ++at) {
+    found.insert((*at)[1]);
+  }
+  return found;
+}
+
+TEST(Help, EveryOptionIsInTheTableAboveAndInTheReadme) {
+  const std::string readme = read_file(GLTFX_SOURCE_DIR "/README.md");
+  for (const Verb& verb : verbs()) {
+    std::set<std::string> listed{"--help"};
+    for (const std::string& option : verb.options) {
+      if (option.front() == '-') listed.insert(option);
+    }
+    const std::string text = gltfx({verb.name, "--help"}).out;
+    EXPECT_EQ(options_in(text), listed) << verb.name;
+    EXPECT_THAT(readme, HasSubstr("$ gltfx " + verb.name + " --help\n" + text)) << verb.name;
   }
 }
 

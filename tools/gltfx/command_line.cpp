@@ -131,6 +131,8 @@ void Declaration::declare_validate() {
   add_word(app, "--baseline", validate_.baseline, "FILE", "Leave out findings that FILE knows");
   add_word(app, "--write-baseline", validate_.write_baseline, "FILE",
            "Record all findings in FILE and exit with 0 for them");
+  add_word(app, "--diff-base", validate_.diff_base, "REVISION",
+           "Only findings on lines that changed since then (git), all of new and binary files");
   app.add_flag("-q,--quiet", validate_.quiet, "Findings only: no summary, no notes");
   add_configuration(app, validate_.configuration);
   add_common(app, validate_.common);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 
+#include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "base/text.hpp"
+#include "changed_files.hpp"
 #include "commands.hpp"
 #include "configuration.hpp"
 #include "input_paths.hpp"
@@ -23,10 +26,12 @@ namespace {
 // A run of inputs through validation, baseline and formats.
 class Run {
  public:
-  Run(const ValidateRequest& request, ValidateOptions options, KnownFindings known)
+  Run(const ValidateRequest& request, ValidateOptions options, KnownFindings known,
+      std::optional<ChangedFiles> changed)
       : request_(request),
         options_(std::move(options)),
         known_(std::move(known)),
+        changed_(std::move(changed)),
         targets_(request) {}
 
   ExitCode execute();
@@ -35,13 +40,17 @@ class Run {
   void check(const std::vector<std::string>& paths);
   void check_files(const std::vector<std::string>& paths);
   const ValidateOptions& options_for(const std::string& path);
+  const ValidateOptions& limited(const ValidateOptions& options, const std::string& path);
+  void look_again(FileReport& report);
   void take(FileReport report);
   ExitCode verdict() const;
 
   const ValidateRequest& request_;
   ValidateOptions options_;
   std::map<std::vector<std::size_t>, ValidateOptions> by_path_;  ///< where they differ
+  std::deque<ValidateOptions> limited_;                          ///< to lines that changed
   KnownFindings known_;
+  std::optional<ChangedFiles> changed_;
   ReportTargets targets_;
   RunSummary summary_;
 };
@@ -83,14 +92,34 @@ const ValidateOptions& Run::options_for(const std::string& path) {
   return entry->second;
 }
 
+// The options for lines that changed, where not all of the file counts.
+const ValidateOptions& Run::limited(const ValidateOptions& options, const std::string& path) {
+  auto lines = changed_ ? changed_->lines(path) : std::nullopt;
+  if (!lines) return options;
+  ValidateOptions& own = limited_.emplace_back(options);
+  own.changed_lines = *std::move(lines);
+  return own;
+}
+
+// Other data, such as a new image, may make wrong what was written long ago.
+void Run::look_again(FileReport& report) {
+  if (!changed_ || !changed_->companions_changed(report)) return;
+  if (changed_->lines(report.path)) report = validate_file(report.path, options_for(report.path));
+}
+
 void Run::check_files(const std::vector<std::string>& paths) {
   // Many files keep all threads busy by themselves.
   options_.jobs = paths.size() == 1 ? request_.common.jobs : 1;
   by_path_.clear();
+  limited_.clear();
   std::vector<ValidateInput> inputs;
-  for (const std::string& path : paths) inputs.push_back({path, &options_for(path)});
-  validate_files(inputs, request_.common.jobs,
-                 [this](FileReport&& report) { take(std::move(report)); });
+  for (const std::string& path : paths) {
+    inputs.push_back({path, &limited(options_for(path), path)});
+  }
+  validate_files(inputs, request_.common.jobs, [this](FileReport&& report) {
+    look_again(report);
+    take(std::move(report));
+  });
 }
 
 // Standard input is read where it stands among the paths; what lies between runs in parallel.
@@ -171,7 +200,16 @@ ExitCode run(const ValidateRequest& request) {
     return ExitCode::usage;
   }
   if (known->active()) options->max_issues = 0;
-  return Run(request, *std::move(options), *std::move(known)).execute();
+  std::optional<ChangedFiles> changed;
+  if (!request.diff_base.empty()) {
+    auto since = ChangedFiles::since(request.diff_base);
+    if (!since) {
+      complain(since.error().message);
+      return ExitCode::usage;
+    }
+    changed = *std::move(since);
+  }
+  return Run(request, *std::move(options), *std::move(known), std::move(changed)).execute();
 }
 
 }  // namespace gltfx::tool

@@ -59,6 +59,7 @@ struct ValidateRequest {
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
+  std::string diff_base;       ///< revision of git since which lines count; may be empty
   std::string baseline;        ///< file to read, may be empty
   std::string write_baseline;  ///< file to write, may be empty
 };

@@ -61,6 +61,7 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;
+  request.diff_base = words.diff_base;
   request.baseline = words.baseline;
   request.write_baseline = words.write_baseline;
   return reading.finish(request);

@@ -21,7 +21,7 @@ struct ValidateWords {
   std::vector<std::string> paths, formats, select, ignore, severities, schema_files, schema_folders;
   std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
   std::string max_texture_size, max_total_pixels, max_triangles, max_draw_calls, max_file_size;
-  std::string root, baseline, write_baseline;
+  std::string root, baseline, write_baseline, diff_base;
   bool quiet = false;
   bool hook = false;  ///< the paths may be left out
 };

@@ -57,6 +57,7 @@ struct FileReport {
   Counts counts;
   bool truncated = false;        ///< --max-issues ended the listing
   std::uint64_t suppressed = 0;  ///< findings a baseline knew
+  std::uint64_t left_out = 0;    ///< findings that the asset asks to leave out
   std::uint64_t unverified = 0;  ///< resources not looked into: Git-LFS pointers
   std::optional<AssetInfo> info;
 };
@@ -68,6 +69,7 @@ struct RunSummary {
   std::uint64_t unreadable = 0;
   std::uint64_t unverified = 0;
   std::uint64_t suppressed = 0;
+  std::uint64_t left_out = 0;
   Counts counts;
   std::optional<int> exit_code;  ///< what the program is about to end with, where it is known
   void add(const FileReport& report);

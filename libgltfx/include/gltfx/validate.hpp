@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gltfx {
 
@@ -43,6 +44,12 @@ struct Budgets {
   std::uint64_t file_size = 0;     ///< bytes of the file and of those it refers to
 };
 
+/// Lines of a text, counted from 1; `last` belongs to it.
+struct LineRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+
 struct ValidateOptions {
   Profile profile = Profile::standard;
   /// Nothing: `needed` in the strict profile, otherwise `headers`. The khronos profile never
@@ -58,6 +65,9 @@ struct ValidateOptions {
   std::string root;
   /// Findings kept per file, 0: no limit.
   std::uint64_t max_issues = 0;
+  /// Leave out findings on other lines of the JSON text; those without a place stay when there is
+  /// any range. Nothing: all lines.
+  std::optional<std::vector<LineRange>> changed_lines;
   /// Fill Diagnostic::fix where a program can mend the finding and the picture stays the same.
   bool propose_fixes = false;
   /// Threads that one large file may be given; 0: one a core. Reports do not depend on it.

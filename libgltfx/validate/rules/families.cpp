@@ -71,6 +71,7 @@ std::span<const Family> families() {
       techniques_family(),
       mdl_family(),
       xmp_family(),
+      suppression_family(),
       unused_objects_family(),  // behind all that find references
   };
   // clang-format on

@@ -76,5 +76,6 @@ const Family& timed_accessors_family();
 const Family& techniques_family();
 const Family& mdl_family();
 const Family& xmp_family();
+const Family& suppression_family();
 
 }  // namespace gltfx::validate
