@@ -24,8 +24,8 @@ class ChangedLines {
 
  private:
   bool any_ = false;
-  bool last_line_ = false;  ///< changed
-  std::uint32_t size_ = 0;  ///< of the text
+  bool last_line_ = false;   ///< changed
+  std::uint32_t size_ = 0;   ///< of the text
   std::vector<Span> spans_;  ///< sorted, apart from each other
 };
 

@@ -239,8 +239,7 @@ TEST(BakeComparison, SameAssetsMakeTheSamePicture) {
   EXPECT_TRUE(image.statistics[0].constant());
   EXPECT_EQ(image.statistics[0].least, 128U);
   options.output.clear();
-  const BakeComparison other =
-      bake_comparison(fixture("bowl.glb"), fixture("lamp.gltf"), options);
+  const BakeComparison other = bake_comparison(fixture("bowl.glb"), fixture("lamp.gltf"), options);
   EXPECT_GT(other.psnr, 5);
   EXPECT_LT(other.psnr, 60);
 }

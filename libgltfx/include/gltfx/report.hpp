@@ -83,10 +83,10 @@ std::optional<ReportFormat> report_format_from_name(std::string_view name);
 std::span<const std::string_view> report_format_names();
 
 struct FormatOptions {
-  bool color = false;       ///< text: ANSI colours
-  bool quiet = false;       ///< text: findings only, no summary
-  std::string command;      ///< text: how the user calls the program, for help lines ("gltfx")
-  std::string profile;      ///< named in json, sarif, junit and agent
+  bool color = false;   ///< text: ANSI colours
+  bool quiet = false;   ///< text: findings only, no summary
+  std::string command;  ///< text: how the user calls the program, for help lines ("gltfx")
+  std::string profile;  ///< named in json, sarif, junit and agent
   /// How far images were looked into; named there and in github, in text where any was decoded.
   std::string pixel_level;
   /// All rules, sorted by code, for what sarif and agent say beside a finding. Static storage.

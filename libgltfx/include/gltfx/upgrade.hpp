@@ -103,7 +103,7 @@ struct UpgradeReport {
   std::vector<std::string> new_files;  ///< that the new document refers to, from its folder
   std::vector<UpgradeOrphan> orphans;  ///< by root array, in its order
   std::string orphans_kept;            ///< why they stay although they were to go, without stop
-  std::string diff;  ///< unified, of the JSON text; raw asset text
+  std::string diff;                    ///< unified, of the JSON text; raw asset text
 
   /// Legacy objects that are part of what was asked for.
   std::uint64_t due() const;

@@ -34,8 +34,8 @@ using Position = std::array<float, 3>;
 
 std::optional<std::vector<Position>> read_positions(DataPhase& phase, std::uint32_t accessor) {
   const model::Format& format = phase.context.views.accessors[accessor].format;
-  const bool positions = format.type == model::ElementType::vec3 &&
-                         format.component == model::ComponentType::float32;
+  const bool positions =
+      format.type == model::ElementType::vec3 && format.component == model::ComponentType::float32;
   if (!positions) return std::nullopt;
   const auto data = open_bounded(phase, accessor);
   if (!data) return std::nullopt;
