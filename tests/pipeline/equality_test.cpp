@@ -42,7 +42,7 @@ class Shown {
     for (const Json& image : json_.value("images", Json::array())) {
       const std::string uri = image["uri"];
       const auto bytes = container::decode_base64(uri.substr(uri.find(',') + 1));
-      pictures_.push_back(decoded(*bytes));
+      pictures_.push_back(read_picture(*bytes));
     }
   }
   const Json& json() const { return json_; }
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(Generations, Equality,
 TEST(EqualityPictures, HoldWhatTheySay) {
   Random random(1);
   for (const Picture& picture : all_pictures(random)) {
-    const Picture read = decoded(picture.bytes);
+    const Picture read = read_picture(picture.bytes);
     ASSERT_EQ(read.texels.size(), picture.texels.size());
     for (std::size_t i = 0; i < read.texels.size(); ++i) {
       for (std::size_t c = 0; c < 4; ++c) {

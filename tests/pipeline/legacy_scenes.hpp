@@ -52,7 +52,7 @@ inline std::span<const std::byte> bytes_of(std::string_view text) {
 }
 
 /// What a decoder makes of a file, told by its first bytes.
-inline Picture decoded(const std::string& file) {
+inline Picture read_picture(const std::string& file) {
   codec::ImageRequest request;
   request.bytes = bytes_of(file);
   request.pixels = true;
@@ -154,7 +154,7 @@ inline Picture encoded_picture(Random& random, codec::EncodedFormat format, std:
   const auto* file = std::get_if<codec::EncodedImage>(&result);
   EXPECT_NE(file, nullptr);
   if (file == nullptr) return {};
-  return decoded({reinterpret_cast<const char*>(file->bytes.data()), file->bytes.size()});
+  return read_picture({reinterpret_cast<const char*>(file->bytes.data()), file->bytes.size()});
 }
 
 /// One of every form, and two that are the same everywhere.
