@@ -105,8 +105,10 @@ class Scene {
         {{"byteLength", buffer_.size()},
          {"uri", "data:application/octet-stream;base64," + container::encode_base64(buffer_)}}};
     if (json_.contains("animations")) json_["extensionsUsed"].push_back("KHR_animation_pointer");
-    json_["scenes"] = {{{"nodes", {0}}}};
-    json_["nodes"] = {json_.contains("meshes") ? Json{{"mesh", 0}} : Json::object()};
+    // Compilers differ in whether braces around one value make an array of it.
+    json_["scenes"] = Json::array({Json{{"nodes", Json::array({0})}}});
+    json_["nodes"] = Json::array();
+    json_["nodes"].push_back(json_.contains("meshes") ? Json{{"mesh", 0}} : Json::object());
     return json_.dump(2);
   }
 
