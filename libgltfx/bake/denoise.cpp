@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 #include "bake/denoise_planes.hpp"
 #include "bake/regression.hpp"
@@ -15,13 +16,13 @@ namespace gltfx::bake {
 namespace {
 
 constexpr int kTile = 16;  // pixels along a side that are worked on together
-constexpr int kReach = 8;  // how far neighbours are looked for
-constexpr int kPatch = 2;  // half width of what is compared
+constexpr int kReach = 5;  // how far neighbours are looked for
+constexpr int kPatch = 3;  // half width of what is compared
 constexpr int kCompared = kTile + 2 * kPatch;
-constexpr float kStrictness = 0.5F;  // squared: differences that are left to noise
-constexpr float kRidge = 1e-3F;
+constexpr float kStrictness = 0.25F;  // squared: standard deviations that are left to noise
+constexpr float kRidge = 1e-4F;
 
-constexpr std::size_t kTerms = 3 + DenoisePlanes::kFeatures;  // 1, x, y
+constexpr std::size_t kTerms = 3 + DenoiseLayer::kFeatures;  // 1, x, y
 constexpr std::size_t kProducts = NormalEquations<kTerms>::kProducts;
 using Row = std::array<float, kTile>;
 
@@ -37,8 +38,23 @@ inline float falling(float x) {
 // One tile of one half of the samples, judged by the other half.
 class TileFilter {
  public:
-  TileFilter(const DenoisePlanes& planes, std::uint32_t left, std::uint32_t top, std::size_t half)
-      : p_(planes), left_(static_cast<int>(left)), top_(static_cast<int>(top)), half_(half) {}
+  TileFilter(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top, std::size_t half)
+      : p_(layer),
+        left_(static_cast<int>(left)),
+        top_(static_cast<int>(top)),
+        half_(half),
+        channels_(layer.values[half].size()) {}
+
+  /// Whether there is something in the tile at all.
+  bool matters() const {
+    for (int y = 0; y < kTile; ++y) {
+      for (int x = 0; x < kTile; ++x) {
+        const std::size_t i = pixel(left_ + x, top_ + y);
+        if (p_.weight[i] > 0 && (p_.variance[i] > 0 || p_.y[0][i] != 0)) return true;
+      }
+    }
+    return false;
+  }
 
   void run() {
     for (int dy = -kReach; dy <= kReach; ++dy) {
@@ -49,12 +65,14 @@ class TileFilter {
     }
   }
 
+  /// False where nothing can be said.
   bool value(int x, int y, Float3& value) const {
     NormalEquations<kTerms> equations;
     const auto column = static_cast<std::size_t>(x);
-    for (std::size_t i = 0; i < kProducts; ++i)
+    for (std::size_t i = 0; i < kProducts; ++i) {
       equations.products[i] = products_[row(y)][i][column];
-    for (std::size_t c = 0; c < 3; ++c) {
+    }
+    for (std::size_t c = 0; c < channels_; ++c) {
       for (std::size_t i = 0; i < kTerms; ++i) {
         equations.colors[c][i] = colors_[row(y)][c][i][column];
       }
@@ -63,6 +81,8 @@ class TileFilter {
   }
 
  private:
+  using Square = std::array<std::array<float, kCompared>, kCompared>;
+
   static std::size_t row(int y) { return static_cast<std::size_t>(y); }
 
   // Pixels beyond the edge are those at the edge.
@@ -79,7 +99,7 @@ class TileFilter {
   // How far the pixels differ from those at an offset, beyond what noise explains.
   void compare(int dx, int dy) {
     const Plane& light = p_.y[1 - half_];
-    const Plane& variance = p_.variance[1 - half_];
+    const Plane& variance = p_.variance;
     for (int y = 0; y < kCompared; ++y) {
       for (int x = 0; x < kCompared; ++x) {
         const std::size_t a = pixel(left_ - kPatch + x, top_ - kPatch + y);
@@ -87,14 +107,17 @@ class TileFilter {
         const float difference = light[a] - light[b];
         const float expected = variance[a] + std::min(variance[a], variance[b]);
         const float unit = 1e-5F + kStrictness * (variance[a] + variance[b]);
-        distance_[row(y)][row(x)] = (difference * difference - expected) / unit;
+        const float say = p_.weight[a] * p_.weight[b];
+        distance_[row(y)][row(x)] = say * (difference * difference - expected) / unit;
+        say_[row(y)][row(x)] = say;
       }
     }
-    blur_rows();
+    blur_rows(distance_);
+    blur_rows(say_);
   }
 
-  void blur_rows() {
-    for (auto& line : distance_) {
+  static void blur_rows(Square& square) {
+    for (auto& line : square) {
       std::array<float, kCompared> sums{};
       for (std::size_t x = 0; x < kTile; ++x) {
         for (std::size_t k = 0; k <= 2 * kPatch; ++k) sums[x] += line[x + k];
@@ -104,15 +127,19 @@ class TileFilter {
   }
 
   Row weights(int y, int dx, int dy) const {
-    constexpr float kArea = (2 * kPatch + 1) * (2 * kPatch + 1);
     Row sums{};
+    Row says{};
     for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
-      for (std::size_t x = 0; x < kTile; ++x) sums[x] += distance_[row(y) + k][x];
+      for (std::size_t x = 0; x < kTile; ++x) {
+        sums[x] += distance_[row(y) + k][x];
+        says[x] += say_[row(y) + k][x];
+      }
     }
     for (std::size_t x = 0; x < kTile; ++x) {
-      const int px = left_ + static_cast<int>(x);
-      const bool there = is_inside(px + dx, top_ + y + dy);
-      sums[x] = there ? falling(std::max(sums[x] / kArea, 0.0F)) : 0.0F;
+      const int column = left_ + static_cast<int>(x) + dx;
+      const bool there = is_inside(column, top_ + y + dy) && says[x] > 0;
+      const float alike = falling(std::max(sums[x] / std::max(says[x], 1e-6F), 0.0F));
+      sums[x] = there ? alike * p_.weight[pixel(column, top_ + y + dy)] : 0.0F;
     }
     return sums;
   }
@@ -123,7 +150,7 @@ class TileFilter {
     t[0].fill(1);
     t[1].fill(static_cast<float>(dx) / kReach);
     t[2].fill(static_cast<float>(dy) / kReach);
-    for (std::size_t f = 0; f < DenoisePlanes::kFeatures; ++f) {
+    for (std::size_t f = 0; f < DenoiseLayer::kFeatures; ++f) {
       for (int x = 0; x < kTile; ++x) {
         const Plane& plane = p_.features[f];
         t[3 + f][row(x)] =
@@ -144,8 +171,8 @@ class TileFilter {
       for (std::size_t j = 0; j <= i; ++j, ++product) {
         for (std::size_t x = 0; x < kTile; ++x) products[product][x] += weighted[x] * t[j][x];
       }
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Plane& light = p_.light[half_][c];
+      for (std::size_t c = 0; c < channels_; ++c) {
+        const Plane& light = p_.values[half_][c];
         for (std::size_t x = 0; x < kTile; ++x) {
           const int column = left_ + static_cast<int>(x) + dx;
           colors_[row(y)][c][i][x] += weighted[x] * light[pixel(column, top_ + y + dy)];
@@ -154,17 +181,18 @@ class TileFilter {
     }
   }
 
-  const DenoisePlanes& p_;
+  const DenoiseLayer& p_;
   int left_, top_;
-  std::size_t half_;
-  std::array<std::array<float, kCompared>, kCompared> distance_{};
+  std::size_t half_, channels_;
+  Square distance_{}, say_{};
   std::array<std::array<Row, kProducts>, kTile> products_{};
   std::array<std::array<std::array<Row, kTerms>, 3>, kTile> colors_{};
 };
 
 class Denoiser {
  public:
-  explicit Denoiser(const Film& film) : film_(film), planes_(denoise_planes(film)) {}
+  explicit Denoiser(const Film& film)
+      : film_(film), surface_(surface_layer(film)), shadow_(shadow_layer(film)) {}
 
   std::vector<Rgb> run(unsigned jobs) {
     result_.resize(film_.size());
@@ -181,35 +209,48 @@ class Denoiser {
   }
 
  private:
+  // Mean of the halves, each by its number of samples.
   void filter(std::uint32_t left, std::uint32_t top) {
-    for (std::size_t half = 0; half < 2; ++half) {
-      const auto filter = std::make_unique<TileFilter>(planes_, left, top, half);
-      filter->run();
-      for (std::uint32_t y = 0; y < kTile && top + y < film_.height(); ++y) {
-        for (std::uint32_t x = 0; x < kTile && left + x < film_.width(); ++x) {
-          const std::size_t i = std::size_t{top + y} * film_.width() + left + x;
-          Float3 light{planes_.light[half][0][i], planes_.light[half][1][i],
-                       planes_.light[half][2][i]};
-          filter->value(static_cast<int>(x), static_cast<int>(y), light);
-          result_[i] += share(i, half, light);
-        }
+    const auto light = smooth(surface_, left, top);
+    const auto shadow = smooth(shadow_, left, top);
+    for (std::uint32_t y = 0; y < kTile && top + y < film_.height(); ++y) {
+      for (std::uint32_t x = 0; x < kTile && left + x < film_.width(); ++x) {
+        const std::size_t i = std::size_t{top + y} * film_.width() + left + x;
+        const PixelSums& sums = film_.at(i);
+        const double count = std::max(sums.samples, 1U);
+        const Rgb shown = to_vec(sums.behind) * (1 - shadow[y * kTile + x].x);
+        result_[i] =
+            (to_vec(sums.direct) + shown) / Rgb(count) + light[y * kTile + x] * surface_color(sums);
       }
     }
   }
 
-  // Of the finished pixel, with the surface's colour again.
-  Rgb share(std::size_t i, std::size_t half, const Float3& light) const {
-    const PixelSums& sums = film_.at(i);
-    const double count = sums.samples;
-    const double part = half == 0 ? (sums.samples + 1) / 2 : sums.samples / 2;
-    const Rgb scattered(static_cast<double>(light[0] * planes_.albedo[0][i]),
-                        static_cast<double>(light[1] * planes_.albedo[1][i]),
-                        static_cast<double>(light[2] * planes_.albedo[2][i]));
-    return (to_vec(sums.direct) / Rgb(count) + scattered) * (part / count);
+  static std::vector<Rgb> smooth(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top) {
+    std::vector<Rgb> result(std::size_t{kTile} * kTile);
+    for (std::size_t half = 0; half < 2; ++half) {
+      const auto filter = std::make_unique<TileFilter>(layer, left, top, half);
+      if (!filter->matters()) return result;
+      filter->run();
+      for (std::uint32_t y = 0; y < kTile && top + y < layer.height; ++y) {
+        for (std::uint32_t x = 0; x < kTile && left + x < layer.width; ++x) {
+          const std::size_t i = std::size_t{top + y} * layer.width + left + x;
+          Float3 value = raw(layer, half, i);
+          filter->value(static_cast<int>(x), static_cast<int>(y), value);
+          result[y * kTile + x] += to_vec(value) * 0.5;
+        }
+      }
+    }
+    return result;
+  }
+
+  static Float3 raw(const DenoiseLayer& layer, std::size_t half, std::size_t i) {
+    Float3 value{};
+    for (std::size_t c = 0; c < layer.values[half].size(); ++c) value[c] = layer.values[half][c][i];
+    return value;
   }
 
   const Film& film_;
-  DenoisePlanes planes_;
+  const DenoiseLayer surface_, shadow_;
   std::vector<Rgb> result_;
 };
 

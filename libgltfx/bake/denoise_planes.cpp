@@ -9,7 +9,7 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr float kDarkest = 0.03F;  // albedo; below, noise would be divided by next to nothing
+constexpr double kSheen = 0.05;  // what also a black surface reflects
 
 // Means over squares of 2 * radius + 1 pixels, cut off at the edges.
 Plane blurred(const Plane& plane, std::uint32_t width, std::uint32_t height, int radius) {
@@ -35,51 +35,50 @@ Plane blurred(const Plane& plane, std::uint32_t width, std::uint32_t height, int
   return result;
 }
 
-// What samples say of their spread is too much, since they are spread evenly on purpose: it is
-// scaled by how much the halves differ around.
-void estimate_variance(const Film& film, DenoisePlanes& planes) {
-  Plane apart(film.size());
-  Plane claimed(film.size());
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const float difference = planes.y[0][i] - planes.y[1][i];
-    apart[i] = difference * difference / 2;
-    const double y = std::max(luminance({static_cast<double>(planes.albedo[0][i]),
-                                         static_cast<double>(planes.albedo[1][i]),
-                                         static_cast<double>(planes.albedo[2][i])}),
-                              1e-3);
-    const double error = film.error(i) / y;
-    claimed[i] = static_cast<float>(2 * error * error);  // of a half
+DenoiseLayer empty_layer(const Film& film, std::size_t channels) {
+  DenoiseLayer layer;
+  layer.width = film.width();
+  layer.height = film.height();
+  for (std::size_t half = 0; half < 2; ++half) {
+    layer.values[half].assign(channels, Plane(film.size()));
+    layer.y[half].resize(film.size());
   }
-  constexpr int kWide = 6;
-  const Plane seen = blurred(apart, planes.width, planes.height, kWide);
-  const Plane said = blurred(claimed, planes.width, planes.height, kWide);
-  Plane variance(film.size());
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const float scale = said[i] > 0 ? std::min(seen[i] / said[i], 2.0F) : 1.0F;
-    variance[i] = claimed[i] * scale;
-  }
-  planes.variance[0] = planes.variance[1] = blurred(variance, planes.width, planes.height, 1);
+  layer.weight.resize(film.size());
+  for (Plane& plane : layer.features) plane.resize(film.size());
+  return layer;
 }
 
-void read_pixel(const Film& film, std::size_t i, DenoisePlanes& planes) {
-  const PixelSums& sums = film.at(i);
-  const auto count = static_cast<float>(std::max(sums.samples, 1U));
-  std::array<Float3, 2> light{};
+float count_of(const PixelSums& sums, std::size_t half) {
+  const std::uint32_t count = (sums.samples + 1 - static_cast<std::uint32_t>(half)) / 2;
+  return static_cast<float>(std::max(count, 1U));
+}
+
+// What samples say of their spread is too much, since they are spread evenly on purpose: it is
+// scaled by how much the halves differ around.
+void settle_variance(DenoiseLayer& layer, const Plane& claimed) {
+  constexpr int kWide = 6;
+  Plane apart(claimed.size());
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    const float difference = layer.y[0][i] - layer.y[1][i];
+    apart[i] = difference * difference / 2 * layer.weight[i];
+  }
+  const Plane seen = blurred(apart, layer.width, layer.height, kWide);
+  const Plane said = blurred(claimed, layer.width, layer.height, kWide);
+  layer.variance.resize(claimed.size());
+  for (std::size_t i = 0; i < claimed.size(); ++i) {
+    const float scale = said[i] > 0 ? std::min(seen[i] / said[i], 2.0F) : 1.0F;
+    layer.variance[i] = claimed[i] * scale;
+  }
+  layer.variance = blurred(layer.variance, layer.width, layer.height, 1);
+}
+
+void read_features(const PixelSums& sums, std::size_t i, DenoiseLayer& layer) {
+  if (sums.alpha <= 0) return;
   for (std::size_t c = 0; c < 3; ++c) {
-    planes.albedo[c][i] = std::max(sums.albedo[c] / count, kDarkest);
-    for (std::size_t half = 0; half < 2; ++half) {
-      const std::uint32_t own = (sums.samples + 1 - static_cast<std::uint32_t>(half)) / 2;
-      light[half][c] =
-          sums.scattered[half][c] / (static_cast<float>(std::max(own, 1U)) * planes.albedo[c][i]);
-      planes.light[half][c][i] = light[half][c];
-    }
-    planes.features[c][i] = sums.normal[c] / count;
+    layer.features[c][i] = sums.normal[c] / sums.alpha;
+    layer.features[4 + c][i] = sums.albedo[c] / sums.alpha;
   }
-  planes.features[3][i] = sums.depth / count;
-  planes.features[4][i] = sums.alpha / count;
-  for (std::size_t half = 0; half < 2; ++half) {
-    planes.y[half][i] = static_cast<float>(luminance(to_vec(light[half])));
-  }
+  layer.features[3][i] = sums.depth / sums.alpha;
 }
 
 // Depths in parts of what lies between the nearest and the farthest.
@@ -97,20 +96,56 @@ void scale_depth(Plane& depth) {
 
 }  // namespace
 
-DenoisePlanes denoise_planes(const Film& film) {
-  DenoisePlanes planes;
-  planes.width = film.width();
-  planes.height = film.height();
-  for (auto& half : planes.light) {
-    for (Plane& plane : half) plane.resize(film.size());
+Rgb surface_color(const PixelSums& sums) {
+  const double count = std::max(sums.samples, 1U);
+  return to_vec(sums.albedo) * ((1 - kSheen) / count) +
+         Rgb(static_cast<double>(sums.alpha) * kSheen / count);
+}
+
+DenoiseLayer surface_layer(const Film& film) {
+  DenoiseLayer layer = empty_layer(film, 3);
+  Plane claimed(film.size());
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const PixelSums& sums = film.at(i);
+    const Rgb color = surface_color(sums);
+    layer.weight[i] = static_cast<float>(film.alpha(i));
+    if (!(color.x > 0 && color.y > 0 && color.z > 0)) continue;
+    for (std::size_t half = 0; half < 2; ++half) {
+      const Rgb light =
+          to_vec(sums.scattered[half]) / (color * static_cast<double>(count_of(sums, half)));
+      const Float3 parts = to_float3(light);
+      for (std::size_t c = 0; c < 3; ++c) layer.values[half][c][i] = parts[c];
+      layer.y[half][i] = static_cast<float>(luminance(light));
+    }
+    const double error = film.error(i) / luminance(color);
+    claimed[i] = static_cast<float>(2 * error * error * static_cast<double>(layer.weight[i]));
+    read_features(sums, i, layer);
   }
-  for (Plane& plane : planes.y) plane.resize(film.size());
-  for (Plane& plane : planes.features) plane.resize(film.size());
-  for (Plane& plane : planes.albedo) plane.resize(film.size());
-  for (std::size_t i = 0; i < film.size(); ++i) read_pixel(film, i, planes);
-  scale_depth(planes.features[3]);
-  estimate_variance(film, planes);
-  return planes;
+  scale_depth(layer.features[3]);
+  settle_variance(layer, claimed);
+  return layer;
+}
+
+DenoiseLayer shadow_layer(const Film& film) {
+  DenoiseLayer layer = empty_layer(film, 1);
+  Plane claimed(film.size());
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const PixelSums& sums = film.at(i);
+    const auto seen = static_cast<float>(luminance(to_vec(sums.behind)));
+    const float alpha = static_cast<float>(film.alpha(i));
+    layer.weight[i] = std::max(1 - alpha, 0.0F);
+    if (!(seen > 0)) continue;
+    for (std::size_t half = 0; half < 2; ++half) {
+      const float part =
+          sums.shadow[half] * static_cast<float>(sums.samples) / (seen * count_of(sums, half));
+      layer.values[half][0][i] = layer.y[half][i] = part;
+    }
+    // As if each sample said yes or no.
+    const float mean = (layer.y[0][i] + layer.y[1][i]) / 2;
+    claimed[i] = mean / count_of(sums, 1) * layer.weight[i];
+  }
+  settle_variance(layer, claimed);
+  return layer;
 }
 
 }  // namespace gltfx::bake

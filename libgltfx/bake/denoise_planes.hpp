@@ -13,18 +13,23 @@ namespace gltfx::bake {
 /// A number by pixel, rows from the top.
 using Plane = std::vector<float>;
 
-struct DenoisePlanes {
+/// Something that is to be smooth, known from two halves of the samples.
+struct DenoiseLayer {
   std::uint32_t width = 0, height = 0;
-  /// Of each half of the samples: what is scattered, divided by the colour of the surface.
-  std::array<std::array<Plane, 3>, 2> light;
-  std::array<Plane, 2> y;         ///< its luminance
-  std::array<Plane, 2> variance;  ///< of that
-  static constexpr std::size_t kFeatures = 5;
-  std::array<Plane, kFeatures> features;  ///< normal, depth in parts of the scene, alpha
-  std::array<Plane, 3> albedo;            ///< by which the light is to be multiplied again
+  std::array<std::vector<Plane>, 2> values;  ///< by half and channel
+  std::array<Plane, 2> y;                    ///< their luminance
+  Plane variance;                            ///< of that, of one half
+  Plane weight;                              ///< how much a pixel says, from 0 (nothing) to 1
+  static constexpr std::size_t kFeatures = 7;
+  std::array<Plane, kFeatures> features;  ///< normal, depth from 0 to 1, colour of the surface
 };
 
-/// A film of at least one sample a pixel.
-DenoisePlanes denoise_planes(const Film& film);
+/// Light on the surfaces, divided by their colour. What the surfaces cover is what a pixel says.
+DenoiseLayer surface_layer(const Film& film);
+/// By which that light is multiplied again.
+Rgb surface_color(const PixelSums& sums);
+
+/// The part of the background that shadow takes away; one channel.
+DenoiseLayer shadow_layer(const Film& film);
 
 }  // namespace gltfx::bake

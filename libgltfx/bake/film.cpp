@@ -21,11 +21,13 @@ bool is_finite(const Rgb& c) { return std::isfinite(c.x + c.y + c.z); }
 
 void Film::add(std::size_t pixel, const PathSample& sample) {
   PixelSums& sums = pixels_[pixel];
-  if (is_finite(sample.radiance)) {
-    const Rgb scattered = sample.radiance - sample.direct;
-    add_to(sums.scattered[sums.samples & 1U], scattered);
+  const std::size_t half = sums.samples & 1U;
+  if (is_finite(sample.radiance())) {
+    add_to(sums.scattered[half], sample.scattered);
     add_to(sums.direct, sample.direct);
-    const double y = luminance(scattered);
+    add_to(sums.behind, sample.behind);
+    sums.shadow[half] += static_cast<float>(luminance(sample.behind) * sample.shadow);
+    const double y = luminance(sample.scattered);
     sums.square += static_cast<float>(y * y);
   }
   ++sums.samples;
@@ -43,7 +45,11 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
 Rgb Film::radiance(std::size_t pixel) const {
   const PixelSums& sums = pixels_[pixel];
   if (sums.samples == 0) return {};
-  return (to_vec(sums.scattered[0]) + to_vec(sums.scattered[1]) + to_vec(sums.direct)) /
+  const Rgb behind = to_vec(sums.behind);
+  const double seen = luminance(behind);
+  const double shadow = static_cast<double>(sums.shadow[0]) + static_cast<double>(sums.shadow[1]);
+  return (to_vec(sums.scattered[0]) + to_vec(sums.scattered[1]) + to_vec(sums.direct) +
+          behind * (seen > 0 ? 1 - shadow / seen : 1)) /
          static_cast<double>(sums.samples);
 }
 

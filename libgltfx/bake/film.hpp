@@ -16,10 +16,11 @@ struct PixelSums {
   std::uint32_t samples = 0;
   std::uint32_t rays = 0;
   std::uint32_t material = kNone;  ///< of the first sample that met one
-  /// What is to be denoised, in two halves: of even and of odd samples.
+  // Of two halves, even and odd samples:
   std::array<Float3, 2> scattered{};
-  Float3 direct{};   ///< what needs no denoising
-  float square = 0;  ///< of the luminance of what is scattered
+  std::array<float, 2> shadow{};  ///< luminance that is taken away from what is behind
+  float square = 0;               ///< of the luminance of what is scattered
+  Float3 direct{}, behind{};      ///< which have no noise
   float alpha = 0;
   Float3 albedo{}, normal{};
   float depth = 0;

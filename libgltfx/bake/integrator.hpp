@@ -16,8 +16,11 @@ namespace gltfx::bake {
 
 /// What one path brings back.
 struct PathSample {
-  Rgb radiance;      ///< all of it
-  Rgb direct;        ///< the part of it that the first surface or the background sends by itself
+  Rgb scattered;      ///< by surfaces and media
+  Rgb direct;         ///< sent by what is seen first
+  Rgb behind;         ///< of the background, as far as it is seen, without shadow
+  double shadow = 0;  ///< part of that which shadow takes away
+  Rgb radiance() const { return scattered + direct + behind * (1 - shadow); }
   double alpha = 0;  ///< 1 on the scene, 0 beside it, between them where it is seen through
   // Of the first surface; 0 beside the scene.
   Rgb albedo;

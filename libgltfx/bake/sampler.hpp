@@ -61,26 +61,30 @@ class SampleStream {
       : key_(mix_bits(pixel, seed)), sample_(sample) {}
 
   /// A point in [0, 1) x [0, 1).
-  Float2 pair(std::uint32_t dimension) const {
+  Float2 pair(std::uint32_t dimension) const { return pair(dimension, 0, 1); }
+
+  /// One of several points of the dimension, which all together are spread as evenly.
+  Float2 pair(std::uint32_t dimension, std::uint32_t part, std::uint32_t parts) const {
     const std::uint32_t seed = mix_bits(key_ + 0x9e3779b9U * (dimension + 1));
-    const std::uint32_t index = shuffled(seed);
+    const std::uint32_t index = shuffled(sample_ * parts + part, seed);
     return {unit_float(reverse_bits(scramble_reversed(index, mix_bits(seed + 1)))),
             unit_float(
                 reverse_bits(scramble_reversed(second_sobol_reversed(index), mix_bits(seed + 2))))};
   }
 
-  /// A number in [0, 1).
-  float single(std::uint32_t dimension) const {
+  /// A number in [0, 1), or one of several as above.
+  float single(std::uint32_t dimension, std::uint32_t part = 0, std::uint32_t parts = 1) const {
     const std::uint32_t seed = mix_bits(key_ + 0x9e3779b9U * (dimension + 1));
-    return unit_float(reverse_bits(scramble_reversed(shuffled(seed), mix_bits(seed + 1))));
+    const std::uint32_t index = shuffled(sample_ * parts + part, seed);
+    return unit_float(reverse_bits(scramble_reversed(index, mix_bits(seed + 1))));
   }
 
   /// A number that tells this sample from all others, for decisions that need no even spread.
   std::uint32_t key() const { return mix_bits(key_, sample_); }
 
  private:
-  std::uint32_t shuffled(std::uint32_t seed) const {
-    return reverse_bits(scramble_reversed(reverse_bits(sample_), seed));
+  static std::uint32_t shuffled(std::uint32_t sample, std::uint32_t seed) {
+    return reverse_bits(scramble_reversed(reverse_bits(sample), seed));
   }
 
   std::uint32_t key_, sample_;

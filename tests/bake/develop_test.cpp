@@ -16,7 +16,6 @@ using testing::FloatEq;
 Film two_pixels() {
   Film film(2, 1);
   PathSample there;
-  there.radiance = Rgb(0.5);
   there.direct = Rgb(0.5);
   there.alpha = 1;
   there.albedo = Rgb(0.25, 0.5, 1);
@@ -36,7 +35,7 @@ TEST(Film, KeepsMeansAndErrors) {
   Film film(1, 1);
   for (const double value : {1.0, 3.0}) {
     PathSample sample;
-    sample.radiance = Rgb(value);
+    sample.scattered = Rgb(value);
     film.add(0, sample);
   }
   EXPECT_EQ(film.radiance(0), Rgb(2));
@@ -46,7 +45,7 @@ TEST(Film, KeepsMeansAndErrors) {
 TEST(Film, WhatIsNoNumberIsLeftOut) {
   Film film(1, 1);
   PathSample sample;
-  sample.radiance = Rgb(std::nan(""));
+  sample.scattered = Rgb(std::nan(""));
   film.add(0, sample);
   EXPECT_EQ(film.radiance(0), Rgb());
 }

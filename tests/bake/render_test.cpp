@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "bake/denoise.hpp"
+#include "bake/develop.hpp"
 #include "bake/framing.hpp"
 #include "bake/studio.hpp"
 #include "rendering.hpp"
@@ -39,6 +40,12 @@ RenderOptions small(std::uint32_t samples) {
   options.height = 40;
   options.samples = samples;
   return options;
+}
+
+std::vector<Rgb> plain(const Film& film) {
+  std::vector<Rgb> radiance;
+  for (std::size_t i = 0; i < film.size(); ++i) radiance.push_back(film.radiance(i));
+  return radiance;
 }
 
 bool same(const Film& a, const Film& b) {
@@ -121,14 +128,13 @@ TEST(Denoise, ComesNearer) {
   many.seed = 9;
   const Film wanted = render(stage.path_setting(), front(), many);
   const std::vector<Rgb> clean = denoise(noisy, 1);
-  double before = 0;
-  double after = 0;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const Rgb a = noisy.radiance(i) - wanted.radiance(i);
-    const Rgb b = clean[i] - wanted.radiance(i);
-    before += dot(a, a);
-    after += dot(b, b);
-  }
+  const auto shown = [](const Film& film, const std::vector<Rgb>& radiance) {
+    return develop(film, radiance, false, Numbers::bytes);
+  };
+  const Picture reference = shown(wanted, plain(wanted));
+  const double before =
+      mean_square_difference(shown(noisy, plain(noisy)), reference, noisy, wanted);
+  const double after = mean_square_difference(shown(noisy, clean), reference, noisy, wanted);
   EXPECT_LT(after, before * 0.5);
 }
 

@@ -61,7 +61,7 @@ class Stage {
   Estimate path(const Ray& ray, std::uint32_t samples = 4000) const {
     const PathSetting s = path_setting();
     return estimate(samples, 1, [&](const SampleStream& random) {
-      return trace_path(s, ray, {0.5F, 0.5F}, random).radiance;
+      return trace_path(s, ray, {0.5F, 0.5F}, random).radiance();
     });
   }
 
