@@ -123,8 +123,11 @@ struct fresnel_mix : Lobe {
   fresnel_mix(const Fresnel& f, const Base& b, const Layer& l, const Vec3d& v, const Held& h)
       : fresnel(f), base(b), layer(l), held(h) {
     const Rgb fr = f.at(v.z);
-    const double reflected = max_value(fr) * l.power;
-    const double passed = (1 - max_value(fr)) * b.power;
+    // Facets that lean far reflect totally what comes from the dense side.
+    const double total = f.eta < 1 ? l.facets.beyond(f.eta / std::sqrt(1 - square(f.eta))) : 0;
+    const double rest = (1 - max_value(fr)) * (1 - total);
+    const double reflected = (1 - rest) * l.power;
+    const double passed = rest * b.power;
     power = reflected + passed;
     // Facets are inclined: what the flat surface says of either part is a guess.
     chance = b.power <= 0 ? 1 : max_value(f.f90) <= 0 && f.eta >= 1 ? 0 : reflected / power;

@@ -29,12 +29,14 @@ enum Draw : std::uint32_t {
   lobe,
   direction,
   environment,
+  emitter,
   lamp,
   roulette,
   reach,
   turn,
   color,
   choice,
+  emitter_choice,
   kDraws
 };
 constexpr std::uint32_t kFirstDraw = 1;  // after the position in the pixel
@@ -158,7 +160,7 @@ class Path {
     Surface surface = surface_at(s_.scene, hit, ray_);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
     if (surfaces_ == 0) note(hit, surface);
-    const Rgb own = throughput_ * emitted(surface.material, v);
+    const Rgb own = throughput_ * emitted(surface.material, v) * by_chance(hit, surface);
     (straight_ ? result_.direct : result_.scattered) += own;
     result_.alpha = 1;
     if (surface.material.unlit || surfaces_ >= s_.bounces) return false;
@@ -168,8 +170,7 @@ class Path {
     follow_one_color(surface.material);
     const Bsdf bsdf(surface.material, v, {s_.mode, color_});
     if (!bsdf.is_delta()) {
-      gather_environment(surface, bsdf);
-      gather_lamps(surface, bsdf);
+      gather_light(hit, surface, bsdf, v.z < 0);
     }
     const Float2 towards = pair(Draw::direction);
     const auto next = bsdf.sample(
@@ -204,14 +205,21 @@ class Path {
     return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, s_.size);
   }
 
-  // What a direction of the environment gives, and how much that is.
+  // How much of what a surface sends is found on this way and not by looking for it.
+  double by_chance(const Hit& hit, const Surface& surface) const {
+    if (!(pdf_ > 0) || s_.setting.emitters.empty()) return 1;
+    const double cosine = std::fabs(dot(surface.flat_normal, ray_.direction));
+    return power_weight(pdf_, s_.setting.emitters.pdf(hit, cosine));
+  }
+
+  // What comes from a direction, and how much that is.
   struct Candidate {
     Ray towards;
     Rgb share;
     double weight = 0;
   };
 
-  Candidate candidate(const Surface& surface, const Bsdf& bsdf, const Float2& random) const {
+  Candidate from_environment(const Surface& surface, const Bsdf& bsdf, const Float2& random) const {
     const EnvironmentSample light = s_.setting.environment->sample(random);
     if (!(light.pdf > 0)) return {};
     const Vec3d l = surface.frame.to_local(light.direction);
@@ -222,30 +230,51 @@ class Path {
     return {{start(surface, l.z > 0), light.direction}, share, luminance(share)};
   }
 
-  // Of some directions one is looked at, by what they would give were nothing in the way: resampled
+  Candidate from_emitter(const Surface& surface, const Bsdf& bsdf, const Float2& random) const {
+    const Shine light = s_.setting.emitters.sample(s_.scene, surface.position, random);
+    if (!(max_value(light.radiance) > 0)) return {};
+    const Vec3d l = surface.frame.to_local(light.direction);
+    if (!leads_out(surface, light.direction, l)) return {};
+    const Evaluation value = bsdf.evaluate(l);
+    const Rgb share = value.f * light.radiance *
+                      (std::fabs(l.z) / light.pdf * power_weight(light.pdf, value.pdf));
+    const Vec3d from = start(surface, l.z > 0);
+    const Vec3d way = beside(light.position, light.normal, s_.size) - from;
+    const double distance = length(way);
+    if (!(distance > 0)) return {};
+    return {{from, way / distance, distance}, share, luminance(share)};
+  }
+
+  // Of some candidates one is looked at, by what they would give were nothing in the way: resampled
   // importance sampling (J. Talbot et al., EGSR 2005). Where the camera looks it pays to be choosy.
-  void gather_environment(const Surface& surface, const Bsdf& bsdf) {
-    if (!s_.setting.environment) return;
+  template <class Propose>
+  void gather(Draw draw, Draw draw_choice, const Propose& propose) {
     const std::uint32_t tries = surfaces_ == 1 ? kTries : 1;
     Candidate chosen;
     double total = 0;
-    double choice = single(Draw::choice);
+    double random = single(draw_choice);
     for (std::uint32_t i = 0; i < tries; ++i) {
       const Candidate each =
-          candidate(surface, bsdf,
-                    random_.pair(dimension(Draw::environment), branch_.number * tries + i,
-                                 branch_.count * tries));
+          propose(random_.pair(dimension(draw), branch_.number * tries + i, branch_.count * tries));
       if (!(each.weight > 0)) continue;
       total += each.weight;
-      const double odds = each.weight / total;
-      if (choice < odds) {
-        chosen = each;
-        choice /= odds;
-      } else {
-        choice = (choice - odds) / (1 - odds);
-      }
+      if (choose(each.weight / total, random)) chosen = each;
     }
     if (total > 0) add_seen(chosen.towards, chosen.share * (total / (chosen.weight * tries)));
+  }
+
+  void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf, bool from_behind) {
+    if (s_.setting.environment) {
+      gather(Draw::environment, Draw::choice,
+             [&](const Float2& random) { return from_environment(surface, bsdf, random); });
+    }
+    const bool leaves = from_behind && surface.material.volumetric();
+    const bool open = leaves ? media_.empty_without(hit.instance) : media_.empty();
+    if (open && !s_.setting.emitters.empty()) {
+      gather(Draw::emitter, Draw::emitter_choice,
+             [&](const Float2& random) { return from_emitter(surface, bsdf, random); });
+    }
+    gather_lamps(surface, bsdf);
   }
 
   void gather_lamps(const Surface& surface, const Bsdf& bsdf) {
@@ -315,8 +344,7 @@ std::uint32_t branches_at(const Scene& scene, const Hit& hit) {
   constexpr std::uint32_t kBranches = 4;
   const Material& factors =
       material_of(scene, scene.meshes[scene.instances[hit.instance].mesh]).factors;
-  const bool clear = factors.transmission > 0 && factors.roughness < 0.3;
-  return clear || factors.dispersion > 0 ? kBranches : 1;
+  return factors.transmission > 0 ? kBranches : 1;
 }
 
 void add(PathSample& sum, const PathSample& layer, double share) {

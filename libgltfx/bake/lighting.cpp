@@ -70,6 +70,7 @@ Setting make_setting(const Scene& scene, const Subject& subject, const View& vie
     if (studio) setting.floor = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
     setting.environment.emplace(std::move(image));
   }
+  setting.emitters = Emitters(scene);
   setting.lights = brought_to_studio(scene, subject, options.lamps);
   for (Light& light : setting.lights) scale(light.intensity, exposure);
   if (own) setting.background = Background::environment;

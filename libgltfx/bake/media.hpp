@@ -17,6 +17,10 @@ namespace gltfx::bake {
 class MediaStack {
  public:
   bool empty() const { return entries_.empty(); }
+  /// Whether there is nothing left outside of a surface of the instance.
+  bool empty_without(std::uint32_t instance) const {
+    return empty() || (entries_.size() == 1 && entries_[0].instance == instance);
+  }
   /// Precondition: not empty.
   const Medium& top() const { return entries_.back().medium; }
 

@@ -34,6 +34,11 @@ struct Microfacets {
     return 1 / (pi * alpha_t * alpha_b * square(sum));
   }
 
+  /// Part of them, by area seen from above, that leans beyond an angle of that tangent.
+  double beyond(double tangent) const {
+    return alpha_t * alpha_b / (alpha_t * alpha_b + square(tangent));
+  }
+
   /// sqrt(alpha^2 + (1 - alpha^2) (N.w)^2) of the texts.
   double stretched(const Vec3d& direction) const {
     const Vec3d w = turned(direction);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "bake/emitters.hpp"
 #include "bake/environment.hpp"
 #include "bake/ray.hpp"
 #include "bake/scene.hpp"
@@ -23,6 +24,7 @@ struct Floor {
 struct Setting {
   std::optional<Environment> environment;
   std::vector<Light> lights;
+  Emitters emitters;  ///< of the scene; those not named are found by chance
   Background background = Background::backdrop;
   std::optional<Floor> floor;  ///< only with a backdrop
 };

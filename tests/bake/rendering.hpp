@@ -39,6 +39,9 @@ class Stage {
   int bounces = 8;
   ShaderMode mode = ShaderMode::conserving;
 
+  /// Else they are found by chance.
+  void find_emitters() { setting.emitters = Emitters(*scene_); }
+
   PathSetting path_setting() const { return {*scene_, bvh_, setting, bounces, 1, mode}; }
 
   template <class Trace>

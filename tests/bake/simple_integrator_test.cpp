@@ -62,6 +62,7 @@ Stage stage_of(const SceneMaterial& material) {
   scene.materials.push_back(matte({0.3, 0.6, 0.9}));
   scene.instances.push_back({1, moved(0, 0, -1.2F)});
   Stage stage(std::move(scene));
+  stage.find_emitters();
   EnvironmentImage sky = even_light(0.5F);
   sky.width = 4;
   sky.height = 2;
@@ -79,6 +80,7 @@ Stage stage_of(const SceneMaterial& material) {
 TEST(SimpleIntegrator, AgreesWithTheFastOne) {
   for (const Case& each : cases()) {
     const Stage stage = stage_of(each.material);
+    EXPECT_EQ(stage.setting.emitters.empty(), each.name != "lamp");
     for (const Ray& ray :
          {Ray{{0.5, 0.4, 4}, {0, 0, -1}}, Ray{{3, 0, 3}, normalize(Vec3d(-0.55, 0, -1))}}) {
       const Estimate fast = stage.path(ray, 6000);

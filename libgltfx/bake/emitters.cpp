@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/emitters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "bake/coverage.hpp"
+#include "bake/material.hpp"
+#include "bake/material_at.hpp"
+#include "bake/storage.hpp"
+#include "bake/surface.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr std::size_t kRow = 256;  // of the grid in which triangles are chosen
+constexpr std::size_t kNowhere = ~std::size_t{0};
+
+struct Corners {
+  Vec3d a, b, c;
+  Vec3d normal() const { return cross(b - a, c - a); }  // twice the area long
+};
+
+Corners corners_of(const Scene& scene, std::uint32_t instance, std::size_t triangle) {
+  const Instance& each = scene.instances[instance];
+  const Mesh& mesh = scene.meshes[each.mesh];
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const auto point = [&](std::uint32_t vertex) {
+    return transform_point(each.to_world, to_vec(mesh.positions[vertex]));
+  };
+  return {point(a), point(b), point(c)};
+}
+
+// What a triangle emits, as far as its middle and what lies towards its corners tell.
+double brightness(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, Hit hit) {
+  if (material.use(Slot::emissive).texture == kNone) return luminance(material.factors.emissive);
+  constexpr std::array<Float2, 4> kLooks{
+      {{1.0F / 3, 1.0F / 3}, {0.1F, 0.1F}, {0.8F, 0.1F}, {0.1F, 0.8F}}};
+  double sum = 0;
+  for (const Float2& look : kLooks) {
+    hit.u = look[0];
+    hit.v = look[1];
+    sum += luminance(material_at(scene, mesh, material, hit).emissive);
+  }
+  return sum / kLooks.size();
+}
+
+bool shines(const SceneMaterial& material) {
+  return !material.factors.unlit && max_value(material.factors.emissive) > 0;
+}
+
+}  // namespace
+
+Emitters::Emitters(const Scene& scene) : first_(scene.instances.size(), kNowhere) {
+  std::vector<float> weights;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+    const SceneMaterial& material = material_of(scene, mesh);
+    if (!shines(material)) continue;
+    first_[i] = areas_.size();
+    shapes_.push_back({i, areas_.size()});
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const double area = length(corners_of(scene, i, t).normal()) / 2;
+      const double power = area * brightness(scene, mesh, material, {0, i, t, 0, 0});
+      areas_.push_back(static_cast<float>(area));
+      weights.push_back(std::isfinite(power) ? static_cast<float>(power) : 0.0F);
+    }
+  }
+  const float most = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
+  if (!(most > 0)) {
+    shapes_.clear();
+    return;
+  }
+  for (float& weight : weights) weight /= most;
+  weights.resize((weights.size() + kRow - 1) / kRow * kRow);
+  choice_ = GridDistribution(kRow, std::move(weights));
+}
+
+Shine Emitters::sample(const Scene& scene, const Vec3d& from, const Float2& random) const {
+  const Float2 point = choice_.sample(random);
+  const std::size_t rows = (areas_.size() + kRow - 1) / kRow;
+  const float x = point[0] * kRow;
+  const float y = point[1] * static_cast<float>(rows);
+  const std::size_t column = std::min(static_cast<std::size_t>(x), kRow - 1);
+  const std::size_t row = std::min(static_cast<std::size_t>(y), rows - 1);
+  const std::size_t number = std::min(row * kRow + column, areas_.size() - 1);
+  const auto after =
+      std::upper_bound(shapes_.begin(), shapes_.end(), number,
+                       [](std::size_t value, const Shape& shape) { return value < shape.first; });
+  const Shape& shape = *(after - 1);
+
+  Hit hit{0, shape.instance, static_cast<std::uint32_t>(number - shape.first), 0, 0};
+  const float root = std::sqrt(std::clamp(x - static_cast<float>(column), 0.0F, 1.0F));
+  hit.u = 1 - root;
+  hit.v = std::clamp(y - static_cast<float>(row), 0.0F, 1.0F) * root;
+  const Corners corners = corners_of(scene, hit.instance, hit.triangle);
+  Shine shine;
+  shine.position = corners.a + (corners.b - corners.a) * static_cast<double>(hit.u) +
+                   (corners.c - corners.a) * static_cast<double>(hit.v);
+  const Vec3d offset = shine.position - from;
+  hit.distance = length(offset);
+  if (!(hit.distance > 0)) return {};
+  shine.direction = offset / hit.distance;
+
+  const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
+  const SceneMaterial& material = material_of(scene, mesh);
+  const double mirrored = determinant(scene.instances[hit.instance].to_world) < 0 ? -1 : 1;
+  const double along = dot(corners.normal(), shine.direction) * mirrored;
+  if (is_culled(material) && along > 0) return {};
+  const double area = 2 * static_cast<double>(areas_[number]);
+  shine.normal = corners.normal() * (along > 0 ? -mirrored : mirrored) / area;
+  shine.pdf = pdf(hit, std::fabs(along) / area);
+  if (!(shine.pdf > 0)) return {};
+  const Surface surface = surface_at(scene, hit, {from, shine.direction});
+  const double covered =
+      has_holes(material) ? static_cast<double>(coverage_at(scene, mesh, material, hit)) : 1.0;
+  shine.radiance = emitted(surface.material, surface.frame.to_local(-shine.direction)) * covered;
+  return shine;
+}
+
+double Emitters::density(std::size_t number) const {
+  const std::size_t rows = (areas_.size() + kRow - 1) / kRow;
+  const Float2 point{(static_cast<float>(number % kRow) + 0.5F) / kRow,
+                     (static_cast<float>(number / kRow) + 0.5F) / static_cast<float>(rows)};
+  return choice_.density(point) / static_cast<double>(rows * kRow);
+}
+
+double Emitters::pdf(const Hit& hit, double cosine) const {
+  if (shapes_.empty() || first_[hit.instance] == kNowhere) return 0;
+  const std::size_t number = first_[hit.instance] + hit.triangle;
+  const double seen = static_cast<double>(areas_[number]) * cosine;
+  if (!(seen > 0)) return 0;
+  return density(number) * hit.distance * hit.distance / seen;
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Surfaces that shine, as lights that are looked for.
+#pragma once
+
+#include <gltfx/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/distribution.hpp"
+#include "bake/ray.hpp"
+#include "bake/scene.hpp"
+
+namespace gltfx::bake {
+
+/// A point that shines onto another one.
+struct Shine {
+  Vec3d position;
+  Vec3d normal;     ///< of the flat triangle, towards the other point
+  Vec3d direction;  ///< from the other point, unit length
+  Rgb radiance;     ///< 0: none
+  double pdf = 0;   ///< per steradian, seen from the other point
+};
+
+/// All triangles whose material emits, taken by area times what they emit as far as a few looks at
+/// their textures tell. Light that these miss is not taken at all: its pdf is 0.
+class Emitters {
+ public:
+  Emitters() = default;
+  explicit Emitters(const Scene& scene);
+
+  bool empty() const { return shapes_.empty(); }
+  /// `scene`: the same one. `random`: even.
+  Shine sample(const Scene& scene, const Vec3d& from, const Float2& random) const;
+  /// That of sample() for what a ray has hit; `cosine`: between the ray and the flat triangle.
+  double pdf(const Hit& hit, double cosine) const;
+
+ private:
+  /// Triangles of one instance, by number from `first` on.
+  struct Shape {
+    std::uint32_t instance = 0;
+    std::size_t first = 0;
+  };
+  double density(std::size_t number) const;  ///< of choosing a triangle
+
+  std::vector<Shape> shapes_;
+  std::vector<std::size_t> first_;  ///< by instance; npos: does not shine
+  std::vector<float> areas_;        ///< by triangle
+  GridDistribution choice_;
+};
+
+}  // namespace gltfx::bake
