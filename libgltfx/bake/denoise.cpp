@@ -22,8 +22,6 @@ constexpr int kCompared = kTile + 2 * kPatch;
 constexpr float kStrictness = 0.25F;  // squared: standard deviations that are left to noise
 constexpr float kRidge = 1e-4F;
 
-constexpr std::size_t kTerms = 3 + DenoiseLayer::kFeatures;  // 1, x, y
-constexpr std::size_t kProducts = NormalEquations<kTerms>::kProducts;
 using Row = std::array<float, kTile>;
 
 // exp(-x) for x >= 0, near enough, without a call: it is taken for every pair of pixels.
@@ -35,22 +33,26 @@ inline float falling(float x) {
   return t * t;
 }
 
-// One tile of one half of the samples, judged by the other half.
+// One tile. `Terms`: of the regression: 1, x,
+// y, and the first of the features.
+template <std::size_t Terms>
 class TileFilter {
  public:
-  TileFilter(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top, std::size_t half)
+  static constexpr std::size_t kTerms = Terms;
+  static constexpr std::size_t kProducts = NormalEquations<kTerms>::kProducts;
+
+  TileFilter(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top)
       : p_(layer),
         left_(static_cast<int>(left)),
         top_(static_cast<int>(top)),
-        half_(half),
-        channels_(layer.values[half].size()) {}
+        channels_(layer.values.size()) {}
 
   /// Whether there is something in the tile at all.
   bool matters() const {
     for (int y = 0; y < kTile; ++y) {
       for (int x = 0; x < kTile; ++x) {
         const std::size_t i = pixel(left_ + x, top_ + y);
-        if (p_.weight[i] > 0 && (p_.variance[i] > 0 || p_.y[0][i] != 0)) return true;
+        if (p_.weight[i] > 0 && (p_.variance[i] > 0 || p_.y[i] != 0)) return true;
       }
     }
     return false;
@@ -98,7 +100,7 @@ class TileFilter {
 
   // How far the pixels differ from those at an offset, beyond what noise explains.
   void compare(int dx, int dy) {
-    const Plane& light = p_.y[1 - half_];
+    const Plane& light = p_.y;
     const Plane& variance = p_.variance;
     for (int y = 0; y < kCompared; ++y) {
       for (int x = 0; x < kCompared; ++x) {
@@ -150,7 +152,7 @@ class TileFilter {
     t[0].fill(1);
     t[1].fill(static_cast<float>(dx) / kReach);
     t[2].fill(static_cast<float>(dy) / kReach);
-    for (std::size_t f = 0; f < DenoiseLayer::kFeatures; ++f) {
+    for (std::size_t f = 0; f < kTerms - 3; ++f) {
       for (int x = 0; x < kTile; ++x) {
         const Plane& plane = p_.features[f];
         t[3 + f][row(x)] =
@@ -172,7 +174,7 @@ class TileFilter {
         for (std::size_t x = 0; x < kTile; ++x) products[product][x] += weighted[x] * t[j][x];
       }
       for (std::size_t c = 0; c < channels_; ++c) {
-        const Plane& light = p_.values[half_][c];
+        const Plane& light = p_.values[c];
         for (std::size_t x = 0; x < kTile; ++x) {
           const int column = left_ + static_cast<int>(x) + dx;
           colors_[row(y)][c][i][x] += weighted[x] * light[pixel(column, top_ + y + dy)];
@@ -183,7 +185,7 @@ class TileFilter {
 
   const DenoiseLayer& p_;
   int left_, top_;
-  std::size_t half_, channels_;
+  std::size_t channels_;
   Square distance_{}, say_{};
   std::array<std::array<Row, kProducts>, kTile> products_{};
   std::array<std::array<std::array<Row, kTerms>, 3>, kTile> colors_{};
@@ -192,7 +194,10 @@ class TileFilter {
 class Denoiser {
  public:
   explicit Denoiser(const Film& film)
-      : film_(film), surface_(surface_layer(film)), shadow_(shadow_layer(film)) {}
+      : film_(film),
+        scattered_(light_layer(film, LightPart::scattered)),
+        reflected_(light_layer(film, LightPart::reflected)),
+        shadow_(shadow_layer(film)) {}
 
   std::vector<Rgb> run(unsigned jobs) {
     result_.resize(film_.size());
@@ -211,46 +216,46 @@ class Denoiser {
  private:
   // Mean of the halves, each by its number of samples.
   void filter(std::uint32_t left, std::uint32_t top) {
-    const auto light = smooth(surface_, left, top);
-    const auto shadow = smooth(shadow_, left, top);
+    const auto scattered = smooth<kLightTerms>(scattered_, left, top);
+    const auto reflected = smooth<kLightTerms>(reflected_, left, top);
+    const auto shadow = smooth<kShadowTerms>(shadow_, left, top);
     for (std::uint32_t y = 0; y < kTile && top + y < film_.height(); ++y) {
       for (std::uint32_t x = 0; x < kTile && left + x < film_.width(); ++x) {
         const std::size_t i = std::size_t{top + y} * film_.width() + left + x;
-        const PixelSums& sums = film_.at(i);
-        const double count = std::max(sums.samples, 1U);
-        const Rgb shown = to_vec(sums.behind) * (1 - shadow[y * kTile + x].x);
-        result_[i] =
-            (to_vec(sums.direct) + shown) / Rgb(count) + light[y * kTile + x] * surface_color(sums);
+        const Sights seen = film_.sights(i);
+        const double count = std::max(seen.count, 1U);
+        const std::size_t at = std::size_t{y} * kTile + x;
+        const Rgb shown = to_vec(seen.behind) * (1 - shadow[at].x);
+        result_[i] = (to_vec(seen.direct) + shown) / Rgb(count) +
+                     scattered[at] * surface_color(seen, LightPart::scattered) +
+                     reflected[at] * surface_color(seen, LightPart::reflected);
       }
     }
   }
 
+  static constexpr std::size_t kLightTerms = 3 + DenoiseLayer::kFeatures;
+  static constexpr std::size_t kShadowTerms = 3;
+
+  template <std::size_t Terms>
   static std::vector<Rgb> smooth(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top) {
     std::vector<Rgb> result(std::size_t{kTile} * kTile);
-    for (std::size_t half = 0; half < 2; ++half) {
-      const auto filter = std::make_unique<TileFilter>(layer, left, top, half);
-      if (!filter->matters()) return result;
-      filter->run();
-      for (std::uint32_t y = 0; y < kTile && top + y < layer.height; ++y) {
-        for (std::uint32_t x = 0; x < kTile && left + x < layer.width; ++x) {
-          const std::size_t i = std::size_t{top + y} * layer.width + left + x;
-          Float3 value = raw(layer, half, i);
-          filter->value(static_cast<int>(x), static_cast<int>(y), value);
-          result[y * kTile + x] += to_vec(value) * 0.5;
-        }
+    const auto filter = std::make_unique<TileFilter<Terms>>(layer, left, top);
+    if (!filter->matters()) return result;
+    filter->run();
+    for (std::uint32_t y = 0; y < kTile && top + y < layer.height; ++y) {
+      for (std::uint32_t x = 0; x < kTile && left + x < layer.width; ++x) {
+        const std::size_t i = std::size_t{top + y} * layer.width + left + x;
+        Float3 value{};
+        for (std::size_t c = 0; c < layer.values.size(); ++c) value[c] = layer.values[c][i];
+        filter->value(static_cast<int>(x), static_cast<int>(y), value);
+        result[std::size_t{y} * kTile + x] = to_vec(value);
       }
     }
     return result;
   }
 
-  static Float3 raw(const DenoiseLayer& layer, std::size_t half, std::size_t i) {
-    Float3 value{};
-    for (std::size_t c = 0; c < layer.values[half].size(); ++c) value[c] = layer.values[half][c][i];
-    return value;
-  }
-
   const Film& film_;
-  const DenoiseLayer surface_, shadow_;
+  const DenoiseLayer scattered_, reflected_, shadow_;
   std::vector<Rgb> result_;
 };
 

@@ -9,7 +9,6 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr double kSheen = 0.05;  // what also a black surface reflects
 
 // Means over squares of 2 * radius + 1 pixels, cut off at the edges.
 Plane blurred(const Plane& plane, std::uint32_t width, std::uint32_t height, int radius) {
@@ -39,10 +38,8 @@ DenoiseLayer empty_layer(const Film& film, std::size_t channels) {
   DenoiseLayer layer;
   layer.width = film.width();
   layer.height = film.height();
-  for (std::size_t half = 0; half < 2; ++half) {
-    layer.values[half].assign(channels, Plane(film.size()));
-    layer.y[half].resize(film.size());
-  }
+  layer.values.assign(channels, Plane(film.size()));
+  layer.y.resize(film.size());
   layer.weight.resize(film.size());
   for (Plane& plane : layer.features) plane.resize(film.size());
   return layer;
@@ -55,13 +52,8 @@ float count_of(const PixelSums& sums, std::size_t half) {
 
 // What samples say of their spread is too much, since they are spread evenly on purpose: it is
 // scaled by how much the halves differ around.
-void settle_variance(DenoiseLayer& layer, const Plane& claimed) {
+void settle_variance(DenoiseLayer& layer, const Plane& claimed, const Plane& apart) {
   constexpr int kWide = 6;
-  Plane apart(claimed.size());
-  for (std::size_t i = 0; i < apart.size(); ++i) {
-    const float difference = layer.y[0][i] - layer.y[1][i];
-    apart[i] = difference * difference / 2 * layer.weight[i];
-  }
   const Plane seen = blurred(apart, layer.width, layer.height, kWide);
   const Plane said = blurred(claimed, layer.width, layer.height, kWide);
   layer.variance.resize(claimed.size());
@@ -72,13 +64,20 @@ void settle_variance(DenoiseLayer& layer, const Plane& claimed) {
   layer.variance = blurred(layer.variance, layer.width, layer.height, 1);
 }
 
-void read_features(const PixelSums& sums, std::size_t i, DenoiseLayer& layer) {
-  if (sums.alpha <= 0) return;
+void read_features(const Sights& seen, std::size_t i, DenoiseLayer& layer) {
+  if (seen.alpha <= 0) return;
   for (std::size_t c = 0; c < 3; ++c) {
-    layer.features[c][i] = sums.normal[c] / sums.alpha;
-    layer.features[4 + c][i] = sums.albedo[c] / sums.alpha;
+    layer.features[c][i] = seen.normal[c] / seen.alpha;
+    layer.features[4 + c][i] = seen.albedo[c] / seen.alpha;
   }
-  layer.features[3][i] = sums.depth / sums.alpha;
+  layer.features[3][i] = seen.depth / seen.alpha;
+}
+
+// Where a colour is next to black, what it would show is guessed by the others.
+Rgb light_on(const Rgb& sent, const Rgb& color) {
+  constexpr double kBlack = 0.002;
+  const double mean = luminance(sent) / luminance(color);
+  return (sent + Rgb(kBlack * mean)) / (color + Rgb(kBlack));
 }
 
 // Depths in parts of what lies between the nearest and the farthest.
@@ -96,55 +95,62 @@ void scale_depth(Plane& depth) {
 
 }  // namespace
 
-Rgb surface_color(const PixelSums& sums) {
-  const double count = std::max(sums.samples, 1U);
-  return to_vec(sums.albedo) * ((1 - kSheen) / count) +
-         Rgb(static_cast<double>(sums.alpha) * kSheen / count);
+Rgb surface_color(const Sights& seen, LightPart part) {
+  const double count = std::max(seen.count, 1U);
+  return to_vec(part == LightPart::scattered ? seen.albedo : seen.mirror) / Rgb(count);
 }
 
-DenoiseLayer surface_layer(const Film& film) {
+DenoiseLayer light_layer(const Film& film, LightPart part) {
   DenoiseLayer layer = empty_layer(film, 3);
   Plane claimed(film.size());
+  Plane apart(film.size());
   for (std::size_t i = 0; i < film.size(); ++i) {
     const PixelSums& sums = film.at(i);
-    const Rgb color = surface_color(sums);
-    layer.weight[i] = static_cast<float>(film.alpha(i));
-    if (!(color.x > 0 && color.y > 0 && color.z > 0)) continue;
+    const Rgb color = surface_color(sums.sights, part);
+    layer.weight[i] = sums.sights.alpha / static_cast<float>(std::max(sums.samples, 1U));
+    if (!(max_value(color) > 0)) continue;
+    const auto& halves = part == LightPart::scattered ? sums.scattered : sums.reflected;
+    std::array<Rgb, 2> light;
     for (std::size_t half = 0; half < 2; ++half) {
-      const Rgb light =
-          to_vec(sums.scattered[half]) / (color * static_cast<double>(count_of(sums, half)));
-      const Float3 parts = to_float3(light);
-      for (std::size_t c = 0; c < 3; ++c) layer.values[half][c][i] = parts[c];
-      layer.y[half][i] = static_cast<float>(luminance(light));
+      light[half] = light_on(to_vec(halves[half]) / Rgb(count_of(sums, half)), color);
     }
-    const double error = film.error(i) / luminance(color);
-    claimed[i] = static_cast<float>(2 * error * error * static_cast<double>(layer.weight[i]));
-    read_features(sums, i, layer);
+    const Rgb mean = (light[0] + light[1]) / 2;
+    const Float3 parts = to_float3(mean);
+    for (std::size_t c = 0; c < 3; ++c) layer.values[c][i] = parts[c];
+    layer.y[i] = static_cast<float>(luminance(mean));
+    const double difference = luminance(light[0]) - luminance(light[1]);
+    apart[i] = static_cast<float>(difference * difference / 4) * layer.weight[i];
+    const double error = film.error(i, part) / luminance(color);
+    claimed[i] = static_cast<float>(error * error * static_cast<double>(layer.weight[i]));
+    read_features(film.sights(i), i, layer);
   }
   scale_depth(layer.features[3]);
-  settle_variance(layer, claimed);
+  settle_variance(layer, claimed, apart);
   return layer;
 }
 
 DenoiseLayer shadow_layer(const Film& film) {
   DenoiseLayer layer = empty_layer(film, 1);
   Plane claimed(film.size());
+  Plane apart(film.size());
   for (std::size_t i = 0; i < film.size(); ++i) {
     const PixelSums& sums = film.at(i);
-    const auto seen = static_cast<float>(luminance(to_vec(sums.behind)));
-    const float alpha = static_cast<float>(film.alpha(i));
+    const auto seen = static_cast<float>(luminance(to_vec(sums.sights.behind)));
+    const float alpha = sums.sights.alpha / static_cast<float>(std::max(sums.samples, 1U));
     layer.weight[i] = std::max(1 - alpha, 0.0F);
     if (!(seen > 0)) continue;
+    std::array<float, 2> part{};
     for (std::size_t half = 0; half < 2; ++half) {
-      const float part =
+      part[half] =
           sums.shadow[half] * static_cast<float>(sums.samples) / (seen * count_of(sums, half));
-      layer.values[half][0][i] = layer.y[half][i] = part;
     }
+    const float mean = (part[0] + part[1]) / 2;
+    layer.values[0][i] = layer.y[i] = mean;
+    apart[i] = (part[0] - part[1]) * (part[0] - part[1]) / 4 * layer.weight[i];
     // As if each sample said yes or no.
-    const float mean = (layer.y[0][i] + layer.y[1][i]) / 2;
-    claimed[i] = mean / count_of(sums, 1) * layer.weight[i];
+    claimed[i] = mean / static_cast<float>(sums.samples) * layer.weight[i];
   }
-  settle_variance(layer, claimed);
+  settle_variance(layer, claimed, apart);
   return layer;
 }
 

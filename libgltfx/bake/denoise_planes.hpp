@@ -13,21 +13,22 @@ namespace gltfx::bake {
 /// A number by pixel, rows from the top.
 using Plane = std::vector<float>;
 
-/// Something that is to be smooth, known from two halves of the samples.
+/// Something that is to be smooth, with noise.
 struct DenoiseLayer {
   std::uint32_t width = 0, height = 0;
-  std::array<std::vector<Plane>, 2> values;  ///< by half and channel
-  std::array<Plane, 2> y;                    ///< their luminance
-  Plane variance;                            ///< of that, of one half
-  Plane weight;                              ///< how much a pixel says, from 0 (nothing) to 1
+  std::vector<Plane> values;  ///< by channel
+  Plane y;                    ///< their luminance
+  Plane variance;             ///< of that
+  Plane weight;               ///< how much a pixel says, from 0 (nothing) to 1
   static constexpr std::size_t kFeatures = 7;
   std::array<Plane, kFeatures> features;  ///< normal, depth from 0 to 1, colour of the surface
 };
 
-/// Light on the surfaces, divided by their colour. What the surfaces cover is what a pixel says.
-DenoiseLayer surface_layer(const Film& film);
+/// Light that surfaces scatter, divided by their colour, or that the ones seen first reflect,
+/// divided by what tints it. What the surfaces cover is what a pixel says.
+DenoiseLayer light_layer(const Film& film, LightPart part);
 /// By which that light is multiplied again.
-Rgb surface_color(const PixelSums& sums);
+Rgb surface_color(const Sights& seen, LightPart part);
 
 /// The part of the background that shadow takes away; one channel.
 DenoiseLayer shadow_layer(const Film& film);

@@ -53,9 +53,9 @@ std::pair<float, float> depth_range(const Film& film) {
   float nearest = 0;
   float farthest = 0;
   for (std::size_t i = 0; i < film.size(); ++i) {
-    const PixelSums& sums = film.at(i);
-    if (sums.alpha <= 0) continue;
-    const float z = sums.depth / sums.alpha;
+    const Sights seen = film.sights(i);
+    if (seen.alpha <= 0) continue;
+    const float z = seen.depth / seen.alpha;
     nearest = nearest == 0 ? z : std::min(nearest, z);
     farthest = std::max(farthest, z);
   }
@@ -64,20 +64,20 @@ std::pair<float, float> depth_range(const Film& film) {
 
 Float3 grey(float value) { return {value, value, value}; }
 
-Float3 layer_color(const PixelSums& sums, Layer layer, Numbers numbers,
+Float3 layer_color(const Sights& seen, std::uint32_t material, Layer layer, Numbers numbers,
                    const std::pair<float, float>& range) {
-  const auto count = static_cast<float>(std::max(sums.samples, 1U));
-  if (sums.alpha <= 0) return {0, 0, 0};
+  const auto count = static_cast<float>(std::max(seen.count, 1U));
+  if (seen.alpha <= 0) return {0, 0, 0};
   switch (layer) {
     case Layer::albedo:
-      return mean(sums.albedo, count);
+      return mean(seen.albedo, count);
     case Layer::normal: {
-      const Float3 n = mean(sums.normal, count);
+      const Float3 n = mean(seen.normal, count);
       if (numbers == Numbers::floats) return n;
       return {n[0] / 2 + 0.5F, n[1] / 2 + 0.5F, n[2] / 2 + 0.5F};
     }
     case Layer::depth: {
-      const float z = sums.depth / sums.alpha;
+      const float z = seen.depth / seen.alpha;
       if (numbers == Numbers::floats) return grey(z);
       const float span = std::max(range.second - range.first, 1e-12F);
       return grey(1 - 0.9F * (z - range.first) / span);
@@ -85,8 +85,7 @@ Float3 layer_color(const PixelSums& sums, Layer layer, Numbers numbers,
     case Layer::material:
       break;
   }
-  return numbers == Numbers::floats ? grey(static_cast<float>(sums.material))
-                                    : material_color(sums.material);
+  return numbers == Numbers::floats ? grey(static_cast<float>(material)) : material_color(material);
 }
 
 }  // namespace
@@ -112,7 +111,7 @@ Picture develop_layer(const Film& film, Layer layer, Numbers numbers) {
   Picture picture = blank(film, 3, numbers);
   const auto range = depth_range(film);
   for (std::size_t i = 0; i < film.size(); ++i) {
-    const Float3 color = layer_color(film.at(i), layer, numbers, range);
+    const Float3 color = layer_color(film.sights(i), film.at(i).material, layer, numbers, range);
     add_color(picture, color, layer != Layer::albedo, numbers);
   }
   return picture;

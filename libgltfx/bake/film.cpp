@@ -15,57 +15,123 @@ void add_to(Float3& sum, const Vec3d& value) {
   sum[2] += static_cast<float>(value.z);
 }
 
+float squared(double value) { return static_cast<float>(value * value); }
+
+Rgb noisy(const PixelSums& sums) {
+  return to_vec(sums.reflected[0]) + to_vec(sums.reflected[1]) + to_vec(sums.scattered[0]) +
+         to_vec(sums.scattered[1]);
+}
+
+// Of the mean, by the sum of values and of their luminances' squares.
+double standard_error(std::uint32_t samples, const Rgb& sum, float square) {
+  if (samples < 2) return 0;
+  const double count = samples;
+  const double mean = luminance(sum) / count;
+  const double variance = static_cast<double>(square) / count - mean * mean;
+  return std::sqrt(std::max(variance, 0.0) / (count - 1));
+}
+
 bool is_finite(const Rgb& c) { return std::isfinite(c.x + c.y + c.z); }
 
 }  // namespace
 
+void add(Sights& sights, const PathSample& sample) {
+  ++sights.count;
+  add_to(sights.direct, sample.direct);
+  add_to(sights.behind, sample.behind);
+  sights.alpha += static_cast<float>(sample.alpha);
+  add_to(sights.albedo, sample.albedo);
+  add_to(sights.mirror, sample.mirror);
+  add_to(sights.normal, sample.normal);
+  sights.depth += static_cast<float>(sample.depth);
+}
+
 void Film::add(std::size_t pixel, const PathSample& sample) {
   PixelSums& sums = pixels_[pixel];
   const std::size_t half = sums.samples & 1U;
-  if (is_finite(sample.radiance())) {
-    add_to(sums.scattered[half], sample.scattered);
-    add_to(sums.direct, sample.direct);
-    add_to(sums.behind, sample.behind);
-    sums.shadow[half] += static_cast<float>(luminance(sample.behind) * sample.shadow);
-    const double y = luminance(sample.scattered);
-    sums.square += static_cast<float>(y * y);
-  }
   ++sums.samples;
   sums.rays += sample.rays;
-  sums.alpha += static_cast<float>(sample.alpha);
-  add_to(sums.albedo, sample.albedo);
-  add_to(sums.normal, sample.normal);
-  sums.depth += static_cast<float>(sample.depth);
+  if (!is_finite(sample.radiance())) {
+    ++sums.sights.count;
+    return;
+  }
+  add_to(sums.reflected[half], sample.reflected);
+  add_to(sums.scattered[half], sample.scattered);
+  sums.shadow[half] += static_cast<float>(luminance(sample.behind) * sample.shadow);
+  const double reflected = luminance(sample.reflected);
+  const double scattered = luminance(sample.scattered);
+  sums.square += squared(reflected + scattered);
+  sums.reflected_square += squared(reflected);
+  sums.scattered_square += squared(scattered);
+  bake::add(sums.sights, sample);
   sums.albedo_square += static_cast<float>(dot(sample.albedo, sample.albedo));
   sums.normal_square += static_cast<float>(dot(sample.normal, sample.normal));
-  sums.depth_square += static_cast<float>(sample.depth * sample.depth);
   if (sums.material == kNone) sums.material = sample.material;
+  sums.clear = sums.clear || sample.clear;
+}
+
+bool Film::is_mixed(std::size_t pixel) const {
+  constexpr double kColors = 3e-4;  // variances
+  constexpr double kNormals = 1e-2;
+  const PixelSums& sums = pixels_[pixel];
+  if (sums.clear || sums.samples == 0 || sums.sights.alpha <= 0) return false;
+  const double count = sums.samples;
+  if (alpha(pixel) < 1 - 1e-4) return true;
+  const auto spread = [count](float square, const Float3& sum) {
+    const Vec3d mean = to_vec(sum) / count;
+    return static_cast<double>(square) / count - dot(mean, mean);
+  };
+  return spread(sums.albedo_square, sums.sights.albedo) > kColors ||
+         spread(sums.normal_square, sums.sights.normal) > kNormals;
+}
+
+void Film::add_sights(std::size_t pixel, const Sights& sights) {
+  if (looked_.empty()) looked_.assign(pixels_.size(), kNone);
+  looked_[pixel] = static_cast<std::uint32_t>(looks_.size());
+  looks_.push_back(sights);
+}
+
+Sights Film::sights(std::size_t pixel) const {
+  Sights sum = pixels_[pixel].sights;
+  if (looked_.empty() || looked_[pixel] == kNone) return sum;
+  const Sights& more = looks_[looked_[pixel]];
+  sum.count += more.count;
+  add_to(sum.direct, to_vec(more.direct));
+  add_to(sum.behind, to_vec(more.behind));
+  sum.alpha += more.alpha;
+  add_to(sum.albedo, to_vec(more.albedo));
+  add_to(sum.mirror, to_vec(more.mirror));
+  add_to(sum.normal, to_vec(more.normal));
+  sum.depth += more.depth;
+  return sum;
 }
 
 Rgb Film::radiance(std::size_t pixel) const {
   const PixelSums& sums = pixels_[pixel];
   if (sums.samples == 0) return {};
-  const Rgb behind = to_vec(sums.behind);
+  const Rgb behind = to_vec(sums.sights.behind);
   const double seen = luminance(behind);
   const double shadow = static_cast<double>(sums.shadow[0]) + static_cast<double>(sums.shadow[1]);
-  return (to_vec(sums.scattered[0]) + to_vec(sums.scattered[1]) + to_vec(sums.direct) +
-          behind * (seen > 0 ? 1 - shadow / seen : 1)) /
+  return (noisy(sums) + to_vec(sums.sights.direct) + behind * (seen > 0 ? 1 - shadow / seen : 1)) /
          static_cast<double>(sums.samples);
 }
 
 double Film::alpha(std::size_t pixel) const {
-  const PixelSums& sums = pixels_[pixel];
-  if (sums.samples == 0) return 0;
-  return static_cast<double>(sums.alpha) / sums.samples;
+  const Sights seen = sights(pixel);
+  return seen.count > 0 ? static_cast<double>(seen.alpha) / seen.count : 0.0;
 }
 
 double Film::error(std::size_t pixel) const {
   const PixelSums& sums = pixels_[pixel];
-  if (sums.samples < 2) return 0;
-  const double count = sums.samples;
-  const double mean = luminance(to_vec(sums.scattered[0]) + to_vec(sums.scattered[1])) / count;
-  const double variance = static_cast<double>(sums.square) / count - mean * mean;
-  return std::sqrt(std::max(variance, 0.0) / (count - 1));
+  return standard_error(sums.samples, noisy(sums), sums.square);
+}
+
+double Film::error(std::size_t pixel, LightPart part) const {
+  const PixelSums& sums = pixels_[pixel];
+  const bool scattered = part == LightPart::scattered;
+  const auto& halves = scattered ? sums.scattered : sums.reflected;
+  return standard_error(sums.samples, to_vec(halves[0]) + to_vec(halves[1]),
+                        scattered ? sums.scattered_square : sums.reflected_square);
 }
 
 }  // namespace gltfx::bake

@@ -11,21 +11,32 @@
 
 namespace gltfx::bake {
 
+/// Sums of what is seen first.
+struct Sights {
+  std::uint32_t count = 0;
+  Float3 direct{}, behind{};  ///< light that has no noise
+  float alpha = 0;
+  Float3 albedo{}, mirror{}, normal{};
+  float depth = 0;
+};
+
 /// Sums over the samples of one pixel, which is added to by one thread, in the order of samples.
 struct PixelSums {
   std::uint32_t samples = 0;
   std::uint32_t rays = 0;
   std::uint32_t material = kNone;  ///< of the first sample that met one
+  bool clear = false;              ///< whether something was seen straight through glass
   // Of two halves, even and odd samples:
-  std::array<Float3, 2> scattered{};
-  std::array<float, 2> shadow{};  ///< luminance that is taken away from what is behind
-  float square = 0;               ///< of the luminance of what is scattered
-  Float3 direct{}, behind{};      ///< which have no noise
-  float alpha = 0;
-  Float3 albedo{}, normal{};
-  float depth = 0;
-  float albedo_square = 0, normal_square = 0, depth_square = 0;  ///< sums of squared lengths
+  std::array<Float3, 2> reflected{}, scattered{};
+  std::array<float, 2> shadow{};                     ///< luminance that it takes away
+  float square = 0;                                  ///< of the luminance of both
+  float reflected_square = 0, scattered_square = 0;  ///< and of either
+  Sights sights;
+  float albedo_square = 0, normal_square = 0;  ///< sums of squared lengths
 };
+
+/// What noise is in.
+enum class LightPart : std::uint8_t { scattered, reflected };
 
 class Film {
  public:
@@ -36,6 +47,13 @@ class Film {
   std::uint32_t height() const { return height_; }
   void add(std::size_t pixel, const PathSample& sample);
   const PixelSums& at(std::size_t pixel) const { return pixels_[pixel]; }
+
+  /// Whether samples of the pixel saw different things, so that more looks tell more.
+  bool is_mixed(std::size_t pixel) const;
+  /// More of what the pixel's samples saw.
+  void add_sights(std::size_t pixel, const Sights& sights);
+  /// What was seen by samples and looks.
+  Sights sights(std::size_t pixel) const;
   std::size_t size() const { return pixels_.size(); }
 
   /// Mean radiance, multiplied by alpha where the background is transparent.
@@ -43,10 +61,17 @@ class Film {
   double alpha(std::size_t pixel) const;
   /// Standard error of the mean's luminance.
   double error(std::size_t pixel) const;
+  /// That of one part.
+  double error(std::size_t pixel, LightPart part) const;
 
  private:
   std::uint32_t width_, height_;
   std::vector<PixelSums> pixels_;
+  std::vector<std::uint32_t> looked_;  ///< by pixel, index in looks_ or kNone; empty without looks
+  std::vector<Sights> looks_;
 };
+
+/// One more.
+void add(Sights& sights, const PathSample& sample);
 
 }  // namespace gltfx::bake

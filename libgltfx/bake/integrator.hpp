@@ -16,18 +16,24 @@ namespace gltfx::bake {
 
 /// What one path brings back.
 struct PathSample {
-  Rgb scattered;      ///< by surfaces and media
+  Rgb reflected;      ///< by mirrors and gloss of the surface that is seen first
+  Rgb scattered;      ///< otherwise, by surfaces and media
   Rgb direct;         ///< sent by what is seen first
   Rgb behind;         ///< of the background, as far as it is seen, without shadow
   double shadow = 0;  ///< part of that which shadow takes away
-  Rgb radiance() const { return scattered + direct + behind * (1 - shadow); }
+  Rgb radiance() const { return reflected + scattered + direct + behind * (1 - shadow); }
   double alpha = 0;  ///< 1 on the scene, 0 beside it, between them where it is seen through
   // Of the first surface; 0 beside the scene.
-  Rgb albedo;
+  Rgb albedo;  ///< of what it scatters
+  Rgb mirror;  ///< by what gloss is tinted, at right angles
   Vec3d normal;
   double depth = 0;  ///< along the ray
   std::uint32_t material = kNone;
+  bool clear = false;      ///< something was seen straight through glass
   std::uint32_t rays = 0;  ///< that were traced
+
+  /// Another one, as part of this one.
+  void add(const PathSample& path, double part);
 };
 
 /// What all paths of a picture share. References must outlive it.
@@ -45,8 +51,13 @@ struct PathSetting {
 PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
                       const SampleStream& random);
 
-/// The same by other means, as a test of the first: directions are taken evenly, and lights other
-/// than punctual ones are found by chance only. Without media and mirrors.
+/// Only what is seen first, and what it and the background send by themselves: neither light on
+/// it, nor shadow, nor anything behind glass.
+PathSample look_along(const PathSetting& setting, const Ray& ray, const Float2& point,
+                      const SampleStream& random);
+
+/// Light along a ray by other means, as a test of the first: directions are taken evenly, and
+/// lights other than punctual ones are found by chance only. Without media and mirrors.
 Rgb trace_simply(const PathSetting& setting, const Ray& ray, const SampleStream& random);
 
 }  // namespace gltfx::bake

@@ -42,6 +42,20 @@ Evaluation Bsdf::evaluate(const Vec3d& l) const {
   return {graph_.eval(d, {}), graph_.pdf(d)};
 }
 
+Rgb Bsdf::reflect(const Vec3d& l) const {
+  if (std::fabs(l.z) < kGrazing) return {};
+  const Directions d(seen_.v, flipped_ ? mirrored(l) : l, Measure::solid_angle, kSpecularReflect);
+  return graph_.eval(d, {});
+}
+
+double Bsdf::reflection_chance() const {
+  const auto& sheen = graph_.base;
+  const auto& metal = sheen.base;
+  const double rest =
+      (1 - graph_.chance) * (1 - sheen.chance) * (1 - metal.chance) * (1 - metal.bsdf0.chance);
+  return 1 - rest;
+}
+
 std::optional<MaterialSample> Bsdf::sample(const Random3& random) const {
   const Proposal p = graph_.sample(seen_.v, random);
   if (!p.valid || std::fabs(p.l.z) < kGrazing) return std::nullopt;

@@ -93,7 +93,11 @@ class Bsdf {
   Bsdf& operator=(const Bsdf&) = delete;
 
   Evaluation evaluate(const Vec3d& l) const;
+  /// The part of evaluate() that is mirrored, glossy or sheen.
+  Rgb reflect(const Vec3d& l) const;
   std::optional<MaterialSample> sample(const Random3& random) const;
+  /// Below this, Random3::lobe leads to mirrors, gloss and sheen; from it on, to the rest.
+  double reflection_chance() const;
   /// Whether all lobes are mirrors or ideal refractions, so that evaluate() gives 0 everywhere.
   bool is_delta() const { return graph_.is_delta; }
   /// Albedo by quadrature, as gltfx::integrate().

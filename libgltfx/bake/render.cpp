@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "bake/storage.hpp"
@@ -40,6 +41,7 @@ class Renderer {
       const std::uint32_t last = std::min(first + round, options_.samples);
       if (!render_round(first, last) || out_of_time()) break;
     }
+    if (options_.looks > 0) look_again();
     return std::move(film_);
   }
 
@@ -59,6 +61,41 @@ class Renderer {
                  options_.samples);
         });
     return any;
+  }
+
+  // Edges and textures are finer than samples tell.
+  void look_again() {
+    std::vector<std::vector<std::pair<std::size_t, Sights>>> found(done_.size());
+    parallel_ordered(
+        done_.size(), options_.jobs,
+        [&](std::size_t tile) {
+          for_pixels(static_cast<std::uint32_t>(tile), [&](std::uint32_t x, std::uint32_t y) {
+            const std::size_t pixel = std::size_t{y} * options_.width + x;
+            if (film_.is_mixed(pixel)) found[tile].emplace_back(pixel, look_at(x, y));
+          });
+        },
+        [&](std::size_t tile) {
+          for (const auto& [pixel, sights] : found[tile]) film_.add_sights(pixel, sights);
+          found[tile] = {};
+        });
+  }
+
+  Sights look_at(std::uint32_t x, std::uint32_t y) const {
+    Sights sum;
+    for (std::uint32_t i = 0; i < options_.looks; ++i) {
+      const auto [ray, point, random] = sample_of(x, y, options_.samples + i);
+      add(sum, look_along(setting_, ray, point, random));
+    }
+    return sum;
+  }
+
+  template <class Visit>
+  void for_pixels(std::uint32_t tile, const Visit& visit) const {
+    const std::uint32_t left = tile % columns_ * kTile;
+    const std::uint32_t top = tile / columns_ * kTile;
+    for (std::uint32_t y = top; y < std::min(top + kTile, options_.height); ++y) {
+      for (std::uint32_t x = left; x < std::min(left + kTile, options_.width); ++x) visit(x, y);
+    }
   }
 
   void report(double part) {
@@ -93,14 +130,24 @@ class Renderer {
     return shown(y + error) - shown(y);
   }
 
-  void render_sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+  struct Sample {
+    Ray ray;
+    Float2 point;
+    SampleStream random;
+  };
+
+  Sample sample_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample) const {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
     const SampleStream random(options_.seed, static_cast<std::uint32_t>(pixel), sample);
     const Float2 jitter = random.pair(0);
     const double px = (x + 0.5 + tent(jitter[0])) / options_.width;
     const double py = (y + 0.5 + tent(jitter[1])) / options_.height;
-    const Float2 point{static_cast<float>(px), static_cast<float>(py)};
-    film_.add(pixel, trace_path(setting_, view_.ray(px, py), point, random));
+    return {view_.ray(px, py), {static_cast<float>(px), static_cast<float>(py)}, random};
+  }
+
+  void render_sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+    const auto [ray, point, random] = sample_of(x, y, sample);
+    film_.add(std::size_t{y} * options_.width + x, trace_path(setting_, ray, point, random));
   }
 
   bool out_of_time() const {

@@ -14,6 +14,7 @@ namespace gltfx::bake {
 struct RenderOptions {
   std::uint32_t width = 512, height = 512;
   std::uint32_t samples = 64;  ///< of each pixel, at most
+  std::uint32_t looks = 0;     ///< more, only at what is seen first, where samples differ in it
   std::uint32_t seed = 0;
   unsigned jobs = 1;
   /// Seconds after which no more samples are begun; 0: no limit. What is rendered then depends on

@@ -10,13 +10,15 @@
 namespace gltfx {
 namespace {
 
-constexpr double kRendering = 0.9;  // of the time; denoising takes the rest
+constexpr std::uint32_t kLooks = 48;  // for edges, which are not smoothed
+constexpr double kRendering = 0.9;    // of the time; denoising takes the rest
 
 bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
   bake::RenderOptions result;
   result.width = size.width;
   result.height = size.height;
   result.samples = options.samples;
+  result.looks = options.denoise ? kLooks : 0;
   result.seed = options.seed;
   result.jobs = options.jobs;
   result.seconds = options.seconds;

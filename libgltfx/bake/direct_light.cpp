@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/direct_light.hpp"
+
+#include <cmath>
+
+#include "bake/light.hpp"
+#include "bake/storage.hpp"
+
+namespace gltfx::bake {
+
+bool DirectLight::leads_out(const Vec3d& direction, const Vec3d& l) const {
+  if ((dot(direction, surface_.flat_normal) > 0) != (l.z > 0)) return false;
+  return l.z > 0 || !surface_.material.volumetric();
+}
+
+Vec3d DirectLight::start(const Vec3d& l) const { return start_at(surface_, l.z > 0, s_.size); }
+
+Candidate DirectLight::candidate(const Ray& towards, const Vec3d& l, const Rgb& light,
+                                 double pdf) const {
+  const Evaluation value = bsdf_.evaluate(l);
+  const double scale = pdf > 0 ? power_weight(pdf, value.pdf) / pdf : 1.0;
+  const Rgb share = value.f * light * (std::fabs(l.z) * scale);
+  return {towards, l, value.f, share, luminance(share)};
+}
+
+Candidate DirectLight::from_environment(const Float2& random) const {
+  const EnvironmentSample light = s_.setting.environment->sample(random);
+  if (!(light.pdf > 0)) return {};
+  const Vec3d l = surface_.frame.to_local(light.direction);
+  if (!leads_out(light.direction, l)) return {};
+  return candidate({start(l), light.direction}, l, s_.setting.environment->radiance(light),
+                   light.pdf);
+}
+
+Candidate DirectLight::from_emitter(const Float2& random) const {
+  const Shine light = s_.setting.emitters.sample(s_.scene, surface_.position, random);
+  if (!(max_value(light.radiance) > 0)) return {};
+  const Vec3d l = surface_.frame.to_local(light.direction);
+  if (!leads_out(light.direction, l)) return {};
+  const Vec3d from = start(l);
+  const Vec3d way = beside(light.position, light.normal, s_.size) - from;
+  const double distance = length(way);
+  if (!(distance > 0)) return {};
+  return candidate({from, way / distance, distance}, l, light.radiance, light.pdf);
+}
+
+Candidate DirectLight::from_lamp(const Float2& random) const {
+  const LightChoice lamp = choose_light(s_.setting.lights, surface_.position, random);
+  if (!(lamp.probability > 0)) return {};
+  const Vec3d l = surface_.frame.to_local(lamp.light.direction);
+  if (!leads_out(lamp.light.direction, l)) return {};
+  return candidate({start(l), lamp.light.direction, lamp.light.distance}, l,
+                   lamp.light.irradiance / Rgb(lamp.probability), 0);
+}
+
+}  // namespace gltfx::bake

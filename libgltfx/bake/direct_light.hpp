@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Light that falls onto a surface straight from where it is made.
+#pragma once
+
+#include "bake/integrator.hpp"
+#include "bake/material.hpp"
+#include "bake/surface.hpp"
+
+namespace gltfx::bake {
+
+/// The power heuristic of two strategies (E. Veach, Robust Monte Carlo Methods, 1997).
+inline double power_weight(double own, double other) {
+  const double a = own * own;
+  const double b = other * other;
+  return a > 0 ? a / (a + b) : 0.0;
+}
+
+/// What would come from a direction to the viewer, were nothing in the way.
+struct Candidate {
+  Ray towards;
+  Vec3d l;  ///< the same direction, in the surface's frame
+  Rgb f;    ///< of the material for it
+  Rgb share;
+  double weight = 0;  ///< luminance of that; 0: nothing
+};
+
+/// Candidates of one surface. Each takes even random numbers, and its shares' mean is the light of
+/// its kind, as far as directions that the material samples do not find it (multiple importance
+/// sampling with those).
+class DirectLight {
+ public:
+  /// References must outlive it.
+  DirectLight(const PathSetting& setting, const Surface& surface, const Bsdf& bsdf)
+      : s_(setting), surface_(surface), bsdf_(bsdf) {}
+
+  Candidate from_environment(const Float2& random) const;
+  Candidate from_emitter(const Float2& random) const;
+  Candidate from_lamp(const Float2& random) const;
+
+ private:
+  /// Whether a direction is on the same side of the flat triangle as of the shading normal, and in
+  /// the open: through a volume lamps are not seen directly.
+  bool leads_out(const Vec3d& direction, const Vec3d& l) const;
+  /// `light`: radiance, or irradiance of a lamp; `pdf`: of the direction, 0 for a lamp.
+  Candidate candidate(const Ray& towards, const Vec3d& l, const Rgb& light, double pdf) const;
+  Vec3d start(const Vec3d& l) const;
+
+  const PathSetting& s_;
+  const Surface& surface_;
+  const Bsdf& bsdf_;
+};
+
+/// A start for rays, off the surface.
+inline Vec3d start_at(const Surface& surface, bool outside, double size) {
+  return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, size);
+}
+
+}  // namespace gltfx::bake
