@@ -153,6 +153,7 @@ struct Camera {
   Matrix34 to_world = kIdentity;  ///< it looks along its -z, without scale
   bool perspective = true;
   float yfov = 0.7F;          ///< radians
+  float aspect_ratio = 0;     ///< width by height of a perspective camera; 0: the picture's
   float xmag = 1, ymag = 1;   ///< half extents of an orthographic camera
   float znear = 0, zfar = 0;  ///< 0: none
 };

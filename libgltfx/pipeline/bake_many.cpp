@@ -2,6 +2,7 @@
 #include <gltfx/pipeline.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <optional>
@@ -16,6 +17,8 @@
 
 namespace gltfx {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Of one run over several files, for the progress of all of them.
 BakeOptions options_of(const BakeOptions& options, const BakeInput& input, std::size_t number,
@@ -92,10 +95,10 @@ class Comparison {
 std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
   std::optional<ContactSheet> pictures;
-  if (!sheet.empty() && !inputs.empty()) pictures.emplace(inputs.size());
+  if (!sheet.empty() && !inputs.empty()) pictures.emplace(inputs.size(), options.sizes.front());
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     BakeReport report = bake_file(inputs[i].path, options_of(options, inputs[i], i, inputs.size()));
-    if (pictures) pictures->add(report.pixels);
+    if (pictures) pictures->add(report.pixels, fs::path(inputs[i].path).stem().native());
     consume(std::move(report));
   }
   if (!pictures) return {};

@@ -6,11 +6,15 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/label_font.hpp"
+
 namespace gltfx {
 namespace {
 
 constexpr std::uint32_t kCell = 256;
 constexpr std::uint32_t kWidest = 8192;  // pixels of the sheet, beyond which cells become smaller
+constexpr std::uint32_t kWords = 96;     // narrowest cell that has a name below it
+constexpr std::uint32_t kMargin = 4;     // around a name
 constexpr std::uint8_t kPaper = 236;
 
 // The mean of the part of a picture that one pixel of the sheet covers, on paper.
@@ -37,27 +41,42 @@ std::array<std::uint8_t, 3> covered(const BakedPixels& from, double left, double
 
 }  // namespace
 
-ContactSheet::ContactSheet(std::size_t count)
-    : columns_(static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))))),
-      cell_(std::clamp(static_cast<std::uint32_t>(kWidest / columns_), 16U, kCell)) {
+ContactSheet::ContactSheet(std::size_t count, const BakeSize& size)
+    : columns_(static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))))) {
+  const std::uint32_t widest =
+      std::clamp(static_cast<std::uint32_t>(kWidest / columns_), 16U, kCell);
+  const double longer = std::max({size.width, size.height, 1U});
+  const double scale = std::min(1.0, widest / longer);
+  width_ = std::max(static_cast<std::uint32_t>(size.width * scale), 1U);
+  height_ = std::max(static_cast<std::uint32_t>(size.height * scale), 1U);
+  label_ = width_ < kWords ? 0 : kLabelHeight + 2 * kMargin;
   const std::size_t rows = (count + columns_ - 1) / columns_;
-  picture_.width = static_cast<std::uint32_t>(columns_ * cell_);
-  picture_.height = static_cast<std::uint32_t>(rows * cell_);
+  picture_.width = static_cast<std::uint32_t>(columns_ * width_);
+  picture_.height = static_cast<std::uint32_t>(rows * (height_ + label_));
   picture_.bytes.assign(std::size_t{picture_.width} * picture_.height * 3, kPaper);
 }
 
-void ContactSheet::add(const BakedPixels& pixels) {
-  const std::size_t cell = next_++;
-  if (pixels.bytes.empty()) return;
-  const double step = static_cast<double>(std::max(pixels.width, pixels.height)) / cell_;
-  const auto width = std::clamp(static_cast<std::uint32_t>(pixels.width / step), 1U, cell_);
-  const auto height = std::clamp(static_cast<std::uint32_t>(pixels.height / step), 1U, cell_);
-  const std::size_t left = cell % columns_ * cell_ + (cell_ - width) / 2;
-  const std::size_t top = cell / columns_ * cell_ + (cell_ - height) / 2;
+void ContactSheet::add(const BakedPixels& pixels, std::string_view name) {
+  const auto left = static_cast<std::uint32_t>(next_ % columns_ * width_);
+  const auto top = static_cast<std::uint32_t>(next_ / columns_ * (height_ + label_));
+  ++next_;
+  if (!pixels.bytes.empty()) place(pixels, left, top);
+  if (label_ > 0) {
+    write_label(picture_, name, left + kMargin, top + height_ + kMargin, width_ - 2 * kMargin);
+  }
+}
+
+void ContactSheet::place(const BakedPixels& pixels, std::uint32_t left, std::uint32_t top) {
+  const double step = std::max(static_cast<double>(pixels.width) / width_,
+                               static_cast<double>(pixels.height) / height_);
+  const auto width = std::clamp(static_cast<std::uint32_t>(pixels.width / step), 1U, width_);
+  const auto height = std::clamp(static_cast<std::uint32_t>(pixels.height / step), 1U, height_);
+  left += (width_ - width) / 2;
+  top += (height_ - height) / 2;
   for (std::uint32_t y = 0; y < height; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {
       const auto color = covered(pixels, x * step, y * step, step);
-      const std::size_t at = ((top + y) * picture_.width + left + x) * 3;
+      const std::size_t at = (std::size_t{top + y} * picture_.width + left + x) * 3;
       std::copy(color.begin(), color.end(),
                 picture_.bytes.begin() + static_cast<std::ptrdiff_t>(at));
     }

@@ -77,6 +77,7 @@ bake::Camera to_camera(const model::Camera& from, const Affine& world) {
   camera.to_world = rows_of(without_scale(world));
   camera.perspective = from.perspective;
   if (from.perspective) camera.yfov = from.y_fov;
+  camera.aspect_ratio = from.aspect_ratio;
   if (!from.perspective) camera.xmag = from.x_mag;
   if (!from.perspective) camera.ymag = from.y_mag;
   camera.znear = from.z_near;

@@ -104,6 +104,18 @@ TEST(View, ACameraOfTheAssetKeepsItsHeight) {
   EXPECT_GT(view.ray(1, 0).direction.y, 0);
 }
 
+TEST(View, NothingThatACameraOfTheAssetShowsIsCutOff) {
+  Camera camera;
+  camera.yfov = 1;
+  camera.aspect_ratio = 2;
+  const View square = view_of(camera, 1);
+  EXPECT_NEAR(square.half_width, 2 * std::tan(0.5), 1e-6);
+  EXPECT_NEAR(square.half_height, 2 * std::tan(0.5), 1e-6);
+  const View wide = view_of(camera, 4);
+  EXPECT_NEAR(wide.half_width, 4 * std::tan(0.5), 1e-6);
+  EXPECT_NEAR(wide.half_height, std::tan(0.5), 1e-6);
+}
+
 TEST(View, AnOrthographicCameraHasParallelRays) {
   Camera camera;
   camera.perspective = false;

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,6 +29,7 @@ using container::test::TempFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 std::string fixture(const std::string& name) {
   return std::string(GLTFX_SOURCE_DIR) + "/fixtures/good/" + name;
@@ -225,8 +228,8 @@ TEST(BakeMany, PicturesComeOnOneSheet) {
   EXPECT_EQ(error, "");
   EXPECT_THAT(problems, ElementsAre(BakeProblem::none, BakeProblem::unreadable));
   const codec::Image image = decoded(content(sheet), codec::ImageFormat::png);
-  EXPECT_EQ(image.width, 512U);
-  EXPECT_EQ(image.height, 256U);
+  EXPECT_EQ(image.width, 48U);
+  EXPECT_EQ(image.height, 16U);
 }
 
 TEST(BakeComparison, SameAssetsMakeTheSamePicture) {
@@ -284,18 +287,58 @@ TEST(BakeNames, Angles) {
   }
 }
 
+BakedPixels plain(std::uint32_t width, std::uint32_t height) {
+  return {width, height, 3, std::vector<std::uint8_t>(std::size_t{width} * height * 3, 10)};
+}
+
 TEST(ContactSheet, CellsKeepTheShapeOfPictures) {
-  ContactSheet sheet(3);
-  BakedPixels wide{4, 2, 3, std::vector<std::uint8_t>(24, 10)};
-  sheet.add({});
-  sheet.add(wide);
+  ContactSheet sheet(3, {64, 64});
+  sheet.add({}, "");
+  sheet.add(plain(64, 32), "no room for words");
   const bake::Picture picture = sheet.take();
-  EXPECT_EQ(picture.width, 512U);
-  EXPECT_EQ(picture.height, 512U);
-  const auto red = [&](std::size_t x, std::size_t y) { return picture.bytes[(y * 512 + x) * 3]; };
-  EXPECT_EQ(red(128, 128), 236);
-  EXPECT_EQ(red(384, 128), 10);
-  EXPECT_EQ(red(384, 20), 236) << "above a wide picture";
+  EXPECT_EQ(picture.width, 128U);
+  EXPECT_EQ(picture.height, 128U);
+  const auto red = [&](std::size_t x, std::size_t y) { return picture.bytes[(y * 128 + x) * 3]; };
+  EXPECT_EQ(red(32, 32), 236);
+  EXPECT_EQ(red(96, 32), 10);
+  EXPECT_EQ(red(96, 5), 236) << "above a wide picture";
+}
+
+TEST(ContactSheet, LargePicturesBecomeSmallerAndHaveTheirShape) {
+  ContactSheet sheet(1, {1024, 512});
+  sheet.add(plain(1024, 512), "");
+  const bake::Picture picture = sheet.take();
+  EXPECT_EQ(picture.width, 256U);
+  EXPECT_EQ(picture.height, 128U + 26U);
+  EXPECT_EQ(picture.bytes[(std::size_t{127} * 256 + 255) * 3], 10);
+  EXPECT_EQ(picture.bytes[(std::size_t{128} * 256 + 255) * 3], 236);
+}
+
+// Columns of the line below a picture that have ink in them.
+std::vector<std::size_t> inked(std::string_view name) {
+  ContactSheet sheet(1, {100, 10});
+  sheet.add({}, name);
+  const bake::Picture picture = sheet.take();
+  std::vector<std::size_t> columns;
+  for (std::size_t x = 0; x < 100; ++x) {
+    for (std::size_t y = 10; y < picture.height; ++y) {
+      if (picture.bytes[(y * 100 + x) * 3] == 236) continue;
+      columns.push_back(x);
+      break;
+    }
+  }
+  return columns;
+}
+
+TEST(ContactSheet, NamesStandBelow) {
+  EXPECT_THAT(inked(""), IsEmpty());
+  EXPECT_THAT(inked("l"), SizeIs(6));
+  EXPECT_THAT(inked("I.I"), SizeIs(16));
+  EXPECT_THAT(inked("\xC3\xA4"), SizeIs(10)) << "one box";
+  const std::vector<std::size_t> long_name = inked(std::string(500, 'm'));
+  EXPECT_GE(long_name.front(), 4U);
+  EXPECT_LE(long_name.back(), 95U);
+  EXPECT_GT(long_name.back() - long_name.front(), 75U);
 }
 
 TEST(PictureFile, EndingsDecide) {
