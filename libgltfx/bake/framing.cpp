@@ -7,13 +7,15 @@
 #include <limits>
 #include <numbers>
 
+#include "bake/coverage.hpp"
 #include "bake/storage.hpp"
 
 namespace gltfx::bake {
 namespace {
 
 constexpr std::size_t kMostPoints = 200000;
-constexpr double kStrayFactor = 3;  // core extents that a point may lie from the middle
+constexpr double kEnoughSeen = 0.01;  // of the area of all surfaces, seen from where one looks
+constexpr double kStrayFactor = 3;    // core extents that a point may lie from the middle
 constexpr double kYfov = 28 * std::numbers::pi / 180;
 constexpr double kMargin = 0.90;  // part of the picture that the subject may fill
 
@@ -24,26 +26,43 @@ bool is_sane(const Vec3d& p) {
   return std::fabs(p.x) < kFar && std::fabs(p.y) < kFar && std::fabs(p.z) < kFar;
 }
 
-// Corners of triangles, evenly chosen over all instances. Vertices that no triangle uses do not
-// count.
-std::vector<Vec3d> surface_points(const Scene& scene) {
-  std::size_t corners = 0;
-  for (const Instance& each : scene.instances)
-    corners += scene.meshes[each.mesh].triangles.size() * 3;
-  const std::size_t step = corners / kMostPoints + 1;
-  std::vector<Vec3d> points;
-  std::size_t next = 0;  // of the corners that are still to come
+// Whether no ray ever meets a surface of the material, whatever its textures hold.
+bool is_invisible(const SceneMaterial& material) {
+  if (!has_holes(material)) return false;
+  return material.alpha <= 0 ||
+         (material.alpha_mode == AlphaMode::mask && material.alpha < material.alpha_cutoff);
+}
+
+std::size_t visible_triangles(const Scene& scene, const Instance& instance) {
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  return is_invisible(material_of(scene, mesh)) ? 0 : mesh.triangles.size();
+}
+
+// Corners of triangles, three by three, evenly chosen over all instances. Vertices that no triangle
+// uses do not count.
+Subject surfaces_of(const Scene& scene) {
+  std::size_t triangles = 0;
+  for (const Instance& each : scene.instances) triangles += visible_triangles(scene, each);
+  const std::size_t step = triangles * 3 / kMostPoints + 1;
+  Subject subject;
+  std::size_t next = 0;  // of the triangles that are still to come
   for (const Instance& each : scene.instances) {
     const Mesh& mesh = scene.meshes[each.mesh];
-    const std::size_t own = mesh.triangles.size() * 3;
+    const bool culled = is_culled(material_of(scene, mesh));
+    const double side = determinant(each.to_world) < 0 ? -0.5 : 0.5;
+    const std::size_t own = visible_triangles(scene, each);
     for (; next < own; next += step) {
-      const std::uint32_t vertex = mesh.triangles[next / 3][next % 3];
-      const Vec3d p = transform_point(each.to_world, to_vec(mesh.positions[vertex]));
-      if (is_sane(p)) points.push_back(p);
+      std::array<Vec3d, 3> p;
+      for (std::size_t i = 0; i < 3; ++i) {
+        p[i] = transform_point(each.to_world, to_vec(mesh.positions[mesh.triangles[next][i]]));
+      }
+      if (!std::all_of(p.begin(), p.end(), is_sane)) continue;
+      subject.points.insert(subject.points.end(), p.begin(), p.end());
+      subject.faces.push_back({side * cross(p[1] - p[0], p[2] - p[0]), culled});
     }
     next -= own;
   }
-  return points;
+  return subject;
 }
 
 // Along one axis: from where to where points belong to the subject.
@@ -61,28 +80,51 @@ std::pair<double, double> limits_along(const std::vector<Vec3d>& points, std::si
   return {low, high};
 }
 
-// A plane has no extent along one axis, so what is far away is told by the longest.
-void drop_strays(std::vector<Vec3d>& points) {
+// A plane has no extent along one axis, so what is far away is told by the longest. Triangles go as
+// a whole: half of one would be cut off by the edge of the picture.
+void drop_strays(Subject& subject) {
   std::array<std::pair<double, double>, 3> core;
   double longest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    core[axis] = limits_along(points, axis);
+    core[axis] = limits_along(subject.points, axis);
     longest = std::max(longest, core[axis].second - core[axis].first);
   }
   if (!(longest > 0)) return;
-  std::erase_if(points, [&](const Vec3d& p) {
+  const auto strays = [&](const Vec3d& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double middle = (core[axis].first + core[axis].second) / 2;
       if (std::fabs(component(p, axis) - middle) > kStrayFactor * longest) return true;
     }
     return false;
-  });
+  };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    const auto first = subject.points.begin() + static_cast<std::ptrdiff_t>(3 * i);
+    if (std::any_of(first, first + 3, strays)) continue;
+    std::copy(first, first + 3, subject.points.begin() + static_cast<std::ptrdiff_t>(3 * kept));
+    subject.faces[kept++] = subject.faces[i];
+  }
+  subject.faces.resize(kept);
+  subject.points.resize(3 * kept);
 }
 
 Vec3d backward_of(const Direction& direction) {
   const double turn = direction.azimuth * std::numbers::pi / 180;
   const double rise = direction.elevation * std::numbers::pi / 180;
   return {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
+}
+
+// What part of the surfaces that are looked at from there shows something: back faces do not.
+double fronts_seen(const Subject& subject, const Direction& direction) {
+  const Vec3d backward = backward_of(direction);
+  double seen = 0;
+  double all = 0;
+  for (const Face& face : subject.faces) {
+    const double area = dot(face.area, backward);
+    all += std::fabs(area);
+    seen += face.culled ? std::max(0.0, area) : std::fabs(area);
+  }
+  return all > 0 ? seen / all : 0.0;
 }
 
 // Bounds of points in the camera's axes, slanted by the edges of its picture: what decides where a
@@ -114,10 +156,9 @@ Slanted slant(const std::vector<Vec3d>& points, const View& view, const Vec3d& m
 double Subject::size() const { return std::max(length(greatest - least), 1e-12); }
 
 std::optional<Subject> find_subject(const Scene& scene) {
-  Subject subject;
-  subject.points = surface_points(scene);
+  Subject subject = surfaces_of(scene);
   if (subject.points.empty()) return std::nullopt;
-  drop_strays(subject.points);
+  drop_strays(subject);
   subject.least = subject.greatest = subject.points.front();
   for (const Vec3d& p : subject.points) {
     subject.least = {std::min(subject.least.x, p.x), std::min(subject.least.y, p.y),
@@ -132,7 +173,20 @@ Direction usual_direction(const Subject& subject) {
   const Vec3d extent = subject.greatest - subject.least;
   const bool flat = extent.y < 0.2 * std::max(extent.x, extent.z);
   const bool upright = extent.z < 0.05 * std::max(extent.x, extent.y);  // a picture, a sheet
-  return {upright ? 20.0 : 32.0, flat ? 38.0 : 18.0};
+  const Direction usual{upright ? 20.0 : 32.0, flat ? 38.0 : 18.0};
+  // Where there is nothing but back faces: from behind, from below, from both.
+  const double opposite = usual.azimuth + 180;
+  Direction best = usual;
+  double most = 0;
+  for (const Direction& each :
+       {usual, Direction{opposite, usual.elevation}, Direction{usual.azimuth, -usual.elevation},
+        Direction{opposite, -usual.elevation}}) {
+    const double seen = fronts_seen(subject, each);
+    if (seen >= kEnoughSeen) return each;
+    if (seen > most) best = each;
+    most = std::max(most, seen);
+  }
+  return best;
 }
 
 View frame(const Subject& subject, const Direction& direction, double aspect) {

@@ -12,9 +12,17 @@
 
 namespace gltfx::bake {
 
-/// What a scene is about: points of its surfaces without those that stray, and the box around them.
+/// A triangle, as far as its sides matter.
+struct Face {
+  Vec3d area;           ///< its normal on the front, as long as its area
+  bool culled = false;  ///< there is nothing to see of it from behind
+};
+
+/// What a scene is about: triangles of its surfaces without those that stray, and the box around
+/// them.
 struct Subject {
-  std::vector<Vec3d> points;
+  std::vector<Vec3d> points;  ///< corners, three for each face
+  std::vector<Face> faces;
   Vec3d least, greatest;
 
   Vec3d middle() const { return (least + greatest) * 0.5; }
@@ -22,8 +30,9 @@ struct Subject {
   double size() const;
 };
 
-/// Nothing when there is nothing to see. A point strays when it lies far outside of where all but a
-/// hundredth of the points are along an axis. Looks at a bounded number of points.
+/// Nothing when there is nothing to see; what alpha makes invisible everywhere is nothing. A
+/// triangle strays when a corner lies far outside of where all but a hundredth of the corners are
+/// along an axis. Looks at a bounded number of triangles.
 std::optional<Subject> find_subject(const Scene& scene);
 
 /// From where to look: degrees. Azimuth 0 looks at the front (+z), 90 at the side of +x; elevation
@@ -32,7 +41,8 @@ struct Direction {
   double azimuth = 0, elevation = 0;
 };
 
-/// Three quarters from the front and a little from above; more from above what is flat.
+/// Three quarters from the front and a little from above; more from above what is flat. From behind
+/// or below where only there something is to be seen.
 Direction usual_direction(const Subject& subject);
 
 /// The view that has the subject in its middle, as large as it goes with a margin. `aspect`: width

@@ -67,6 +67,57 @@ TEST(Framing, AStrayVertexDoesNotCount) {
   expect_framed(scene, 1);
 }
 
+// A level square below a sphere, its corners so few that they are beyond all percentiles, and some
+// of them farther away than others.
+TEST(Framing, AGroundIsShownWholeOrCountsAsNone) {
+  for (const float half : {3.0F, 6.0F}) {
+    Scene scene = scene_of(sphere(1, 30));
+    scene.meshes.push_back(square(half));
+    scene.instances.push_back({1, {{{1, 0, 0, 1}, {0, 0, 1, -1}, {0, -1, 0, 0}}}});
+    const auto subject = find_subject(scene);
+    EXPECT_NEAR(subject->greatest.x, half == 3.0F ? 4 : 1, 1e-5);
+    EXPECT_NEAR(subject->least.x, half == 3.0F ? -2 : -1, 1e-5);
+  }
+}
+
+TEST(Framing, LooksFromWhereFrontsAre) {
+  Scene scene = scene_of(square());
+  const auto direction = [&](const Matrix34& place) {
+    scene.instances[0].to_world = place;
+    return usual_direction(*find_subject(scene));
+  };
+  const Direction front = direction(kIdentity);
+  EXPECT_NEAR(front.azimuth, 20, 1e-9);
+  const Direction behind = direction({{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, 0}}});
+  EXPECT_NEAR(behind.azimuth, 200, 1e-9);
+  EXPECT_GT(behind.elevation, 0);
+  const Direction mirrored = direction({{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+  EXPECT_NEAR(mirrored.azimuth, 20, 1e-9) << "triangles go round the other way";
+  const Direction below = direction({{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}});
+  EXPECT_LT(below.elevation, 0);
+  scene.materials[0].double_sided = true;
+  EXPECT_GT(usual_direction(*find_subject(scene)).elevation, 0);
+}
+
+TEST(Framing, WhatAlphaMakesInvisibleIsNotThere) {
+  Scene scene = scene_of(sphere());
+  scene.materials.emplace_back();
+  scene.meshes.push_back(cube(2));
+  scene.meshes[1].material = 1;
+  scene.instances.push_back({1, kIdentity});
+  EXPECT_NEAR(find_subject(scene)->greatest.x, 2, 1e-5);
+  scene.materials[1].alpha_mode = AlphaMode::blend;
+  EXPECT_NEAR(find_subject(scene)->greatest.x, 2, 1e-5);
+  scene.materials[1].alpha = 0;
+  EXPECT_NEAR(find_subject(scene)->greatest.x, 1, 1e-5);
+  scene.materials[1].alpha_mode = AlphaMode::mask;
+  scene.materials[1].alpha = 0.4F;
+  scene.materials[1].alpha_cutoff = 0.5F;
+  EXPECT_NEAR(find_subject(scene)->greatest.x, 1, 1e-5);
+  scene.materials[0] = scene.materials[1];
+  EXPECT_FALSE(find_subject(scene));
+}
+
 TEST(Framing, WhatIsLongAndThinIsShownWhole) {
   Scene scene = scene_of(sphere());
   scene.meshes.push_back(cube());
