@@ -29,6 +29,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/upgrade.hpp", "upgrade"},   {"gltfx/pipeline.hpp", "pipeline"},
     {"gltfx/mapping.hpp", "container"}, {"gltfx/bake.hpp", "report"},
     {"gltfx/vec3.hpp", "base"},         {"gltfx/material.hpp", "bake"},
+    {"gltfx/tinygltf.hpp", "interop"},
 };
 
 // Lower floors that a room must not reach for all the same.
@@ -48,6 +49,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"OpenImageIO/", {"tools/gltfx_codec/image_"}},
     {"webp/", {"tools/gltfx_codec/webp_"}},
     {"png.h", {"tools/gltfx_codec/png_"}},
+    {"tiny_gltf.h", {"libgltfx/interop/"}},
 };
 
 const std::vector<std::string_view> kSystemHeaders{

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Assets as models of tinygltf (github.com/syoyo/tinygltf) and back, for programs that use it:
+/// tinygltf never sees bytes that were not validated, and gets what it does not decode itself.
+/// The calls are in the CMake target gltfx::tinygltf, built for the version of tiny_gltf.h that was
+/// found then.
+#pragma once
+
+#include <gltfx/report.hpp>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace gltfx {
+
+namespace schema {
+class Set;
+}
+
+/// An asset in memory.
+struct MemoryAsset {
+  std::string name;   ///< for reports; its ending, .gltf or .glb, says which form is promised
+  std::string bytes;  ///< of the .gltf or .glb itself
+  /// Files that it refers to, by their paths from its own folder: '/' separated, not
+  /// percent-encoded.
+  std::map<std::string, std::string> files;
+};
+
+/// What `tinygltf::Image::image` holds.
+enum class TinygltfImages : std::uint8_t {
+  /// RGBA, 8 or 16 bits a channel, as tinygltf's own loader has it. Images that cannot be decoded,
+  /// such as KTX2, stay encoded, and a note says so.
+  decoded,
+  encoded,  ///< the bytes of the image file; `as_is` is set
+};
+
+struct ToTinygltfOptions {
+  TinygltfImages images = TinygltfImages::decoded;
+  /// Write sparse accessors out in full, for programs that do not look at `sparse`. Those that
+  /// would take too much memory stay as they are, and a note says so.
+  bool expand_sparse = false;
+  /// Folder that files may come from; empty: the asset's own. Of assets in memory: empty is none.
+  std::string root;
+  unsigned jobs = 0;  ///< threads; 0: one a core
+  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  std::shared_ptr<const schema::Set> schemas;
+};
+
+struct FromTinygltfOptions {
+  /// Put bytes of buffers and images into the .gltf itself, as data URIs, whatever their `uri`.
+  bool embed = false;
+  unsigned jobs = 0;  ///< threads; 0: one a core
+  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  std::shared_ptr<const schema::Set> schemas;
+};
+
+/// Something that is not the same on the other side.
+struct TinygltfNote {
+  std::string pointer;  ///< in the document that was read or written (RFC 6901)
+  std::string message;  ///< what became of it, the end of a sentence without stop
+  bool lost = false;    ///< the other side has no place for it; else it has another form there
+};
+
+/// What became of a conversion. Owns its text.
+struct TinygltfReport {
+  bool done = false;  ///< else the model, or the asset, is as it was before
+  std::string error;  ///< why it is not, one sentence without stop
+  FileReport validation;
+  std::vector<TinygltfNote> notes;   ///< in no order that means anything
+  std::vector<std::string> written;  ///< paths of files
+};
+
+/// Validates the .gltf or .glb at `path` and fills `model` with it, as tinygltf's own loader would
+/// (values of `Material::values` and `Model::lights` included), but for this:
+/// - What is compressed (KHR_draco_mesh_compression, EXT_ and KHR_meshopt_compression) comes as
+///   plain accessors, and the extension is named no more. Nothing is renumbered: decoded bytes lie
+///   behind everything else or in the empty buffer that stands for them, compressed ones stay.
+///   Bounds of accessors become those of what was decoded, since compression rounds.
+/// - Channels of animations that move no node are there, with a `target_node` of -1.
+/// - Nulls, empty objects and numbers beyond 32 bits in extras and extensions are kept.
+/// - `uri` of buffers and images that were data URIs is empty.
+/// Quantised accessors stay as they are. What is not valid is refused: errors are in `validation`.
+/// Never throws. Safe to call from several threads for different models.
+TinygltfReport to_tinygltf(const std::string& path, tinygltf::Model& model,
+                           const ToTinygltfOptions& options = {});
+TinygltfReport to_tinygltf(const MemoryAsset& asset, tinygltf::Model& model,
+                           const ToTinygltfOptions& options = {});
+
+/// Writes `model` to `path`, as a GLB when that ends in .glb; files that buffers and images name go
+/// into the same folder or below it. They are validated before anything is written, and each is
+/// replaced whole or not at all, the asset itself last. Buffers without a `uri` become the BIN
+/// chunk (the first one of a GLB) or files beside the asset; pixels become PNG files, or WebP ones
+/// where they were WebP; images in a buffer view are taken from there, whatever the pixels.
+/// `Material::values` and `additionalValues` are not looked at. Never throws.
+TinygltfReport from_tinygltf(const tinygltf::Model& model, const std::string& path,
+                             const FromTinygltfOptions& options = {});
+/// The same into memory: `asset.name` says the form, its bytes and files are replaced.
+TinygltfReport from_tinygltf(const tinygltf::Model& model, MemoryAsset& asset,
+                             const FromTinygltfOptions& options = {});
+
+}  // namespace gltfx

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/tinygltf.hpp>
+
+#include <filesystem>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <tiny_gltf.h>
+
+#include "base/replace_file.hpp"
+#include "base/text.hpp"
+#include "container/container.hpp"
+#include "interop/model_text.hpp"
+#include "interop/stored_bytes.hpp"
+#include "json/token.hpp"
+#include "upgrade/glb_rewrite.hpp"
+#include "validate/validator.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_glb(const std::string& name) {
+  return json::lower_case(fs::path(name).extension().native()) == ".glb";
+}
+
+// A GLB with nothing but "{}": what a rewrite starts from.
+std::string empty_glb() { return std::string("glTF\2\0\0\0\x18\0\0\0\4\0\0\0JSON{}  ", 24); }
+
+/// One model on its way into bytes that are valid.
+class Serialization {
+ public:
+  Serialization(const tinygltf::Model& model, const FromTinygltfOptions& options)
+      : model_(model), options_(options) {}
+
+  /// `resolver` finds files that are there already.
+  TinygltfReport run(MemoryAsset& asset, container::Resolver resolver) {
+    MemoryAsset fresh;
+    fresh.name = asset.name;
+    write(fresh);
+    if (notes_.error().empty()) validate(fresh, resolver);
+    report_.error = notes_.error();
+    report_.notes = notes_.take();
+    report_.done = report_.error.empty();
+    if (report_.done) asset = std::move(fresh);
+    return std::move(report_);
+  }
+
+ private:
+  void write(MemoryAsset& asset) {
+    const bool glb = is_glb(asset.name);
+    interop::StoredBytes stored(model_, {asset.name, glb, options_.embed}, notes_);
+    asset.bytes = interop::write_model(model_, stored.buffers(), stored.images(), notes_);
+    asset.files = stored.take_files();
+    if (!glb || !notes_.error().empty()) return;
+    const container::Container frame =
+        container::open_bytes(container::Bytes::from_string(empty_glb()));
+    auto whole = upgrade::rewrite_glb(frame, asset.bytes, {stored.take_bin(), {}});
+    if (whole) {
+      asset.bytes = *std::move(whole);
+    } else {
+      notes_.fail(whole.error().message);
+    }
+  }
+
+  void validate(const MemoryAsset& asset, container::Resolver& resolver) {
+    for (const auto& [path, bytes] : asset.files) {
+      resolver.add(path, container::Bytes::from_string(bytes));
+    }
+    ValidateOptions options;
+    options.jobs = options_.jobs;
+    options.schemas = options_.schemas;
+    const container::Container opened =
+        container::open_bytes(container::Bytes::from_string(asset.bytes), asset.name);
+    report_.validation = validate::validate(opened, asset.name, resolver, options);
+    if (report_.validation.counts.errors > 0) notes_.fail("the model is no valid glTF");
+  }
+
+  const tinygltf::Model& model_;
+  const FromTinygltfOptions& options_;
+  TinygltfReport report_;
+  interop::Notes notes_;
+};
+
+std::optional<Error> put(const fs::path& target, std::string_view bytes) {
+  std::error_code fault;
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), fault);
+  if (!fault) return write_file(target, bytes);
+  return Error{fmt::format("cannot create the folder of {}: {}", quoted(target.native(), 200),
+                           fault.message())};
+}
+
+void write_all(const MemoryAsset& asset, const std::string& path, TinygltfReport& report) {
+  const fs::path folder = fs::path(path).parent_path();
+  const auto write = [&](const fs::path& target, std::string_view bytes) {
+    if (!report.done) return;
+    if (auto trouble = put(target, bytes)) {
+      report.done = false;
+      report.error = std::move(trouble->message);
+      return;
+    }
+    report.written.push_back(target.native());
+  };
+  for (const auto& [name, bytes] : asset.files) write(folder / name, bytes);
+  write(path, asset.bytes);
+}
+
+TinygltfReport failed(std::string why) {
+  TinygltfReport report;
+  report.error = std::move(why);
+  return report;
+}
+
+// The library does not throw.
+template <class Work>
+TinygltfReport guarded(const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return failed("there is not enough memory to convert it");
+  } catch (const fs::filesystem_error&) {
+    return failed("the path cannot be looked up");
+  }
+}
+
+}  // namespace
+
+TinygltfReport from_tinygltf(const tinygltf::Model& model, MemoryAsset& asset,
+                             const FromTinygltfOptions& options) {
+  return guarded([&] { return Serialization(model, options).run(asset, {}); });
+}
+
+TinygltfReport from_tinygltf(const tinygltf::Model& model, const std::string& path,
+                             const FromTinygltfOptions& options) {
+  return guarded([&] {
+    MemoryAsset asset;
+    asset.name = path;
+    const fs::path folder = fs::path(path).parent_path();
+    TinygltfReport report = Serialization(model, options).run(asset, {folder, folder});
+    if (report.done) write_all(asset, path, report);
+    return report;
+  });
+}
+
+}  // namespace gltfx
