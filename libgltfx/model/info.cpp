@@ -45,18 +45,12 @@ std::uint64_t triangles(std::uint64_t count, Mode mode) {
 
 void add_primitive(const Views& views, const Primitive& primitive, AssetInfo& info) {
   ++info.draw_call_count;
-  std::optional<std::uint64_t> vertices;
+  const PrimitiveSize size = primitive_size(views, primitive);
+  info.total_vertex_count = saturating_add(info.total_vertex_count, size.vertices);
+  info.total_triangle_count = saturating_add(info.total_triangle_count, size.triangles);
   std::uint64_t attributes = 0;
-  for (const Attribute& attribute : primitive.attributes) {
-    if (!attribute.accessor) continue;
-    ++attributes;
-    if (!vertices) vertices = views.accessors[*attribute.accessor].count;
-  }
-  const auto drawn = primitive.indices ? views.accessors[*primitive.indices].count : vertices;
-  info.total_vertex_count = saturating_add(info.total_vertex_count, vertices.value_or(0));
-  if (drawn && primitive.mode)
-    info.total_triangle_count =
-        saturating_add(info.total_triangle_count, triangles(*drawn, *primitive.mode));
+  for (const Attribute& attribute : primitive.attributes)
+    attributes += attribute.accessor ? 1U : 0U;
   const std::uint64_t joints = set_count(primitive, SemanticKind::joints);
   const bool skinned = joints == set_count(primitive, SemanticKind::weights);
   info.max_influences = std::max(info.max_influences, skinned ? joints * 4 : 0);
@@ -66,6 +60,20 @@ void add_primitive(const Views& views, const Primitive& primitive, AssetInfo& in
 }
 
 }  // namespace
+
+PrimitiveSize primitive_size(const Views& views, const Primitive& primitive) {
+  std::optional<std::uint64_t> vertices;
+  for (const Attribute& attribute : primitive.attributes) {
+    if (!attribute.accessor) continue;
+    vertices = views.accessors[*attribute.accessor].count;
+    if (vertices) break;
+  }
+  const auto drawn = primitive.indices ? views.accessors[*primitive.indices].count : vertices;
+  PrimitiveSize size;
+  size.vertices = vertices.value_or(0);
+  if (drawn && primitive.mode) size.triangles = triangles(*drawn, *primitive.mode);
+  return size;
+}
 
 AssetInfo asset_info(const Asset& asset, const Views& views) {
   AssetInfo info;

@@ -4,10 +4,18 @@
 
 #include <gltfx/report.hpp>
 
+#include <cstdint>
+
 #include "model/asset.hpp"
 #include "model/views.hpp"
 
 namespace gltfx::model {
+
+/// As accessors declare them: the count of the first attribute, and triangles by the mode.
+struct PrimitiveSize {
+  std::uint64_t vertices = 0, triangles = 0;
+};
+PrimitiveSize primitive_size(const Views& views, const Primitive& primitive);
 
 /// What the Khronos report's `info` block says, counted as that validator does; `resources` is left
 /// empty, for it needs the files. Malformed members count as absent. Linear in the document.

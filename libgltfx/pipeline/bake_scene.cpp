@@ -2,16 +2,13 @@
 #include "pipeline/bake_scene.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
-#include "container/container.hpp"
-#include "json/parse.hpp"
 #include "model/asset.hpp"
 #include "model/variants.hpp"
 #include "pipeline/bake_names.hpp"
 #include "pipeline/environment_file.hpp"
-#include "pipeline/resolver_for.hpp"
+#include "pipeline/opened_asset.hpp"
 #include "pipeline/scene_builder.hpp"
 #include "schema/compile.hpp"
 #include "validate/validator.hpp"
@@ -19,15 +16,12 @@
 namespace gltfx {
 namespace {
 
-namespace fs = std::filesystem;
-
 class Loader {
  public:
   Loader(const std::string& path, const BakeOptions& options)
       : path_(path),
         options_(options),
-        schemas_(options.schemas ? options.schemas : schema::builtin_set()),
-        resolver_(resolver_for(fs::path(path).parent_path(), options.root)) {
+        schemas_(options.schemas ? options.schemas : schema::builtin_set()) {
     result_.report.path = path;
     result_.report.validation.path = path;
   }
@@ -45,19 +39,10 @@ class Loader {
   }
 
   bool open() {
-    auto opened = container::open_file(path_);
+    auto opened = open_asset(path_, options_.root);
     if (!opened) return fail(BakeProblem::unreadable, opened.error().message);
-    container_ = *std::move(opened);
-    if (container_.format == container::Format::git_lfs_pointer) {
-      return fail(BakeProblem::unreadable,
-                  "it is a Git-LFS pointer; 'git lfs pull' fetches the file itself");
-    }
-    if (!container_.json) {
-      return fail(BakeProblem::unreadable, "it holds no glTF; 'gltfx validate' says why");
-    }
-    parsed_ = json::parse(container_.json);
-    if (!parsed_.document.empty()) return true;
-    return fail(BakeProblem::unreadable, "its JSON is broken; 'gltfx validate' says where");
+    asset_ = *std::move(opened);
+    return true;
   }
 
   bool validate() {
@@ -65,7 +50,7 @@ class Loader {
     options.root = options_.root;
     options.jobs = options_.jobs;
     options.schemas = schemas_;
-    FileReport report = validate::validate(container_, path_, resolver_, options);
+    FileReport report = validate::validate(asset_.container, path_, asset_.resolver, options);
     std::erase_if(report.diagnostics,
                   [](const Diagnostic& each) { return each.severity != Severity::error; });
     const std::uint64_t errors = report.counts.errors;
@@ -77,7 +62,7 @@ class Loader {
   }
 
   bool build() {
-    const model::Asset asset(parsed_.document);
+    const model::Asset asset(asset_.parsed.document);
     SceneOptions wanted;
     wanted.time = options_.time;
     wanted.jobs = options_.jobs;
@@ -89,7 +74,7 @@ class Loader {
         set(wanted.variant, find_named("variant", options_.variant, model::variant_names(asset)));
     if (!found) return false;
     auto scene = std::make_unique<bake::Scene>(
-        build_scene(container_, resolver_, parsed_.document, *schemas_, wanted));
+        build_scene(asset_.container, asset_.resolver, asset_.parsed.document, *schemas_, wanted));
     if (!options_.environment.empty()) {
       auto environment = read_environment(options_.environment);
       if (!environment) return fail(BakeProblem::refused, environment.error().message);
@@ -124,9 +109,7 @@ class Loader {
   const std::string& path_;
   const BakeOptions& options_;
   const std::shared_ptr<const schema::Set> schemas_;
-  const container::Resolver resolver_;
-  container::Container container_;
-  json::Parsed parsed_;
+  OpenedAsset asset_;
   BakeScene result_;
 };
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "upgrade/references.hpp"
 
-#include "base/sink.hpp"
 #include "schema/check.hpp"
+#include "schema/no_findings.hpp"
 
 namespace gltfx::upgrade {
 namespace {
-
-/// For walks of which only the references are wanted.
-class NoFindings : public Sink {
- public:
-  void report(const Path& path, Finding finding) override {
-    static_cast<void>(path);
-    static_cast<void>(finding);
-  }
-};
 
 std::string first_unknown(const schema::CheckResult& result, const schema::Set& set) {
   for (const std::string& name : result.extensions_seen) {
@@ -32,7 +23,7 @@ References::References(const json::Document& document, const schema::Set& set) {
   };
   schema::CheckOptions options;
   options.references = &visit;
-  NoFindings nobody;
+  schema::NoFindings nobody;
   unknown_ = first_unknown(schema::check(document, set, options, nobody, nobody), set);
 }
 

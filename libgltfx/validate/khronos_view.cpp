@@ -8,6 +8,7 @@
 #include "model/accessor.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
+#include "schema/no_findings.hpp"
 #include "validate/rules/variants.hpp"
 
 namespace gltfx::validate {
@@ -68,11 +69,6 @@ class Reader final : public schema::MemberVisitor {
 
  private:
   const Context& context_;
-};
-
-class NoSink final : public Sink {
- public:
-  void report(const Path&, Finding) override {}
 };
 
 // --- What is not linked ---
@@ -139,7 +135,7 @@ class Unlinking {
 schema::CheckResult check_as_khronos(Context& context, json::Document& document, LinkOrder& order,
                                      const schema::ObjectVisitor& visitor) {
   Reader reader(context);
-  NoSink none;
+  schema::NoFindings none;
   schema::CheckOptions form;
   form.scope = schema::Scope::khronos;
   form.part = schema::Part::form;

@@ -17,9 +17,9 @@ using testing::IsEmpty;
 
 // What a file may include: headers of its own room, and of rooms on floors below.
 const std::map<std::string, int, std::less<>> kFloors{
-    {"base", 0},   {"json", 1},     {"codec", 1},   {"image", 2},    {"container", 2},
-    {"schema", 2}, {"report", 2},   {"model", 3},   {"validate", 4}, {"upgrade", 4},
-    {"bake", 4},   {"pipeline", 5}, {"interop", 5}, {"tools", 6},
+    {"base", 0},   {"json", 1},    {"codec", 1},    {"image", 2},    {"container", 2},
+    {"schema", 2}, {"report", 2},  {"model", 3},    {"validate", 4}, {"upgrade", 4},
+    {"bake", 4},   {"inspect", 4}, {"pipeline", 5}, {"interop", 5},  {"tools", 6},
 };
 
 // The room a public header belongs to.
@@ -28,8 +28,8 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/report.hpp", "report"},     {"gltfx/validate.hpp", "validate"},
     {"gltfx/upgrade.hpp", "upgrade"},   {"gltfx/pipeline.hpp", "pipeline"},
     {"gltfx/mapping.hpp", "container"}, {"gltfx/bake.hpp", "report"},
-    {"gltfx/vec3.hpp", "base"},         {"gltfx/material.hpp", "bake"},
-    {"gltfx/tinygltf.hpp", "interop"},
+    {"gltfx/inspect.hpp", "report"},    {"gltfx/vec3.hpp", "base"},
+    {"gltfx/material.hpp", "bake"},     {"gltfx/tinygltf.hpp", "interop"},
 };
 
 // Lower floors that a room must not reach for all the same.

@@ -64,6 +64,7 @@ class Declaration {
     declare_upgrade();
     declare_hook();
     declare_bake(verb("bake", "Draw a preview of what assets look like"), bake_);
+    declare_inspect(verb("inspect", "Say what is in assets and where the bytes go"), inspect_);
     declare_explain();
     declare_rules();
     declare_schema();
@@ -98,6 +99,7 @@ class Declaration {
   ValidateWords validate_;
   UpgradeWords upgrade_;
   BakeWords bake_;
+  InspectWords inspect_;
   ExplainWords explain_;
   RulesWords rules_;
   SchemaWords schema_;
@@ -279,6 +281,7 @@ std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "validate") return &validate_.paths;
   if (verb == "upgrade") return &upgrade_.paths;
   if (verb == "bake") return &bake_.paths;
+  if (verb == "inspect") return &inspect_.paths;
   if (verb == "explain") return &explain_.codes;
   if (verb == "config") return &config_.words;
   return verb == "schema" ? &schema_.names : nullptr;
@@ -315,6 +318,7 @@ CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "validate") return command_of(verb, configured(validate_));
   if (verb == "upgrade") return command_of(verb, configured(upgrade_));
   if (verb == "bake") return command_of(verb, configured(bake_));
+  if (verb == "inspect") return command_of(verb, configured(inspect_));
   if (verb == "explain") return command_of(verb, request_of(explain_));
   if (verb == "rules") return command_of(verb, request_of(rules_));
   if (verb == "config") return command_of(verb, request_of(config_));

@@ -33,6 +33,8 @@ void add_configuration(CLI::App& app, ConfigChoice& choice);
 
 /// The options of `gltfx bake`.
 void declare_bake(CLI::App& app, BakeWords& words);
+/// The options of `gltfx inspect`.
+void declare_inspect(CLI::App& app, InspectWords& words);
 /// The options of `gltfx config`.
 void declare_config(CLI::App& app, ConfigWords& words);
 

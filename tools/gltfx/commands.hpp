@@ -14,6 +14,7 @@ ExitCode run(const ValidateRequest& request);
 ExitCode run(const UpgradeRequest& request);
 ExitCode run(const HookRequest& request);
 ExitCode run(const BakeRequest& request);
+ExitCode run(const InspectRequest& request);
 ExitCode run(const ExplainRequest& request);
 ExitCode run(const RulesRequest& request);
 ExitCode run(const SchemaRequest& request);

@@ -171,6 +171,11 @@ void Configuration::apply(BakeWords& words) const {
   add_schemas(words.schema_files, words.schema_folders);
 }
 
+void Configuration::apply(InspectWords& words) const {
+  fill("root", words.root);
+  add_schemas(words.schema_files, words.schema_folders);
+}
+
 void Configuration::apply(SchemaWords& words) const {
   add_schemas(words.schema_files, words.schema_folders);
 }
@@ -216,6 +221,10 @@ Result<UpgradeRequest> configured(UpgradeWords words) {
 
 Result<BakeRequest> configured(BakeWords words) {
   return request_with_configuration<BakeRequest>(std::move(words));
+}
+
+Result<InspectRequest> configured(InspectWords words) {
+  return request_with_configuration<InspectRequest>(std::move(words));
 }
 
 Result<SchemaRequest> configured(SchemaWords words) {

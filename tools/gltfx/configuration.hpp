@@ -46,6 +46,7 @@ class Configuration {
   ValidateWords apply(ValidateWords words, const std::vector<std::size_t>& overrides) const;
   void apply(UpgradeWords& words) const;
   void apply(BakeWords& words) const;
+  void apply(InspectWords& words) const;
   void apply(SchemaWords& words) const;
 
  private:
@@ -84,6 +85,7 @@ class PathOptions {
 Result<ValidateRequest> configured(const ValidateWords& words);
 Result<UpgradeRequest> configured(UpgradeWords words);
 Result<BakeRequest> configured(BakeWords words);
+Result<InspectRequest> configured(InspectWords words);
 Result<SchemaRequest> configured(SchemaWords words);
 
 }  // namespace gltfx::tool

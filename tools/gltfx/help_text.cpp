@@ -15,6 +15,7 @@ constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx validate assets/ --jobs 4    every .gltf and .glb below a folder
   gltfx upgrade assets/ --in-place   bring legacy extensions to their successors
   gltfx bake model.glb -o model.png  what it looks like
+  gltfx inspect model.glb            what is in it, and where the bytes go
   gltfx explain VALUE_NOT_IN_RANGE   why a rule exists and how to satisfy it
   gltfx schema KHR_materials_volume  what is known of an extension
   gltfx VERB --help                  all options of a verb
@@ -50,6 +51,12 @@ constexpr std::string_view kBakeExamples = R"(Examples:
   gltfx bake model.glb -o still.exr --samples 1024 --denoise off --environment sky.hdr
   gltfx bake old.glb --compare new.glb -o difference.png
   gltfx bake model.glb --embed                      writes asset.thumbnail into the file
+)";
+
+constexpr std::string_view kInspectExamples = R"(Examples:
+  gltfx inspect model.glb               counts, sizes, extensions, images, animations
+  gltfx inspect model.glb --top 0       every row of every table
+  gltfx inspect assets/ --format json | jq -r '.assets[] | [.path, .facts.bytes.total] | @tsv'
 )";
 
 constexpr std::string_view kHookExamples =
@@ -88,6 +95,7 @@ std::string_view examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
   if (verb == "upgrade") return kUpgradeExamples;
   if (verb == "bake") return kBakeExamples;
+  if (verb == "inspect") return kInspectExamples;
   if (verb == "hook") return kHookExamples;
   if (verb == "explain") return kExplainExamples;
   if (verb == "rules") return kRulesExamples;

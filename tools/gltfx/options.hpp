@@ -3,10 +3,12 @@
 #pragma once
 
 #include <gltfx/bake.hpp>
+#include <gltfx/inspect.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -47,6 +49,9 @@ struct FormatTarget {
   ReportFormat format = ReportFormat::text;
   std::string path;
 };
+
+/// How the verbs that print tables do it.
+enum class TableFormat : std::uint8_t { text, json };
 
 struct ValidateRequest {
   CommonOptions common;
@@ -90,6 +95,18 @@ struct BakeRequest {
   std::vector<std::string> schema_folders;
 };
 
+struct InspectRequest {
+  CommonOptions common;
+  NamedPaths paths;
+  /// All but `schemas`, which comes from the files below.
+  InspectOptions inspect;
+  TableFormat format = TableFormat::text;
+  std::size_t most = 10;  ///< rows of a table of text; 0: all
+  bool quiet = false;
+  std::vector<std::string> schema_files;
+  std::vector<std::string> schema_folders;
+};
+
 /// A verb over the assets that a commit touches; its paths are names that changed besides.
 struct HookRequest {
   std::variant<ValidateRequest, UpgradeRequest> verb;
@@ -99,9 +116,6 @@ struct ExplainRequest {
   CommonOptions common;
   std::vector<std::string> codes;
 };
-
-/// How the verbs that print tables do it.
-enum class TableFormat : std::uint8_t { text, json };
 
 struct RulesRequest {
   CommonOptions common;
@@ -123,8 +137,9 @@ struct ConfigRequest {
   std::string import_file;  ///< not empty: a configuration of the Khronos validator to be read
 };
 
-using Request = std::variant<ValidateRequest, UpgradeRequest, BakeRequest, HookRequest,
-                             ExplainRequest, RulesRequest, SchemaRequest, ConfigRequest>;
+using Request =
+    std::variant<ValidateRequest, UpgradeRequest, BakeRequest, InspectRequest, HookRequest,
+                 ExplainRequest, RulesRequest, SchemaRequest, ConfigRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.

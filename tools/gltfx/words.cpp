@@ -107,6 +107,27 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   return reading.finish(request);
 }
 
+Result<InspectRequest> request_of(const InspectWords& words) {
+  Reading reading;
+  InspectRequest request;
+  read_common(reading, words.common, request.common);
+  reading.require(!words.paths.empty(), "inspect: name at least one file, folder or glob.");
+  reading.require(
+      std::find(words.paths.begin(), words.paths.end(), "-") == words.paths.end(),
+      "inspect: standard input has no file beside which anything could be found; name a "
+      "file ('./-' for one that is called '-').");
+  request.paths.words = words.paths;
+  reading.set(request.format, parse_table_format(words.format));
+  std::uint64_t most = 0;
+  reading.set(most, parse_number("--top", words.top, 0));
+  request.most = static_cast<std::size_t>(most);
+  request.inspect.root = words.root;
+  request.quiet = words.quiet;
+  request.schema_files = words.schema_files;
+  request.schema_folders = words.schema_folders;
+  return reading.finish(request);
+}
+
 Result<ExplainRequest> request_of(const ExplainWords& words) {
   Reading reading;
   ExplainRequest request;

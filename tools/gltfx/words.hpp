@@ -48,6 +48,14 @@ struct BakeWords {
   bool transparent = false, embed = false, force = false, quiet = false;
 };
 
+struct InspectWords {
+  CommonWords common;
+  ConfigChoice configuration;
+  std::vector<std::string> paths, schema_files, schema_folders;
+  std::string format = "text", top = "10", root;
+  bool quiet = false;
+};
+
 struct ExplainWords {
   CommonWords common;
   std::vector<std::string> codes;
@@ -75,6 +83,7 @@ struct ConfigWords {
 Result<ValidateRequest> request_of(const ValidateWords& words);
 Result<UpgradeRequest> request_of(const UpgradeWords& words);
 Result<BakeRequest> request_of(const BakeWords& words);
+Result<InspectRequest> request_of(const InspectWords& words);
 Result<ExplainRequest> request_of(const ExplainWords& words);
 Result<RulesRequest> request_of(const RulesWords& words);
 Result<SchemaRequest> request_of(const SchemaWords& words);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gltfx/bake.hpp>
+#include <gltfx/inspect.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
@@ -78,5 +79,14 @@ std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& 
 /// pictures. `options.output` gets the picture of the difference.
 BakeComparison bake_comparison(const std::string& first, const std::string& second,
                                const BakeOptions& options = {});
+
+/// What is in the file at `path`, valid or not. Never throws; nothing is written. Safe to call from
+/// several threads.
+InspectReport inspect_file(const std::string& path, const InspectOptions& options = {});
+
+/// The same for many files on `jobs` threads (at least 1); hands over the reports in the order of
+/// `paths`, one at a time.
+void inspect_files(const std::vector<std::string>& paths, const InspectOptions& options,
+                   unsigned jobs, const std::function<void(InspectReport&&)>& consume);
 
 }  // namespace gltfx

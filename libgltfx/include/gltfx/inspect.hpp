@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is in an asset: counts, sizes, where the bytes go, what extensions it uses. The calls are
+/// in <gltfx/pipeline.hpp>.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gltfx {
+
+namespace schema {
+class Set;
+}
+
+/// What the bytes of an asset's files are for. A byte that several objects refer to counts once,
+/// for the one whose part of the buffer begins first.
+enum class ByteUse : std::uint8_t {
+  json,        ///< the JSON text, without the payloads of data URIs
+  meshes,      ///< vertices, indices, morph targets, compressed or not
+  images,      ///< encoded
+  animations,  ///< times and values
+  skins,       ///< inverse bind matrices
+  other,       ///< what else refers to buffers, such as instances of a mesh
+  unused,      ///< nothing that is known here refers to them
+  base64,      ///< what data URIs take beyond the bytes that they stand for
+  padding,     ///< headers of a GLB, and up to 15 bytes between two objects
+};
+inline constexpr std::size_t kByteUseCount = 9;
+/// "json", "meshes" and so on.
+std::string_view byte_use_name(ByteUse use);
+using ByteShares = std::array<std::uint64_t, kByteUseCount>;  ///< by ByteUse
+
+struct FileFacts {
+  std::string uri;  ///< as the asset names it; empty: the asset itself
+  std::uint64_t bytes = 0;
+};
+
+struct ExtensionFacts {
+  std::string name;
+  /// "ratified", "release-candidate", "draft", "legacy", "archived", "vendor"; "unknown" when there
+  /// is no schema of it.
+  std::string status;
+  std::string spec, successor;  ///< an address and a name; may be empty
+  bool used = false;            ///< in extensionsUsed
+  bool required = false;        ///< in extensionsRequired
+  bool seen = false;            ///< some object has it
+};
+
+/// Of one mesh, drawn once. Triangles and vertices as accessors declare them.
+struct MeshFacts {
+  std::string name;
+  std::uint64_t primitives = 0, triangles = 0, vertices = 0;
+  std::uint64_t bytes = 0;      ///< in files
+  std::uint64_t gpu_bytes = 0;  ///< of its accessors, decompressed
+};
+
+struct MaterialFacts {
+  std::string name;
+  std::string alpha_mode;  ///< "OPAQUE", "MASK", "BLEND"
+  bool double_sided = false;
+  std::uint64_t textures = 0;  ///< slots that are filled
+  std::vector<std::string> extensions;
+};
+
+struct ImageFacts {
+  std::string name;
+  std::string uri;       ///< of a file; empty: inside the asset
+  std::string format;    ///< media type by its first bytes; empty: unknown
+  std::string encoding;  ///< of KTX2: "ETC1S", "UASTC", "ASTC" or "Vulkan format N"
+  std::uint32_t width = 0, height = 0, bits = 0;  ///< 0: could not be read
+  std::string channels;                           ///< "rgb"
+  std::uint32_t levels = 1;                       ///< of its mipmaps that are stored
+  std::vector<std::string> slots;  ///< of materials that show it: "baseColorTexture", sorted
+  std::string color_space;         ///< in which they read it: "sRGB", "linear", "both", or empty
+  std::uint64_t textures = 0;      ///< that name it
+  std::uint64_t bytes = 0;
+  /// With all mipmaps: four bytes a texel of what a graphics card cannot keep compressed, one or
+  /// half a byte of what it can.
+  std::uint64_t gpu_bytes = 0;
+};
+
+struct AnimationFacts {
+  std::string name;
+  double duration = 0;  ///< seconds, to the last keyframe
+  std::uint64_t channels = 0, samplers = 0, keyframes = 0, bytes = 0;
+};
+
+struct SkinFacts {
+  std::string name;
+  std::uint64_t joints = 0, bytes = 0;
+};
+
+/// A camera or a light.
+struct NamedFacts {
+  std::string name, type;  ///< "perspective", "point"
+};
+
+/// Of what the default scene shows, in metres; without morph targets, of skinned meshes where their
+/// joints stand in the file.
+struct SceneBounds {
+  std::array<double, 3> least{}, greatest{};
+};
+
+/// Owns its text; independent of the asset.
+struct AssetFacts {
+  std::string mime_type;  ///< "model/gltf+json", "model/gltf-binary"
+  std::string version, min_version, generator, copyright;
+  std::vector<FileFacts> files;            ///< that are there, each once, the asset first
+  ByteShares bytes{};                      ///< add up to the files
+  std::vector<ExtensionFacts> extensions;  ///< sorted by name
+  std::uint64_t scenes = 0, nodes = 0, accessors = 0, textures = 0;
+  std::uint64_t primitives = 0, triangles = 0, vertices = 0;  ///< each once
+  std::uint64_t drawn_triangles = 0;  ///< by the default scene, each time a node draws them
+  std::optional<SceneBounds> bounds;  ///< nothing: nothing is shown, or its extent is unknown
+  std::vector<MeshFacts> meshes;      ///< these, like those below, by index
+  std::vector<MaterialFacts> materials;
+  std::vector<ImageFacts> images;
+  std::vector<AnimationFacts> animations;
+  std::vector<SkinFacts> skins;
+  std::vector<NamedFacts> cameras, lights;
+  std::vector<std::string> problems;  ///< what could not be read, a sentence each
+
+  std::uint64_t total_bytes() const;
+  std::uint64_t image_gpu_bytes() const;
+  std::uint64_t mesh_gpu_bytes() const;
+};
+
+/// What an upgrade makes of one object.
+struct UpgradeFact {
+  std::string pointer, from, to;  ///< `to` may be empty
+  std::string outcome;            ///< as upgrade_fate_name() has it; "removed" when it only goes
+  bool done = false;              ///< an upgrade with default options does it
+  std::vector<std::string> notes;
+};
+
+struct InspectOptions {
+  /// Folder that files may come from; empty: the asset's own.
+  std::string root;
+  unsigned jobs = 1;  ///< threads for compressed geometry
+  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  std::shared_ptr<const schema::Set> schemas;
+};
+
+struct InspectReport {
+  std::string path;                 ///< as the user named it
+  std::string error;                ///< why there is nothing to tell, one sentence; else empty
+  std::optional<AssetFacts> facts;  ///< where there is no error
+  std::vector<UpgradeFact> upgrade;
+  std::string upgrade_problem;  ///< why nothing of it can be done; else empty
+};
+
+/// `gltfx inspect --format json`: one report after the other.
+class InspectWriter {
+ public:
+  void begin(std::string& out);
+  void file(const InspectReport& report, std::string& out);
+  void end(std::string& out);
+
+ private:
+  bool has_files_ = false;
+};
+
+/// The JSON Schema (2020-12) of that.
+std::string_view inspect_report_schema();
+
+}  // namespace gltfx

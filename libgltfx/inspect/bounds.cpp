@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inspect/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "base/checked.hpp"
+#include "model/instancing.hpp"
+#include "model/memory_budget.hpp"
+#include "model/pose.hpp"
+
+namespace gltfx::inspect {
+namespace {
+
+using model::Affine;
+using model::Vector3;
+
+constexpr std::uint64_t kMostJoints = std::uint64_t{1} << 20U;  // of all skinned meshes together
+constexpr std::uint64_t kInstanceBytes = std::uint64_t{1} << 28U;
+
+/// Joined by include().
+class Box {
+ public:
+  bool empty() const { return empty_; }
+  void include(const Vector3& point) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!std::isfinite(point[i])) return;
+    }
+    if (empty_) bounds_ = {point, point};
+    empty_ = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      bounds_.least[i] = std::min(bounds_.least[i], point[i]);
+      bounds_.greatest[i] = std::max(bounds_.greatest[i], point[i]);
+    }
+  }
+  /// The corners of another box, moved.
+  void include(const Box& other, const Affine& transform) {
+    if (other.empty_) return;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      Vector3 point{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bool far = (corner >> i & 1U) != 0;
+        point[i] = far ? other.bounds_.greatest[i] : other.bounds_.least[i];
+      }
+      include(transform.point(point));
+    }
+  }
+  const SceneBounds& bounds() const { return bounds_; }
+
+ private:
+  bool empty_ = true;
+  SceneBounds bounds_;
+};
+
+// `min` and `max` of integers that are normalized are written as those integers.
+double scale_of(const model::Format& format) {
+  const bool integer = format.normalized && model::is_integer(format.component);
+  return integer ? model::value_range(format.component).most : 1;
+}
+
+void include_positions(const json::Document& document, const model::Accessor& accessor, Box& box) {
+  const auto least = model::float_array<3>(document, accessor.min);
+  const auto greatest = model::float_array<3>(document, accessor.max);
+  if (!least || !greatest || accessor.format.type != model::ElementType::vec3) return;
+  const double scale = scale_of(accessor.format);
+  for (const auto& corner : {*least, *greatest}) {
+    box.include({corner[0] / scale, corner[1] / scale, corner[2] / scale});
+  }
+}
+
+Box box_of(const json::Document& document, const model::Views& views, const model::Mesh& mesh) {
+  Box box;
+  for (const model::Primitive& primitive : mesh.primitives) {
+    const model::Attribute* positions = primitive.find(model::SemanticKind::position);
+    if (positions == nullptr || !positions->accessor) continue;
+    include_positions(document, views.accessors[*positions->accessor], box);
+  }
+  return box;
+}
+
+class Measurer {
+ public:
+  Measurer(const model::Asset& asset, const model::Views& views,
+           const model::ResourceData& resources, std::span<const MeshFacts> meshes)
+      : asset_(asset),
+        views_(views),
+        resources_(resources),
+        meshes_(meshes),
+        pose_(model::compute_pose(asset, views, model::choose_scene(asset, views))) {
+    for (const model::Mesh& mesh : views.meshes) {
+      boxes_.push_back(box_of(asset.document(), views, mesh));
+    }
+  }
+
+  SceneExtent run() {
+    for (std::size_t i = 0; i < views_.nodes.size(); ++i) {
+      const model::Node& node = views_.nodes[i];
+      if (pose_.in_scene[i] != 0 && node.mesh) take(node, pose_.world[i]);
+    }
+    if (!box_.empty()) extent_.bounds = box_.bounds();
+    return extent_;
+  }
+
+ private:
+  void take(const model::Node& node, const Affine& world) {
+    const std::uint64_t triangles = meshes_[*node.mesh].triangles;
+    const auto instances = model::read_instancing(asset_, views_, resources_, node, budget_);
+    const std::uint64_t times = instances && instances->readable ? instances->transforms.size() : 1;
+    extent_.triangles =
+        saturating_add(extent_.triangles, checked_mul(triangles, times).value_or(UINT64_MAX));
+    const Box& own = boxes_[*node.mesh];
+    if (node.skin) return take_skinned(own, *node.skin);
+    if (!instances || !instances->readable) return box_.include(own, world);
+    for (const Affine& each : instances->transforms) box_.include(own, world * each);
+  }
+
+  // The node does not move a skinned mesh: its joints do.
+  void take_skinned(const Box& own, std::uint32_t skin) {
+    const std::vector<Affine>& joints = joints_of(skin);
+    const std::uint64_t count = joints.size() <= joints_left_ ? joints.size() : 1;
+    joints_left_ -= std::min(joints_left_, count);
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(count, joints.size()); ++i) {
+      box_.include(own, joints[i]);
+    }
+  }
+
+  const std::vector<Affine>& joints_of(std::uint32_t skin) {
+    const auto [entry, fresh] = joints_.try_emplace(skin);
+    if (fresh) entry->second = model::joint_matrices(asset_, views_, resources_, skin, pose_);
+    return entry->second;
+  }
+
+  const model::Asset& asset_;
+  const model::Views& views_;
+  const model::ResourceData& resources_;
+  const std::span<const MeshFacts> meshes_;
+  const model::Pose pose_;
+  std::vector<Box> boxes_;  // by mesh
+  std::map<std::uint32_t, std::vector<Affine>> joints_;
+  std::uint64_t joints_left_ = kMostJoints;
+  model::MemoryBudget budget_{kInstanceBytes};
+  Box box_;
+  SceneExtent extent_;
+};
+
+}  // namespace
+
+SceneExtent scene_extent(const model::Asset& asset, const model::Views& views,
+                         const model::ResourceData& resources, std::span<const MeshFacts> meshes) {
+  return Measurer(asset, views, resources, meshes).run();
+}
+
+}  // namespace gltfx::inspect

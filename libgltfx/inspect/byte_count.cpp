@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inspect/byte_count.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/checked.hpp"
+#include "container/uri.hpp"
+#include "model/meshopt_view.hpp"
+
+namespace gltfx::inspect {
+namespace {
+
+using model::RootArray;
+
+constexpr std::uint64_t kPadding = 15;  // bytes between two objects that nobody calls unused
+
+/// Bytes that stand in a row: a file, a chunk, what a data URI stands for.
+struct Store {
+  struct Part {
+    std::uint64_t begin = 0, end = 0;
+    Owner owner;
+  };
+  std::uint64_t size = 0;
+  std::vector<Part> parts;
+};
+
+class Counter {
+ public:
+  Counter(const container::Container& container, const container::Resolver& resolver,
+          const model::Asset& asset, const model::Views& views,
+          const model::ResourceData& resources, const Uses& uses)
+      : container_(container),
+        resolver_(resolver),
+        asset_(asset),
+        views_(views),
+        resources_(resources),
+        uses_(uses) {
+    count_.meshes.resize(asset.count(RootArray::meshes));
+    count_.images.resize(asset.count(RootArray::images));
+    count_.animations.resize(asset.count(RootArray::animations));
+    count_.skins.resize(asset.count(RootArray::skins));
+  }
+
+  ByteCount run() {
+    take_container();
+    place_buffers();
+    place_images();
+    for (const ViewUse& use : uses_.views) place(use);
+    for (Store& store : stores_) settle(store);
+    return std::move(count_);
+  }
+
+ private:
+  const json::Document& document() const { return asset_.document(); }
+  std::uint64_t& share(ByteUse use) { return count_.shares[static_cast<std::size_t>(use)]; }
+
+  // Chunks that nobody knows are unused; all that is no chunk is headers and padding.
+  void take_container() {
+    count_.files.push_back({{}, container_.bytes.size()});
+    std::uint64_t inner = document().text().size();
+    share(ByteUse::json) += inner;
+    if (container_.bin) {
+      bin_ = stores_.size();
+      stores_.push_back({container_.bin->length, {}});
+      inner += container_.bin->length;
+    }
+    for (const container::Chunk& chunk : container_.chunks) {
+      const bool bin = container_.bin && chunk.offset == container_.bin->offset;
+      if (chunk.type == container::kChunkJson || bin) continue;
+      share(ByteUse::unused) += chunk.length;
+      inner += chunk.length;
+    }
+    const std::uint64_t whole = std::max<std::uint64_t>(container_.bytes.size(), inner);
+    share(ByteUse::padding) += whole - inner;
+  }
+
+  // The store that a `uri` leads to. `decoded`: bytes that stand for a data URI.
+  std::optional<std::size_t> store_of(json::NodeId object,
+                                      const std::optional<container::Bytes>& decoded) {
+    const json::NodeId member = document().find(object, "uri");
+    if (member == json::kNoNode || !document().is_string(member)) return std::nullopt;
+    std::string buffer;
+    const container::Uri uri = container::classify_uri(document().string(member, buffer));
+    if (uri.kind == container::UriKind::relative_path) return file_store(uri);
+    if (uri.kind != container::UriKind::data || !decoded) return std::nullopt;
+    const std::uint64_t text = document().raw(member).size();
+    if (text < decoded->size()) return std::nullopt;
+    share(ByteUse::json) -= text;
+    share(ByteUse::base64) += text - decoded->size();
+    stores_.push_back({decoded->size(), {}});
+    return stores_.size() - 1;
+  }
+
+  std::optional<std::size_t> file_store(const container::Uri& uri) {
+    const auto [entry, fresh] = by_path_.try_emplace(uri.path);
+    if (!fresh) return entry->second;
+    std::uint64_t size = 0;
+    if (resolver_.stat(uri.path, size) != container::ResolveFault::none) return std::nullopt;
+    count_.files.push_back({uri.normalized, size});
+    stores_.push_back({size, {}});
+    entry->second = stores_.size() - 1;
+    return entry->second;
+  }
+
+  void place_buffers() {
+    const auto& objects = asset_.elements(RootArray::buffers);
+    buffers_.resize(objects.size());
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] == json::kNoNode) continue;
+      buffers_[i] = store_of(objects[i], resources_.buffers[i]);
+      if (i == 0 && document().find(objects[i], "uri") == json::kNoNode) buffers_[i] = bin_;
+    }
+  }
+
+  void place_images() {
+    const auto& objects = asset_.elements(RootArray::images);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] == json::kNoNode) continue;
+      const auto store = store_of(objects[i], resources_.images[i].bytes);
+      if (!store) continue;
+      const Owner owner{ByteUse::images, static_cast<std::uint32_t>(i)};
+      stores_[*store].parts.push_back({0, stores_[*store].size, owner});
+    }
+  }
+
+  void place(const ViewUse& use) {
+    const model::BufferView& view = views_.buffer_views[use.view];
+    Owner owner = use.owner;
+    std::uint64_t begin = 0, length = view.byte_length.value_or(0);
+    if (use.accessor) {
+      const auto& user = uses_.accessors[*use.accessor];
+      if (!user) return;
+      owner = *user;
+      narrow(views_.accessors[*use.accessor], use.view, begin, length);
+    }
+    if (const auto stream = model::read_meshopt_view(asset_, view.node)) {
+      put(stream->buffer, stream->byte_offset, stream->byte_length, owner);
+    } else if (view.buffer) {
+      put(*view.buffer, saturating_add(view.byte_offset.value_or(0), begin), length, owner);
+    }
+  }
+
+  // To the part of the view that the elements take; those of sparse ones take all of theirs.
+  static void narrow(const model::Accessor& accessor, std::uint32_t view_index,
+                     std::uint64_t& begin, std::uint64_t& length, std::uint64_t stride) {
+    if (accessor.buffer_view != view_index || stride == 0) return;
+    const std::uint64_t offset = accessor.byte_offset.value_or(0);
+    const Checked size = checked_mul(accessor.count.value_or(0), stride);
+    if (!size || offset > length) return;
+    begin = offset;
+    length = std::min(*size, length - offset);
+  }
+  void narrow(const model::Accessor& accessor, std::uint32_t view_index, std::uint64_t& begin,
+              std::uint64_t& length) const {
+    const std::uint64_t packed = model::packed_stride(accessor.format);
+    narrow(accessor, view_index, begin, length,
+           views_.buffer_views[view_index].byte_stride.value_or(packed));
+  }
+
+  void put(std::uint32_t buffer, std::uint64_t begin, std::uint64_t length, const Owner& owner) {
+    if (!buffers_[buffer]) return;
+    Store& store = stores_[*buffers_[buffer]];
+    const std::uint64_t end = std::min(saturating_add(begin, length), store.size);
+    if (begin < end) store.parts.push_back({begin, end, owner});
+  }
+
+  void settle(Store& store) {
+    std::stable_sort(store.parts.begin(), store.parts.end(),
+                     [](const Store::Part& a, const Store::Part& b) { return a.begin < b.begin; });
+    std::uint64_t covered = 0;
+    for (const Store::Part& part : store.parts) {
+      const std::uint64_t begin = std::max(part.begin, covered);
+      if (begin >= part.end) continue;
+      leave(begin - covered);
+      give(part.owner, part.end - begin);
+      covered = part.end;
+    }
+    leave(store.size - covered);
+  }
+
+  void leave(std::uint64_t gap) {
+    share(gap <= kPadding ? ByteUse::padding : ByteUse::unused) += gap;
+  }
+
+  void give(const Owner& owner, std::uint64_t bytes) {
+    share(owner.use) += bytes;
+    if (owner.use == ByteUse::meshes) count_.meshes[owner.index] += bytes;
+    if (owner.use == ByteUse::images) count_.images[owner.index] += bytes;
+    if (owner.use == ByteUse::animations) count_.animations[owner.index] += bytes;
+    if (owner.use == ByteUse::skins) count_.skins[owner.index] += bytes;
+  }
+
+  const container::Container& container_;
+  const container::Resolver& resolver_;
+  const model::Asset& asset_;
+  const model::Views& views_;
+  const model::ResourceData& resources_;
+  const Uses& uses_;
+  ByteCount count_;
+  std::vector<Store> stores_;
+  std::vector<std::optional<std::size_t>> buffers_;            // stores, by index of the buffer
+  std::map<std::string, std::optional<std::size_t>> by_path_;  // stores of files
+  std::optional<std::size_t> bin_;
+};
+
+}  // namespace
+
+ByteCount count_bytes(const container::Container& container, const container::Resolver& resolver,
+                      const model::Asset& asset, const model::Views& views,
+                      const model::ResourceData& resources, const Uses& uses) {
+  return Counter(container, resolver, asset, views, resources, uses).run();
+}
+
+}  // namespace gltfx::inspect

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inspect/image_facts.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/checked.hpp"
+#include "container/uri.hpp"
+#include "image/ktx2.hpp"
+#include "model/texture.hpp"
+
+namespace gltfx::inspect {
+namespace {
+
+using image::Ktx2;
+using model::RootArray;
+
+constexpr std::uint64_t kHuge = UINT64_MAX;
+
+// A level and all smaller ones are a third more.
+std::uint64_t with_mipmaps(const Checked& bytes) {
+  return bytes ? saturating_add(*bytes, *bytes / 3) : kHuge;
+}
+
+std::uint64_t texels(std::uint32_t width, std::uint32_t height) {
+  return std::uint64_t{width} * height;
+}
+
+std::string encoding_name(const Ktx2& file) {
+  switch (file.model) {
+    case image::Ktx2Model::etc1s:
+      return "ETC1S";
+    case image::Ktx2Model::uastc:
+      return "UASTC";
+    case image::Ktx2Model::astc:
+      return "ASTC";
+    case image::Ktx2Model::other:
+      break;
+  }
+  return fmt::format("Vulkan format {}", file.vk_format);
+}
+
+// What is transcoded takes a byte a texel, or half a byte where ETC1S has no alpha; everything else
+// is kept as it is stored.
+std::uint64_t gpu_bytes(const Ktx2& file) {
+  const std::uint64_t count = texels(file.width, std::max(file.height, 1U));
+  const bool alpha = file.contents && image::has_alpha(*file.contents);
+  std::uint64_t base = 0;
+  if (file.model == image::Ktx2Model::etc1s) {
+    base = alpha ? count : count / 2;
+  } else if (file.model == image::Ktx2Model::uastc) {
+    base = count;
+  } else {
+    std::uint64_t sum = 0;
+    for (const image::Ktx2Level& level : file.levels) {
+      sum = saturating_add(sum, std::max(level.uncompressed, level.length));
+    }
+    return sum;
+  }
+  return file.level_count == 1 ? base : with_mipmaps(base);
+}
+
+void read_ktx2(const model::ImageData& data, ImageFacts& facts) {
+  const Ktx2 file = image::read_ktx2(data.bytes->view());
+  facts.width = file.width;
+  facts.height = file.height;
+  facts.levels = std::max(file.level_count, 1U);
+  facts.encoding = encoding_name(file);
+  if (file.contents) facts.channels = image::channels_name(*file.contents);
+  if (file.described) facts.bits = image::header_of(file).bits;
+  facts.gpu_bytes = gpu_bytes(file);
+}
+
+void read_pixels(const model::ImageData& data, ImageFacts& facts) {
+  if (data.format) facts.format = image::media_type(*data.format);
+  if (data.format == image::Format::ktx2) return read_ktx2(data, facts);
+  if (!data.header) return;
+  facts.width = data.header->width;
+  facts.height = data.header->height;
+  facts.bits = data.header->bits;
+  facts.channels = image::channels_name(data.header->channels);
+  facts.gpu_bytes = with_mipmaps(checked_mul(texels(facts.width, facts.height), 4));
+}
+
+class Reader {
+ public:
+  Reader(const model::Asset& asset, const model::ResourceData& resources,
+         std::vector<std::string>& problems)
+      : asset_(asset), resources_(resources), problems_(problems) {
+    for (std::size_t i = 0; i < resources.images.size(); ++i) read_image(i);
+    for (const json::NodeId texture : asset.elements(RootArray::textures)) {
+      textures_.push_back(texture == json::kNoNode ? std::vector<std::uint32_t>()
+                                                   : model::read_texture(asset, texture).images);
+      for (const std::uint32_t image : textures_.back()) ++facts_[image].textures;
+    }
+  }
+
+  void take(const schema::SlotUse& use) {
+    const auto texture = asset_.index(use.texture_info, "index", RootArray::textures);
+    if (!texture || use.slot == nullptr) return;
+    for (const std::uint32_t image : textures_[*texture]) {
+      ImageFacts& facts = facts_[image];
+      facts.slots.push_back(use.pointer.substr(use.pointer.rfind('/') + 1));
+      const std::string_view space = use.slot->srgb ? "sRGB" : "linear";
+      if (facts.color_space.empty()) facts.color_space = space;
+      if (facts.color_space != space) facts.color_space = "both";
+    }
+  }
+
+  std::vector<ImageFacts> finish() {
+    for (ImageFacts& facts : facts_) {
+      std::sort(facts.slots.begin(), facts.slots.end());
+      facts.slots.erase(std::unique(facts.slots.begin(), facts.slots.end()), facts.slots.end());
+    }
+    return std::move(facts_);
+  }
+
+ private:
+  void read_image(std::size_t index) {
+    ImageFacts& facts = facts_.emplace_back();
+    const json::NodeId object = asset_.elements(RootArray::images)[index];
+    if (object == json::kNoNode) return;
+    const json::Document& document = asset_.document();
+    facts.name = asset_.name(object);
+    const json::NodeId uri = document.find(object, "uri");
+    if (uri != json::kNoNode && document.is_string(uri)) {
+      container::Uri parts = container::classify_uri(document.string(uri));
+      if (parts.kind != container::UriKind::data) facts.uri = std::move(parts.normalized);
+    }
+    const model::ImageData& data = resources_.images[index];
+    if (!data.bytes) return;  // said by who tried to open it
+    read_pixels(data, facts);
+    if (facts.width > 0) return;
+    problems_.push_back(
+        fmt::format("Image {} is in no format that is known here, or broken.", index));
+  }
+
+  const model::Asset& asset_;
+  const model::ResourceData& resources_;
+  std::vector<std::string>& problems_;
+  std::vector<ImageFacts> facts_;
+  std::vector<std::vector<std::uint32_t>> textures_;  // images, by texture
+};
+
+}  // namespace
+
+std::vector<ImageFacts> image_facts(const model::Asset& asset, const model::ResourceData& resources,
+                                    const Uses& uses, std::vector<std::string>& problems) {
+  Reader reader(asset, resources, problems);
+  for (const schema::SlotUse& use : uses.checked.slots) reader.take(use);
+  return reader.finish();
+}
+
+}  // namespace gltfx::inspect

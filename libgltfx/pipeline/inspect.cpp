@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "inspect/facts.hpp"
+#include "pipeline/opened_asset.hpp"
+#include "schema/compile.hpp"
+
+namespace gltfx {
+namespace {
+
+UpgradeFact fact_of(UpgradeAction&& action) {
+  UpgradeFact fact;
+  fact.pointer = std::move(action.pointer);
+  fact.from = std::move(action.from);
+  fact.to = std::move(action.to);
+  fact.outcome = action.removed ? "removed" : upgrade_fate_name(action.fate);
+  fact.done = action.done;
+  fact.notes = std::move(action.notes);
+  return fact;
+}
+
+InspectReport inspect_opened(const std::string& path, const InspectOptions& options) {
+  InspectReport report;
+  report.path = path;
+  auto opened = open_asset(path, options.root);
+  if (!opened) {
+    report.error = opened.error().message;
+    return report;
+  }
+  const json::Document& document = opened->parsed.document;
+  if (!document.is_object(document.root())) {
+    report.error = "it holds no glTF; 'gltfx validate' says why";
+    return report;
+  }
+  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
+  report.facts =
+      inspect::collect_facts(opened->container, opened->resolver, document, *schemas, options.jobs);
+  UpgradeOptions wanted;
+  wanted.root = options.root;
+  wanted.schemas = schemas;
+  UpgradeReport upgrade = upgrade_file(path, wanted);
+  for (UpgradeAction& action : upgrade.actions)
+    report.upgrade.push_back(fact_of(std::move(action)));
+  report.upgrade_problem = std::move(upgrade.error);
+  return report;
+}
+
+InspectReport failed(const std::string& path, std::string why) {
+  InspectReport report;
+  report.path = path;
+  report.error = std::move(why);
+  return report;
+}
+
+}  // namespace
+
+InspectReport inspect_file(const std::string& path, const InspectOptions& options) {
+  try {
+    return inspect_opened(path, options);
+  } catch (const std::bad_alloc&) {
+    return failed(path, "there is not enough memory to look into this file");
+  } catch (const std::filesystem::filesystem_error&) {
+    return failed(path, "the path cannot be looked up");
+  }
+}
+
+void inspect_files(const std::vector<std::string>& paths, const InspectOptions& options,
+                   unsigned jobs, const std::function<void(InspectReport&&)>& consume) {
+  std::vector<std::optional<InspectReport>> reports(paths.size());
+  InspectOptions each = options;
+  each.jobs = paths.size() == 1 ? jobs : 1;
+  parallel_ordered(
+      paths.size(), jobs, [&](std::size_t i) { reports[i] = inspect_file(paths[i], each); },
+      [&](std::size_t i) {
+        consume(std::move(*reports[i]));
+        reports[i].reset();
+      });
+}
+
+}  // namespace gltfx
