@@ -25,21 +25,6 @@ Error refusal(const fs::path& path, std::string_view why) {
   return {fmt::format("{} {}", quoted(path.native(), 200), why)};
 }
 
-std::int64_t nanoseconds(const timespec& time) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  return static_cast<std::int64_t>(time.tv_sec) * kSecond + time.tv_nsec;
-}
-
-FileState state_of(const struct stat& status) {
-  FileState state;
-  state.device = status.st_dev;
-  state.inode = status.st_ino;
-  state.size = static_cast<std::uint64_t>(status.st_size);
-  state.modified = nanoseconds(status.st_mtim);
-  state.status_change = nanoseconds(status.st_ctim);
-  return state;
-}
-
 // Why a file must not be replaced, or nothing.
 Trouble objection(const fs::path& path, const struct stat& status, const FileState& seen) {
   if (!S_ISREG(status.st_mode)) return refusal(path, "is not a regular file");
@@ -62,13 +47,6 @@ Trouble dress_as(TemporaryFile& file, const struct stat& old) {
 }
 
 }  // namespace
-
-Result<FileState> file_state(const fs::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return file_error("look at", path, errno);
-  if (!S_ISREG(status.st_mode)) return refusal(path, "is not a regular file");
-  return state_of(status);
-}
 
 std::optional<Error> check_replaceable(const fs::path& path, const FileState& seen) {
   struct stat status {};

@@ -3,27 +3,14 @@
 /// also when the power fails, and a change by somebody else is never overwritten.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 
+#include "base/file_state.hpp"
 #include "base/result.hpp"
 
 namespace gltfx {
-
-/// What tells whether a regular file is still the one that was read.
-struct FileState {
-  std::uint64_t device = 0, inode = 0;
-  std::uint64_t size = 0;          ///< bytes
-  std::int64_t modified = 0;       ///< nanoseconds since 1970
-  std::int64_t status_change = 0;  ///< nanoseconds since 1970
-  friend bool operator==(const FileState&, const FileState&) = default;
-};
-
-/// Taken before a file is read. Symbolic links are followed. An Error when there is no regular
-/// file.
-Result<FileState> file_state(const std::filesystem::path& path);
 
 /// Puts `bytes` in the place of the file that was `seen`: a temporary file in the same folder gets
 /// them, mode and owner, is made durable and renamed, and so is the folder. A symbolic link stays;

@@ -66,6 +66,7 @@ File adopt_regular(UniqueFd fd) {
     return file;
   }
   file.size = static_cast<std::uint64_t>(status.st_size);
+  file.state = state_of(status);
   file.fd = std::move(fd);
   return file;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/file_state.hpp"
 #include "base/unique_fd.hpp"
 #include "container/bytes.hpp"
 #include "container/resolve_fault.hpp"
@@ -16,6 +17,7 @@ namespace gltfx::container {
 struct File {
   UniqueFd fd;
   std::uint64_t size = 0;  ///< bytes when it was opened
+  FileState state;         ///< when it was opened
   ResolveFault fault = ResolveFault::none;
   std::string problem;
 };

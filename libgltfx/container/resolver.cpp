@@ -62,7 +62,13 @@ ResolveFault Resolver::open_at(std::string_view path, File& file) const {
   } else {
     file = open_beneath(root_->get(), base_ + std::string(path), confinement_);
   }
+  if (log_) log_->add({std::string(path), file.fault, file.state});
   return file.fault;
+}
+
+void LookupLog::add(Lookup lookup) {
+  const std::lock_guard lock(mutex_);
+  lookups_.push_back(std::move(lookup));
 }
 
 void Resolver::add(const std::string& path, Bytes bytes) {
@@ -71,7 +77,7 @@ void Resolver::add(const std::string& path, Bytes bytes) {
 
 Resolved Resolver::open(std::string_view path) const {
   const auto added = added_.find(path);
-  if (added != added_.end()) return {ResolveFault::none, added->second, false, {}};
+  if (added != added_.end()) return {ResolveFault::none, added->second, false, {}, {}};
   File file;
   Resolved resolved;
   resolved.fault = open_at(path, file);
@@ -81,6 +87,7 @@ Resolved Resolver::open(std::string_view path) const {
   resolved.fault = loaded.fault;
   resolved.problem = std::move(loaded.problem);
   resolved.bytes = std::move(loaded.bytes);
+  resolved.state = file.state;
   resolved.git_lfs_pointer = is_git_lfs_pointer(resolved.bytes.text(), resolved.bytes.size());
   return resolved;
 }

@@ -7,8 +7,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "container/bytes.hpp"
 #include "container/confined_open.hpp"
@@ -21,6 +24,24 @@ struct Resolved {
   Bytes bytes;  ///< mapped; valid when fault is none
   bool git_lfs_pointer = false;
   std::string problem;  ///< printable detail of the fault
+  FileState state;      ///< of a file on the disk
+};
+
+/// What a Resolver was asked for, and what it found. Safe to use from several threads.
+class LookupLog {
+ public:
+  struct Lookup {
+    std::string path;
+    ResolveFault fault = ResolveFault::none;
+    FileState state;  ///< where there is no fault
+  };
+  void add(Lookup lookup);
+  /// In the order they were asked for; not while a Resolver may still add some.
+  const std::vector<Lookup>& lookups() const { return lookups_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Lookup> lookups_;
 };
 
 /// Confined to `root`; relative references are resolved against `base`, which lies inside the root.
@@ -40,6 +61,8 @@ class Resolver {
   /// From now on open() gives these bytes for a path, spelled as container::Uri has it, whatever is
   /// on the disk: files that are about to be written. Copies that were made before do not know it.
   void add(const std::string& path, Bytes bytes);
+  /// From now on look-ups on the disk are recorded, those of later copies as well.
+  void record(std::shared_ptr<LookupLog> log) { log_ = std::move(log); }
   /// Whether open() would find a file, without reading it. Size in bytes in `size`.
   ResolveFault stat(std::string_view path, std::uint64_t& size) const;
 
@@ -52,6 +75,7 @@ class Resolver {
   std::string problem_;
   Confinement confinement_ = Confinement::automatic;
   std::map<std::string, Bytes, std::less<>> added_;
+  std::shared_ptr<LookupLog> log_;  ///< may be null
 };
 
 }  // namespace gltfx::container

@@ -2,12 +2,14 @@
 #include <gltfx/pipeline.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "container/container.hpp"
+#include "pipeline/kept_report.hpp"
 #include "pipeline/proposed_fix.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "validate/validator.hpp"
@@ -37,10 +39,26 @@ FileReport validate_opened(const container::Container& opened, const std::string
   return report;
 }
 
+FileReport validate_or_recall(const std::string& path, const ValidateOptions& options) {
+  KeptReport kept(path, options);
+  if (auto report = kept.as_it_was()) return *std::move(report);
+  const auto opened = container::open_file(path);
+  if (!opened) return validate::unreadable(path, opened.error().message, options);
+  const container::Resolver resolver = resolver_for(fs::path(path).parent_path(), options.root);
+  if (auto report = kept.by_content(*opened, resolver)) return *std::move(report);
+  const auto lookups = std::make_shared<container::LookupLog>();
+  container::Resolver recorded = resolver;
+  recorded.record(lookups);
+  FileReport report = validate_opened(*opened, path, recorded, options);
+  kept.keep(report, resolver, *lookups);
+  return report;
+}
+
 }  // namespace
 
 FileReport validate_file(const std::string& path, const ValidateOptions& options) {
   return guarded(path, options, [&] {
+    if (options.cache && !options.changed_lines) return validate_or_recall(path, options);
     const auto opened = container::open_file(path);
     if (!opened) return validate::unreadable(path, opened.error().message, options);
     const container::Resolver resolver = resolver_for(fs::path(path).parent_path(), options.root);

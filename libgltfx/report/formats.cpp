@@ -8,8 +8,8 @@ namespace gltfx {
 namespace {
 
 /// In the order of ReportFormat.
-constexpr std::array<std::string_view, 7> kNames{"text",  "json",  "khronos", "github",
-                                                 "sarif", "junit", "agent"};
+constexpr std::array<std::string_view, 8> kNames{"text",   "json",  "jsonl", "khronos",
+                                                 "github", "sarif", "junit", "agent"};
 
 }  // namespace
 
@@ -30,6 +30,8 @@ std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format,
   switch (format) {
     case ReportFormat::json:
       return report::make_json_writer(options);
+    case ReportFormat::jsonl:
+      return report::make_json_lines_writer(options);
     case ReportFormat::khronos:
       return report::make_khronos_writer();
     case ReportFormat::github:

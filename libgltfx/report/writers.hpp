@@ -10,6 +10,7 @@ namespace gltfx::report {
 
 std::unique_ptr<ReportWriter> make_text_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_json_writer(const FormatOptions& options);
+std::unique_ptr<ReportWriter> make_json_lines_writer(const FormatOptions& options);
 /// Holds the text of the first file back until a second one or the end shows what it is part of.
 std::unique_ptr<ReportWriter> make_khronos_writer();
 std::unique_ptr<ReportWriter> make_github_writer(const FormatOptions& options);

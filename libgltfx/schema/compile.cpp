@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schema/compile.hpp"
 
+#include "base/hash.hpp"
 #include "base/text.hpp"
 #include "schema/build.hpp"
 #include "schema/vocabulary_check.hpp"
@@ -80,7 +81,9 @@ Compiled compile(const std::vector<SourceFile>& files) {
   for (SchemaFault& fault : faults.take()) result.faults.push_back(std::move(fault));
   if (!result.faults.empty()) return result;
   drop_common_members(build.set);
-  result.set = SetWriter::close(std::move(build.set));
+  HashParts texts;
+  for (const SourceFile& file : files) texts.add(file.text);
+  result.set = SetWriter::close(std::move(build.set), texts.finish());
   return result;
 }
 

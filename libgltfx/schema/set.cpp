@@ -63,7 +63,7 @@ const Property* SetParts::find_property(TypeId type, std::string_view name) cons
   return type == kNone ? nullptr : find_in(types[type], name);
 }
 
-std::shared_ptr<const Set> SetWriter::close(SetParts parts) {
+std::shared_ptr<const Set> SetWriter::close(SetParts parts, const Hash128& sources) {
   auto set = std::make_shared<Set>();
   set->shapes_ = std::move(parts.shapes);
   set->types_ = std::move(parts.types);
@@ -71,6 +71,7 @@ std::shared_ptr<const Set> SetWriter::close(SetParts parts) {
   set->type_ids_ = std::move(parts.type_ids);
   set->extension_ids_ = std::move(parts.extension_ids);
   set->patterns_ = std::make_shared<const std::vector<Pattern>>(std::move(parts.patterns));
+  set->sources_ = sources;
   set->walk_tables_ = make_walk_tables(*set);
   return set;
 }

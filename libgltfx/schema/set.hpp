@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/hash.hpp"
+
 namespace gltfx::schema {
 
 using ShapeId = std::uint32_t;
@@ -243,6 +245,9 @@ class Set {
   bool matches(std::uint32_t pattern, std::string_view text) const;
   std::string_view pattern_text(std::uint32_t pattern) const;
 
+  /// Of the texts it was compiled from; zeros when it came ready with the program.
+  const Hash128& sources() const { return sources_; }
+
   /// Tables made for the walk (`schema/check.hpp`): opaque to others.
   struct WalkTables;
   const WalkTables& walk_tables() const { return *walk_tables_; }
@@ -256,6 +261,7 @@ class Set {
   std::unordered_map<std::string, ExtensionId> extension_ids_;
   std::shared_ptr<const std::vector<Pattern>> patterns_;
   std::shared_ptr<const WalkTables> walk_tables_;
+  Hash128 sources_;
 };
 
 }  // namespace gltfx::schema

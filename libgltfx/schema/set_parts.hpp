@@ -30,7 +30,7 @@ struct SetParts {
 class SetWriter {
  public:
   /// Makes the walk's tables and closes the Set.
-  static std::shared_ptr<const Set> close(SetParts parts);
+  static std::shared_ptr<const Set> close(SetParts parts, const Hash128& sources = {});
   /// A copy of what a Set consists of.
   static SetParts open(const Set& set);
 };

@@ -52,6 +52,26 @@ TEST_F(Input, ArgumentsKeepTheirOrderAndEachFileIsCheckedOnce) {
   EXPECT_THAT(checked({"b.gltf", "a", "a/1.gltf", "./b.gltf"}), ElementsAre("b.gltf", "a/1.gltf"));
 }
 
+TEST_F(Input, ListsNameFilesAndFoldersButNoPatterns) {
+  folder_.write("a/1.gltf", kSound);
+  folder_.write("a/2.gltf", kSound);
+  folder_.write("[b].gltf", kSound);
+  folder_.write("list", "[b].gltf\r\n\na\na/1.gltf\nnone*.gltf");
+  EXPECT_THAT(checked({"--files-from", "list"}),
+              ElementsAre("[b].gltf", "a/1.gltf", "a/2.gltf", "none*.gltf"));
+  EXPECT_THAT(checked({"a/2.gltf", "--files-from", "-"}, std::string("a/1.gltf\0[b].gltf\0", 18)),
+              ElementsAre("a/2.gltf", "a/1.gltf", "[b].gltf"));
+  EXPECT_THAT(checked({"--files-from", "-"}, ""), ElementsAre());
+}
+
+TEST_F(Input, AListThatCannotBeReadIsAMistake) {
+  EXPECT_EQ(gltfx({"validate", "--files-from", "nowhere"}, {folder_.path().native(), {}, {}}).code,
+            2);
+  const Outcome both = gltfx({"validate", "-", "--files-from", "-"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_THAT(both.err, HasSubstr("either a list or an asset"));
+}
+
 TEST_F(Input, LinkedFoldersAreEnteredOnlyWhenNamed) {
   folder_.write("real/1.gltf", kSound);
   folder_.link("all/loop", "..");

@@ -24,12 +24,19 @@ const std::map<std::string, int, std::less<>> kFloors{
 
 // The room a public header belongs to.
 const std::map<std::string, std::string, std::less<>> kPublicHeaders{
-    {"gltfx/diagnostic.hpp", "base"},   {"gltfx/version.hpp", "base"},
-    {"gltfx/report.hpp", "report"},     {"gltfx/validate.hpp", "validate"},
-    {"gltfx/upgrade.hpp", "upgrade"},   {"gltfx/pipeline.hpp", "pipeline"},
-    {"gltfx/mapping.hpp", "container"}, {"gltfx/bake.hpp", "report"},
-    {"gltfx/inspect.hpp", "report"},    {"gltfx/vec3.hpp", "base"},
-    {"gltfx/material.hpp", "bake"},     {"gltfx/tinygltf.hpp", "interop"},
+    {"gltfx/diagnostic.hpp", "base"},
+    {"gltfx/version.hpp", "base"},
+    {"gltfx/report.hpp", "report"},
+    {"gltfx/validate.hpp", "validate"},
+    {"gltfx/upgrade.hpp", "upgrade"},
+    {"gltfx/pipeline.hpp", "pipeline"},
+    {"gltfx/mapping.hpp", "container"},
+    {"gltfx/bake.hpp", "report"},
+    {"gltfx/vec3.hpp", "base"},
+    {"gltfx/material.hpp", "bake"},
+    {"gltfx/result_cache.hpp", "pipeline"},
+    {"gltfx/inspect.hpp", "report"},
+    {"gltfx/tinygltf.hpp", "interop"},
 };
 
 // Lower floors that a room must not reach for all the same.
@@ -40,6 +47,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"simdjson.h", {"libgltfx/json/"}},
     {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/", "tools/gltfx_ground_truth/"}},
     {"tbb/", {"libgltfx/base/parallel.cpp"}},
+    {"xxhash.h", {"libgltfx/base/hash.cpp"}},
     {"meshoptimizer.h", {"libgltfx/model/"}},
     {"embree3/", {"libgltfx/bake/"}},
     {"CLI/", {"tools/gltfx/command_line"}},
@@ -56,7 +64,8 @@ const std::vector<std::string_view> kSystemHeaders{
     "fcntl.h",       "unistd.h",       "poll.h",          "fnmatch.h",      "sys/stat.h",
     "sys/mman.h",    "sys/syscall.h",  "linux/openat2.h", "sys/socket.h",   "sys/types.h",
     "sys/wait.h",    "spawn.h",        "sys/prctl.h",     "sys/resource.h", "sys/time.h",
-    "linux/audit.h", "linux/filter.h", "linux/seccomp.h", "malloc.h"};
+    "linux/audit.h", "linux/filter.h", "linux/seccomp.h", "malloc.h",       "sys/file.h",
+    "elf.h",         "link.h"};
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 

@@ -91,13 +91,12 @@ void read_scene(Reading& reading, const BakeWords& words, BakeOptions& bake) {
 
 void check(Reading& reading, const BakeWords& words) {
   const bool compares = !words.compare.empty();
-  reading.require(!words.paths.empty(), "bake: name at least one file, folder or glob.");
-  reading.require(std::find(words.paths.begin(), words.paths.end(), "-") == words.paths.end(),
-                  "bake: standard input has no file beside which anything could be found; name a "
-                  "file ('./-' for one that is called '-').");
+  require_files(reading, words.inputs,
+                "bake: standard input has no file beside which anything could be found; name a "
+                "file ('./-' for one that is called '-').");
   reading.require(!words.output.empty() || words.embed || compares,
                   "bake: say where the picture goes with --output, or --embed it.");
-  reading.require(!compares || words.paths.size() == 1,
+  reading.require(!compares || words.inputs.paths.size() == 1,
                   "bake: --compare goes with one other file.");
   reading.require(!compares || !words.embed, "bake: --compare and --embed exclude each other.");
   reading.require(!words.embed || words.time_budget == "0",
@@ -167,7 +166,7 @@ Result<BakeRequest> request_of(const BakeWords& words) {
   BakeRequest request;
   read_common(reading, words.common, request.common);
   check(reading, words);
-  request.paths.words = words.paths;
+  read_inputs(reading, words.inputs, "bake", request.paths);
   reading.set(request.bake.sizes, parse_sizes(words.sizes));
   reading.set(request.bake.layers, parse_layers(words.layers));
   reading.set(request.bake.turntable, parse_count("--turntable", words.turntable, 0, 3600));

@@ -20,34 +20,6 @@
 
 namespace gltfx::tool {
 
-void describe_positional(CLI::App& app, const char* name, const char* text) {
-  app.add_option(name)->description(text)->type_name("...")->expected(0);
-}
-
-// CLI11 would let such an option swallow every positional after its value unless extra arguments
-// are refused.
-void add_list(CLI::App& app, const char* name, std::vector<std::string>& words, const char* type,
-              const char* text) {
-  app.add_option(name, words, text)->type_name(type)->allow_extra_args(false);
-}
-
-void add_word(CLI::App& app, const char* name, std::string& word, const char* type,
-              const char* text) {
-  app.add_option(name, word, text)->type_name(type)->take_last();
-}
-
-void add_common(CLI::App& app, CommonWords& words) {
-  add_word(app, "-j,--jobs", words.jobs, "N", "Threads, at least 1 (default: one a core)");
-  add_word(app, "--color", words.color, "WHEN",
-           "auto, always or never (auto: on a terminal, unless NO_COLOR is set)");
-}
-
-void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
-                        std::vector<std::string>& folders) {
-  add_list(app, "--schema", files, "FILE", "Add or replace an extension's schema (repeatable)");
-  add_list(app, "--schema-dir", folders, "DIR", "Add every *.schema.json of a folder (repeatable)");
-}
-
 namespace {
 
 // Everything CLI11 is told; the words live as long as the parse.
@@ -65,6 +37,7 @@ class Declaration {
     declare_hook();
     declare_bake(verb("bake", "Draw a preview of what assets look like"), bake_);
     declare_inspect(verb("inspect", "Say what is in assets and where the bytes go"), inspect_);
+    declare_merge(verb("merge", "Put the reports of several runs together"), merge_);
     declare_explain();
     declare_rules();
     declare_schema();
@@ -97,6 +70,7 @@ class Declaration {
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
   ValidateWords validate_;
+  MergeWords merge_;
   UpgradeWords upgrade_;
   BakeWords bake_;
   InspectWords inspect_;
@@ -117,8 +91,7 @@ void Declaration::declare_validate() {
   CLI::App& app = verb("validate", "Check .gltf and .glb files");
   describe_positional(app, "PATH",
                       "Files, folders (searched through), globs, or - for standard input");
-  add_list(app, "-f,--format", validate_.formats, "NAME[=FILE]",
-           "text, json, khronos, github, sarif, junit or agent (default: text); repeatable");
+  add_formats(app, validate_.formats);
   add_word(app, "--fail-on", validate_.fail_on, "LEVEL",
            "Exit with 1 from here on: error, warning, info or never (default: error)");
   declare_filters(app);
@@ -130,6 +103,9 @@ void Declaration::declare_validate() {
   add_word(app, "--lfs", validate_.lfs, "POLICY",
            "Git-LFS pointers instead of files: skip or error (default: skip)");
   add_schema_sources(app, validate_.schema_files, validate_.schema_folders);
+  add_inputs(app, validate_.inputs);
+  add_word(app, "--cache", validate_.cache, "DIR",
+           "Keep reports there, and take those of files that did not change from there");
   add_word(app, "--baseline", validate_.baseline, "FILE", "Leave out findings that FILE knows");
   add_word(app, "--write-baseline", validate_.write_baseline, "FILE",
            "Record all findings in FILE and exit with 0 for them");
@@ -193,6 +169,7 @@ void Declaration::declare_upgrade() {
            "Read legacy objects as v1, v2 or v3 (default: auto, by their members)");
   add_word(app, "--root", upgrade_.root, "DIR",
            "Folder that buffers and images may come from (default: the asset's own)");
+  add_inputs(app, upgrade_.inputs);
   add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);
   app.add_flag("-q,--quiet", upgrade_.quiet, "Problems only: no plan, no summary");
   add_configuration(app, upgrade_.configuration);
@@ -278,9 +255,10 @@ std::string Declaration::take_positionals() {
 }
 
 std::vector<std::string>* Declaration::positionals(std::string_view verb) {
-  if (verb == "validate") return &validate_.paths;
-  if (verb == "upgrade") return &upgrade_.paths;
-  if (verb == "bake") return &bake_.paths;
+  if (verb == "validate") return &validate_.inputs.paths;
+  if (verb == "upgrade") return &upgrade_.inputs.paths;
+  if (verb == "bake") return &bake_.inputs.paths;
+  if (verb == "merge") return &merge_.files;
   if (verb == "inspect") return &inspect_.paths;
   if (verb == "explain") return &explain_.codes;
   if (verb == "config") return &config_.words;
@@ -319,6 +297,7 @@ CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "upgrade") return command_of(verb, configured(upgrade_));
   if (verb == "bake") return command_of(verb, configured(bake_));
   if (verb == "inspect") return command_of(verb, configured(inspect_));
+  if (verb == "merge") return command_of(verb, request_of(merge_));
   if (verb == "explain") return command_of(verb, request_of(explain_));
   if (verb == "rules") return command_of(verb, request_of(rules_));
   if (verb == "config") return command_of(verb, request_of(config_));

@@ -57,6 +57,7 @@ void declare_bake(CLI::App& app, BakeWords& words) {
   declare_outputs(app, words);
   declare_scene(app, words);
   declare_quality(app, words);
+  add_inputs(app, words.inputs);
   add_word(app, "--root", words.root, "DIR",
            "Folder that buffers and images may come from (default: the asset's own)");
   add_schema_sources(app, words.schema_files, words.schema_folders);

@@ -5,12 +5,6 @@
 
 namespace gltfx::tool {
 
-void add_configuration(CLI::App& app, ConfigChoice& choice) {
-  add_word(app, "--config", choice.config, "FILE",
-           "Configuration (default: the nearest gltfx.toml of this folder and those above)");
-  app.add_flag("--isolated", choice.isolated, "Read no configuration");
-}
-
 void declare_config(CLI::App& app, ConfigWords& words) {
   describe_positional(app, "PATH",
                       "A path, or import FILE: a configuration of the Khronos validator");

@@ -25,6 +25,12 @@ void add_list(CLI::App& app, const char* name, std::vector<std::string>& words, 
 void add_word(CLI::App& app, const char* name, std::string& word, const char* type,
               const char* text);
 
+/// --format of the verbs that write reports.
+void add_formats(CLI::App& app, std::vector<std::string>& formats);
+
+/// Which of the inputs a run takes, besides the positional ones.
+void add_inputs(CLI::App& app, InputWords& words);
+
 void add_common(CLI::App& app, CommonWords& words);
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders);
@@ -35,6 +41,8 @@ void add_configuration(CLI::App& app, ConfigChoice& choice);
 void declare_bake(CLI::App& app, BakeWords& words);
 /// The options of `gltfx inspect`.
 void declare_inspect(CLI::App& app, InspectWords& words);
+/// The options of `gltfx merge`.
+void declare_merge(CLI::App& app, MergeWords& words);
 /// The options of `gltfx config`.
 void declare_config(CLI::App& app, ConfigWords& words);
 

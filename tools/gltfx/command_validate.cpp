@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
+#include <gltfx/result_cache.hpp>
 
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +18,7 @@
 #include "configuration.hpp"
 #include "input_paths.hpp"
 #include "known_findings.hpp"
+#include "progress.hpp"
 #include "read_input.hpp"
 #include "report_targets.hpp"
 #include "schema_sources.hpp"
@@ -22,6 +26,21 @@
 
 namespace gltfx::tool {
 namespace {
+
+// Files that are handed to the threads together: enough to keep them busy, few enough to be small.
+constexpr std::size_t kBatch = 1024;
+
+std::string_view profile_name(Profile profile) {
+  switch (profile) {
+    case Profile::standard:
+      return "default";
+    case Profile::khronos:
+      return "khronos";
+    case Profile::strict:
+      break;
+  }
+  return "strict";
+}
 
 // A run of inputs through validation, baseline and formats.
 class Run {
@@ -32,13 +51,19 @@ class Run {
         options_(std::move(options)),
         known_(std::move(known)),
         changed_(std::move(changed)),
-        targets_(request) {}
+        targets_(request, {std::string(profile_name(request.validation.profile)),
+                           std::string(pixel_level_name(pixel_level(request.validation))),
+                           request.paths.shard}),
+        progress_(!request.quiet) {
+    targets_.before_output([this] { progress_.clear(); });
+  }
 
   ExitCode execute();
 
  private:
-  void check(const std::vector<std::string>& paths);
-  void check_files(const std::vector<std::string>& paths);
+  std::string overwritten_input();
+  void check(InputWalk& walk);
+  void check_files(const std::vector<Input>& files);
   const ValidateOptions& options_for(const std::string& path);
   const ValidateOptions& limited(const ValidateOptions& options, const std::string& path);
   void look_again(FileReport& report);
@@ -53,24 +78,32 @@ class Run {
   std::optional<ChangedFiles> changed_;
   ReportTargets targets_;
   RunSummary summary_;
+  ProgressLine progress_;
+  std::uint64_t files_ = 0;  ///< in all, where somebody watches
 };
 
 void Run::take(FileReport report) {
   known_.apply(report);
   summary_.add(report);
   targets_.file(report);
+  progress_.show(summary_.files, files_);
 }
 
-// Says so when an output would take the place of a file that is to be checked.
-std::string overwritten_input(const ValidateRequest& request,
-                              const std::vector<std::string>& inputs) {
-  std::vector<std::string> outputs{request.write_baseline};
-  for (const FormatTarget& target : request.targets) outputs.push_back(target.path);
-  for (const std::string& output : outputs) {
-    std::error_code fault;
-    if (output.empty() || !std::filesystem::exists(output, fault)) continue;
-    for (const std::string& input : inputs) {
-      if (!std::filesystem::equivalent(output, input, fault)) continue;
+// Goes through the inputs before anything is done, where there is a reason: says so when an output
+// would take the place of a file that is to be checked, and counts them for who watches.
+std::string Run::overwritten_input() {
+  std::vector<std::string> outputs{request_.write_baseline};
+  for (const FormatTarget& target : request_.targets) outputs.push_back(target.path);
+  std::error_code fault;
+  std::erase_if(outputs, [&](const std::string& output) {
+    return output.empty() || !std::filesystem::exists(output, fault);
+  });
+  if (outputs.empty() && !progress_.visible()) return {};
+  InputWalk walk(request_.paths);
+  while (const auto input = walk.next()) {
+    ++files_;
+    for (const std::string& output : outputs) {
+      if (!std::filesystem::equivalent(output, input->path, fault)) continue;
       return "the output " + quoted(output, 200) + " is a file that is to be checked";
     }
   }
@@ -107,35 +140,40 @@ void Run::look_again(FileReport& report) {
   if (changed_->lines(report.path)) report = validate_file(report.path, options_for(report.path));
 }
 
-void Run::check_files(const std::vector<std::string>& paths) {
+void Run::check_files(const std::vector<Input>& files) {
   // Many files keep all threads busy by themselves.
-  options_.jobs = paths.size() == 1 ? request_.common.jobs : 1;
+  options_.jobs = files.size() == 1 ? request_.common.jobs : 1;
   by_path_.clear();
   limited_.clear();
   std::vector<ValidateInput> inputs;
-  for (const std::string& path : paths) {
-    inputs.push_back({path, &limited(options_for(path), path)});
+  for (const Input& file : files) {
+    inputs.push_back({file.path, &limited(options_for(file.path), file.path)});
   }
-  validate_files(inputs, request_.common.jobs, [this](FileReport&& report) {
+  std::size_t next = 0;
+  validate_files(inputs, request_.common.jobs, [&](FileReport&& report) {
     look_again(report);
+    report.position = files[next++].position;
     take(std::move(report));
   });
 }
 
 // Standard input is read where it stands among the paths; what lies between runs in parallel.
-void Run::check(const std::vector<std::string>& paths) {
-  std::vector<std::string> batch;
+void Run::check(InputWalk& walk) {
+  std::vector<Input> batch;
   const auto run_batch = [&] {
     check_files(batch);
     batch.clear();
   };
-  for (const std::string& path : paths) {
-    if (path != "-") {
-      batch.push_back(path);
+  while (auto input = walk.next()) {
+    if (input->path != "-") {
+      batch.push_back(*std::move(input));
+      if (batch.size() == kBatch) run_batch();
       continue;
     }
     run_batch();
-    take(check_stdin(options_));
+    FileReport report = check_stdin(options_);
+    report.position = input->position;
+    take(std::move(report));
   }
   run_batch();
 }
@@ -157,17 +195,20 @@ ExitCode Run::execute() {
   if (!request_.quiet && pixels && *pixels != pixel_level(request_.validation)) {
     complain("note: --pixels has no effect with --profile khronos, which reads headers only");
   }
-  const Inputs inputs = expand_paths(request_.paths, request_.quiet);
-  if (const std::string clash = overwritten_input(request_, inputs.paths); !clash.empty()) {
+  if (const std::string clash = overwritten_input(); !clash.empty()) {
     complain(clash);
     return ExitCode::usage;
   }
+  InputWalk walk(request_.paths);
   targets_.begin();
-  check(inputs.paths);
+  check(walk);
+  progress_.clear();
+  if (!request_.quiet) say_notes(walk);
   summary_.exit_code = static_cast<int>(verdict());
   targets_.finish(summary_);
   std::string problems = targets_.problems();
   if (problems.empty()) problems = known_.write();
+  if (problems.empty() && options_.cache) problems = options_.cache->finish();
   if (problems.empty()) return verdict();
   complain(problems);
   return ExitCode::internal;
@@ -177,12 +218,18 @@ Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   ValidateOptions options = request.validation;
   options.jobs = request.common.jobs;
   for (const FormatTarget& target : request.targets) {
-    if (target.format == ReportFormat::sarif) options.propose_fixes = true;
+    // Lines hold what any format needs.
+    options.propose_fixes = options.propose_fixes || target.format == ReportFormat::sarif ||
+                            target.format == ReportFormat::jsonl;
   }
   if (auto problem = check_root(options.root)) return *std::move(problem);
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();
   options.schemas = *std::move(schemas);
+  if (request.cache.empty()) return options;
+  std::string problem;
+  options.cache = ResultCache::open(request.cache, problem);
+  if (!options.cache) return Error{"--cache: " + problem};
   return options;
 }
 

@@ -11,6 +11,7 @@
 namespace gltfx::tool {
 
 ExitCode run(const ValidateRequest& request);
+ExitCode run(const MergeRequest& request);
 ExitCode run(const UpgradeRequest& request);
 ExitCode run(const HookRequest& request);
 ExitCode run(const BakeRequest& request);

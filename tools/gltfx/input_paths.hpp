@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "input_walk.hpp"
 #include "options.hpp"
 
 namespace gltfx::tool {
@@ -26,15 +27,16 @@ struct Inputs {
   std::vector<std::string> notes;
 };
 
-/// Folders are searched through for .gltf and .glb files (in any case of letters); folders that
-/// are symbolic links are entered only when named, `.git` never. Notes go to standard error unless
-/// `quiet`.
+/// All that an InputWalk gives. Notes go to standard error unless `quiet`.
 Inputs expand_paths(const NamedPaths& named, bool quiet);
+
+/// Says them on standard error.
+void say_notes(const InputWalk& walk);
+
+/// What `--files-from` names; "-" is standard input, nothing an empty list.
+Result<std::string> read_list(const std::string& file);
 
 /// Why `root` cannot be what --root names, or nothing; empty is no root at all.
 std::optional<Error> check_root(const std::string& root);
-
-/// Whether a path ends in .gltf or .glb, in any case of letters.
-bool is_asset_name(const std::string& path);
 
 }  // namespace gltfx::tool

@@ -97,6 +97,18 @@ Result<unsigned> parse_jobs(std::string_view text) {
   return static_cast<unsigned>(std::min(*number, kMost));
 }
 
+Result<Shard> parse_shard(std::string_view text) {
+  if (text.empty()) return Shard();
+  constexpr std::uint64_t kMost = 1'000'000;
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto index = parse_number("", text.substr(0, slash), 1);
+  const auto count = parse_number("", text.substr(std::min(slash + 1, text.size())), 1);
+  if (index && count && *index <= *count && *count <= kMost) {
+    return Shard{static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
+  }
+  return Error{fmt::format("--shard: {} is not I/N with I from 1 to N, as 3/8.", quoted(text))};
+}
+
 Result<ColorMode> parse_color(std::string_view text) {
   static constexpr std::array<Word<ColorMode>, 3> kWords{
       {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};

@@ -42,6 +42,9 @@ class PathOptions;
 struct NamedPaths {
   std::vector<std::string> words;
   bool literal = false;  ///< names of files, whatever characters they have
+  /// More of them, files and folders, one a line, or each before a NUL if there is any.
+  std::string listed = {};
+  Shard shard = {};  ///< the part of all inputs that this run takes
 };
 
 /// One `--format NAME[=FILE]`. An empty path, like "-", is standard output.
@@ -53,20 +56,30 @@ struct FormatTarget {
 /// How the verbs that print tables do it.
 enum class TableFormat : std::uint8_t { text, json };
 
-struct ValidateRequest {
+/// How reports are written and what they come to.
+struct ReportRequest {
   CommonOptions common;
-  NamedPaths paths;
   std::vector<FormatTarget> targets;  ///< at least one, at most one of them to standard output
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
+  bool quiet = false;
+};
+
+struct ValidateRequest : ReportRequest {
+  NamedPaths paths;
   /// All but `schemas`, which comes from the files below.
   ValidateOptions validation;
   std::shared_ptr<const PathOptions> by_path;  ///< null: `validation` holds for all paths
-  bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
+  std::string cache;           ///< folder of reports of earlier runs, may be empty
   std::string diff_base;       ///< revision of git since which lines count; may be empty
   std::string baseline;        ///< file to read, may be empty
   std::string write_baseline;  ///< file to write, may be empty
+};
+
+/// Reports of several runs, put together.
+struct MergeRequest : ReportRequest {
+  std::vector<std::string> files;  ///< what --format jsonl wrote
 };
 
 struct UpgradeRequest {
@@ -138,8 +151,8 @@ struct ConfigRequest {
 };
 
 using Request =
-    std::variant<ValidateRequest, UpgradeRequest, BakeRequest, InspectRequest, HookRequest,
-                 ExplainRequest, RulesRequest, SchemaRequest, ConfigRequest>;
+    std::variant<ValidateRequest, MergeRequest, UpgradeRequest, BakeRequest, InspectRequest,
+                 HookRequest, ExplainRequest, RulesRequest, SchemaRequest, ConfigRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.
@@ -151,6 +164,8 @@ Result<std::uint64_t> parse_number(std::string_view option, std::string_view tex
 Result<double> parse_decimal(std::string_view option, std::string_view text, double least,
                              double greatest);
 Result<unsigned> parse_jobs(std::string_view text);
+/// "I/N" with I from 1 to N; an empty text is all of it.
+Result<Shard> parse_shard(std::string_view text);
 Result<ColorMode> parse_color(std::string_view text);
 Result<TableFormat> parse_table_format(std::string_view text);
 Result<Profile> parse_profile(std::string_view text);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <string_view>
 
 namespace gltfx::tool {
 
@@ -17,11 +19,17 @@ class ProgressLine {
   bool visible() const { return visible_; }
   /// `part` from 0 to 1; the line changes some times a second.
   void show(double part);
+  /// So many of `all` files are done.
+  void show(std::uint64_t files, std::uint64_t all);
   /// Before something else is written.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  bool is_due();
+  double passed() const;
+  void write(double part, std::string_view more);
 
   bool visible_;
   bool shown_ = false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/result.hpp"
@@ -35,6 +36,12 @@ class Reading {
  private:
   std::string problem_;
 };
+
+/// `what`: the verb. Whether inputs are named at all is left to the caller.
+void read_inputs(Reading& reading, const InputWords& words, std::string_view what,
+                 NamedPaths& paths);
+/// Refuses "-" among the inputs of a verb that needs files.
+void require_files(Reading& reading, const InputWords& words, std::string problem);
 
 void read_common(Reading& reading, const CommonWords& words, CommonOptions& options);
 

@@ -2,7 +2,6 @@
 #include "report_targets.hpp"
 
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -15,26 +14,16 @@ namespace {
 
 constexpr std::size_t kBuffer = std::size_t{1} << 16U;
 
-std::string_view profile_name(Profile profile) {
-  switch (profile) {
-    case Profile::standard:
-      return "default";
-    case Profile::khronos:
-      return "khronos";
-    case Profile::strict:
-      break;
-  }
-  return "strict";
-}
-
-FormatOptions format_options(const ValidateRequest& request, const FormatTarget& target) {
+FormatOptions format_options(const ReportRequest& request, const ReportTargets::Look& look,
+                             const FormatTarget& target) {
   FormatOptions options;
   options.color = target.path.empty() ? colors_on_stdout(request.common.color)
                                       : request.common.color == ColorMode::always;
   options.quiet = request.quiet;
   options.command = "gltfx";
-  options.profile = profile_name(request.validation.profile);
-  options.pixel_level = pixel_level_name(pixel_level(request.validation));
+  options.profile = look.profile;
+  options.pixel_level = look.pixel_level;
+  options.shard = look.shard;
   options.rules = rules();
   std::error_code fault;
   options.folder = std::filesystem::current_path(fault).native();
@@ -44,17 +33,19 @@ FormatOptions format_options(const ValidateRequest& request, const FormatTarget&
 
 }  // namespace
 
-ReportTargets::ReportTargets(const ValidateRequest& request) {
+ReportTargets::ReportTargets(const ReportRequest& request, const Look& look) {
   for (const FormatTarget& target : request.targets) {
     targets_.push_back({Output(target.path),
-                        make_report_writer(target.format, format_options(request, target)),
+                        make_report_writer(target.format, format_options(request, look, target)),
                         {},
-                        target.path.empty() && ::isatty(STDOUT_FILENO) == 1});
+                        target.path.empty() && (::isatty(STDOUT_FILENO) == 1 ||
+                                                target.format == ReportFormat::jsonl)});
   }
 }
 
 void ReportTargets::flush(Target& target, std::size_t above) {
   if (target.pending.size() <= above) return;
+  if (target.immediate && before_output_) before_output_();
   target.output.write(target.pending);
   target.pending.clear();
 }

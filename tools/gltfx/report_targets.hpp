@@ -4,8 +4,10 @@
 
 #include <gltfx/report.hpp>
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "options.hpp"
@@ -16,7 +18,15 @@ namespace gltfx::tool {
 /// Calls: begin, file for each report in order, finish. Not thread-safe.
 class ReportTargets {
  public:
-  explicit ReportTargets(const ValidateRequest& request);
+  /// `look`: what formats say of the run as a whole.
+  struct Look {
+    std::string profile, pixel_level;
+    Shard shard;
+  };
+  ReportTargets(const ReportRequest& request, const Look& look);
+
+  /// Called before somebody who watches sees something new.
+  void before_output(std::function<void()> call) { before_output_ = std::move(call); }
 
   void begin();
   void file(const FileReport& report);
@@ -32,9 +42,10 @@ class ReportTargets {
     std::string pending;  ///< text not yet written
     bool immediate;       ///< somebody watches
   };
-  static void flush(Target& target, std::size_t above);
+  void flush(Target& target, std::size_t above);
 
   std::vector<Target> targets_;
+  std::function<void()> before_output_;
 };
 
 }  // namespace gltfx::tool

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/parallel.hpp"
+#include "input_paths.hpp"
 #include "reading.hpp"
 
 namespace gltfx::tool {
@@ -29,6 +32,25 @@ void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets
 
 }  // namespace
 
+bool names_stdin(const InputWords& words) {
+  return std::find(words.paths.begin(), words.paths.end(), "-") != words.paths.end();
+}
+
+void read_inputs(Reading& reading, const InputWords& words, std::string_view what,
+                 NamedPaths& paths) {
+  reading.require(!words.paths.empty() || !words.files_from.empty(),
+                  fmt::format("{}: name at least one file, folder or glob.", what));
+  reading.require(words.files_from != "-" || !names_stdin(words),
+                  "--files-from: standard input is either a list or an asset.");
+  paths.words = words.paths;
+  reading.set(paths.shard, parse_shard(words.shard));
+  reading.set(paths.listed, read_list(words.files_from));
+}
+
+void require_files(Reading& reading, const InputWords& words, std::string problem) {
+  reading.require(!names_stdin(words), std::move(problem));
+}
+
 void read_common(Reading& reading, const CommonWords& words, CommonOptions& options) {
   if (words.jobs.empty()) {
     options.jobs = default_jobs();
@@ -42,9 +64,9 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   Reading reading;
   ValidateRequest request;
   read_common(reading, words.common, request.common);
-  reading.require(words.hook || !words.paths.empty(),
-                  "validate: name at least one file, folder or glob; '-' is standard input.");
-  request.paths.words = words.paths;
+  if (!words.hook || !words.inputs.paths.empty()) {
+    read_inputs(reading, words.inputs, "validate", request.paths);
+  }
   reading.set(request.targets, parse_targets(words.formats));
   read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
   read_word(reading, request.validation.profile, words.profile, parse_profile);
@@ -61,9 +83,23 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;
+  request.cache = words.cache;
   request.diff_base = words.diff_base;
   request.baseline = words.baseline;
   request.write_baseline = words.write_baseline;
+  return reading.finish(request);
+}
+
+Result<MergeRequest> request_of(const MergeWords& words) {
+  Reading reading;
+  MergeRequest request;
+  read_common(reading, words.common, request.common);
+  reading.require(!words.files.empty(),
+                  "merge: name the reports, written with --format jsonl=FILE.");
+  request.files = words.files;
+  reading.set(request.targets, parse_targets(words.formats));
+  read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
+  request.quiet = words.quiet;
   return reading.finish(request);
 }
 
@@ -71,11 +107,12 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   Reading reading;
   UpgradeRequest request;
   read_common(reading, words.common, request.common);
-  reading.require(words.hook || !words.paths.empty(),
-                  "upgrade: name at least one file, folder or glob.");
-  reading.require(std::find(words.paths.begin(), words.paths.end(), "-") == words.paths.end(),
-                  "upgrade: standard input has no file beside which anything could be found or "
-                  "written; name a file ('./-' for one that is called '-').");
+  if (!words.hook || !words.inputs.paths.empty()) {
+    read_inputs(reading, words.inputs, "upgrade", request.paths);
+  }
+  require_files(reading, words.inputs,
+                "upgrade: standard input has no file beside which anything could be found or "
+                "written; name a file ('./-' for one that is called '-').");
   reading.require(!words.hook || words.output.empty(),
                   "hook: the files of a commit stay where they are; leave out --output.");
   const bool writes = words.in_place || !words.output.empty();
@@ -85,7 +122,6 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
                   "upgrade: --check writes nothing; leave out "
                   "--in-place and --output.");
   reading.require(!words.backup || words.in_place, "upgrade: --backup goes with --in-place.");
-  request.paths.words = words.paths;
   reading.require(words.ior == "0" || words.ior == "1000", "upgrade: --ior is 0 or 1000.");
   request.upgrade.ior = words.ior == "0" ? 0 : 1000;
   request.upgrade.only = words.only;

@@ -14,22 +14,37 @@ struct CommonWords {
   std::string color = "auto";
 };
 
+/// Which inputs a run takes.
+struct InputWords {
+  std::vector<std::string> paths;
+  std::string files_from, shard;
+};
+
 /// Empty words were not given.
 struct ValidateWords {
   CommonWords common;
   ConfigChoice configuration;
-  std::vector<std::string> paths, formats, select, ignore, severities, schema_files, schema_folders;
+  InputWords inputs;
+  std::vector<std::string> formats, select, ignore, severities, schema_files, schema_folders;
   std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
   std::string max_texture_size, max_total_pixels, max_triangles, max_draw_calls, max_file_size;
-  std::string root, baseline, write_baseline, diff_base;
+  std::string root, cache, baseline, write_baseline, diff_base;
   bool quiet = false;
   bool hook = false;  ///< the paths may be left out
+};
+
+struct MergeWords {
+  CommonWords common;
+  std::vector<std::string> files, formats;
+  std::string fail_on;
+  bool quiet = false;
 };
 
 struct UpgradeWords {
   CommonWords common;
   ConfigChoice configuration;
-  std::vector<std::string> paths, schema_files, schema_folders, only, to;
+  InputWords inputs;
+  std::vector<std::string> schema_files, schema_folders, only, to;
   std::string output, generation = "auto", root, ior = "0";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
        strict = false, pack = false, prune = false, quiet = false;
@@ -39,7 +54,8 @@ struct UpgradeWords {
 struct BakeWords {
   CommonWords common;
   ConfigChoice configuration;
-  std::vector<std::string> paths, sizes, layers, schema_files, schema_folders;
+  InputWords inputs;
+  std::vector<std::string> sizes, layers, schema_files, schema_folders;
   std::string output, format = "png", sheet, compare, root;
   std::string turntable = "0", samples = "32", bounces = "6", seed = "0";
   std::string camera, lights = "both", environment, exposure = "0";
@@ -81,6 +97,7 @@ struct ConfigWords {
 
 // Words into a request; the Error says which word is wrong.
 Result<ValidateRequest> request_of(const ValidateWords& words);
+Result<MergeRequest> request_of(const MergeWords& words);
 Result<UpgradeRequest> request_of(const UpgradeWords& words);
 Result<BakeRequest> request_of(const BakeWords& words);
 Result<InspectRequest> request_of(const InspectWords& words);

@@ -51,6 +51,7 @@ struct AssetInfo {
 /// Everything said about one asset. Owns its text; independent of the asset.
 struct FileReport {
   std::string path;                     ///< as the user named it, "-" for standard input
+  std::uint64_t position = 0;           ///< among all that were named, also those of other shards
   std::string mime_type;                ///< "model/gltf+json", "model/gltf-binary" or empty
   bool readable = true;                 ///< false: the file itself could not be opened
   std::vector<Diagnostic> diagnostics;  ///< in the order they were found
@@ -75,7 +76,13 @@ struct RunSummary {
   void add(const FileReport& report);
 };
 
-enum class ReportFormat : std::uint8_t { text, json, khronos, github, sarif, junit, agent };
+/// One of several runs that share the inputs among them.
+struct Shard {
+  std::uint32_t index = 1;  ///< from 1 to count
+  std::uint32_t count = 1;
+};
+
+enum class ReportFormat : std::uint8_t { text, json, jsonl, khronos, github, sarif, junit, agent };
 
 std::string_view report_format_name(ReportFormat format);
 std::optional<ReportFormat> report_format_from_name(std::string_view name);
@@ -86,13 +93,14 @@ struct FormatOptions {
   bool color = false;   ///< text: ANSI colours
   bool quiet = false;   ///< text: findings only, no summary
   std::string command;  ///< text: how the user calls the program, for help lines ("gltfx")
-  std::string profile;  ///< named in json, sarif, junit and agent
+  std::string profile;  ///< named in json, jsonl, sarif, junit and agent
   /// How far images were looked into; named there and in github, in text where any was decoded.
   std::string pixel_level;
   /// All rules, sorted by code, for what sarif and agent say beside a finding. Static storage.
   std::span<const RuleDescription> rules;
   /// sarif: the absolute folder that relative paths start from; may be empty.
   std::string folder;
+  Shard shard;  ///< named in jsonl
   /// junit: what is as loud as this, or louder, is a failure; nothing: never.
   std::optional<Severity> fail_on = Severity::error;
 };

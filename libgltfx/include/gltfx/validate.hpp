@@ -20,6 +20,7 @@ namespace gltfx {
 namespace schema {
 class Set;
 }
+class ResultCache;
 
 /// What is reported. `standard`: all errors, warnings and infos. `khronos`: what the Khronos
 /// validator reports, unfolded. `strict`: hints too, and everything decoded that a rule needs.
@@ -77,6 +78,9 @@ struct ValidateOptions {
   std::map<std::string, Severity, std::less<>> severity;  ///< instead of a rule's default
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
+  /// Where reports of earlier runs are looked for and new ones kept (<gltfx/result_cache.hpp>);
+  /// null: nowhere.
+  std::shared_ptr<ResultCache> cache;
 };
 
 /// The level that the options come to.

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file is a header and records: length of the value, its check sum together with the key, the
+// key, the value. Numbers lie as the machine has them, which the header tells: what another kind of
+// machine wrote is not read.
+#include "pipeline/result_store.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/file_state.hpp"
+#include "base/temporary_file.hpp"
+#include "base/text.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnding = ".results";
+constexpr std::uint64_t kMagic = 0x0152'5846'544C'4701;  // with the version of the layout
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;
+constexpr std::size_t kManyFiles = 16;
+
+struct RecordHead {
+  std::uint64_t length = 0;
+  std::uint64_t check = 0;
+  Hash128 key;
+};
+static_assert(sizeof(RecordHead) == 32);
+
+template <class T>
+std::string_view bytes_of(const T& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+std::uint64_t check_sum(const Hash128& key, std::string_view value) {
+  HashParts parts;
+  parts.add(key);
+  parts.add(hash_bytes(value));
+  return parts.finish().low;
+}
+
+void append_record(std::string& out, const Hash128& key, std::string_view value) {
+  const RecordHead head{value.size(), check_sum(key, value), key};
+  out += bytes_of(head);
+  out += value;
+}
+
+// The bytes [offset, offset + length), or as many as there are.
+std::string read_at(int fd, std::uint64_t offset, std::size_t length) {
+  std::string bytes(length, '\0');
+  std::size_t done = 0;
+  while (done < length) {
+    const ssize_t got =
+        ::pread(fd, bytes.data() + done, length - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+// Whoever writes to a file holds it shared, so that nobody takes it away meanwhile.
+bool lock(int fd, int how) {
+  while (::flock(fd, how | LOCK_NB) != 0) {
+    if (errno != EINTR) return false;
+  }
+  return true;
+}
+
+std::string fresh_name(const std::string& folder) {
+  std::random_device random;
+  return fmt::format("{}/{:08x}{:08x}{}", folder, random(), random(), kEnding);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::string& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) return file_error("create the cache", folder, fault.value());
+  std::unique_ptr<ResultStore> store(new ResultStore(folder));
+  if (auto problem = store->load()) return *std::move(problem);
+  return store;
+}
+
+ResultStore::~ResultStore() {
+  for (const Segment& segment : segments_) {
+    if (segment.used) ::futimens(segment.fd.get(), nullptr);  // of use just now
+  }
+}
+
+std::optional<Error> ResultStore::load() {
+  std::error_code fault;
+  for (fs::directory_iterator at(folder_, fault); !fault && at != fs::directory_iterator();
+       at.increment(fault)) {
+    const std::string& path = at->path().native();
+    if (!path.ends_with(kEnding)) continue;
+    Segment segment{path, UniqueFd(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW)), 0,
+                    false};
+    struct stat status {};
+    if (!segment.fd || ::fstat(segment.fd.get(), &status) != 0) continue;
+    segment.size = static_cast<std::uint64_t>(status.st_size);
+    if (read_at(segment.fd.get(), 0, sizeof kMagic) == bytes_of(kMagic)) {
+      segments_.push_back(std::move(segment));
+    }
+  }
+  if (fault) return file_error("list the cache", folder_, fault.value());
+  drop_oldest();
+  for (std::uint32_t i = 0; i < segments_.size(); ++i) index(i);
+  return std::nullopt;
+}
+
+void ResultStore::drop_oldest() {
+  std::uint64_t sum = 0;
+  for (const Segment& segment : segments_) sum += segment.size;
+  if (sum <= kMostBytes) return;
+  const auto last_use = [](const Segment& segment) {
+    const auto state = file_state(segment.path);
+    return state ? state->modified : 0;
+  };
+  std::sort(segments_.begin(), segments_.end(), [&](const Segment& a, const Segment& b) {
+    return std::pair(last_use(a), a.path) > std::pair(last_use(b), b.path);
+  });
+  while (sum > kMostBytes && !segments_.empty()) {
+    const Segment& oldest = segments_.back();
+    sum -= oldest.size;
+    if (lock(oldest.fd.get(), LOCK_EX)) ::unlink(oldest.path.c_str());
+    segments_.pop_back();
+  }
+}
+
+// Values are skipped, whole or not: read() checks them.
+void ResultStore::index(std::uint32_t number) {
+  const Segment& segment = segments_[number];
+  constexpr std::size_t kWindow = std::size_t{1} << 20U;
+  std::string window;
+  std::uint64_t begin = 0;  // of the window
+  for (std::uint64_t at = sizeof kMagic; at + sizeof(RecordHead) <= segment.size;) {
+    if (at < begin || at + sizeof(RecordHead) > begin + window.size()) {
+      begin = at;
+      window = read_at(segment.fd.get(), begin, kWindow);
+      if (window.size() < sizeof(RecordHead)) return;
+    }
+    RecordHead head;
+    std::memcpy(&head, window.data() + (at - begin), sizeof head);
+    const std::uint64_t left = segment.size - at - sizeof head;
+    if (head.length > left) return;
+    index(head.key.low, number, at);
+    at += sizeof head + head.length;
+  }
+}
+
+void ResultStore::index(std::uint64_t key, std::uint32_t segment, std::uint64_t offset) {
+  if (2 * (filled_ + 1) > slots_.size()) grow();
+  std::size_t at = key & (slots_.size() - 1);
+  while (slots_[at].offset != 0 && slots_[at].key != key) at = (at + 1) & (slots_.size() - 1);
+  if (slots_[at].offset == 0) ++filled_;
+  slots_[at] = {key, offset, segment};
+}
+
+void ResultStore::grow() {
+  std::vector<Slot> before(std::max<std::size_t>(1024, 2 * slots_.size()));
+  before.swap(slots_);
+  filled_ = 0;
+  for (const Slot& slot : before) {
+    if (slot.offset != 0) index(slot.key, slot.segment, slot.offset);
+  }
+}
+
+std::optional<std::string> ResultStore::find(const Hash128& key) const {
+  if (slots_.empty()) return std::nullopt;
+  std::size_t at = key.low & (slots_.size() - 1);
+  while (slots_[at].offset != 0 && slots_[at].key != key.low) at = (at + 1) & (slots_.size() - 1);
+  if (slots_[at].offset == 0) return std::nullopt;
+  return read(slots_[at], key);
+}
+
+std::optional<std::string> ResultStore::read(const Slot& slot, const Hash128& key) const {
+  const Segment& segment = segments_[slot.segment];
+  constexpr std::size_t kMostly = 1024;  // what one read brings
+  std::string bytes = read_at(segment.fd.get(), slot.offset, kMostly);
+  RecordHead head;
+  if (bytes.size() < sizeof head) return std::nullopt;
+  std::memcpy(&head, bytes.data(), sizeof head);
+  if (!(head.key == key) || head.length > segment.size) return std::nullopt;
+  if (bytes.size() < sizeof head + head.length) {
+    bytes = read_at(segment.fd.get(), slot.offset, sizeof head + head.length);
+  }
+  if (bytes.size() < sizeof head + head.length) return std::nullopt;
+  bytes.resize(sizeof head + head.length);
+  bytes.erase(0, sizeof head);
+  if (check_sum(key, bytes) != head.check) return std::nullopt;
+  // Only ever set, and looked at when all threads are done.
+  std::atomic_ref(segment.used).store(true, std::memory_order_relaxed);
+  return bytes;
+}
+
+bool ResultStore::create_own() {
+  if (own_) return true;
+  own_path_ = fresh_name(folder_);
+  constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC | O_NOFOLLOW;
+  own_ = UniqueFd(::open(own_path_.c_str(), kFlags, 0666));
+  return own_ && lock(own_.get(), LOCK_SH) && write_all(own_.get(), bytes_of(kMagic));
+}
+
+void ResultStore::add(std::span<const Value> values) {
+  std::string records;
+  for (const Value& value : values) append_record(records, value.key, value.bytes);
+  const std::lock_guard guard(mutex_);
+  if (problem_ || (create_own() && write_all(own_.get(), records))) return;
+  problem_ = file_error("write to the cache", folder_, errno);
+}
+
+std::optional<Error> ResultStore::problem() const {
+  const std::lock_guard guard(mutex_);
+  return problem_;
+}
+
+// Those that other runs write to now stay as they are. Of a value that several files have the
+// newest copy counts, which is the one that the index knows.
+void ResultStore::tidy() {
+  if (segments_.size() < kManyFiles) return;
+  std::vector<bool> ours(segments_.size());
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    ours[i] = lock(segments_[i].fd.get(), LOCK_EX);
+  }
+  TemporaryFile together(fresh_name(folder_));
+  std::optional<Error> trouble = together.write(bytes_of(kMagic));
+  std::string records;
+  constexpr std::size_t kAtOnce = std::size_t{1} << 20U;
+  for (const Slot& slot : slots_) {
+    if (slot.offset == 0 || !ours[slot.segment] || trouble) continue;
+    RecordHead head;
+    const std::string bytes = read_at(segments_[slot.segment].fd.get(), slot.offset, sizeof head);
+    std::memcpy(&head, bytes.data(), std::min(bytes.size(), sizeof head));
+    if (const auto value = read(slot, head.key)) append_record(records, head.key, *value);
+    if (records.size() < kAtOnce) continue;
+    trouble = together.write(records);
+    records.clear();
+  }
+  if (!trouble) trouble = together.write(records);
+  if (!trouble) trouble = together.move_to_free_place();
+  if (trouble) return;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    if (ours[i]) ::unlink(segments_[i].path.c_str());
+  }
+}
+
+}  // namespace gltfx

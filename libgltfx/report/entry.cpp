@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/entry.hpp"
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/utf8.hpp"
+#include "report/asset_info.hpp"
+
+namespace gltfx::report {
+namespace {
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint point = decode_utf8(text, at);
+    if (!point.valid) return false;
+    at += point.size;
+  }
+  return true;
+}
+
+// JSON holds text only: bytes that are none are there in another form besides.
+void write_bytes(json::Writer& writer, const std::string& name, std::string_view bytes) {
+  writer.member(name, bytes);
+  if (is_utf8(bytes)) return;
+  std::string digits;
+  for (const char byte : bytes) {
+    fmt::format_to(std::back_inserter(digits), "{:02x}", static_cast<unsigned char>(byte));
+  }
+  writer.member(name + "Hex", digits);
+}
+
+void write_location(json::Writer& writer, const Location& at, Detail detail) {
+  writer.begin_object();
+  writer.member("line", std::uint64_t{at.line});
+  writer.member("column", std::uint64_t{at.column});
+  writer.member("endLine", std::uint64_t{at.end_line});
+  writer.member("endColumn", std::uint64_t{at.end_column});
+  if (detail == Detail::full) {
+    writer.member("utf16Column", std::uint64_t{at.utf16_column});
+    writer.member("utf16EndColumn", std::uint64_t{at.utf16_end_column});
+  }
+  writer.member("byte", at.offset);
+  writer.member("length", at.length);
+  writer.end_object();
+}
+
+void write_excerpt(json::Writer& writer, const Excerpt& excerpt) {
+  writer.begin_object();
+  write_bytes(writer, "text", excerpt.text);
+  writer.member("caret", std::uint64_t{excerpt.caret});
+  writer.member("width", std::uint64_t{excerpt.width});
+  writer.member("cutLeft", excerpt.cut_left);
+  writer.member("cutRight", excerpt.cut_right);
+  writer.end_object();
+}
+
+void write_fix(json::Writer& writer, const ProposedFix& fix) {
+  writer.begin_object();
+  writer.member("description", fix.description);
+  writer.key("replacements");
+  writer.begin_array();
+  for (const Replacement& replacement : fix.replacements) {
+    writer.begin_object();
+    writer.key("location");
+    write_location(writer, replacement.place, Detail::full);
+    writer.member("text", replacement.text);
+    writer.end_object();
+  }
+  writer.end_array();
+  writer.end_object();
+}
+
+void write_finding(json::Writer& writer, const Diagnostic& finding, bool readable, Detail detail) {
+  writer.begin_object();
+  writer.member("code", finding.code);
+  writer.member("severity", severity_name(finding.severity));
+  writer.member("message", finding.message);
+  if (!finding.help.empty()) writer.member("help", finding.help);
+  const bool full = detail == Detail::full;
+  if (finding.offset) writer.member("offset", *finding.offset);
+  if (full ? !finding.pointer.empty() : readable && !finding.offset) {
+    writer.member("pointer", finding.pointer);
+  }
+  if (finding.location.line > 0 || (full && finding.location.length > 0)) {
+    writer.key("location");
+    write_location(writer, finding.location, detail);
+  }
+  if (!finding.object_name.empty()) writer.member("object", finding.object_name);
+  if (finding.count > 1) {
+    writer.member("count", finding.count);
+    writer.member("lastPointer", finding.last_pointer);
+  }
+  if (full && finding.excerpt.width > 0) {
+    writer.key("excerpt");
+    write_excerpt(writer, finding.excerpt);
+  }
+  if (full && finding.fix) {
+    writer.key("fix");
+    write_fix(writer, *finding.fix);
+  }
+  writer.end_object();
+}
+
+void write_counts(json::Writer& writer, const Counts& counts) {
+  writer.member("errors", counts.errors);
+  writer.member("warnings", counts.warnings);
+  writer.member("infos", counts.infos);
+  writer.member("hints", counts.hints);
+}
+
+}  // namespace
+
+void write_entry(json::Writer& writer, const FileReport& report, Detail detail) {
+  writer.begin_object();
+  if (detail == Detail::full) {
+    writer.member("position", report.position);
+    write_bytes(writer, "path", report.path);
+  } else {
+    writer.member("path", report.path);
+  }
+  if (!report.mime_type.empty()) writer.member("mimeType", report.mime_type);
+  writer.member("readable", report.readable);
+  writer.key("counts");
+  writer.begin_object();
+  write_counts(writer, report.counts);
+  writer.end_object();
+  writer.member("truncated", report.truncated);
+  writer.member("suppressed", report.suppressed);
+  writer.member("leftOut", report.left_out);
+  writer.member("unverified", report.unverified);
+  writer.key("findings");
+  writer.begin_array();
+  for (const Diagnostic& finding : report.diagnostics) {
+    write_finding(writer, finding, report.readable, detail);
+  }
+  writer.end_array();
+  if (report.info) {
+    writer.key("info");
+    write_asset_info(writer, *report.info);
+  }
+  writer.end_object();
+}
+
+void write_summary(json::Writer& writer, const RunSummary& summary) {
+  writer.begin_object();
+  writer.member("files", summary.files);
+  writer.member("filesWithErrors", summary.files_with_errors);
+  writer.member("unreadable", summary.unreadable);
+  writer.member("unverified", summary.unverified);
+  writer.member("suppressed", summary.suppressed);
+  writer.member("leftOut", summary.left_out);
+  write_counts(writer, summary.counts);
+  writer.end_object();
+}
+
+}  // namespace gltfx::report

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What `--format json` and `--format jsonl` say of one file and of a run.
+#pragma once
+
+#include <gltfx/report.hpp>
+
+#include <cstdint>
+
+#include "json/writer.hpp"
+
+namespace gltfx::report {
+
+/// Raised when a reader of the format before could misread the next.
+inline constexpr std::uint64_t kJsonFormat = 1;
+
+/// `full`: everything that any format needs, so that a report can be read back.
+enum class Detail : std::uint8_t { plain, full };
+
+void write_entry(json::Writer& writer, const FileReport& report, Detail detail);
+void write_summary(json::Writer& writer, const RunSummary& summary);
+
+}  // namespace gltfx::report

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+
+#include "command_line_parts.hpp"
+
+namespace gltfx::tool {
+
+void declare_merge(CLI::App& app, MergeWords& words) {
+  describe_positional(app, "REPORT", "Files written by validate with --format jsonl=FILE");
+  add_formats(app, words.formats);
+  add_word(app, "--fail-on", words.fail_on, "LEVEL",
+           "Exit with 1 from here on: error, warning, info or never (default: error)");
+  app.add_flag("-q,--quiet", words.quiet, "Findings only: no summary, no notes");
+  add_common(app, words.common);
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line_parts.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace gltfx::tool {
+
+void describe_positional(CLI::App& app, const char* name, const char* text) {
+  app.add_option(name)->description(text)->type_name("...")->expected(0);
+}
+
+// CLI11 would let such an option swallow every positional after its value unless extra arguments
+// are refused.
+void add_list(CLI::App& app, const char* name, std::vector<std::string>& words, const char* type,
+              const char* text) {
+  app.add_option(name, words, text)->type_name(type)->allow_extra_args(false);
+}
+
+void add_word(CLI::App& app, const char* name, std::string& word, const char* type,
+              const char* text) {
+  app.add_option(name, word, text)->type_name(type)->take_last();
+}
+
+void add_formats(CLI::App& app, std::vector<std::string>& formats) {
+  add_list(app, "-f,--format", formats, "NAME[=FILE]",
+           "text, json, jsonl, khronos, github, sarif, junit, agent (default: text; repeatable)");
+}
+
+void add_inputs(CLI::App& app, InputWords& words) {
+  add_word(app, "--files-from", words.files_from, "FILE",
+           "More paths, one a line or before a NUL each; - is standard input");
+  add_word(app, "--shard", words.shard, "I/N",
+           "Only the files of part I of N, which their paths decide");
+}
+
+void add_common(CLI::App& app, CommonWords& words) {
+  add_word(app, "-j,--jobs", words.jobs, "N", "Threads, at least 1 (default: one a core)");
+  add_word(app, "--color", words.color, "WHEN",
+           "auto, always or never (auto: on a terminal, unless NO_COLOR is set)");
+}
+
+void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
+                        std::vector<std::string>& folders) {
+  add_list(app, "--schema", files, "FILE", "Add or replace an extension's schema (repeatable)");
+  add_list(app, "--schema-dir", folders, "DIR", "Add every *.schema.json of a folder (repeatable)");
+}
+
+void add_configuration(CLI::App& app, ConfigChoice& choice) {
+  add_word(app, "--config", choice.config, "FILE",
+           "Configuration (default: the nearest gltfx.toml of this folder and those above)");
+  app.add_flag("--isolated", choice.isolated, "Read no configuration");
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/validate.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "report/read_line.hpp"
+#include "report_targets.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+// The lines of one report, of which one is held at a time.
+class ReportFile {
+ public:
+  static Result<ReportFile> open(const std::string& path) {
+    ReportFile file(path);
+    if (!file.stream_) {
+      return Error{fmt::format("cannot read {}: {}", quoted(path, 200),
+                               std::error_code(errno, std::generic_category()).message())};
+    }
+    auto line = file.read();
+    if (!line) return line.error();
+    auto* head = std::get_if<report::RunHead>(&*line);
+    if (head == nullptr) return file.wrong("its first line is not that of a report");
+    file.head_ = std::move(*head);
+    return file;
+  }
+
+  const report::RunHead& head() const { return head_; }
+  const std::string& path() const { return path_; }
+  /// The report on the next file; nothing behind the last one.
+  const std::optional<FileReport>& next() const { return next_; }
+  std::optional<FileReport> take() { return std::exchange(next_, std::nullopt); }
+  std::optional<Error> advance() {
+    auto line = read();
+    if (!line) return line.error();
+    next_.reset();
+    if (auto* report = std::get_if<FileReport>(&*line)) next_ = std::move(*report);
+    if (std::holds_alternative<report::RunHead>(*line)) {
+      return wrong("a second report begins there; give each its own file");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
+  };
+
+  explicit ReportFile(const std::string& path)
+      : path_(path), stream_(std::fopen(path.c_str(), "re")) {}
+
+  Error wrong(std::string_view why) const {
+    return {fmt::format("{}, line {}: {}", printable(path_), line_, why)};
+  }
+
+  Result<report::ReportLine> read() {
+    std::string text;
+    ++line_;
+    for (int c = std::getc(stream_.get()); c != '\n'; c = std::getc(stream_.get())) {
+      if (c == EOF) {
+        return wrong("the report ends before its last line: the run was cut off; run it again");
+      }
+      text += static_cast<char>(c);
+    }
+    auto line = report::read_line(text, rules());
+    if (!line) return wrong(line.error().message);
+    return line;
+  }
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> stream_;
+  std::uint64_t line_ = 0;
+  report::RunHead head_;
+  std::optional<FileReport> next_;
+};
+
+Result<std::vector<ReportFile>> open_all(const std::vector<std::string>& paths) {
+  std::vector<ReportFile> files;
+  for (const std::string& path : paths) {
+    auto file = ReportFile::open(path);
+    if (!file) return file.error();
+    files.push_back(*std::move(file));
+  }
+  return files;
+}
+
+// Why reports do not belong together, or nothing: parts that are missing, other options.
+std::optional<Error> check_parts(const std::vector<ReportFile>& files) {
+  const report::RunHead& first = files.front().head();
+  std::vector<bool> there(first.shard.count);
+  for (const ReportFile& file : files) {
+    const report::RunHead& head = file.head();
+    const bool alike = head.profile == first.profile && head.pixel_level == first.pixel_level &&
+                       head.shard.count == first.shard.count;
+    if (!alike) {
+      return Error{
+          fmt::format("{} was made with another profile, --pixels or number of shards "
+                      "than {}",
+                      quoted(file.path(), 200), quoted(files.front().path(), 200))};
+    }
+    there[head.shard.index - 1] = true;
+  }
+  const auto missing = std::find(there.begin(), there.end(), false);
+  if (missing == there.end()) return std::nullopt;
+  return Error{fmt::format("the report of shard {}/{} is missing", missing - there.begin() + 1,
+                           there.size())};
+}
+
+// Writes the reports in the order of one run over everything.
+class Merge {
+ public:
+  Merge(const MergeRequest& request, std::vector<ReportFile> files)
+      : request_(request),
+        files_(std::move(files)),
+        targets_(request, {files_.front().head().profile, files_.front().head().pixel_level, {}}) {}
+
+  ExitCode execute() {
+    targets_.begin();
+    for (ReportFile& file : files_) {
+      if (auto trouble = file.advance()) return refuse(*trouble);
+    }
+    for (ReportFile* first = find_first(); first != nullptr; first = find_first()) {
+      take(*first->take());
+      if (auto trouble = first->advance()) return refuse(*trouble);
+    }
+    summary_.exit_code = static_cast<int>(verdict());
+    targets_.finish(summary_);
+    if (const std::string problems = targets_.problems(); !problems.empty()) {
+      complain(problems);
+      return ExitCode::internal;
+    }
+    return verdict();
+  }
+
+ private:
+  static ExitCode refuse(const Error& error) {
+    complain(error.message);
+    return ExitCode::unreadable;
+  }
+
+  ReportFile* find_first() {
+    ReportFile* first = nullptr;
+    for (ReportFile& file : files_) {
+      if (!file.next()) continue;
+      if (first == nullptr || file.next()->position < first->next()->position) first = &file;
+    }
+    return first;
+  }
+
+  // A shard that was run twice says everything twice.
+  void take(FileReport report) {
+    if (last_ && last_->first == report.position && last_->second == report.path) return;
+    last_.emplace(report.position, report.path);
+    summary_.add(report);
+    targets_.file(report);
+  }
+
+  ExitCode verdict() const {
+    ExitCode code = ExitCode::ok;
+    if (request_.fail_on && summary_.counts.at_least(*request_.fail_on) > 0) {
+      code = ExitCode::findings;
+    }
+    return summary_.unreadable > 0 ? worse(code, ExitCode::unreadable) : code;
+  }
+
+  const MergeRequest& request_;
+  std::vector<ReportFile> files_;
+  ReportTargets targets_;
+  RunSummary summary_;
+  std::optional<std::pair<std::uint64_t, std::string>> last_;
+};
+
+}  // namespace
+
+ExitCode run(const MergeRequest& request) {
+  auto files = open_all(request.files);
+  if (!files) {
+    complain(files.error().message);
+    return ExitCode::unreadable;
+  }
+  if (const auto problem = check_parts(*files)) {
+    complain(problem->message);
+    return ExitCode::unreadable;
+  }
+  return Merge(request, *std::move(files)).execute();
+}
+
+}  // namespace gltfx::tool

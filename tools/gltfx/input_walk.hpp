@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The inputs that the user named, one after the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "base/hash.hpp"
+#include "options.hpp"
+
+namespace gltfx::tool {
+
+struct Input {
+  std::string path;            ///< "-" is standard input
+  std::string place;           ///< below the folder that was named; of one named itself its name
+  std::uint64_t position = 0;  ///< among the inputs of all shards
+};
+
+/// Goes through words, lists and folders in the order of reports: that of the arguments, by bytes
+/// of the path within a folder or glob. Holds the names of the folders it is in, so that memory
+/// does not grow with the number of files. What is not there comes up as well: opening it says why.
+///
+/// Folders are searched through for .gltf and .glb files (in any case of letters); folders that are
+/// symbolic links are entered only when named, `.git` never.
+class InputWalk {
+ public:
+  /// `named` outlives the walk.
+  explicit InputWalk(const NamedPaths& named);
+
+  /// The next one that belongs to this run's shard, each once; nothing at the end.
+  std::optional<Input> next();
+
+  /// Known at the end: folders among the arguments and what globs gave, whether more than one file
+  /// may be meant, and sentences about arguments that name nothing to check.
+  const std::vector<std::string>& folders() const { return folders_; }
+  bool several() const { return several_ || met_ > 1; }
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  // What is left to visit of one folder: names that end in NUL, those of folders with '/' before.
+  struct Listing {
+    std::string path;  ///< ends in '/'
+    std::string names;
+    std::vector<std::uint32_t> order;  ///< where names begin; the last one is next
+  };
+
+  std::optional<Input> step();
+  std::optional<Input> step_into_folders();
+  std::optional<std::string> next_word();
+  std::optional<Input> enter(const std::string& path);
+  bool list(const std::string& folder);
+  std::optional<Input> take(std::string path, std::string place, const std::string& key);
+
+  const NamedPaths& named_;
+  std::size_t word_ = 0;              ///< next of the arguments
+  std::size_t listed_ = 0;            ///< where the next line of the list begins
+  std::vector<std::string> matches_;  ///< of a glob, the last one is next
+  std::vector<Listing> open_;         ///< from the folder that was named to that of the next file
+  std::size_t root_length_ = 0;       ///< of the path of the folder that was named
+  bool found_any_ = false;            ///< in that folder
+  std::string root_;                  ///< as it was named
+  bool may_repeat_;
+  struct HashOfHash {
+    std::size_t operator()(const Hash128& hash) const { return static_cast<std::size_t>(hash.low); }
+  };
+  std::unordered_set<Hash128, HashOfHash> seen_;
+  std::uint64_t met_ = 0;
+  std::vector<std::string> folders_, notes_;
+  bool several_ = false;
+};
+
+/// Whether a path ends in .gltf or .glb, in any case of letters.
+bool is_asset_name(const std::string& path);
+
+}  // namespace gltfx::tool
