@@ -23,7 +23,7 @@ void add_word(CLI::App& app, const char* name, std::string& word, const char* ty
 
 void add_formats(CLI::App& app, std::vector<std::string>& formats) {
   add_list(app, "-f,--format", formats, "NAME[=FILE]",
-           "text, json, jsonl, khronos, github, sarif, junit, agent (default: text; repeatable)");
+           "text (default), json, jsonl, khronos, github, sarif, junit, agent; repeatable");
 }
 
 void add_inputs(CLI::App& app, InputWords& words) {

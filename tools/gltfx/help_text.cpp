@@ -29,6 +29,7 @@ constexpr std::string_view kValidateExamples = R"(Examples:
   gltfx validate assets/ --write-baseline known.json   once, then:
   gltfx validate assets/ --baseline known.json         fails on what is new
   gltfx validate model.gltf --schema ACME_leaf.schema.json
+  gltfx validate library/ --cache .gltfx-cache         only what changed since the last run
 )";
 
 constexpr std::string_view kUpgradeExamples = R"(Examples:
@@ -69,6 +70,12 @@ Examples:
   gltfx hook validate --fail-on warning
 )";
 
+constexpr std::string_view kMergeExamples = R"(Examples:
+  gltfx validate library/ --shard 1/2 --format jsonl=1.jsonl   each part anywhere, also twice
+  gltfx validate library/ --shard 2/2 --format jsonl=2.jsonl
+  gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif --format text
+)";
+
 constexpr std::string_view kExplainExamples = R"(Examples:
   gltfx explain UNDEFINED_PROPERTY
   gltfx explain value_not_in_range
@@ -97,6 +104,7 @@ std::string_view examples(std::string_view verb) {
   if (verb == "bake") return kBakeExamples;
   if (verb == "inspect") return kInspectExamples;
   if (verb == "hook") return kHookExamples;
+  if (verb == "merge") return kMergeExamples;
   if (verb == "explain") return kExplainExamples;
   if (verb == "rules") return kRulesExamples;
   if (verb == "schema") return kSchemaExamples;
