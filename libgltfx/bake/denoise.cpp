@@ -16,179 +16,212 @@ namespace gltfx::bake {
 namespace {
 
 constexpr int kTile = 16;  // pixels along a side that are worked on together
-constexpr int kReach = 5;  // how far neighbours are looked for
-constexpr int kPatch = 3;  // half width of what is compared
+constexpr int kReach = 4;  // how far neighbours are looked for
+constexpr int kPatch = 2;  // half width of what is compared
+constexpr int kMargin = kReach + kPatch;
+constexpr int kSide = kTile + 2 * kMargin;
 constexpr int kCompared = kTile + 2 * kPatch;
+constexpr int kOffsets = (2 * kReach + 1) * (2 * kReach + 1);
 constexpr float kStrictness = 0.25F;  // squared: standard deviations that are left to noise
 constexpr float kRidge = 1e-4F;
 
 using Row = std::array<float, kTile>;
 
-// exp(-x) for x >= 0, near enough, without a call: it is taken for every pair of pixels.
+// As exp(-x), but falling off slower far out: a pixel that is like no other still has neighbours.
 inline float falling(float x) {
-  float t = std::max(0.0F, 1 - x * (1.0F / 16.0F));
-  t *= t;
+  float t = 1 / (1 + x * (1.0F / 8.0F));
   t *= t;
   t *= t;
   return t * t;
 }
 
-// One tile. `Terms`: of the regression: 1, x,
-// y, and the first of the features.
+constexpr std::size_t at(int y, int x) { return static_cast<std::size_t>(y * kSide + x); }
+
+// Part of a plane: a tile and its surroundings, which go on at the edge of the picture as they end.
+using Block = std::array<float, static_cast<std::size_t>(kSide* kSide)>;
+
+// One tile. `Terms`: of the regression: 1, x, y, and the first of the features.
 template <std::size_t Terms>
 class TileFilter {
  public:
-  static constexpr std::size_t kTerms = Terms;
-  static constexpr std::size_t kProducts = NormalEquations<kTerms>::kProducts;
-
   TileFilter(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top)
-      : p_(layer),
-        left_(static_cast<int>(left)),
-        top_(static_cast<int>(top)),
-        channels_(layer.values.size()) {}
+      : layer_(layer),
+        left_(static_cast<int>(left) - kMargin),
+        top_(static_cast<int>(top) - kMargin) {
+    copy(layer.weight, weight_);
+    copy(layer.variance, variance_);
+    copy(layer.y, y_);
+    leave_out_beyond();
+  }
 
   /// Whether there is something in the tile at all.
   bool matters() const {
-    for (int y = 0; y < kTile; ++y) {
-      for (int x = 0; x < kTile; ++x) {
-        const std::size_t i = pixel(left_ + x, top_ + y);
-        if (p_.weight[i] > 0 && (p_.variance[i] > 0 || p_.y[i] != 0)) return true;
+    for (int y = kMargin; y < kMargin + kTile; ++y) {
+      for (int x = kMargin; x < kMargin + kTile; ++x) {
+        const std::size_t i = at(y, x);
+        if (weight_[i] > 0 && (variance_[i] > 0 || y_[i] != 0)) return true;
       }
     }
     return false;
   }
 
   void run() {
+    for (std::size_t c = 0; c < layer_.values.size(); ++c) copy(layer_.values[c], values_[c]);
+    for (std::size_t f = 0; f < Terms - 3; ++f) copy(layer_.features[f], features_[f]);
+    std::size_t offset = 0;
     for (int dy = -kReach; dy <= kReach; ++dy) {
-      for (int dx = -kReach; dx <= kReach; ++dx) {
-        compare(dx, dy);
-        for (int y = 0; y < kTile; ++y) add_row(y, dx, dy);
-      }
+      for (int dx = -kReach; dx <= kReach; ++dx, ++offset) compare(dx, dy, weights_[offset]);
     }
   }
 
-  /// False where nothing can be said.
-  bool value(int x, int y, Float3& value) const {
-    NormalEquations<kTerms> equations;
-    const auto column = static_cast<std::size_t>(x);
-    for (std::size_t i = 0; i < kProducts; ++i) {
-      equations.products[i] = products_[row(y)][i][column];
-    }
-    for (std::size_t c = 0; c < channels_; ++c) {
-      for (std::size_t i = 0; i < kTerms; ++i) {
-        equations.colors[c][i] = colors_[row(y)][c][i][column];
+  /// Of each pixel of a row; as it was where nothing can be said.
+  std::array<Float3, kTile> values(int row) const {
+    const Sums sums = add_up(row);
+    std::array<Float3, kTile> result{};
+    for (std::size_t x = 0; x < kTile; ++x) {
+      for (std::size_t c = 0; c < layer_.values.size(); ++c) {
+        result[x][c] = values_[c][at(kMargin + row, kMargin) + x];
       }
+      NormalEquations<Terms> equations;
+      for (std::size_t i = 0; i < kProducts; ++i) equations.products[i] = sums.products[i][x];
+      for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t i = 0; i < Terms; ++i) equations.colors[c][i] = sums.colors[c][i][x];
+      }
+      equations.solve(kRidge, result[x]);
     }
-    return equations.solve(kRidge, value);
+    return result;
   }
 
  private:
+  static constexpr std::size_t kProducts = NormalEquations<Terms>::kProducts;
+
+  struct Sums {
+    std::array<Row, kProducts> products{};
+    std::array<std::array<Row, Terms>, 3> colors{};
+  };
   using Square = std::array<std::array<float, kCompared>, kCompared>;
 
-  static std::size_t row(int y) { return static_cast<std::size_t>(y); }
-
-  // Pixels beyond the edge are those at the edge.
-  std::size_t pixel(int x, int y) const {
-    const int column = std::clamp(x, 0, static_cast<int>(p_.width) - 1);
-    const int line = std::clamp(y, 0, static_cast<int>(p_.height) - 1);
-    return static_cast<std::size_t>(line) * p_.width + static_cast<std::size_t>(column);
-  }
-
-  bool is_inside(int x, int y) const {
-    return x >= 0 && y >= 0 && x < static_cast<int>(p_.width) && y < static_cast<int>(p_.height);
-  }
-
-  // How far the pixels differ from those at an offset, beyond what noise explains.
-  void compare(int dx, int dy) {
-    const Plane& light = p_.y;
-    const Plane& variance = p_.variance;
-    for (int y = 0; y < kCompared; ++y) {
-      for (int x = 0; x < kCompared; ++x) {
-        const std::size_t a = pixel(left_ - kPatch + x, top_ - kPatch + y);
-        const std::size_t b = pixel(left_ - kPatch + x + dx, top_ - kPatch + y + dy);
-        const float difference = light[a] - light[b];
-        const float expected = variance[a] + std::min(variance[a], variance[b]);
-        const float unit = 1e-5F + kStrictness * (variance[a] + variance[b]);
-        const float say = p_.weight[a] * p_.weight[b];
-        distance_[row(y)][row(x)] = say * (difference * difference - expected) / unit;
-        say_[row(y)][row(x)] = say;
+  void copy(const Plane& plane, Block& block) const {
+    for (int y = 0; y < kSide; ++y) {
+      const int row = std::clamp(top_ + y, 0, static_cast<int>(layer_.height) - 1);
+      const float* line = plane.data() + static_cast<std::size_t>(row) * layer_.width;
+      for (int x = 0; x < kSide; ++x) {
+        block[at(y, x)] = line[std::clamp(left_ + x, 0, static_cast<int>(layer_.width) - 1)];
       }
     }
-    blur_rows(distance_);
-    blur_rows(say_);
   }
 
-  static void blur_rows(Square& square) {
+  void leave_out_beyond() {
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        const bool inside = left_ + x >= 0 && left_ + x < static_cast<int>(layer_.width) &&
+                            top_ + y >= 0 && top_ + y < static_cast<int>(layer_.height);
+        if (!inside) weight_[at(y, x)] = 0;
+      }
+    }
+  }
+
+  // How much neighbours at an offset count: by how far patches around differ, beyond what noise
+  // explains.
+  void compare(int dx, int dy, std::array<Row, kTile>& weights) const {
+    Square distance;
+    Square say;
+    for (int y = 0; y < kCompared; ++y) {
+      const std::size_t a = at(y + kReach, kReach);
+      const std::size_t b = at(y + kReach + dy, kReach + dx);
+      auto& distances = distance[static_cast<std::size_t>(y)];
+      auto& says = say[static_cast<std::size_t>(y)];
+      for (std::size_t x = 0; x < kCompared; ++x) {
+        const float difference = y_[a + x] - y_[b + x];
+        const float expected = variance_[a + x] + std::min(variance_[a + x], variance_[b + x]);
+        const float unit = 1e-5F + kStrictness * (variance_[a + x] + variance_[b + x]);
+        says[x] = weight_[a + x] * weight_[b + x];
+        distances[x] = says[x] * (difference * difference - expected) / unit;
+      }
+    }
+    add_rows(distance);
+    add_rows(say);
+    for (int y = 0; y < kTile; ++y) {
+      const Row distances = add_columns(distance, y);
+      const Row says = add_columns(say, y);
+      const std::size_t b = at(y + kMargin + dy, kMargin + dx);
+      Row& row = weights[static_cast<std::size_t>(y)];
+      for (std::size_t x = 0; x < kTile; ++x) {
+        const float alike = falling(std::max(distances[x] / std::max(says[x], 1e-6F), 0.0F));
+        row[x] = says[x] > 0 ? alike * weight_[b + x] : 0.0F;
+      }
+    }
+  }
+
+  static void add_rows(Square& square) {
     for (auto& line : square) {
       std::array<float, kCompared> sums{};
-      for (std::size_t x = 0; x < kTile; ++x) {
-        for (std::size_t k = 0; k <= 2 * kPatch; ++k) sums[x] += line[x + k];
+      for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
+        for (std::size_t x = 0; x < kTile; ++x) sums[x] += line[x + k];
       }
       line = sums;
     }
   }
 
-  Row weights(int y, int dx, int dy) const {
+  static Row add_columns(const Square& square, int y) {
     Row sums{};
-    Row says{};
     for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
-      for (std::size_t x = 0; x < kTile; ++x) {
-        sums[x] += distance_[row(y) + k][x];
-        says[x] += say_[row(y) + k][x];
-      }
-    }
-    for (std::size_t x = 0; x < kTile; ++x) {
-      const int column = left_ + static_cast<int>(x) + dx;
-      const bool there = is_inside(column, top_ + y + dy) && says[x] > 0;
-      const float alike = falling(std::max(sums[x] / std::max(says[x], 1e-6F), 0.0F));
-      sums[x] = there ? alike * p_.weight[pixel(column, top_ + y + dy)] : 0.0F;
+      for (std::size_t x = 0; x < kTile; ++x) sums[x] += square[static_cast<std::size_t>(y) + k][x];
     }
     return sums;
   }
 
-  // What distinguishes the pixels of a row from those at an offset.
-  std::array<Row, kTerms> terms(int y, int dx, int dy) const {
-    std::array<Row, kTerms> t;
-    t[0].fill(1);
-    t[1].fill(static_cast<float>(dx) / kReach);
-    t[2].fill(static_cast<float>(dy) / kReach);
-    for (std::size_t f = 0; f < kTerms - 3; ++f) {
-      for (int x = 0; x < kTile; ++x) {
-        const Plane& plane = p_.features[f];
-        t[3 + f][row(x)] =
-            plane[pixel(left_ + x + dx, top_ + y + dy)] - plane[pixel(left_ + x, top_ + y)];
-      }
+  // What is known of the neighbours of a row, as seen from each of its pixels.
+  void look(int row, int dx, int dy, std::array<Row, Terms>& terms) const {
+    terms[1].fill(static_cast<float>(dx) / kReach);
+    terms[2].fill(static_cast<float>(dy) / kReach);
+    const std::size_t a = at(row + kMargin, kMargin);
+    const std::size_t b = at(row + kMargin + dy, kMargin + dx);
+    for (std::size_t f = 0; f < Terms - 3; ++f) {
+      const Block& feature = features_[f];
+      for (std::size_t x = 0; x < kTile; ++x) terms[3 + f][x] = feature[b + x] - feature[a + x];
     }
-    return t;
   }
 
-  void add_row(int y, int dx, int dy) {
-    const Row weight = weights(y, dx, dy);
-    const std::array<Row, kTerms> t = terms(y, dx, dy);
-    auto& products = products_[row(y)];
+  Sums add_up(int row) const {
+    Sums sums;
+    std::array<Row, Terms> terms;
+    terms[0].fill(1);
+    std::size_t offset = 0;
+    for (int dy = -kReach; dy <= kReach; ++dy) {
+      for (int dx = -kReach; dx <= kReach; ++dx, ++offset) {
+        look(row, dx, dy, terms);
+        add(weights_[offset][static_cast<std::size_t>(row)], terms,
+            at(row + kMargin + dy, kMargin + dx), sums);
+      }
+    }
+    return sums;
+  }
+
+  void add(const Row& weights, const std::array<Row, Terms>& terms, std::size_t first,
+           Sums& sums) const {
     std::size_t product = 0;
-    for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t i = 0; i < Terms; ++i) {
       Row weighted;
-      for (std::size_t x = 0; x < kTile; ++x) weighted[x] = weight[x] * t[i][x];
+      for (std::size_t x = 0; x < kTile; ++x) weighted[x] = weights[x] * terms[i][x];
       for (std::size_t j = 0; j <= i; ++j, ++product) {
-        for (std::size_t x = 0; x < kTile; ++x) products[product][x] += weighted[x] * t[j][x];
+        Row& sum = sums.products[product];
+        for (std::size_t x = 0; x < kTile; ++x) sum[x] += weighted[x] * terms[j][x];
       }
-      for (std::size_t c = 0; c < channels_; ++c) {
-        const Plane& light = p_.values[c];
-        for (std::size_t x = 0; x < kTile; ++x) {
-          const int column = left_ + static_cast<int>(x) + dx;
-          colors_[row(y)][c][i][x] += weighted[x] * light[pixel(column, top_ + y + dy)];
-        }
+      for (std::size_t c = 0; c < layer_.values.size(); ++c) {
+        const float* value = values_[c].data() + first;
+        Row& sum = sums.colors[c][i];
+        for (std::size_t x = 0; x < kTile; ++x) sum[x] += weighted[x] * value[x];
       }
     }
   }
 
-  const DenoiseLayer& p_;
-  int left_, top_;
-  std::size_t channels_;
-  Square distance_{}, say_{};
-  std::array<std::array<Row, kProducts>, kTile> products_{};
-  std::array<std::array<std::array<Row, kTerms>, 3>, kTile> colors_{};
+  const DenoiseLayer& layer_;
+  int left_, top_;  // of the surroundings
+  Block weight_, variance_, y_;
+  std::array<Block, 3> values_{};
+  std::array<Block, Terms - 3 == 0 ? 1 : Terms - 3> features_;
+  std::array<std::array<Row, kTile>, static_cast<std::size_t>(kOffsets)> weights_;
 };
 
 class Denoiser {
@@ -216,8 +249,8 @@ class Denoiser {
  private:
   // Mean of the halves, each by its number of samples.
   void filter(std::uint32_t left, std::uint32_t top) {
-    const auto scattered = smooth<kLightTerms>(scattered_, left, top);
-    const auto reflected = smooth<kLightTerms>(reflected_, left, top);
+    const auto scattered = smooth<kScatteredTerms>(scattered_, left, top);
+    const auto reflected = smooth<kReflectedTerms>(reflected_, left, top);
     const auto shadow = smooth<kShadowTerms>(shadow_, left, top);
     for (std::uint32_t y = 0; y < kTile && top + y < film_.height(); ++y) {
       for (std::uint32_t x = 0; x < kTile && left + x < film_.width(); ++x) {
@@ -233,7 +266,8 @@ class Denoiser {
     }
   }
 
-  static constexpr std::size_t kLightTerms = 3 + DenoiseLayer::kFeatures;
+  static constexpr std::size_t kScatteredTerms = 3 + DenoiseLayer::kFeatures;
+  static constexpr std::size_t kReflectedTerms = 7;  // without the colour
   static constexpr std::size_t kShadowTerms = 3;
 
   template <std::size_t Terms>
@@ -242,14 +276,10 @@ class Denoiser {
     const auto filter = std::make_unique<TileFilter<Terms>>(layer, left, top);
     if (!filter->matters()) return result;
     filter->run();
-    for (std::uint32_t y = 0; y < kTile && top + y < layer.height; ++y) {
-      for (std::uint32_t x = 0; x < kTile && left + x < layer.width; ++x) {
-        const std::size_t i = std::size_t{top + y} * layer.width + left + x;
-        Float3 value{};
-        for (std::size_t c = 0; c < layer.values.size(); ++c) value[c] = layer.values[c][i];
-        filter->value(static_cast<int>(x), static_cast<int>(y), value);
-        result[std::size_t{y} * kTile + x] = to_vec(value);
-      }
+    for (int y = 0; y < kTile; ++y) {
+      const auto values = filter->values(y);
+      const auto row = static_cast<std::size_t>(y) * kTile;
+      for (std::size_t x = 0; x < kTile; ++x) result[row + x] = to_vec(values[x]);
     }
     return result;
   }

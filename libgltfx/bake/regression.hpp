@@ -22,11 +22,17 @@ struct NormalEquations {
   bool solve(float ridge, Float3& value) const {
     std::array<float, kProducts> root{};
     if (!factor(ridge, root)) return false;
-    for (std::size_t c = 0; c < 3; ++c) value[c] = first_unknown(root, colors[c]);
+    const std::array<float, Terms> influence = first_row_of_inverse(root);
+    for (std::size_t c = 0; c < 3; ++c) {
+      value[c] = 0;
+      for (std::size_t i = 0; i < Terms; ++i) value[c] += influence[i] * colors[c][i];
+    }
     return true;
   }
 
  private:
+  static constexpr float kFew = 0.05F;  // neighbours say little of slopes
+
   static constexpr std::size_t at(std::size_t row, std::size_t column) {
     return row * (row + 1) / 2 + column;
   }
@@ -38,7 +44,7 @@ struct NormalEquations {
     for (std::size_t i = 0; i < Terms; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         float sum = products[at(i, j)];
-        if (i == j && i > 0) sum += ridge * weight;
+        if (i == j && i > 0) sum += ridge * weight + kFew;
         for (std::size_t k = 0; k < j; ++k) sum -= root[at(i, k)] * root[at(j, k)];
         if (i == j) {
           if (!(sum > 0)) return false;
@@ -51,11 +57,10 @@ struct NormalEquations {
     return true;
   }
 
-  static float first_unknown(const std::array<float, kProducts>& root,
-                             const std::array<float, Terms>& right) {
+  static std::array<float, Terms> first_row_of_inverse(const std::array<float, kProducts>& root) {
     std::array<float, Terms> y{};
     for (std::size_t i = 0; i < Terms; ++i) {
-      float sum = right[i];
+      float sum = i == 0 ? 1.0F : 0.0F;
       for (std::size_t k = 0; k < i; ++k) sum -= root[at(i, k)] * y[k];
       y[i] = sum / root[at(i, i)];
     }
@@ -65,7 +70,7 @@ struct NormalEquations {
       for (std::size_t k = i + 1; k < Terms; ++k) sum -= root[at(k, i)] * x[k];
       x[i] = sum / root[at(i, i)];
     }
-    return x[0];
+    return x;
   }
 };
 
