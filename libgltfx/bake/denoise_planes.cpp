@@ -9,7 +9,6 @@
 namespace gltfx::bake {
 namespace {
 
-
 // Means over squares of 2 * radius + 1 pixels, cut off at the edges.
 Plane blurred(const Plane& plane, std::uint32_t width, std::uint32_t height, int radius) {
   const auto across = [radius](const float* from, float* to, std::size_t count,
