@@ -31,17 +31,19 @@ Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
 // An encoder holds the texels, what it makes of them, and tables.
 constexpr std::uint64_t kEncoderMemoryPerByte = 8;
 
-Fault no_memory_here() {
-  return {FaultKind::unavailable, "There is no memory left for the result."};
+Fault no_thread_here() {
+  return {FaultKind::unavailable, "The system refuses what it takes to wait for a decoder."};
 }
 
-// What `work` gives; the library does not throw when memory runs out.
+// What `work` gives. That memory is missing here is no fault of a payload.
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {
     return work();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
-    return no_memory_here();
+    return no_thread_here();
   }
 }
 

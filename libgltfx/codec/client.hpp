@@ -180,7 +180,8 @@ struct Settings {
 
 /// Keeps workers until it is destroyed. Any number of threads may call; each call is one request to
 /// one worker, and waits while all are busy. A worker that dies, runs out of time or breaks the
-/// protocol is ended, and another one is started by the next call. Nothing throws.
+/// protocol is ended, and another one is started by the next call. Nothing throws but
+/// std::bad_alloc, when this process has no memory left.
 class Client {
  public:
   explicit Client(Settings settings = {});

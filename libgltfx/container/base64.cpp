@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <exception>
 
 #include <fmt/format.h>
 
@@ -97,11 +96,7 @@ Result<std::string> decode_base64(std::string_view text) {
   const std::size_t padding = padding_of(text);
   const std::size_t whole = padding == 0 ? text.size() : text.size() - 4;
   std::string bytes;
-  try {
-    bytes.resize(whole / 4 * 3);
-  } catch (const std::exception&) {  // bad_alloc
-    return Error{"The base64 text does not fit in memory once it is decoded."};
-  }
+  bytes.resize(whole / 4 * 3);
   char* to = bytes.data();
   for (std::size_t i = 0; i < whole; i += 4, to += 3) {
     const std::uint32_t bits = quartet(text.data() + i);

@@ -75,7 +75,7 @@ Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length) {
   TextRoom room(length);
   if (!room) {
     return copy_fault(ResolveFault::too_large,
-                      fmt::format("{} bytes do not fit in memory", length));
+                      fmt::format("there is not enough memory for {} bytes", length));
   }
   std::size_t done = 0;
   while (done < room.size()) {

@@ -58,7 +58,7 @@ Result<Bytes> read_stream(int fd, std::uint64_t max_bytes) {
     }
     if (!append(text, piece->data(), length)) {
       return Error{
-          fmt::format("The stream does not fit in memory: {} bytes were read so far; pass "
+          fmt::format("There is not enough memory for the stream: {} bytes were read so far; pass "
                       "the asset by path.",
                       text.size())};
     }

@@ -90,20 +90,62 @@ class Comparison {
   std::string error_;
 };
 
+// The library does not throw.
+BakeReport bake_one(const BakeInput& input, const BakeOptions& options, std::size_t number,
+                    std::size_t count) {
+  try {
+    return bake_file(input.path, options_of(options, input, number, count));
+  } catch (const std::bad_alloc&) {
+    BakeReport failed;
+    failed.path = input.path;
+    failed.problem = BakeProblem::unreadable;
+    failed.error = "there is not enough memory to draw this file";
+    return failed;
+  }
+}
+
+/// The picture of all pictures, if there is to be one and memory for it.
+class SheetOfAll {
+ public:
+  SheetOfAll(std::size_t count, const BakeOptions& options) : wanted_(count > 0) {
+    if (wanted_) attempt([&] { sheet_.emplace(count, options.sizes.front()); });
+  }
+  void add(const BakedPixels& pixels, const std::string& path) {
+    if (sheet_) attempt([&] { sheet_->add(pixels, fs::path(path).stem().native()); });
+  }
+  /// What went wrong, or an empty text.
+  std::string write(const std::string& path) {
+    std::optional<Error> trouble;
+    if (sheet_) attempt([&] { trouble = write_picture(sheet_->take(), path); });
+    if (wanted_ && !sheet_) return "there is not enough memory for the picture of all pictures";
+    return trouble ? std::move(trouble->message) : std::string();
+  }
+
+ private:
+  template <class Work>
+  void attempt(const Work& work) {
+    try {
+      work();
+    } catch (const std::bad_alloc&) {
+      sheet_.reset();
+    }
+  }
+
+  bool wanted_;
+  std::optional<ContactSheet> sheet_;
+};
+
 }  // namespace
 
 std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
-  std::optional<ContactSheet> pictures;
-  if (!sheet.empty() && !inputs.empty()) pictures.emplace(inputs.size(), options.sizes.front());
+  SheetOfAll pictures(sheet.empty() ? 0 : inputs.size(), options);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    BakeReport report = bake_file(inputs[i].path, options_of(options, inputs[i], i, inputs.size()));
-    if (pictures) pictures->add(report.pixels, fs::path(inputs[i].path).stem().native());
+    BakeReport report = bake_one(inputs[i], options, i, inputs.size());
+    pictures.add(report.pixels, inputs[i].path);
     consume(std::move(report));
   }
-  if (!pictures) return {};
-  const auto trouble = write_picture(pictures->take(), sheet);
-  return trouble ? trouble->message : std::string();
+  return pictures.write(sheet);
 }
 
 BakeComparison bake_comparison(const std::string& first, const std::string& second,

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/parallel.hpp"
 #include "inspect/facts.hpp"
 #include "pipeline/opened_asset.hpp"
 #include "schema/compile.hpp"
@@ -58,11 +57,11 @@ InspectReport failed(const std::string& path, std::string why) {
   return report;
 }
 
-}  // namespace
-
-InspectReport inspect_file(const std::string& path, const InspectOptions& options) {
+// The library does not throw.
+template <class Work>
+InspectReport guarded(const std::string& path, const Work& work) {
   try {
-    return inspect_opened(path, options);
+    return work();
   } catch (const std::bad_alloc&) {
     return failed(path, "there is not enough memory to look into this file");
   } catch (const std::filesystem::filesystem_error&) {
@@ -70,17 +69,25 @@ InspectReport inspect_file(const std::string& path, const InspectOptions& option
   }
 }
 
+}  // namespace
+
+InspectReport inspect_file(const std::string& path, const InspectOptions& options) {
+  return guarded(path, [&] { return inspect_opened(path, options); });
+}
+
 void inspect_files(const std::vector<std::string>& paths, const InspectOptions& options,
                    unsigned jobs, const std::function<void(InspectReport&&)>& consume) {
-  std::vector<std::optional<InspectReport>> reports(paths.size());
-  InspectOptions each = options;
-  each.jobs = paths.size() == 1 ? jobs : 1;
-  parallel_ordered(
-      paths.size(), jobs, [&](std::size_t i) { reports[i] = inspect_file(paths[i], each); },
+  const unsigned each = paths.size() == 1 ? jobs : 1;
+  report_in_order<InspectReport>(
+      paths.size(), jobs,
       [&](std::size_t i) {
-        consume(std::move(*reports[i]));
-        reports[i].reset();
-      });
+        return guarded(paths[i], [&] {
+          InspectOptions own = options;
+          own.jobs = each;
+          return inspect_opened(paths[i], own);
+        });
+      },
+      consume);
 }
 
 }  // namespace gltfx

@@ -12,13 +12,13 @@
 
 #include <fmt/format.h>
 
-#include "base/parallel.hpp"
 #include "base/replace_file.hpp"
 #include "base/stale_files.hpp"
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "json/parse.hpp"
 #include "pipeline/companions.hpp"
+#include "pipeline/in_order.hpp"
 #include "pipeline/new_error.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "schema/compile.hpp"
@@ -316,11 +316,11 @@ UpgradeReport unreadable(const std::string& path, std::string why) {
   return report;
 }
 
-}  // namespace
-
-UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
+// The library does not throw.
+template <class Work>
+UpgradeReport guarded(const std::string& path, const Work& work) {
   try {
-    return Upgrade(path, options).run();
+    return work();
   } catch (const std::bad_alloc&) {
     return unreadable(path, "there is not enough memory to upgrade this file");
   } catch (const fs::filesystem_error&) {
@@ -328,20 +328,24 @@ UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& option
   }
 }
 
+}  // namespace
+
+UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
+  return guarded(path, [&] { return Upgrade(path, options).run(); });
+}
+
 void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions& options,
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume) {
-  std::vector<std::optional<UpgradeReport>> reports(inputs.size());
-  parallel_ordered(
+  report_in_order<UpgradeReport>(
       inputs.size(), jobs,
       [&](std::size_t i) {
-        UpgradeOptions each = options;
-        each.output = inputs[i].output;
-        reports[i] = upgrade_file(inputs[i].path, each);
+        return guarded(inputs[i].path, [&] {
+          UpgradeOptions each = options;
+          each.output = inputs[i].output;
+          return upgrade_file(inputs[i].path, each);
+        });
       },
-      [&](std::size_t i) {
-        consume(std::move(*reports[i]));
-        reports[i].reset();
-      });
+      consume);
 }
 
 }  // namespace gltfx

@@ -4,11 +4,10 @@
 #include <filesystem>
 #include <memory>
 #include <new>
-#include <optional>
 #include <utility>
 
-#include "base/parallel.hpp"
 #include "container/container.hpp"
+#include "pipeline/in_order.hpp"
 #include "pipeline/kept_report.hpp"
 #include "pipeline/proposed_fix.hpp"
 #include "pipeline/resolver_for.hpp"
@@ -79,24 +78,26 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
 
 void validate_files(std::span<const ValidateInput> inputs, unsigned jobs,
                     const std::function<void(FileReport&&)>& consume) {
-  std::vector<std::optional<FileReport>> reports(inputs.size());
-  parallel_ordered(
+  report_in_order<FileReport>(
       inputs.size(), jobs,
-      [&](std::size_t i) { reports[i] = validate_file(inputs[i].path, *inputs[i].options); },
-      [&](std::size_t i) {
-        consume(std::move(*reports[i]));
-        reports[i].reset();
-      });
+      [inputs](std::size_t i) { return validate_file(inputs[i].path, *inputs[i].options); },
+      consume);
 }
 
 void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
                     unsigned jobs, const std::function<void(FileReport&&)>& consume) {
-  ValidateOptions each = options;
   // Many files keep all threads busy by themselves.
-  each.jobs = paths.size() == 1 ? jobs : 1;
-  std::vector<ValidateInput> inputs;
-  for (const std::string& path : paths) inputs.push_back({path, &each});
-  validate_files(inputs, jobs, consume);
+  const unsigned each = paths.size() == 1 ? jobs : 1;
+  report_in_order<FileReport>(
+      paths.size(), jobs,
+      [&](std::size_t i) {
+        return guarded(paths[i], options, [&] {
+          ValidateOptions own = options;
+          own.jobs = each;
+          return validate_file(paths[i], own);
+        });
+      },
+      consume);
 }
 
 }  // namespace gltfx

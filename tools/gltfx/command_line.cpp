@@ -353,6 +353,8 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
 CommandLine read_command_line(int argc, const char* const* argv) {
   try {
     return Declaration().read(argc, argv);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return Answer{{}, fmt::format("gltfx: {}\n", printable(error.what())), ExitCode::internal};
   }

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <exception>
+#include <new>
 #include <string>
 #include <variant>
 
@@ -76,6 +77,8 @@ int main(int argc, char** argv) {
   ExitCode code = ExitCode::internal;
   try {
     code = gltfx::tool::run_command(argc, argv);
+  } catch (const std::bad_alloc&) {
+    gltfx::tool::complain("there is not enough memory");
   } catch (const std::exception& error) {
     gltfx::tool::complain(std::string("internal error: ") + error.what());
   }
