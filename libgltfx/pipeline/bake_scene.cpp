@@ -99,7 +99,8 @@ class Loader {
     }
     auto bvh = bake::Bvh::build(*result_.scene);
     if (!bvh) {
-      fail(BakeProblem::refused, bvh.error().message);
+      // What a machine with more memory draws is not refused.
+      fail(BakeProblem::unreadable, bvh.error().message);
       return;
     }
     result_.bvh.emplace(*std::move(bvh));
