@@ -129,9 +129,9 @@ struct fresnel_mix : Lobe {
     const double reflected = (1 - rest) * l.power;
     const double passed = rest * b.power;
     power = reflected + passed;
-    // Facets are inclined: what the flat surface says of either part is a guess.
-    chance = b.power <= 0 ? 1 : max_value(f.f90) <= 0 && f.eta >= 1 ? 0 : reflected / power;
-    if (chance > 0 && chance < 1) chance = std::fmin(std::fmax(chance, 0.02), 0.98);
+    chance = b.power <= 0                          ? 1
+             : max_value(f.f90) <= 0 && f.eta >= 1 ? 0
+                                                   : chance_of(reflected, passed);
     is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);
   }
   Rgb eval(const Directions& d, const Through& through) const {
@@ -157,6 +157,19 @@ struct fresnel_mix : Lobe {
   void visit(Visitor& visitor, double probability) const {
     visit_node(base, visitor, probability * (1 - chance));
     visit_node(layer, visitor, probability * chance);
+  }
+
+ private:
+  // Facets are inclined: what the flat surface says of either part is a guess. On the dense side
+  // the guess is bad: some facets reflect totally, and others let something out where the flat
+  // surface would not.
+  double chance_of(double reflected, double passed) const {
+    const bool dense = fresnel.eta < 1;
+    const double let_out = dense && !base.is_delta ? 0.25 * base.power : 0;
+    const double guess = reflected / (reflected + std::fmax(passed, let_out));
+    if (guess >= 1) return 1;
+    const double least = dense ? std::fmin(0.2, layer.facets.widest()) : 0;
+    return std::fmin(std::fmax(guess, std::fmax(least, 0.02)), 0.98);
   }
 };
 

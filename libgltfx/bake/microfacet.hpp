@@ -16,6 +16,7 @@ struct Microfacets {
   double alpha_t = 1, alpha_b = 1;  ///< along and across the direction of anisotropy
   double cosine = 1, sine = 0;      ///< that direction, from the tangent
   bool isotropic() const { return alpha_t == alpha_b; }
+  double widest() const { return std::fmax(alpha_t, alpha_b); }
   bool smooth() const { return alpha_b <= kSmoothAlpha && alpha_t <= kSmoothAlpha; }
 
   Vec3d turned(const Vec3d& w) const {

@@ -183,7 +183,11 @@ TEST(Sampling, MaterialsAreTakenWithTheirDensity) {
             const auto sample = bsdf.sample(r);
             return sample ? std::optional(sample->l) : std::nullopt;
           },
-          [&](const Vec3d& l) { return bsdf.evaluate(l).pdf; }, named.name);
+          [&](const Vec3d& l) {  // where nothing is reflected the path ends
+            const Evaluation e = bsdf.evaluate(l);
+            return max_value(e.f) > 0 ? e.pdf : 0;
+          },
+          named.name);
     }
   }
 }
