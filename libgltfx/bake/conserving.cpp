@@ -2,8 +2,10 @@
 #include "bake/conserving.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "bake/albedo.hpp"
+#include "bake/quadrature.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -22,24 +24,50 @@ struct Shares {
   double base = 0;   // what 1 - F hands on to diffuse lobes
 };
 
-// Inside a volume, where total reflection makes a curve that is in no table.
-Shares integrate_shares(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
-  constexpr int kSteps = 8;
+// Inside a volume total reflection makes a curve that is in no table. What the layer reflects, over
+// a lattice of visible normals.
+double layer_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
+  if (facets.smooth()) return max_value(fresnel.at(v.z));
+  constexpr int kPoints = 144;  // Fibonacci numbers: the lattice follows no edge
+  constexpr int kTurn = 89;
   const double stretched = facets.stretched(v);
-  Shares sum;
-  for (int i = 0; i < kSteps * kSteps; ++i) {
-    const double a = (i / kSteps + 0.5) / kSteps;
-    const double b = (i % kSteps + 0.5) / kSteps;
-    const Vec3d h = facets.smooth() ? Vec3d(0, 0, 1) : facets.sample_normal(v, a, b);
+  double sum = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const Vec3d h =
+        facets.sample_normal(v, (i + 0.5) / kPoints, (i * kTurn % kPoints + 0.5) / kPoints);
     const double v_h = dot(v, h);
     const Vec3d l = 2 * v_h * h - v;
-    if (l.z > 0) {
-      const double weight = facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched);
-      sum.layer += weight * max_value(fresnel.at(v_h));
-    }
-    sum.base += 1 - max_value(fresnel.at(Directions(v, cosine_hemisphere(a, b)).v_h));
+    if (l.z <= 0) continue;
+    sum += facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched) *
+           max_value(fresnel.at(v_h));
   }
-  return {sum.layer / (kSteps * kSteps), sum.base / (kSteps * kSteps)};
+  return sum / kPoints;
+}
+
+// The integral of max(l.z, 0) over a turn of l around v.
+double cosines_around(double v_z, double cosine, double sine) {
+  const double middle = cosine * v_z;
+  const double swing = sine * std::sqrt(1 - std::min(square(v_z), 1.0));
+  if (middle >= swing) return 2 * pi * middle;
+  if (middle <= -swing) return 0;
+  const double rise = std::acos(-middle / swing);
+  return 2 * (middle * rise + swing * std::sin(rise));
+}
+
+// What 1 - F hands on to diffuse lobes there. F depends on the angle between v and l alone, which
+// is twice that to the facet: over the angle at which the facet lets light out, all is smooth.
+double base_inside(const Fresnel& fresnel, double v_z) {
+  static const std::vector<Node> kNodes = gauss_legendre(10);
+  double sum = 0;
+  for (const Node& node : kNodes) {
+    const double out = node.x * pi / 2;
+    const double sine = fresnel.eta * std::sin(out);
+    const double cosine = std::sqrt(1 - square(sine));
+    const double turn = cosines_around(v_z, 1 - 2 * square(sine), 2 * sine * cosine);
+    const double width = pi / 2 * node.weight * 2 * fresnel.eta * std::cos(out) / cosine;
+    sum += (1 - max_value(fresnel.at(cosine))) * turn * 2 * sine * cosine * width;
+  }
+  return sum / pi;
 }
 
 }  // namespace
@@ -52,10 +80,10 @@ Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
       across_(isotropic_ ? along_ : SpecularCurve(std::sqrt(facets.alpha_t))),
       f90_(max_value(fresnel.f90)) {
   if (inside_) {
-    constexpr double kMargin = 0.004;  // of so few points
-    const Shares shares = integrate_shares(fresnel, facets, v);
-    const double left = 1 - shares.layer - kMargin;
-    share_v_ = shares.base > 0 ? std::clamp(left / shares.base, 0.0, 1.0) : 1;
+    const double margin = facets.smooth() ? 1e-4 : 0.0145;  // of so few points
+    const double left = 1 - layer_inside(fresnel, facets, v) - margin;
+    const double base = base_inside(fresnel, v.z);
+    share_v_ = base > 0 ? std::clamp(left / base, 0.0, 1.0) : 1;
     return;
   }
   highest_f0_ = lowest_f0_ = max_value(fresnel.f0);

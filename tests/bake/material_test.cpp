@@ -66,6 +66,23 @@ TEST(Furnace, TheConservingModeNeverGains) {
   }
 }
 
+// From inside of volumes, where total reflection begins at an angle that facets blur.
+TEST(Furnace, TheConservingModeNeverGainsInsideOfVolumes) {
+  Chance chance(12);
+  for (int i = 0; i < 120; ++i) {
+    Material m = white();
+    m.thickness = 1;
+    m.roughness = i % 5 == 0 ? 0 : chance.number();
+    m.ior = chance.between(1, 2.5);
+    m.specular = i % 2 == 0 ? 1 : chance.number();
+    m.anisotropy = i % 3 == 0 ? chance.number() : 0;
+    m.diffuse_transmission = chance.number();
+    const double cosine = chance.between(-1, 0);
+    EXPECT_LE(max_value(integrate(m, direction_of_cosine(cosine), kConserving, 64).total), 1.001)
+        << "roughness " << m.roughness << ", ior " << m.ior << ", cosine " << cosine;
+  }
+}
+
 TEST(Furnace, TheConservingModeChangesNothingWhereTheSampleImplementationConserves) {
   Material m = white();
   m.roughness = 0.6;
