@@ -8,9 +8,12 @@
 
 namespace gltfx::bake {
 
-bool DirectLight::leads_out(const Vec3d& direction, const Vec3d& l) const {
-  if ((dot(direction, surface_.flat_normal) > 0) != (l.z > 0)) return false;
-  return l.z > 0 || !surface_.material.volumetric();
+bool DirectLight::is_consistent(const Vec3d& direction, const Vec3d& l) const {
+  return (dot(direction, surface_.flat_normal) > 0) == (l.z > 0);
+}
+
+bool DirectLight::leads_in(const Vec3d& l) const {
+  return l.z < 0 && surface_.material.volumetric();
 }
 
 Vec3d DirectLight::start(const Vec3d& l) const { return start_at(surface_, l.z > 0, s_.size); }
@@ -19,7 +22,12 @@ Candidate DirectLight::candidate(const Ray& towards, const Vec3d& l, const Rgb& 
                                  double pdf) const {
   const Evaluation value = bsdf_.evaluate(l);
   const double scale = pdf > 0 ? power_weight(pdf, value.pdf) / pdf : 1.0;
-  const Rgb share = value.f * light * (std::fabs(l.z) * scale);
+  Rgb share = value.f * light * (std::fabs(l.z) * scale);
+  if (leads_in(l)) {
+    share *= medium_of(surface_.material).transmittance(towards.far);
+  } else if (around_ != nullptr) {
+    share *= around_->transmittance(towards.far);
+  }
   return {towards, l, value.f, share, luminance(share)};
 }
 
@@ -27,7 +35,7 @@ Candidate DirectLight::from_environment(const Float2& random) const {
   const EnvironmentSample light = s_.setting.environment->sample(random);
   if (!(light.pdf > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
-  if (!leads_out(light.direction, l)) return {};
+  if (!is_consistent(light.direction, l) || leads_in(l)) return {};
   return candidate({start(l), light.direction}, l, s_.setting.environment->radiance(light),
                    light.pdf);
 }
@@ -36,7 +44,7 @@ Candidate DirectLight::from_emitter(const Float2& random) const {
   const Shine light = s_.setting.emitters.sample(s_.scene, surface_.position, random);
   if (!(max_value(light.radiance) > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
-  if (!leads_out(light.direction, l)) return {};
+  if (!is_consistent(light.direction, l) || leads_in(l)) return {};
   const Vec3d from = start(l);
   const Vec3d way = beside(light.position, light.normal, s_.size) - from;
   const double distance = length(way);
@@ -48,7 +56,7 @@ Candidate DirectLight::from_lamp(const Float2& random) const {
   const LightChoice lamp = choose_light(s_.setting.lights, surface_.position, random);
   if (!(lamp.probability > 0)) return {};
   const Vec3d l = surface_.frame.to_local(lamp.light.direction);
-  if (!leads_out(lamp.light.direction, l)) return {};
+  if (!is_consistent(lamp.light.direction, l)) return {};
   return candidate({start(l), lamp.light.direction, lamp.light.distance}, l,
                    lamp.light.irradiance / Rgb(lamp.probability), 0);
 }

@@ -4,6 +4,7 @@
 
 #include "bake/integrator.hpp"
 #include "bake/material.hpp"
+#include "bake/medium.hpp"
 #include "bake/surface.hpp"
 
 namespace gltfx::bake {
@@ -29,18 +30,21 @@ struct Candidate {
 /// sampling with those).
 class DirectLight {
  public:
-  /// References must outlive it.
-  DirectLight(const PathSetting& setting, const Surface& surface, const Bsdf& bsdf)
-      : s_(setting), surface_(surface), bsdf_(bsdf) {}
+  /// References must outlive it. `around`: the medium outside of the surface; null: none.
+  DirectLight(const PathSetting& setting, const Surface& surface, const Bsdf& bsdf,
+              const Medium* around)
+      : s_(setting), surface_(surface), bsdf_(bsdf), around_(around) {}
 
   Candidate from_environment(const Float2& random) const;
   Candidate from_emitter(const Float2& random) const;
   Candidate from_lamp(const Float2& random) const;
 
  private:
-  /// Whether a direction is on the same side of the flat triangle as of the shading normal, and in
-  /// the open: through a volume lamps are not seen directly.
-  bool leads_out(const Vec3d& direction, const Vec3d& l) const;
+  /// Whether a direction is on the same side of the flat triangle as of the shading normal.
+  bool is_consistent(const Vec3d& direction, const Vec3d& l) const;
+  /// Whether light from there comes through the volume behind the surface: then only lamps are
+  /// looked for.
+  bool leads_in(const Vec3d& l) const;
   /// `light`: radiance, or irradiance of a lamp; `pdf`: of the direction, 0 for a lamp.
   Candidate candidate(const Ray& towards, const Vec3d& l, const Rgb& light, double pdf) const;
   Vec3d start(const Vec3d& l) const;
@@ -48,6 +52,7 @@ class DirectLight {
   const PathSetting& s_;
   const Surface& surface_;
   const Bsdf& bsdf_;
+  const Medium* around_;
 };
 
 /// A start for rays, off the surface.

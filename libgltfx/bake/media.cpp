@@ -36,11 +36,21 @@ void MediaStack::leave(std::uint32_t instance) {
   if (innermost != entries_.rend()) entries_.erase(std::next(innermost).base());
 }
 
-double MediaStack::ior_around(std::uint32_t instance) const {
+const MediaStack::Entry* MediaStack::entry_around(std::uint32_t instance) const {
   const auto around =
       std::find_if(entries_.rbegin(), entries_.rend(),
                    [instance](const Entry& each) { return each.instance != instance; });
-  return around != entries_.rend() ? around->ior : 1.0;
+  return around != entries_.rend() ? &*around : nullptr;
+}
+
+const Medium* MediaStack::around(std::uint32_t instance) const {
+  const Entry* entry = entry_around(instance);
+  return entry != nullptr ? &entry->medium : nullptr;
+}
+
+double MediaStack::ior_around(std::uint32_t instance) const {
+  const Entry* entry = entry_around(instance);
+  return entry != nullptr ? entry->ior : 1.0;
 }
 
 MediumStep walk(const Medium& medium, const Rgb& throughput, double reach, const Float2& random) {

@@ -17,16 +17,15 @@ namespace gltfx::bake {
 class MediaStack {
  public:
   bool empty() const { return entries_.empty(); }
-  /// Whether there is nothing left outside of a surface of the instance.
-  bool empty_without(std::uint32_t instance) const {
-    return empty() || (entries_.size() == 1 && entries_[0].instance == instance);
-  }
   /// Precondition: not empty.
   const Medium& top() const { return entries_.back().medium; }
 
   void enter(const Material& material, std::uint32_t instance);
   void leave(std::uint32_t instance);
-  /// Index of refraction outside of a surface of the instance.
+  /// The medium outside of a surface of the instance; null in the open. Valid until the next
+  /// change.
+  const Medium* around(std::uint32_t instance) const;
+  /// Its index of refraction.
   double ior_around(std::uint32_t instance) const;
 
  private:
@@ -35,6 +34,8 @@ class MediaStack {
     double ior = 1;
     std::uint32_t instance = kNone;
   };
+  const Entry* entry_around(std::uint32_t instance) const;
+
   std::vector<Entry> entries_;  // most paths never have one
 };
 

@@ -8,6 +8,7 @@
 
 #include "bake/background.hpp"
 #include "bake/direct_light.hpp"
+#include "bake/light.hpp"
 #include "bake/material.hpp"
 #include "bake/media.hpp"
 #include "bake/storage.hpp"
@@ -114,6 +115,7 @@ class Path {
     note(Rgb(1), -ray_.direction, step.distance);
     const Float2 turn = pair(Draw::turn);
     ray_.origin += ray_.direction * step.distance;
+    gather_inside();
     ray_.direction = sample_phase(media_.top(), ray_.direction, static_cast<double>(turn[0]),
                                   static_cast<double>(turn[1]));
     straight_ = false;
@@ -166,7 +168,7 @@ class Path {
     if (!is_clear(surface.material)) {
       note(surface.material, surface.frame.normal, hit.distance);
     }
-    if (!bsdf.is_delta()) gather_light(hit, surface, bsdf, v.z < 0);
+    if (!bsdf.is_delta()) gather_light(hit, surface, bsdf);
     if (surfaces_ > 1) return turn(hit, surface, v, bsdf, branch_, {});
     fork(hit, surface, v, bsdf);
     return false;
@@ -235,19 +237,33 @@ class Path {
     if (total > 0) add_seen(chosen, total / (chosen.weight * tries), bsdf);
   }
 
-  void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf, bool from_behind) {
-    const DirectLight light(s_, surface, bsdf);
+  void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf) {
+    const DirectLight light(s_, surface, bsdf, media_.around(hit.instance));
     if (s_.setting.environment) {
       gather(Draw::environment, Draw::choice, bsdf,
              [&light](const Float2& random) { return light.from_environment(random); });
     }
-    const bool leaves = from_behind && surface.material.volumetric();
-    const bool open = leaves ? media_.empty_without(hit.instance) : media_.empty();
-    if (open && !s_.setting.emitters.empty()) {
+    if (!s_.setting.emitters.empty()) {
       gather(Draw::emitter, Draw::emitter_choice, bsdf,
              [&light](const Float2& random) { return light.from_emitter(random); });
     }
     if (!s_.setting.lights.empty()) add_seen(light.from_lamp(pair(Draw::lamp)), 1, bsdf);
+  }
+
+  // Where a medium scatters: lamps that lie in it too.
+  void gather_inside() {
+    if (s_.setting.lights.empty()) return;
+    const LightChoice lamp = choose_light(s_.setting.lights, ray_.origin, pair(Draw::lamp));
+    if (!(lamp.probability > 0)) return;
+    const Ray towards{ray_.origin, lamp.light.direction, lamp.light.distance};
+    const Medium& medium = media_.top();
+    const double phase =
+        henyey_greenstein(medium.anisotropy, -dot(ray_.direction, towards.direction));
+    const Rgb share =
+        lamp.light.irradiance * medium.transmittance(towards.far) * (phase / lamp.probability);
+    if (!(max_value(share) > 0)) return;
+    ++result_.rays;
+    deliver(throughput_ * share * static_cast<double>(s_.bvh.visibility(towards)), gloss_);
   }
 
   void add_seen(const Candidate& light, double scale, const Bsdf& bsdf) {
@@ -339,7 +355,8 @@ class Path {
     straight_ = straight_ && through && next.delta && dot(onwards, ray_.direction) > 0.99999;
     result_.clear = result_.clear || straight_;
     length_ += hit.distance;
-    pdf_ = next.delta || !media_.empty() ? 0 : next.pdf;
+    const bool leads_in = next.l.z < 0 && surface.material.volumetric();
+    pdf_ = next.delta || leads_in ? 0 : next.pdf;
     ray_ = {start_at(surface, outside, s_.size), onwards};
     return true;
   }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "bake/integrator.hpp"
 #include "bake/light.hpp"
-#include "bake/material.hpp"
+#include "bake/media.hpp"
+#include "bake/microfacet.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"
 
@@ -12,6 +16,7 @@ namespace gltfx::bake {
 namespace {
 
 constexpr double kSphere = 4 * std::numbers::pi;
+constexpr std::uint32_t kSteps = 1024;  // of a path, in media and on surfaces
 
 // Evenly over all directions.
 Vec3d any_direction(const Float2& random) {
@@ -21,52 +26,164 @@ Vec3d any_direction(const Float2& random) {
   return {ring * std::cos(turn), ring * std::sin(turn), z};
 }
 
+// Whether light goes on in few directions only: what mirrors, refracts or is seen through.
+bool is_narrow(const Material& m) {
+  const auto smooth = [](double roughness) { return square(roughness) <= kSmoothAlpha; };
+  return m.transmission > 0 || smooth(m.roughness) ||
+         (m.clearcoat > 0 && smooth(m.clearcoat_roughness));
+}
+
 bool is_consistent(const Surface& surface, const Vec3d& direction, const Vec3d& l) {
   return (dot(direction, surface.flat_normal) > 0) == (l.z > 0);
 }
 
-Vec3d start(const PathSetting& s, const Surface& surface, bool outside) {
-  return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, s.size);
-}
+class SimplePath {
+ public:
+  SimplePath(const PathSetting& setting, const Ray& ray, const SampleStream& random)
+      : s_(setting), ray_(ray), random_(random) {}
 
-Rgb from_lamps(const PathSetting& s, const Surface& surface, const Vec3d& v) {
-  Rgb sum;
-  for (const Light& each : s.setting.lights) {
-    const Illumination lamp = illuminate(each, surface.position);
-    const Vec3d l = surface.frame.to_local(lamp.direction);
-    if (max_value(lamp.irradiance) <= 0 || !is_consistent(surface, lamp.direction, l)) continue;
-    const Ray towards{start(s, surface, l.z > 0), lamp.direction, lamp.distance};
-    const double seen = static_cast<double>(s.bvh.visibility(towards));
-    sum += evaluate(surface.material, v, l, {s.mode}) * lamp.irradiance * (std::fabs(l.z) * seen);
+  Rgb run() {
+    for (; step_ < kSteps; ++step_) {
+      const auto hit = s_.bvh.intersect(ray_, random_.key() + step_ + 1);
+      if (!media_.empty()) {
+        const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
+        const double distance = free_flight();
+        if (distance < far) {
+          if (!turn(distance)) return result_;
+          continue;
+        }
+      }
+      if (!hit) {
+        if (s_.setting.environment) {
+          result_ += throughput_ * s_.setting.environment->radiance(ray_.direction);
+        }
+        return result_;
+      }
+      if (!meet(*hit)) return result_;
+    }
+    return result_;
   }
-  return sum;
-}
+
+ private:
+  enum Draw : std::uint32_t { lobe, direction, reach, turning, kDraws };
+  Float2 pair(Draw draw) const { return random_.pair(step_ * kDraws + draw); }
+
+  // Media and dispersion are of one colour at a time.
+  void follow_one_color() {
+    if (color_ >= 0) return;
+    color_ = std::min(static_cast<int>(random_.single(kSteps * kDraws) * 3), 2);
+    throughput_ *= Rgb(color_ == 0 ? 3 : 0, color_ == 1 ? 3 : 0, color_ == 2 ? 3 : 0);
+  }
+
+  double free_flight() const {
+    const double extinction = media_.top().extinction()[color_];
+    if (extinction <= 0) return std::numeric_limits<double>::infinity();
+    return -std::log1p(-static_cast<double>(pair(Draw::reach)[0])) / extinction;
+  }
+
+  // In a medium, if nothing absorbs it.
+  bool turn(double distance) {
+    const Medium& medium = media_.top();
+    const double albedo = medium.scattering[color_] / medium.extinction()[color_];
+    if (static_cast<double>(pair(Draw::reach)[1]) >= albedo) return false;
+    ray_.origin += ray_.direction * distance;
+    for (const Light& each : s_.setting.lights) {
+      const Illumination lamp = illuminate(each, ray_.origin);
+      const double phase =
+          henyey_greenstein(medium.anisotropy, dot(-ray_.direction, lamp.direction));
+      result_ += throughput_ * phase *
+                 from_lamp(lamp, {ray_.origin, lamp.direction, lamp.distance}, &medium);
+    }
+    const Vec3d onwards = any_direction(pair(Draw::turning));
+    throughput_ *= henyey_greenstein(medium.anisotropy, dot(-ray_.direction, onwards)) * kSphere;
+    ray_ = {ray_.origin, onwards};
+    return true;
+  }
+
+  bool meet(const Hit& hit) {
+    Surface surface = surface_at(s_.scene, hit, ray_);
+    const Vec3d v = surface.frame.to_local(-ray_.direction);
+    result_ += throughput_ * emitted(surface.material, v);
+    if (surfaces_ == s_.bounces || surface.material.unlit) return false;
+    ++surfaces_;
+    surface.material.outside_ior = media_.ior_around(hit.instance);
+    if (surface.material.volumetric()) follow_one_color();
+    result_ += throughput_ * from_lamps(hit, surface, v);
+    const auto next = onwards(surface, v);
+    return next && go_on(hit, surface, v, *next);
+  }
+
+  Vec3d start(const Surface& surface, bool outside) const {
+    return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, s_.size);
+  }
+
+  Rgb from_lamp(const Illumination& lamp, const Ray& towards, const Medium* medium) const {
+    if (max_value(lamp.irradiance) <= 0) return {};
+    const Rgb through = medium != nullptr ? medium->transmittance(lamp.distance) : Rgb(1);
+    return through * lamp.irradiance * static_cast<double>(s_.bvh.visibility(towards));
+  }
+
+  Rgb from_lamps(const Hit& hit, const Surface& surface, const Vec3d& v) const {
+    const Medium behind = medium_of(surface.material);
+    Rgb sum;
+    for (const Light& each : s_.setting.lights) {
+      const Illumination lamp = illuminate(each, surface.position);
+      const Vec3d l = surface.frame.to_local(lamp.direction);
+      if (!is_consistent(surface, lamp.direction, l)) continue;
+      const Medium* medium =
+          l.z < 0 && surface.material.volumetric() ? &behind : media_.around(hit.instance);
+      sum += evaluate(surface.material, v, l, {s_.mode, color_}) * std::fabs(l.z) *
+             from_lamp(lamp, {start(surface, l.z > 0), lamp.direction, lamp.distance}, medium);
+    }
+    return sum;
+  }
+
+  // A local direction: any, where that has a chance.
+  std::optional<Vec3d> onwards(const Surface& surface, const Vec3d& v) {
+    const Material& material = surface.material;
+    const ShaderOptions options{s_.mode, color_};
+    const Float2 point = pair(Draw::direction);
+    if (is_narrow(material)) {
+      const Random3 random{static_cast<double>(pair(Draw::lobe)[0]), static_cast<double>(point[0]),
+                           static_cast<double>(point[1])};
+      const auto next = sample(material, v, random, options);
+      if (!next) return std::nullopt;
+      throughput_ *= next->weight;
+      return next->l;
+    }
+    const Vec3d l = surface.frame.to_local(any_direction(point));
+    throughput_ *= evaluate(material, v, l, options) * (std::fabs(l.z) * kSphere);
+    return l;
+  }
+
+  bool go_on(const Hit& hit, const Surface& surface, const Vec3d& v, const Vec3d& l) {
+    const Vec3d towards = surface.frame.to_world(l);
+    if (!(max_value(throughput_) > 0) || !is_consistent(surface, towards, l)) return false;
+    if (surface.material.volumetric() && (l.z > 0) != (v.z > 0)) {
+      if (l.z > 0) {
+        media_.leave(hit.instance);
+      } else {
+        media_.enter(surface.material, hit.instance);
+      }
+    }
+    ray_ = {start(surface, l.z > 0), normalize(towards)};
+    return true;
+  }
+
+  const PathSetting& s_;
+  Ray ray_;
+  const SampleStream& random_;
+  Rgb result_, throughput_{1, 1, 1};
+  MediaStack media_;
+  std::uint32_t step_ = 0;
+  int surfaces_ = 0;  // that scattered
+  int color_ = -1;    // that the path follows
+};
 
 }  // namespace
 
-Rgb trace_simply(const PathSetting& s, const Ray& first, const SampleStream& random) {
-  Rgb result;
-  Rgb throughput{1, 1, 1};
-  Ray ray = first;
-  for (int step = 0; step <= s.bounces; ++step) {
-    const auto dimension = static_cast<std::uint32_t>(step) + 1;
-    const auto hit = s.bvh.intersect(ray, random.key() + dimension);
-    if (!hit) {
-      if (!s.setting.environment) return result;
-      return result + throughput * s.setting.environment->radiance(ray.direction);
-    }
-    const Surface surface = surface_at(s.scene, *hit, ray);
-    const Vec3d v = surface.frame.to_local(-ray.direction);
-    result += throughput * emitted(surface.material, v);
-    if (step == s.bounces || surface.material.unlit) return result;
-    result += throughput * from_lamps(s, surface, v);
-    const Vec3d direction = any_direction(random.pair(dimension));
-    const Vec3d l = surface.frame.to_local(direction);
-    if (!is_consistent(surface, direction, l)) return result;
-    throughput *= evaluate(surface.material, v, l, {s.mode}) * (std::fabs(l.z) * kSphere);
-    ray = {start(s, surface, l.z > 0), direction};
-  }
-  return result;
+Rgb trace_simply(const PathSetting& setting, const Ray& ray, const SampleStream& random) {
+  return SimplePath(setting, ray, random).run();
 }
 
 }  // namespace gltfx::bake
