@@ -99,17 +99,20 @@ void read_layers(const Reader& reader, const SceneMaterial& material, Material& 
   }
 }
 
-Material specular_glossiness_at(const Reader& reader, const SceneMaterial& material,
-                                const Material& read) {
+// What else the material has stays.
+void read_specular_glossiness(const Reader& reader, const SceneMaterial& material, Material& m) {
   Rgb specular = to_vec(material.specular);
   auto glossiness = static_cast<double>(material.glossiness);
   if (reader.has(Slot::specular_glossiness)) {
     reader.scale(specular, Slot::specular_glossiness);
     glossiness *= static_cast<double>(reader.texel(Slot::specular_glossiness)[3]);
   }
-  Material m = gltfx::specular_glossiness(read.base_color, specular, glossiness);
-  m.emissive = read.emissive;
-  return m;
+  const Material converted = gltfx::specular_glossiness(m.base_color, specular, glossiness);
+  m.metallic = converted.metallic;
+  m.roughness = converted.roughness;
+  m.ior = converted.ior;
+  m.specular = converted.specular;
+  m.specular_color = converted.specular_color;
 }
 
 }  // namespace
@@ -123,8 +126,11 @@ Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& 
   reader.scale(m.base_color, Slot::base_color);
   if (m.unlit) return m;
   if (max_value(m.emissive) > 0) reader.scale(m.emissive, Slot::emissive);
-  if (material.specular_glossiness) return specular_glossiness_at(reader, material, m);
-  read_metallic_roughness(reader, m);
+  if (material.specular_glossiness) {
+    read_specular_glossiness(reader, material, m);
+  } else {
+    read_metallic_roughness(reader, m);
+  }
   read_transmission(reader, m);
   read_anisotropy(reader, m);
   read_layers(reader, material, m);

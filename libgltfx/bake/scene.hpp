@@ -104,8 +104,8 @@ struct SceneMaterial {
   float normal_scale = 1, clearcoat_normal_scale = 1;
   float iridescence_thickness_minimum = 100;  ///< nanometres
 
-  /// KHR_materials_pbrSpecularGlossiness: what these hold takes the place of metalness, roughness
-  /// and index of refraction.
+  /// KHR_materials_pbrSpecularGlossiness: what these hold takes the place of metalness, roughness,
+  /// specular (whose slots have no texture then) and index of refraction.
   bool specular_glossiness = false;
   Float3 specular{1, 1, 1};
   float glossiness = 1;

@@ -169,7 +169,9 @@ class Translation {
     to_.alpha = diffuse[3];
     to_.specular = from.specular_factor;
     to_.glossiness = from.glossiness_factor;
-    to_.use(Slot::base_color) = {};
+    for (const Slot slot : {Slot::base_color, Slot::specular, Slot::specular_color}) {
+      to_.use(slot) = {};
+    }
     use(Slot::base_color, from.diffuse_texture);
     use(Slot::specular_glossiness, from.specular_glossiness_texture);
   }
