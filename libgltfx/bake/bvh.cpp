@@ -2,6 +2,7 @@
 #include "bake/bvh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <utility>
 #include <vector>
@@ -276,6 +277,13 @@ bool Bvh::State::is_front(const Hit& hit, const Vec3d& direction) const {
 
 namespace {
 
+// Embree ends the program at a ray whose numbers are none, or too large for its boxes.
+bool is_traceable(const Ray& ray) {
+  constexpr double kFarthest = 1e18;
+  const double reach = std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+  return reach < kFarthest && dot(ray.direction, ray.direction) < 2;
+}
+
 void start(RTCRay& target, const Ray& ray) {
   target.org_x = static_cast<float>(ray.origin.x);
   target.org_y = static_cast<float>(ray.origin.y);
@@ -305,6 +313,7 @@ Result<Bvh> Bvh::build(const Scene& scene) {
 }
 
 std::optional<Hit> Bvh::State::intersect(Tracing& tracing, const Ray& ray) const {
+  if (!is_traceable(ray)) return std::nullopt;
   RTCRayHit query;
   start(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -336,6 +345,7 @@ float Bvh::coverage(const Hit& hit) const {
 }
 
 float Bvh::visibility(const Ray& ray) const {
+  if (!is_traceable(ray)) return 1;
   Tracing tracing(*state_, 0);
   RTCRay query;
   start(query, ray);
