@@ -2,7 +2,10 @@
 #include "pipeline/bake_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "model/asset.hpp"
 #include "model/variants.hpp"
@@ -27,7 +30,7 @@ class Loader {
   }
 
   BakeScene run() {
-    if (open() && validate() && build()) prepare();
+    if (check() && open() && validate() && build()) prepare();
     return std::move(result_);
   }
 
@@ -36,6 +39,27 @@ class Loader {
     result_.report.problem = problem;
     result_.report.error = std::move(error);
     return false;
+  }
+
+  // What a program would not let through, from callers that are none.
+  bool check() {
+    constexpr std::uint32_t kMostPixels = 16384;
+    constexpr double kMostStops = 64;
+    const auto is_fine = [](const BakeSize& size) {
+      return std::min(size.width, size.height) > 0 &&
+             std::max(size.width, size.height) <= kMostPixels;
+    };
+    if (options_.sizes.empty() ||
+        !std::all_of(options_.sizes.begin(), options_.sizes.end(), is_fine)) {
+      return fail(BakeProblem::refused,
+                  fmt::format("each size needs sides from 1 to {} pixels", kMostPixels));
+    }
+    if (options_.samples == 0) return fail(BakeProblem::refused, "samples: at least one a pixel");
+    if (!(std::fabs(options_.exposure) <= kMostStops)) {
+      return fail(BakeProblem::refused,
+                  fmt::format("exposure: not from -{0} to {0} stops", kMostStops));
+    }
+    return true;
   }
 
   bool open() {
@@ -79,6 +103,10 @@ class Loader {
       auto environment = read_environment(options_.environment);
       if (!environment) return fail(BakeProblem::refused, environment.error().message);
       scene->environment = *std::move(environment);
+    }
+    // Other lights follow when it is known what they shine on.
+    for (bake::SceneMaterial& each : scene->materials) {
+      each.factors.emissive *= std::exp2(options_.exposure);
     }
     result_.report.notes = scene->notes;
     result_.scene = std::move(scene);

@@ -32,7 +32,7 @@ enum class BakeLayer : std::uint8_t {
 /// "albedo", "normal", "depth", "material".
 std::string_view bake_layer_name(BakeLayer layer);
 
-/// Pixels.
+/// Pixels, each side from 1 to 16384.
 struct BakeSize {
   std::uint32_t width = 512, height = 512;
 };
@@ -44,7 +44,7 @@ struct BakeOptions {
   std::uint32_t turntable = 0;
   std::vector<BakeLayer> layers;  ///< beside the picture, with "-NAME" before the name's ending
 
-  std::uint32_t samples = 32;  ///< paths through each pixel, at most
+  std::uint32_t samples = 32;  ///< paths through each pixel, at most; at least 1
   std::uint32_t bounces = 6;   ///< surfaces along a path that scatter, at most
   std::uint32_t seed = 0;
   bool denoise = true;
@@ -58,7 +58,7 @@ struct BakeOptions {
 
   BakeLights lights = BakeLights::both;
   std::string environment;  ///< a Radiance or OpenEXR file that lights the scene; empty: none
-  double exposure = 0;      ///< stops; 1 doubles the light
+  double exposure = 0;      ///< stops, from -64 to 64; 1 doubles all light
   bool transparent = false;
 
   /// A camera of the asset by name or index, or "AZIMUTH,ELEVATION" in degrees around the asset,
