@@ -3,12 +3,12 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "bake/directions.hpp"
 #include "random.hpp"
+#include "transfer.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -120,27 +120,7 @@ TEST(PhaseFunction, DirectionsAreTakenWithItsDensity) {
   }
 }
 
-// A random walk in a half space that scatters evenly, against S. Chandrasekhar's H function, solved
-// here by iteration: 1 - sqrt(1 - w) H(mu) of even light comes back under mu.
-double plane_albedo(double w, double mu) {
-  constexpr int kNodes = 200;
-  std::vector<double> h(kNodes, 1.0);
-  const auto node = [](int i) { return (i + 0.5) / kNodes; };
-  const auto inverse = [&](double x) {
-    double sum = 0;
-    for (int i = 0; i < kNodes; ++i) {
-      sum += node(i) * h[static_cast<std::size_t>(i)] / (x + node(i)) / kNodes;
-    }
-    return std::sqrt(1 - w) + w / 2 * sum;
-  };
-  for (int step = 0; step < 60; ++step) {
-    std::vector<double> next;
-    for (int i = 0; i < kNodes; ++i) next.push_back(1 / inverse(node(i)));
-    h = next;
-  }
-  return 1 - std::sqrt(1 - w) / inverse(mu);
-}
-
+// A random walk in a half space.
 TEST(PhaseFunction, AWalkComesBackAsOftenAsTransferTheorySays) {
   Chance chance(42);
   for (const double w : {0.5, 0.9}) {
