@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "inspect/facts.hpp"
+#include "pipeline/in_order.hpp"
 #include "pipeline/opened_asset.hpp"
 #include "schema/compile.hpp"
 

@@ -71,9 +71,9 @@ Examples:
 )";
 
 constexpr std::string_view kMergeExamples = R"(Examples:
+  gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif --format text, once there are
   gltfx validate library/ --shard 1/2 --format jsonl=1.jsonl   each part anywhere, also twice
   gltfx validate library/ --shard 2/2 --format jsonl=2.jsonl
-  gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif --format text
 )";
 
 constexpr std::string_view kExplainExamples = R"(Examples:
