@@ -61,4 +61,16 @@ Candidate DirectLight::from_lamp(const Float2& random) const {
                    lamp.light.irradiance / Rgb(lamp.probability), 0);
 }
 
+Candidate lamp_inside(const PathSetting& setting, const Medium& medium, const Ray& ray,
+                      const Float2& random) {
+  if (setting.setting.lights.empty()) return {};
+  const LightChoice lamp = choose_light(setting.setting.lights, ray.origin, random);
+  if (!(lamp.probability > 0)) return {};
+  const Ray towards{ray.origin, lamp.light.direction, lamp.light.distance};
+  const double phase = henyey_greenstein(medium.anisotropy, -dot(ray.direction, towards.direction));
+  const Rgb share =
+      lamp.light.irradiance * medium.transmittance(towards.far) * (phase / lamp.probability);
+  return {towards, {}, {}, share, luminance(share)};
+}
+
 }  // namespace gltfx::bake

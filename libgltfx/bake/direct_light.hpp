@@ -55,6 +55,10 @@ class DirectLight {
   const Medium* around_;
 };
 
+/// A lamp that lies in a medium, for where a ray along it is scattered; f and l are not set.
+Candidate lamp_inside(const PathSetting& setting, const Medium& medium, const Ray& ray,
+                      const Float2& random);
+
 /// A start for rays, off the surface.
 inline Vec3d start_at(const Surface& surface, bool outside, double size) {
   return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, size);

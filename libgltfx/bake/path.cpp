@@ -8,7 +8,6 @@
 
 #include "bake/background.hpp"
 #include "bake/direct_light.hpp"
-#include "bake/light.hpp"
 #include "bake/material.hpp"
 #include "bake/media.hpp"
 #include "bake/storage.hpp"
@@ -250,20 +249,13 @@ class Path {
     if (!s_.setting.lights.empty()) add_seen(light.from_lamp(pair(Draw::lamp)), 1, bsdf);
   }
 
-  // Where a medium scatters: lamps that lie in it too.
+  // Where a medium scatters.
   void gather_inside() {
-    if (s_.setting.lights.empty()) return;
-    const LightChoice lamp = choose_light(s_.setting.lights, ray_.origin, pair(Draw::lamp));
-    if (!(lamp.probability > 0)) return;
-    const Ray towards{ray_.origin, lamp.light.direction, lamp.light.distance};
-    const Medium& medium = media_.top();
-    const double phase =
-        henyey_greenstein(medium.anisotropy, -dot(ray_.direction, towards.direction));
-    const Rgb share =
-        lamp.light.irradiance * medium.transmittance(towards.far) * (phase / lamp.probability);
-    if (!(max_value(share) > 0)) return;
+    const Candidate lamp = lamp_inside(s_, media_.top(), ray_, pair(Draw::lamp));
+    if (!(lamp.weight > 0)) return;
     ++result_.rays;
-    deliver(throughput_ * share * static_cast<double>(s_.bvh.visibility(towards)), gloss_);
+    deliver(throughput_ * lamp.share * static_cast<double>(s_.bvh.visibility(lamp.towards)),
+            gloss_);
   }
 
   void add_seen(const Candidate& light, double scale, const Bsdf& bsdf) {

@@ -276,6 +276,7 @@ Shot pond() {
 // A lamp in a body of wax, and one in clear glass around a ball.
 Shot candle() {
   Shot shot = wax();
+  shot.stage.bounces = 4;
   shot.stage.setting.environment.reset();
   shot.stage.setting.background = Background::transparent;
   shot.stage.setting.lights = {lamp(Light::Kind::point, {0.2F, 0.1F, 0.3F}, {3, 4, 5}),
@@ -312,7 +313,7 @@ const Case kCases[] = {
     {"leaf", leaf},
     {"wax", wax},
     {"milk", milk, 0.035},
-    {"candle", candle, 0.06},
+    {"candle", candle, 0.1},
     {"ball_in_glass", ball_in_glass, 0.1},
     {"velvet", velvet},
     {"shell", shell},
