@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -36,6 +37,30 @@ struct Group {
 
 }  // namespace
 
+namespace {
+
+constexpr double kFarthest = 5e17;  // Embree ends the program at a ray from beyond 1.8e18
+
+// How much longer rays become on their way into the space of a mesh, in the worst direction;
+// infinite where there is no way, or none in floats.
+double stretch_into(const Matrix34& m) {
+  constexpr double kMost = 1e9;
+  const double volume = determinant(m);
+  const Vec3d x(m[0][0], m[1][0], m[2][0]);
+  const Vec3d y(m[0][1], m[1][1], m[2][1]);
+  const Vec3d z(m[0][2], m[1][2], m[2][2]);
+  const Vec3d place(m[0][3], m[1][3], m[2][3]);
+  double most = 0;
+  for (const Vec3d& row : {cross(y, z), cross(z, x), cross(x, y)}) {
+    const double sum = (std::fabs(row.x) + std::fabs(row.y) + std::fabs(row.z)) / std::fabs(volume);
+    const bool fits = sum < kMost && std::fabs(dot(row, place) / volume) < kFarthest;
+    most = std::max(most, fits ? sum : std::numeric_limits<double>::infinity());
+  }
+  return most;
+}
+
+}  // namespace
+
 struct Bvh::State {
   explicit State(const Scene& s) : scene(s) {}
   State(const State&) = delete;
@@ -56,6 +81,7 @@ struct Bvh::State {
   Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
   float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
   bool is_front(const Hit& hit, const Vec3d& direction) const;
+  bool is_traceable(const Ray& ray) const;  // numbers, and not too large for Embree
   bool offers_front(const RTCFilterFunctionNArguments* args, const Hit& hit) const;
   std::optional<Hit> intersect(Tracing& tracing, const Ray& ray) const;
   static void filter_closest(const RTCFilterFunctionNArguments* args);
@@ -69,6 +95,7 @@ struct Bvh::State {
   std::vector<std::uint32_t> instanced;   // instance of geometry kTreatments + i
   std::vector<int> facing;                // by instance: -1 where the transform mirrors
   std::size_t triangles = 0;
+  double farthest = kFarthest;  // from where a ray may come
 };
 
 // What the filters know of the ray. Embree hands back its own part, which is the first one.
@@ -118,6 +145,8 @@ RTCScene new_scene(RTCDevice device) {
 }  // namespace
 
 void Bvh::State::group_instances() {
+  constexpr std::size_t kMostFlattened = 1U << 20U;
+  std::size_t flattened = 0;  // triangles
   std::vector<std::uint32_t> uses(scene.meshes.size(), 0);
   for (const Instance& instance : scene.instances) ++uses[instance.mesh];
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
@@ -126,10 +155,15 @@ void Bvh::State::group_instances() {
     facing.push_back(determinant(instance.to_world) < 0 ? -1 : 1);
     if (mesh.triangles.empty()) continue;
     triangles += mesh.triangles.size();
-    if (uses[instance.mesh] > 1) {
+    const double stretch = uses[instance.mesh] > 1 ? stretch_into(instance.to_world) : 0;
+    if (stretch > 0 && std::isfinite(stretch)) {
       instanced.push_back(i);
+      farthest = std::min(farthest, kFarthest / stretch);
       continue;
     }
+    // What is flattened lies in the world, as long as there is not too much of it.
+    flattened += stretch > 0 ? mesh.triangles.size() : 0;
+    if (flattened > kMostFlattened) continue;
     Group& group = groups[static_cast<std::size_t>(treatment_of(material_of(scene, mesh)))];
     group.instances.push_back(i);
     group.first.push_back(group.triangles);
@@ -277,13 +311,6 @@ bool Bvh::State::is_front(const Hit& hit, const Vec3d& direction) const {
 
 namespace {
 
-// Embree ends the program at a ray whose numbers are none, or too large for its boxes.
-bool is_traceable(const Ray& ray) {
-  constexpr double kFarthest = 1e18;
-  const double reach = std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
-  return reach < kFarthest && dot(ray.direction, ray.direction) < 2;
-}
-
 void start(RTCRay& target, const Ray& ray) {
   target.org_x = static_cast<float>(ray.origin.x);
   target.org_y = static_cast<float>(ray.origin.y);
@@ -310,6 +337,11 @@ Result<Bvh> Bvh::build(const Scene& scene) {
   auto state = std::make_unique<State>(scene);
   if (!state->build()) return Error{"there is not enough memory to prepare the scene for rays"};
   return Bvh(std::move(state));
+}
+
+bool Bvh::State::is_traceable(const Ray& ray) const {
+  const double reach = std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+  return reach < farthest && dot(ray.direction, ray.direction) < 2;
 }
 
 std::optional<Hit> Bvh::State::intersect(Tracing& tracing, const Ray& ray) const {
@@ -345,7 +377,7 @@ float Bvh::coverage(const Hit& hit) const {
 }
 
 float Bvh::visibility(const Ray& ray) const {
-  if (!is_traceable(ray)) return 1;
+  if (!state_->is_traceable(ray)) return 1;
   Tracing tracing(*state_, 0);
   RTCRay query;
   start(query, ray);
