@@ -50,7 +50,8 @@ class Baker {
     if (!format) return fail(BakeProblem::refused, format.error().message);
     format_ = *format;
     if (!options_.transparent || holds_alpha(format_)) return true;
-    return fail(BakeProblem::refused, "JPEG holds no transparent background");
+    return fail(BakeProblem::refused,
+                "JPEG holds no transparent background; PNG, WebP and OpenEXR do");
   }
 
   bool draw_size(const BakeSize& size) {
@@ -142,6 +143,11 @@ std::string_view bake_layer_name(BakeLayer layer) {
       break;
   }
   return "material";
+}
+
+std::string check_picture_name(const std::string& path) {
+  const auto format = picture_format(path);
+  return format ? std::string() : format.error().message;
 }
 
 BakeReport bake_file(const std::string& path, const BakeOptions& options) {

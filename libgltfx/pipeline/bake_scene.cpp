@@ -43,16 +43,20 @@ class Loader {
 
   // What a program would not let through, from callers that are none.
   bool check() {
-    constexpr std::uint32_t kMostPixels = 16384;
+    constexpr std::uint32_t kMostPixels = 16384;          // along a side
+    constexpr std::uint64_t kMostInAll = 8192ULL * 8192;  // of some hundred bytes each
     constexpr double kMostStops = 64;
     const auto is_fine = [](const BakeSize& size) {
       return std::min(size.width, size.height) > 0 &&
-             std::max(size.width, size.height) <= kMostPixels;
+             std::max(size.width, size.height) <= kMostPixels &&
+             std::uint64_t{size.width} * size.height <= kMostInAll;
     };
     if (options_.sizes.empty() ||
         !std::all_of(options_.sizes.begin(), options_.sizes.end(), is_fine)) {
-      return fail(BakeProblem::refused,
-                  fmt::format("each size needs sides from 1 to {} pixels", kMostPixels));
+      return fail(
+          BakeProblem::refused,
+          fmt::format("each size needs sides from 1 to {} pixels, and {} pixels in all at most",
+                      kMostPixels, kMostInAll));
     }
     if (options_.samples == 0) return fail(BakeProblem::refused, "samples: at least one a pixel");
     if (!(std::fabs(options_.exposure) <= kMostStops)) {
@@ -101,7 +105,7 @@ class Loader {
         build_scene(asset_.container, asset_.resolver, asset_.parsed.document, *schemas_, wanted));
     if (!options_.environment.empty()) {
       auto environment = read_environment(options_.environment);
-      if (!environment) return fail(BakeProblem::refused, environment.error().message);
+      if (!environment) return fail(BakeProblem::unreadable, environment.error().message);
       scene->environment = *std::move(environment);
     }
     // Other lights follow when it is known what they shine on.
@@ -161,7 +165,12 @@ Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bak
     direction = {angles->first, angles->second};
   } else {
     const auto named = find_named("camera", options.camera, camera_names(scene));
-    if (!named) return named.error();
+    if (!named) {
+      return Error{named.error().message + "; AZIMUTH,ELEVATION in degrees goes for any asset"};
+    }
+    if (*named && options.turntable > 0) {
+      return Error{"a turntable goes around the asset, not through a camera of its own"};
+    }
     if (*named) return std::vector<bake::View>{bake::view_of(scene.cameras[**named], aspect)};
   }
   std::vector<bake::View> views;

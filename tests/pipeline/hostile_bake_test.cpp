@@ -3,9 +3,6 @@
 #include <functional>
 #include <ostream>
 
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-
 #include "pipeline/baking.hpp"
 
 namespace gltfx::test {
@@ -14,7 +11,6 @@ namespace {
 using bake::cube;
 using bake::sphere;
 using bake::square;
-using testing::HasSubstr;
 
 struct Case {
   std::string name;
@@ -323,80 +319,6 @@ TEST_P(Hostile, GivesAPictureOrSaysWhyNot) {
 
 INSTANTIATE_TEST_SUITE_P(Assets, Hostile, testing::ValuesIn(kCases),
                          [](const auto& chosen) { return chosen.param.name; });
-
-// What is drawn fills a good part of the picture whatever its size.
-TEST_F(Baking, EverySizeIsFramedAlike) {
-  options.camera.clear();
-  options.transparent = true;
-  std::vector<std::uint8_t> usual;
-  for (const float size : {1.0F, 1e-12F, 1e-3F, 1e4F, 1e12F}) {
-    AssetText asset;
-    asset.draw(scaled(cube(), size), plain());
-    const BakeReport done = report(asset);
-    ASSERT_EQ(done.problem, BakeProblem::none) << done.error;
-    if (usual.empty()) usual = done.pixels.bytes;
-    for (std::size_t i = 3; i < usual.size(); i += 4) {
-      EXPECT_NEAR(usual[i], done.pixels.bytes[i], 40) << size;
-    }
-  }
-}
-
-TEST_F(Baking, CamerasAtTheirLimits) {
-  for (const Json& lens :
-       {Json{{"yfov", 1e-30}, {"znear", 1e-30}},
-        Json{{"yfov", 3.14159}, {"znear", 1e30}, {"zfar", 2e30}},
-        Json{{"yfov", 0.5}, {"znear", 1}, {"zfar", 1.0000001}, {"aspectRatio", 1e-30}}}) {
-    AssetText asset;
-    asset.draw(cube(), plain());
-    asset.camera({{"type", "perspective"}, {"perspective", lens}}, {{"scale", {0, 0, 0}}});
-    options.force = true;
-    EXPECT_EQ(report(asset).problem, BakeProblem::none) << lens;
-  }
-  for (const double magnification : {0.0, -1.0, 1e-30, 1e30}) {
-    AssetText asset;
-    asset.draw(cube(), plain());
-    asset.camera({{"type", "orthographic"},
-                  {"orthographic",
-                   {{"xmag", magnification}, {"ymag", magnification}, {"znear", 0}, {"zfar", 0}}}},
-                 {{"translation", {0, 0, 3}}});
-    EXPECT_EQ(report(asset).problem, BakeProblem::none);
-  }
-}
-
-TEST_F(Baking, SizesAtTheirLimits) {
-  AssetText asset;
-  asset.draw(cube(), plain());
-  options.camera.clear();
-  options.samples = 1;
-  for (const BakeSize size : {BakeSize{1, 1}, BakeSize{2048, 1}, BakeSize{1, 2048}}) {
-    for (const bool denoise : {false, true}) {
-      options.sizes = {size};
-      options.denoise = denoise;
-      EXPECT_EQ(report(asset).pixels.bytes.size(), std::size_t{size.width} * size.height * 3);
-    }
-  }
-}
-
-// What a caller of the library may hand over without a program that looks at it first.
-TEST_F(Baking, NumbersThatMakeNoPictureAreRefused) {
-  AssetText asset;
-  asset.draw(cube(), plain());
-  options.camera.clear();
-  const auto refused = [&](const auto& change, const char* expected) {
-    const BakeOptions usual = options;
-    change(options);
-    const BakeReport done = report(asset);
-    EXPECT_EQ(done.problem, BakeProblem::refused) << expected;
-    EXPECT_THAT(done.error, HasSubstr(expected));
-    options = usual;
-  };
-  refused([](BakeOptions& o) { o.sizes = {{0, 8}}; }, "size");
-  refused([](BakeOptions& o) { o.sizes = {{8, 8}, {100000, 100000}}; }, "size");
-  refused([](BakeOptions& o) { o.sizes.clear(); }, "size");
-  refused([](BakeOptions& o) { o.samples = 0; }, "samples");
-  refused([](BakeOptions& o) { o.exposure = NAN; }, "exposure");
-  refused([](BakeOptions& o) { o.exposure = 1e9; }, "exposure");
-}
 
 }  // namespace
 }  // namespace gltfx::test

@@ -116,7 +116,7 @@ TEST_F(BakeTest, WrongWordsAreNamed) {
     EXPECT_THAT(outcome.err, HasSubstr(expected));
   }
   EXPECT_THAT(bake({leaf, "-o", "a.tga"}).err, HasSubstr("does not end in .png"));
-  EXPECT_EQ(bake({leaf, "-o", "a.tga"}).code, 1);
+  EXPECT_EQ(bake({leaf, "-o", "a.tga"}).code, 2);
 }
 
 }  // namespace

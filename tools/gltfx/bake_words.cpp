@@ -103,6 +103,12 @@ void check(Reading& reading, const BakeWords& words) {
                   "bake: --embed and --time-budget exclude each other: what is in a file should "
                   "not depend on the machine.");
   reading.require(words.sheet.empty() || !compares, "bake: --compare draws no --sheet.");
+  reading.require(!compares || (words.turntable == "0" && words.layers.empty()),
+                  "bake: --compare draws one picture, without --turntable and --layer.");
+  reading.require(!words.output.empty() || words.layers.empty() || compares,
+                  "bake: say where --layer goes with --output.");
+  reading.require(words.time == "0" || !words.animation.empty(),
+                  "bake: --time is that of an --animation; name one.");
 }
 
 }  // namespace
@@ -156,7 +162,10 @@ Result<std::vector<BakeSize>> parse_sizes(const std::vector<std::string>& texts)
   for (const std::string_view text : comma_parts(texts)) {
     const auto size = parse_size(text);
     if (!size) return size.error();
-    sizes.push_back(*size);
+    const auto same = [&](const BakeSize& each) {
+      return each.width == size->width && each.height == size->height;
+    };
+    if (std::none_of(sizes.begin(), sizes.end(), same)) sizes.push_back(*size);
   }
   return sizes;
 }

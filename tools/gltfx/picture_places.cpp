@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -32,6 +33,18 @@ bool is_folder(const Inputs& inputs, const std::string& output) {
   return inputs.several || output.ends_with('/') || fs::is_directory(output, fault);
 }
 
+// An ending that is none of a picture, or another one than --format names.
+std::optional<Error> check_name(const char* option, const std::string& name,
+                                const std::string& format) {
+  if (name.empty()) return std::nullopt;
+  if (const std::string wrong = check_picture_name(name); !wrong.empty()) {
+    return Error{fmt::format("{}: {}.", option, wrong)};
+  }
+  if (format == "png" || name.ends_with(format)) return std::nullopt;
+  return Error{fmt::format("--format: that is for files in a folder; the name {} says another one.",
+                           quoted(name, 200))};
+}
+
 }  // namespace
 
 Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& request) {
@@ -44,6 +57,10 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
     return Error{fmt::format("--output: {} is a file, but a folder is needed for several assets.",
                              quoted(output, 200))};
   }
+  if (!folder) {
+    if (const auto wrong = check_name("--output", output, request.format)) return *wrong;
+  }
+  if (const auto wrong = check_name("--sheet", places.sheet, "png")) return *wrong;
   const std::vector<std::string> names = picture_names(inputs.places, request.format);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     const std::string place = folder ? (fs::path(output) / names[i]).native() : output;

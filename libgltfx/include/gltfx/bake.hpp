@@ -32,7 +32,11 @@ enum class BakeLayer : std::uint8_t {
 /// "albedo", "normal", "depth", "material".
 std::string_view bake_layer_name(BakeLayer layer);
 
-/// Pixels, each side from 1 to 16384.
+/// What is wrong with the name of a picture to be written, one sentence; empty when its ending is
+/// that of a format.
+std::string check_picture_name(const std::string& path);
+
+/// Pixels, each side from 1 to 16384, and 2^26 in all at most.
 struct BakeSize {
   std::uint32_t width = 512, height = 512;
 };

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Each option of `gltfx bake`: what it changes, and what is said when it cannot be done.
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "container/temp_folder.hpp"
+#include "program/process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+namespace fs = std::filesystem;
+using container::test::TempFolder;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// Squares, a lamp, a camera, two scenes, two variants and an animation.
+constexpr const char* kStage = R"json({"asset": {"version": "2.0"},
+ "extensionsUsed": ["KHR_materials_variants", "KHR_lights_punctual"],
+ "extensions": {"KHR_materials_variants": {"variants": [{"name": "red"}, {"name": "blue"}]}, "KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 3, "color": [1, 0.5, 0.2]}]}},
+ "scene": 0,
+ "scenes": [{"name": "one", "nodes": [0, 1, 2, 3]}, {"name": "two", "nodes": [0, 1, 4]}],
+ "nodes": [{"mesh": 0}, {"camera": 0, "name": "eye", "translation": [0.4, 0.3, 4]}, {"translation": [0.5, 0.5, 1], "extensions": {"KHR_lights_punctual": {"light": 0}}}, {"mesh": 0, "translation": [0, 0, -1], "scale": [2, 2, 2]}, {"mesh": 0, "translation": [0, 1.5, 0]}],
+ "cameras": [{"name": "front", "type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.2, 0.2, 1], "metallicFactor": 0, "roughnessFactor": 0.3}}, {"pbrMetallicRoughness": {"baseColorFactor": [0.2, 0.2, 0.8, 1]}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0, "extensions": {"KHR_materials_variants": {"mappings": [{"material": 1, "variants": [1]}]}}}]}],
+ "animations": [{"name": "slide", "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}], "samplers": [{"input": 2, "output": 3}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]}, {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}, {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]}, {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC3"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}, {"buffer": 0, "byteOffset": 60, "byteLength": 8}, {"buffer": 0, "byteOffset": 68, "byteLength": 24}],
+ "buffers": [{"byteLength": 92, "uri": "data:application/octet-stream;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAACAPwAAgD8AAAAAAACAvwAAgD8AAAAAAAABAAIAAAACAAMAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAAA/AAAAAAAAAAA="}]})json";
+
+class BakeOptionsTest : public testing::Test {
+ protected:
+  BakeOptionsTest() { folder_.write("stage.gltf", kStage); }
+
+  Outcome run(std::vector<std::string> words) const {
+    words.insert(words.begin(), "bake");
+    return gltfx(std::move(words), {folder_.path().native(), {}, {}});
+  }
+  std::string content(const std::string& name) const {
+    return read_file((folder_.path() / name).native());
+  }
+  /// The picture that these words give.
+  std::string picture(std::vector<std::string> words) const {
+    words.insert(words.begin(),
+                 {"stage.gltf", "-o", "a.png", "--size", "16", "--samples", "20", "--jobs", "1"});
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err << testing::PrintToString(words);
+    return content("a.png");
+  }
+  std::string complaint(std::vector<std::string> words, int code) const {
+    words.insert(words.begin(), "stage.gltf");
+    words.insert(words.end(), {"--size", "8", "--samples", "1"});
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.code, code) << outcome.err << testing::PrintToString(words);
+    return outcome.err;
+  }
+  const TempFolder folder_;
+};
+
+TEST_F(BakeOptionsTest, EachChangesThePicture) {
+  const std::string usual = picture({});
+  EXPECT_THAT(usual, StartsWith("\x89PNG"));
+  EXPECT_EQ(usual, picture({}));
+  ASSERT_EQ(run({fixture("good/leaf.gltf"), "-o", "sky.exr", "--size", "8x4", "--samples", "4",
+                 "--exposure", "3"})
+                .code,
+            0);
+  const std::vector<std::vector<std::string>> changes{
+      {"--camera", "front"},
+      {"--camera", "80,10"},
+      {"--lights", "asset"},
+      {"--lights", "studio"},
+      {"--environment", "sky.exr"},
+      {"--exposure", "1"},
+      {"--scene", "two"},
+      {"--animation", "slide", "--time", "0.5"},
+      {"--variant", "blue"},
+      {"--bounces", "0"},
+      {"--denoise", "off"},
+      {"--noise", "0.9"},
+      {"--seed", "7"},
+      {"--transparent"},
+      {"--shader", "spec"},
+  };
+  for (const auto& words : changes) {
+    EXPECT_NE(picture(words), usual) << testing::PrintToString(words);
+  }
+  // A name and its index are the same, and so are what is left away and what is usual.
+  EXPECT_EQ(picture({"--camera", "0"}), picture({"--camera", "front"}));
+  EXPECT_EQ(picture({"--scene", "1"}), picture({"--scene", "two"}));
+  EXPECT_EQ(picture({"--variant", "1"}), picture({"--variant", "blue"}));
+  EXPECT_EQ(picture({"--animation", "0"}), picture({"--animation", "slide", "--time", "0"}));
+  for (const auto& words : std::vector<std::vector<std::string>>{{"--lights", "both"},
+                                                                 {"--exposure", "0"},
+                                                                 {"--scene", "one"},
+                                                                 {"--bounces", "6"},
+                                                                 {"--denoise", "on"},
+                                                                 {"--noise", "0"},
+                                                                 {"--seed", "0"},
+                                                                 {"--shader", "conserving"},
+                                                                 {"--time-budget", "0"},
+                                                                 {"--force"},
+                                                                 {"--isolated"},
+                                                                 {"--color", "never"},
+                                                                 {"--root", "."},
+                                                                 {"--jobs", "2"}}) {
+    EXPECT_EQ(picture(words), usual) << testing::PrintToString(words);
+  }
+}
+
+TEST_F(BakeOptionsTest, FilesThatAreWritten) {
+  const Outcome outcome =
+      run({"stage.gltf", "-o", "out/a.webp", "--size", "8,8x4,8", "--turntable", "2", "--layer",
+           "albedo,depth", "--layer", "normal", "--layer", "material", "--samples", "1", "--sheet",
+           "sheet.jpg", "--time-budget", "5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(folder_.path() / "out")) {
+    EXPECT_THAT(read_file(entry.path().native()), StartsWith("RIFF"));
+    ++files;
+  }
+  EXPECT_EQ(files, 2 * 2 * 5) << "sizes once, each all around, with four layers";
+  EXPECT_TRUE(fs::exists(folder_.path() / "out/a-8x4-001-material.webp"));
+  EXPECT_THAT(content("sheet.jpg"), StartsWith("\xff\xd8"));
+}
+
+TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
+  EXPECT_THAT(complaint({"-o", "a.png", "--camera", "side"}, 1),
+              HasSubstr("no camera 'side'; there is 'front'; AZIMUTH,ELEVATION"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--variant", "green"}, 1),
+              HasSubstr("no variant 'green'; there is 'red', 'blue'"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--scene", "2"}, 1),
+              HasSubstr("no scene '2'; there is 'one', 'two'"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--animation", "walk"}, 1),
+              HasSubstr("no animation 'walk'; there is 'slide'"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--environment", "gone.hdr"}, 3),
+              HasSubstr("gone.hdr' does not exist"));
+  folder_.write("bad.hdr", "hello");
+  EXPECT_THAT(complaint({"-o", "a.png", "--environment", "bad.hdr"}, 3),
+              HasSubstr("'bad.hdr' cannot be read"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--environment", "bad.png"}, 3),
+              HasSubstr("does not end in .hdr or .exr"));
+  EXPECT_THAT(complaint({"-o", "a.jpg", "--transparent"}, 1),
+              HasSubstr("PNG, WebP and OpenEXR do"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--turntable", "3", "--camera", "0"}, 1),
+              HasSubstr("around the asset"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+}
+
+TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"-o", "a.tga"}, "--output: 'a.tga' does not end in .png"},
+      {{"-o", "a.png", "--sheet", "s.tga"}, "--sheet: 's.tga' does not end in .png"},
+      {{"-o", "a.tga", "--compare", "stage.gltf"}, "--output: 'a.tga' does not end in .png"},
+      {{"-o", "a.png", "--format", "webp"}, "--format: that is for files in a folder"},
+      {{"-o", "out/", "--format", "tiff"}, "--format: 'tiff' is none of"},
+      {{"--compare", "stage.gltf", "--turntable", "2"}, "--compare draws one picture"},
+      {{"--compare", "stage.gltf", "--layer", "depth"}, "--compare draws one picture"},
+      {{"--compare", "stage.gltf", "--sheet", "s.png"}, "--compare draws no --sheet"},
+      {{"--compare", "stage.gltf", "--embed"}, "exclude each other"},
+      {{"--embed", "--layer", "depth"}, "say where --layer goes"},
+      {{"-o", "a.png", "--time", "1"}, "--time is that of an --animation"},
+      {{"-o", "a.png", "--bounces", "many"}, "--bounces: 'many' is not a whole number"},
+      {{"-o", "a.png", "--turntable", "1e3"}, "--turntable: '1e3' is not a whole number"},
+      {{"-o", "a.png", "--time-budget", "-1"}, "--time-budget: '-1' is not a number from 0"},
+      {{"-o", "a.png", "--shader", "toon"}, "--shader: 'toon' is none of spec, conserving"},
+      {{"-o", "a.png", "--root", "gone"}, "--root: 'gone' is not a folder"},
+  };
+  for (const auto& [words, expected] : cases) {
+    EXPECT_THAT(complaint(words, 2), HasSubstr(expected));
+  }
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+}
+
+TEST_F(BakeOptionsTest, ForceDrawsWhatIsNotValid) {
+  std::string text = kStage;
+  text.insert(1, "\"scene\": 0, \"nonsense\": [],");
+  folder_.write("odd.gltf", text);
+  EXPECT_EQ(run({"odd.gltf", "-o", "a.png", "--size", "8", "--samples", "1"}).code, 1);
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+  EXPECT_EQ(run({"odd.gltf", "-o", "a.png", "--size", "8", "--samples", "1", "--force"}).code, 0);
+  EXPECT_THAT(content("a.png"), StartsWith("\x89PNG"));
+}
+
+}  // namespace
+}  // namespace gltfx::program
