@@ -52,6 +52,27 @@ Material layered(Chance& chance, int kind) {
   return m;
 }
 
+// The example of the header.
+TEST(Material, ALeafAgainstTheSun) {
+  Material leaf;
+  leaf.metallic = 0;
+  leaf.base_color = {0.1, 0.3, 0.05};
+  leaf.diffuse_transmission = 0.6;
+  leaf.diffuse_transmission_color = {0.2, 0.6, 0.1};
+  const Vec3d viewer{0, 0, 1};
+  const Vec3d sun{0, 0.6, -0.8};
+  const Rgb seen = evaluate(leaf, viewer, sun) * (100000 * 0.8);
+  // Lambert, less what the surface reflects.
+  EXPECT_NEAR(seen.y, 0.6 * 0.6 / pi * 80000, 0.06 * seen.y);
+  EXPECT_NEAR(seen.x / seen.y, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(integrate(leaf, viewer).diffuse_transmit.y, 0.36, 0.025);
+  const auto next = sample(leaf, viewer, {0.9, 0.3, 0.7});
+  ASSERT_TRUE(next);
+  EXPECT_LT(next->l.z, 0);
+  EXPECT_NEAR(next->pdf, pdf(leaf, viewer, next->l), 1e-12);
+  EXPECT_EQ(emitted(leaf, viewer), Rgb());
+}
+
 TEST(Furnace, TheConservingModeNeverGains) {
   Chance chance(11);
   for (int i = 0; i < 84; ++i) {

@@ -7,6 +7,18 @@
 /// normal as +z, the tangent as +x and the bitangent as +y. +z is the outside of a closed mesh; a
 /// direction with z < 0 is behind the surface, in the volume when the material bounds one.
 /// Colours are linear Rec. 709. Functions are pure, never fail, and keep to doubles throughout.
+///
+/// A leaf in the sun, seen against it, and how much of all light it lets through:
+///
+///     gltfx::Material leaf;
+///     leaf.metallic = 0;
+///     leaf.base_color = {0.1, 0.3, 0.05};
+///     leaf.diffuse_transmission = 0.6;
+///     leaf.diffuse_transmission_color = {0.2, 0.6, 0.1};
+///     const gltfx::Vec3d viewer{0, 0, 1}, sun{0, 0.6, -0.8};
+///     const gltfx::Rgb seen = gltfx::evaluate(leaf, viewer, sun) * (100000 * 0.8);  // cd/m^2
+///     const gltfx::Rgb through = gltfx::integrate(leaf, viewer).diffuse_transmit;
+///     const auto next = gltfx::sample(leaf, viewer, {0.9, 0.3, 0.7});  // to where a path goes on
 #pragma once
 
 #include <gltfx/vec3.hpp>
