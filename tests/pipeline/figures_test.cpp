@@ -177,13 +177,13 @@ TEST(Figures, RoughnessBlursWhatIsSeenThroughGlassOnly) {
   const std::vector<Statistics> glass = figure("rough-glass", true).columns(3, 0.27, 0.65, 0.6);
   EXPECT_GT(glass[0].contrast, glass[2].contrast + 4);
   EXPECT_GT(glass[1].contrast, glass[2].contrast + 4);
-  for (const Statistics& each : figure("rough-translucent").columns(3, 0.45, 0.6, 0.4)) {
+  for (const Statistics& each : figure("rough-wax").columns(3, 0.45, 0.6, 0.4)) {
     EXPECT_LT(each.contrast, 30) << "nothing";
   }
 }
 
 TEST(Figures, TransmissionHidesDiffuseTransmission) {
-  const Picture picture = figure("clear-over-diffuse");
+  const Picture picture = figure("clear-or-diffuse");
   expect_rising(picture.columns(5, 0.6, 0.75, 0.5), warmth, 0);
 }
 
@@ -200,7 +200,7 @@ TEST(Figures, WhatIsBehindShinesThroughLeavesAndChina) {
   const std::vector<Statistics> cups = figure("teacup").columns(3, 0.45, 0.6);
   EXPECT_GT(cups[1].brightness, cups[0].brightness + 15);
   EXPECT_GT(cups[2].warmth(), cups[1].warmth() + 3);
-  const std::vector<Statistics> plants = figure("red-backlit-plant").columns(3, 0.4, 0.65, 0.6);
+  const std::vector<Statistics> plants = figure("red-plant").columns(3, 0.4, 0.65, 0.6);
   expect_rising(
       plants, [](const Statistics& s) { return s.mean[0] - s.mean[1]; }, 12);
 }
