@@ -9,6 +9,8 @@ build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-
 test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
   pre-commit libxml2-utils)
 
+page_packages=(chromium npm)  # large: only nightly asks for them
+
 say() { printf '\n== %s\n' "$*"; }
 
 as_root() {

@@ -14,6 +14,7 @@
 #include "bake/lighting.hpp"
 #include "bake/render.hpp"
 #include "base/parallel.hpp"
+#include "pipeline/bake_asset.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/picture_file.hpp"
@@ -25,8 +26,8 @@ namespace {
 /// One file on its way from scene to pictures.
 class Baker {
  public:
-  Baker(const std::string& path, const BakeOptions& options)
-      : options_(options), loaded_(load_bake_scene(path, options)), report_(loaded_.report) {}
+  Baker(BakeScene loaded, const BakeOptions& options)
+      : options_(options), loaded_(std::move(loaded)), report_(loaded_.report) {}
 
   BakeReport run() {
     if (!loaded_.ready() || !check_output()) return std::move(report_);
@@ -150,14 +151,27 @@ std::string check_picture_name(const std::string& path) {
   return format ? std::string() : format.error().message;
 }
 
-BakeReport bake_file(const std::string& path, const BakeOptions& options) {
+namespace {
+
+template <class Load>
+BakeReport draw(const std::string& path, const BakeOptions& options, const Load& load) {
   try {
-    return Baker(path, options).run();
+    return Baker(load(), options).run();
   } catch (const std::bad_alloc&) {
     return failed(path, "there is not enough memory to draw this file");
   } catch (const std::filesystem::filesystem_error&) {
     return failed(path, "the path cannot be looked up");
   }
+}
+
+}  // namespace
+
+BakeReport bake_file(const std::string& path, const BakeOptions& options) {
+  return draw(path, options, [&] { return load_bake_scene(path, options); });
+}
+
+BakeReport bake_asset(const std::string& path, OpenedAsset asset, const BakeOptions& options) {
+  return draw(path, options, [&] { return load_bake_scene(path, std::move(asset), options); });
 }
 
 }  // namespace gltfx

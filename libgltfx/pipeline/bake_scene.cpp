@@ -11,7 +11,6 @@
 #include "model/variants.hpp"
 #include "pipeline/bake_names.hpp"
 #include "pipeline/environment_file.hpp"
-#include "pipeline/opened_asset.hpp"
 #include "pipeline/scene_builder.hpp"
 #include "schema/compile.hpp"
 #include "validate/validator.hpp"
@@ -31,6 +30,12 @@ class Loader {
 
   BakeScene run() {
     if (check() && open() && validate() && build()) prepare();
+    return std::move(result_);
+  }
+
+  BakeScene run(OpenedAsset asset) {
+    asset_ = std::move(asset);
+    if (check() && validate() && build()) prepare();
     return std::move(result_);
   }
 
@@ -156,6 +161,10 @@ std::vector<std::string> camera_names(const bake::Scene& scene) {
 
 BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
   return Loader(path, options).run();
+}
+
+BakeScene load_bake_scene(const std::string& path, OpenedAsset asset, const BakeOptions& options) {
+  return Loader(path, options).run(std::move(asset));
 }
 
 Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bake::Subject& subject,

@@ -18,7 +18,7 @@ UpgradeFact fact_of(UpgradeAction&& action) {
   UpgradeFact fact;
   fact.pointer = std::move(action.pointer);
   fact.from = std::move(action.from);
-  fact.to = std::move(action.to);
+  if (!action.removed) fact.to = std::move(action.to);
   fact.outcome = action.removed ? "removed" : upgrade_fate_name(action.fate);
   fact.done = action.done;
   fact.notes = std::move(action.notes);

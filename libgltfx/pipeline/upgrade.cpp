@@ -21,6 +21,7 @@
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_error.hpp"
 #include "pipeline/resolver_for.hpp"
+#include "pipeline/upgraded_asset.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/ambiguity.hpp"
 #include "upgrade/asset_pictures.hpp"
@@ -52,6 +53,18 @@ class Upgrade {
   UpgradeReport run() {
     if (read() && plan() && wants_to_write()) write();
     return std::move(report_);
+  }
+
+  // The new bytes, checked as if they were to be written; nothing when there are none.
+  std::optional<OpenedAsset> run_in_memory() {
+    in_memory_ = true;
+    container::Bytes bytes;
+    if (!read() || !plan() || !report_.changes || !rebuild(bytes) || !is_no_worse(bytes)) {
+      return std::nullopt;
+    }
+    OpenedAsset asset{container::open_bytes(bytes, path_), with_new_files(), {}};
+    asset.parsed = json::parse(asset.container.json);
+    return asset;
   }
 
  private:
@@ -133,7 +146,7 @@ class Upgrade {
   }
 
   // Images are made only for who wants to see or write what refers to them.
-  bool wants_new_text() const { return options_.diff || wants_to_write(); }
+  bool wants_new_text() const { return options_.diff || in_memory_ || wants_to_write(); }
 
   bool settle(const upgrade::Additions& additions, const upgrade::AssetBytes& bytes,
               upgrade::Pictures& pictures) {
@@ -241,13 +254,17 @@ class Upgrade {
     return true;
   }
 
+  container::Resolver with_new_files() const {
+    container::Resolver resolver = resolver_;
+    for (const upgrade::NewFile& file : files_) {
+      resolver.add(file.path, container::Bytes(std::as_bytes(std::span(*file.bytes)), file.bytes));
+    }
+    return resolver;
+  }
+
   // The new bytes may have no error that the old ones had not.
   bool is_no_worse(const container::Bytes& bytes) {
-    container::Resolver with_files = resolver_;
-    for (const upgrade::NewFile& file : files_) {
-      with_files.add(file.path,
-                     container::Bytes(std::as_bytes(std::span(*file.bytes)), file.bytes));
-    }
+    const container::Resolver with_files = with_new_files();
     const auto code = new_error({container_, resolver_},
                                 {container::open_bytes(bytes, path_), with_files}, path_, schemas_);
     if (!code) return true;
@@ -306,6 +323,7 @@ class Upgrade {
   upgrade::BinChange bin_;
   std::vector<upgrade::NewFile> files_;  ///< that the new document refers to
   UpgradeReport report_;
+  bool in_memory_ = false;
 };
 
 UpgradeReport unreadable(const std::string& path, std::string why) {
@@ -332,6 +350,10 @@ UpgradeReport guarded(const std::string& path, const Work& work) {
 
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
   return guarded(path, [&] { return Upgrade(path, options).run(); });
+}
+
+std::optional<OpenedAsset> upgraded_asset(const std::string& path, const UpgradeOptions& options) {
+  return Upgrade(path, options).run_in_memory();
 }
 
 void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions& options,

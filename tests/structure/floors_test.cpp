@@ -36,6 +36,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/material.hpp", "bake"},
     {"gltfx/result_cache.hpp", "pipeline"},
     {"gltfx/inspect.hpp", "report"},
+    {"gltfx/page.hpp", "report"},
     {"gltfx/tinygltf.hpp", "interop"},
 };
 

@@ -32,10 +32,11 @@ class Declaration {
     app_.get_formatter()->column_width(28);
     app_.footer([] { return help_footer(""); });
     app_.add_flag("--version", version_, "Versions of gltfx and of what it was built with");
-    declare_validate();
+    declare_validate(verb("validate", "Check .gltf and .glb files"), validate_);
     declare_upgrade();
     declare_hook();
     declare_bake(verb("bake", "Draw a preview of what assets look like"), bake_);
+    declare_report(verb("report", "Write a page about assets: findings, pictures, sizes"), report_);
     declare_inspect(verb("inspect", "Say what is in assets and where the bytes go"), inspect_);
     declare_merge(verb("merge", "Put the reports of several runs together"), merge_);
     declare_explain();
@@ -49,9 +50,6 @@ class Declaration {
  private:
   CLI::App& verb(const char* name, const char* text);
   std::string help() const;
-  void declare_validate();
-  void declare_filters(CLI::App& app);
-  void declare_budgets(CLI::App& app);
   void declare_upgrade();
   void declare_hook();
   void declare_explain();
@@ -74,6 +72,7 @@ class Declaration {
   UpgradeWords upgrade_;
   BakeWords bake_;
   InspectWords inspect_;
+  PageWords report_;
   ExplainWords explain_;
   RulesWords rules_;
   SchemaWords schema_;
@@ -85,62 +84,6 @@ CLI::App& Declaration::verb(const char* name, const char* text) {
   app.allow_extras();
   app.footer([name] { return help_footer(name); });
   return app;
-}
-
-void Declaration::declare_validate() {
-  CLI::App& app = verb("validate", "Check .gltf and .glb files");
-  describe_positional(app, "PATH",
-                      "Files, folders (searched through), globs, or - for standard input");
-  add_formats(app, validate_.formats);
-  add_word(app, "--fail-on", validate_.fail_on, "LEVEL",
-           "Exit with 1 from here on: error, warning, info or never (default: error)");
-  declare_filters(app);
-  add_word(app, "--pixels", validate_.pixels, "LEVEL",
-           "Images to decode: headers (none; khronos: always), needed (strict: default) or all");
-  declare_budgets(app);
-  add_word(app, "--root", validate_.root, "DIR",
-           "Folder that buffers and images may come from (default: the asset's own)");
-  add_word(app, "--lfs", validate_.lfs, "POLICY",
-           "Git-LFS pointers instead of files: skip or error (default: skip)");
-  add_schema_sources(app, validate_.schema_files, validate_.schema_folders);
-  add_inputs(app, validate_.inputs);
-  add_word(app, "--cache", validate_.cache, "DIR",
-           "Keep reports there, and take those of files that did not change from there");
-  add_word(app, "--baseline", validate_.baseline, "FILE", "Leave out findings that FILE knows");
-  add_word(app, "--write-baseline", validate_.write_baseline, "FILE",
-           "Record all findings in FILE and exit with 0 for them");
-  add_word(app, "--diff-base", validate_.diff_base, "REVISION",
-           "Only findings on lines that changed since then (git), all of new and binary files");
-  app.add_flag("-q,--quiet", validate_.quiet, "Findings only: no summary, no notes");
-  add_configuration(app, validate_.configuration);
-  add_common(app, validate_.common);
-}
-
-void Declaration::declare_filters(CLI::App& app) {
-  add_word(app, "--profile", validate_.profile, "NAME",
-           "default, khronos (what the Khronos validator reports) or strict (hints too)");
-  add_list(app, "--select", validate_.select, "CODES", "Only these codes (comma list, repeatable)");
-  add_list(app, "--ignore", validate_.ignore, "CODES", "Not these codes (comma list, repeatable)");
-  add_list(app, "--severity", validate_.severities, "CODE=LEVEL",
-           "Report a code as error, warning, info or hint (repeatable)");
-  app.add_flag_callback(
-      "--inline-suppressions", [this] { validate_.inline_suppressions = "true"; },
-      "Leave out what assets ignore in extras.gltfx, errors too");
-  add_word(app, "--max-issues", validate_.max_issues, "N",
-           "Findings listed for each file, 0 for no limit (default: 0)");
-}
-
-void Declaration::declare_budgets(CLI::App& app) {
-  add_word(app, "--max-texture-size", validate_.max_texture_size, "PIXELS",
-           "Budget for the longer side of an image, 0 for no limit (default: 0)");
-  add_word(app, "--max-total-pixels", validate_.max_total_pixels, "PIXELS",
-           "Budget for all images together, 0 for no limit (default: 0)");
-  add_word(app, "--max-triangles", validate_.max_triangles, "N",
-           "Budget for triangles, 0 for no limit (default: 0)");
-  add_word(app, "--max-draw-calls", validate_.max_draw_calls, "N",
-           "Budget for primitives, 0 for no limit (default: 0)");
-  add_word(app, "--max-file-size", validate_.max_file_size, "BYTES",
-           "Budget for the file and those it refers to, 0 for no limit (default: 0)");
 }
 
 void Declaration::declare_upgrade() {
@@ -260,6 +203,7 @@ std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "bake") return &bake_.inputs.paths;
   if (verb == "merge") return &merge_.files;
   if (verb == "inspect") return &inspect_.paths;
+  if (verb == "report") return &report_.validate.inputs.paths;
   if (verb == "explain") return &explain_.codes;
   if (verb == "config") return &config_.words;
   return verb == "schema" ? &schema_.names : nullptr;
@@ -296,6 +240,7 @@ CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "validate") return command_of(verb, configured(validate_));
   if (verb == "upgrade") return command_of(verb, configured(upgrade_));
   if (verb == "bake") return command_of(verb, configured(bake_));
+  if (verb == "report") return command_of(verb, configured(report_));
   if (verb == "inspect") return command_of(verb, configured(inspect_));
   if (verb == "merge") return command_of(verb, request_of(merge_));
   if (verb == "explain") return command_of(verb, request_of(explain_));

@@ -39,6 +39,9 @@ void add_configuration(CLI::App& app, ConfigChoice& choice);
 
 /// The options of `gltfx bake`.
 void declare_bake(CLI::App& app, BakeWords& words);
+/// The options of `gltfx validate`, and of `gltfx report` which asks for most of them, too.
+void declare_validate(CLI::App& app, ValidateWords& words);
+void declare_report(CLI::App& app, PageWords& words);
 /// The options of `gltfx inspect`.
 void declare_inspect(CLI::App& app, InspectWords& words);
 /// The options of `gltfx merge`.

@@ -4,25 +4,20 @@
 
 #include <cstdint>
 #include <deque>
-#include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <utility>
+#include <vector>
 
-#include "base/text.hpp"
 #include "changed_files.hpp"
 #include "commands.hpp"
-#include "configuration.hpp"
 #include "input_paths.hpp"
 #include "known_findings.hpp"
 #include "progress.hpp"
 #include "read_input.hpp"
 #include "report_targets.hpp"
-#include "schema_sources.hpp"
 #include "validate/validator.hpp"
+#include "validation_options.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -30,25 +25,13 @@ namespace {
 // Files that are handed to the threads together: enough to keep them busy, few enough to be small.
 constexpr std::size_t kBatch = 1024;
 
-std::string_view profile_name(Profile profile) {
-  switch (profile) {
-    case Profile::standard:
-      return "default";
-    case Profile::khronos:
-      return "khronos";
-    case Profile::strict:
-      break;
-  }
-  return "strict";
-}
-
 // A run of inputs through validation, baseline and formats.
 class Run {
  public:
   Run(const ValidateRequest& request, ValidateOptions options, KnownFindings known,
       std::optional<ChangedFiles> changed)
       : request_(request),
-        options_(std::move(options)),
+        options_(std::move(options), request.by_path),
         known_(std::move(known)),
         changed_(std::move(changed)),
         targets_(request, {std::string(profile_name(request.validation.profile)),
@@ -61,19 +44,16 @@ class Run {
   ExitCode execute();
 
  private:
-  std::string overwritten_input();
   void check(InputWalk& walk);
   void check_files(const std::vector<Input>& files);
-  const ValidateOptions& options_for(const std::string& path);
   const ValidateOptions& limited(const ValidateOptions& options, const std::string& path);
   void look_again(FileReport& report);
   void take(FileReport report);
   ExitCode verdict() const;
 
   const ValidateRequest& request_;
-  ValidateOptions options_;
-  std::map<std::vector<std::size_t>, ValidateOptions> by_path_;  ///< where they differ
-  std::deque<ValidateOptions> limited_;                          ///< to lines that changed
+  OptionsByPath options_;
+  std::deque<ValidateOptions> limited_;  ///< to lines that changed
   KnownFindings known_;
   std::optional<ChangedFiles> changed_;
   ReportTargets targets_;
@@ -89,40 +69,10 @@ void Run::take(FileReport report) {
   progress_.show(summary_.files, files_);
 }
 
-// Goes through the inputs before anything is done, where there is a reason: says so when an output
-// would take the place of a file that is to be checked, and counts them for who watches.
-std::string Run::overwritten_input() {
-  std::vector<std::string> outputs{request_.write_baseline};
-  for (const FormatTarget& target : request_.targets) outputs.push_back(target.path);
-  std::error_code fault;
-  std::erase_if(outputs, [&](const std::string& output) {
-    return output.empty() || !std::filesystem::exists(output, fault);
-  });
-  if (outputs.empty() && !progress_.visible()) return {};
-  InputWalk walk(request_.paths);
-  while (const auto input = walk.next()) {
-    ++files_;
-    for (const std::string& output : outputs) {
-      if (!std::filesystem::equivalent(output, input->path, fault)) continue;
-      return "the output " + quoted(output, 200) + " is a file that is to be checked";
-    }
-  }
-  return {};
-}
-
 FileReport check_stdin(const ValidateOptions& options) {
   auto bytes = read_stdin();
   if (!bytes) return validate::unreadable("-", bytes.error().message, options);
   return validate_bytes(*std::move(bytes), "-", options);
-}
-
-const ValidateOptions& Run::options_for(const std::string& path) {
-  if (!request_.by_path) return options_;
-  const std::vector<std::size_t> kind = request_.by_path->kind_of(path);
-  if (kind.empty()) return options_;
-  const auto [entry, fresh] = by_path_.try_emplace(kind, options_);
-  if (fresh) request_.by_path->apply(kind, entry->second);
-  return entry->second;
 }
 
 // The options for lines that changed, where not all of the file counts.
@@ -137,17 +87,16 @@ const ValidateOptions& Run::limited(const ValidateOptions& options, const std::s
 // Other data, such as a new image, may make wrong what was written long ago.
 void Run::look_again(FileReport& report) {
   if (!changed_ || !changed_->companions_changed(report)) return;
-  if (changed_->lines(report.path)) report = validate_file(report.path, options_for(report.path));
+  if (changed_->lines(report.path)) report = validate_file(report.path, options_.of(report.path));
 }
 
 void Run::check_files(const std::vector<Input>& files) {
   // Many files keep all threads busy by themselves.
-  options_.jobs = files.size() == 1 ? request_.common.jobs : 1;
-  by_path_.clear();
+  options_.set_jobs(files.size() == 1 ? request_.common.jobs : 1);
   limited_.clear();
   std::vector<ValidateInput> inputs;
   for (const Input& file : files) {
-    inputs.push_back({file.path, &limited(options_for(file.path), file.path)});
+    inputs.push_back({file.path, &limited(options_.of(file.path), file.path)});
   }
   std::size_t next = 0;
   validate_files(inputs, request_.common.jobs, [&](FileReport&& report) {
@@ -171,34 +120,29 @@ void Run::check(InputWalk& walk) {
       continue;
     }
     run_batch();
-    FileReport report = check_stdin(options_);
+    FileReport report = check_stdin(options_.common());
     report.position = input->position;
     take(std::move(report));
   }
   run_batch();
 }
 
-ExitCode Run::verdict() const {
-  ExitCode code = ExitCode::ok;
-  if (request_.fail_on && summary_.counts.at_least(*request_.fail_on) > 0 && !known_.recording()) {
-    code = ExitCode::findings;
-  }
-  return summary_.unreadable > 0 ? worse(code, ExitCode::unreadable) : code;
-}
+ExitCode Run::verdict() const { return verdict_on(summary_, request_, known_.recording()); }
 
 ExitCode Run::execute() {
   if (const std::string problems = targets_.problems(); !problems.empty()) {
     complain(problems);
     return ExitCode::internal;
   }
-  const auto& pixels = request_.validation.pixels;
-  if (!request_.quiet && pixels && *pixels != pixel_level(request_.validation)) {
-    complain("note: --pixels has no effect with --profile khronos, which reads headers only");
-  }
-  if (const std::string clash = overwritten_input(); !clash.empty()) {
-    complain(clash);
+  note_useless_options(request_);
+  std::vector<std::string> outputs{request_.write_baseline};
+  for (const FormatTarget& target : request_.targets) outputs.push_back(target.path);
+  const auto found = look_ahead(request_.paths, std::move(outputs), progress_.visible());
+  if (!found) {
+    complain(found.error().message);
     return ExitCode::usage;
   }
+  files_ = *found;
   InputWalk walk(request_.paths);
   targets_.begin();
   check(walk);
@@ -208,29 +152,10 @@ ExitCode Run::execute() {
   targets_.finish(summary_);
   std::string problems = targets_.problems();
   if (problems.empty()) problems = known_.write();
-  if (problems.empty() && options_.cache) problems = options_.cache->finish();
+  if (problems.empty() && options_.common().cache) problems = options_.common().cache->finish();
   if (problems.empty()) return verdict();
   complain(problems);
   return ExitCode::internal;
-}
-
-Result<ValidateOptions> validation_of(const ValidateRequest& request) {
-  ValidateOptions options = request.validation;
-  options.jobs = request.common.jobs;
-  for (const FormatTarget& target : request.targets) {
-    // Lines hold what any format needs.
-    options.propose_fixes = options.propose_fixes || target.format == ReportFormat::sarif ||
-                            target.format == ReportFormat::jsonl;
-  }
-  if (auto problem = check_root(options.root)) return *std::move(problem);
-  auto schemas = load_schemas(request.schema_files, request.schema_folders);
-  if (!schemas) return schemas.error();
-  options.schemas = *std::move(schemas);
-  if (request.cache.empty()) return options;
-  std::string problem;
-  options.cache = ResultCache::open(request.cache, problem);
-  if (!options.cache) return Error{"--cache: " + problem};
-  return options;
 }
 
 }  // namespace

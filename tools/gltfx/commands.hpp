@@ -15,6 +15,7 @@ ExitCode run(const MergeRequest& request);
 ExitCode run(const UpgradeRequest& request);
 ExitCode run(const HookRequest& request);
 ExitCode run(const BakeRequest& request);
+ExitCode run(const PageRequest& request);
 ExitCode run(const InspectRequest& request);
 ExitCode run(const ExplainRequest& request);
 ExitCode run(const RulesRequest& request);

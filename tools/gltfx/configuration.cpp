@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "path_pattern.hpp"
 #include "read_input.hpp"
+#include "reading.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -201,6 +202,19 @@ Result<ValidateRequest> configured(const ValidateWords& words) {
     request->by_path = std::make_shared<const PathOptions>(words, *std::move(configuration));
   }
   return request;
+}
+
+Result<PageRequest> configured(const PageWords& words) {
+  Reading reading;
+  NamedPaths paths;
+  read_inputs(reading, words.validate.inputs, "report", paths);
+  require_files(reading, words.validate.inputs,
+                "report: standard input has no file beside which anything could be found; name a "
+                "file ('./-' for one that is called '-').");
+  if (const auto read = reading.finish(paths); !read) return read.error();
+  auto validate = configured(words.validate);
+  if (!validate) return validate.error();
+  return request_of(words, *std::move(validate));
 }
 
 namespace {

@@ -83,6 +83,7 @@ class PathOptions {
 
 /// request_of() the words with the configuration that holds.
 Result<ValidateRequest> configured(const ValidateWords& words);
+Result<PageRequest> configured(const PageWords& words);
 Result<UpgradeRequest> configured(UpgradeWords words);
 Result<BakeRequest> configured(BakeWords words);
 Result<InspectRequest> configured(InspectWords words);

@@ -15,6 +15,7 @@ constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx validate assets/ --jobs 4    every .gltf and .glb below a folder
   gltfx upgrade assets/ --in-place   bring legacy extensions to their successors
   gltfx bake model.glb -o model.png  what it looks like
+  gltfx report assets/ -o r.html     findings, pictures and sizes as one page
   gltfx inspect model.glb            what is in it, and where the bytes go
   gltfx explain VALUE_NOT_IN_RANGE   why a rule exists and how to satisfy it
   gltfx schema KHR_materials_volume  what is known of an extension
@@ -52,6 +53,12 @@ constexpr std::string_view kBakeExamples = R"(Examples:
   gltfx bake model.glb -o still.exr --samples 1024 --denoise off --environment sky.hdr
   gltfx bake old.glb --compare new.glb -o difference.png
   gltfx bake model.glb --embed                      writes asset.thumbnail into the file
+)";
+
+constexpr std::string_view kReportExamples = R"(Examples:
+  gltfx report assets/ -o report.html                   everything on one page, with pictures
+  gltfx report model.glb -o model.html --profile strict
+  gltfx report assets/ -o report.html --no-thumbnails --fail-on never
 )";
 
 constexpr std::string_view kInspectExamples = R"(Examples:
@@ -102,6 +109,7 @@ std::string_view examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
   if (verb == "upgrade") return kUpgradeExamples;
   if (verb == "bake") return kBakeExamples;
+  if (verb == "report") return kReportExamples;
   if (verb == "inspect") return kInspectExamples;
   if (verb == "hook") return kHookExamples;
   if (verb == "merge") return kMergeExamples;

@@ -37,6 +37,25 @@ Result<std::string> read_list(const std::string& file) {
   return Error{"--files-from: cannot read standard input: " + text.error().message};
 }
 
+Result<std::uint64_t> look_ahead(const NamedPaths& named, std::vector<std::string> outputs,
+                                 bool count) {
+  std::error_code fault;
+  std::erase_if(outputs, [&](const std::string& output) {
+    return output.empty() || !std::filesystem::exists(output, fault);
+  });
+  std::uint64_t files = 0;
+  if (outputs.empty() && !count) return files;
+  InputWalk walk(named);
+  while (const auto input = walk.next()) {
+    ++files;
+    for (const std::string& output : outputs) {
+      if (!std::filesystem::equivalent(output, input->path, fault)) continue;
+      return Error{"the output " + quoted(output, 200) + " is a file that is to be checked"};
+    }
+  }
+  return files;
+}
+
 std::optional<Error> check_root(const std::string& root) {
   std::error_code fault;
   if (root.empty() || std::filesystem::is_directory(root, fault)) return std::nullopt;

@@ -2,6 +2,7 @@
 /// What the user named, as the list of inputs to open.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,12 @@ void say_notes(const InputWalk& walk);
 
 /// What `--files-from` names; "-" is standard input, nothing an empty list.
 Result<std::string> read_list(const std::string& file);
+
+/// Goes through the inputs before anything is done with them, where one of the outputs is there
+/// already or `count` asks for it: an Error when an output would take the place of an input, else
+/// the number of inputs (0 when nobody asked). Empty outputs are none.
+Result<std::uint64_t> look_ahead(const NamedPaths& named, std::vector<std::string> outputs,
+                                 bool count);
 
 /// Why `root` cannot be what --root names, or nothing; empty is no root at all.
 std::optional<Error> check_root(const std::string& root);

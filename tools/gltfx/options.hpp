@@ -3,7 +3,7 @@
 #pragma once
 
 #include <gltfx/bake.hpp>
-#include <gltfx/inspect.hpp>
+#include <gltfx/pipeline.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
@@ -75,6 +75,14 @@ struct ValidateRequest : ReportRequest {
   std::string diff_base;       ///< revision of git since which lines count; may be empty
   std::string baseline;        ///< file to read, may be empty
   std::string write_baseline;  ///< file to write, may be empty
+};
+
+/// A page about assets.
+struct PageRequest {
+  ValidateRequest validate;  ///< but for its targets
+  PageWishes wishes;
+  std::string output;  ///< file; empty: standard output
+  std::string title;   ///< empty: the paths
 };
 
 /// Reports of several runs, put together.
@@ -150,9 +158,9 @@ struct ConfigRequest {
   std::string import_file;  ///< not empty: a configuration of the Khronos validator to be read
 };
 
-using Request =
-    std::variant<ValidateRequest, MergeRequest, UpgradeRequest, BakeRequest, InspectRequest,
-                 HookRequest, ExplainRequest, RulesRequest, SchemaRequest, ConfigRequest>;
+using Request = std::variant<ValidateRequest, MergeRequest, UpgradeRequest, BakeRequest,
+                             InspectRequest, PageRequest, HookRequest, ExplainRequest, RulesRequest,
+                             SchemaRequest, ConfigRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.

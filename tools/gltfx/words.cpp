@@ -90,6 +90,22 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   return reading.finish(request);
 }
 
+Result<PageRequest> request_of(const PageWords& words, ValidateRequest validate) {
+  constexpr std::uint64_t kLeast = 32, kMost = 1024;
+  Reading reading;
+  PageRequest request;
+  reading.require(!words.output.empty(), "report: say where the page goes with --output.");
+  std::uint64_t size = 0;
+  reading.set(size, parse_number("--thumbnail-size", words.thumbnail_size, kLeast));
+  reading.require(size <= kMost, "--thumbnail-size: from 32 to 1024 pixels.");
+  request.wishes.picture_size = static_cast<std::uint32_t>(size);
+  request.wishes.pictures = !words.no_thumbnails;
+  request.output = words.output == "-" ? std::string() : words.output;
+  request.title = words.title;
+  request.validate = std::move(validate);
+  return reading.finish(request);
+}
+
 Result<MergeRequest> request_of(const MergeWords& words) {
   Reading reading;
   MergeRequest request;

@@ -33,6 +33,12 @@ struct ValidateWords {
   bool hook = false;  ///< the paths may be left out
 };
 
+struct PageWords {
+  ValidateWords validate;
+  std::string output, title, thumbnail_size = "160";
+  bool no_thumbnails = false;
+};
+
 struct MergeWords {
   CommonWords common;
   std::vector<std::string> files, formats;
@@ -97,6 +103,8 @@ struct ConfigWords {
 
 // Words into a request; the Error says which word is wrong.
 Result<ValidateRequest> request_of(const ValidateWords& words);
+/// `validate`: what the part of the words about validation came to.
+Result<PageRequest> request_of(const PageWords& words, ValidateRequest validate);
 Result<MergeRequest> request_of(const MergeWords& words);
 Result<UpgradeRequest> request_of(const UpgradeWords& words);
 Result<BakeRequest> request_of(const BakeWords& words);

@@ -4,10 +4,12 @@
 
 #include <gltfx/bake.hpp>
 #include <gltfx/inspect.hpp>
+#include <gltfx/page.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -88,5 +90,17 @@ InspectReport inspect_file(const std::string& path, const InspectOptions& option
 /// `paths`, one at a time.
 void inspect_files(const std::vector<std::string>& paths, const InspectOptions& options,
                    unsigned jobs, const std::function<void(InspectReport&&)>& consume);
+
+/// What the page of PageWriter is to show.
+struct PageWishes {
+  bool pictures = true;              ///< of each asset, and of what an upgrade makes of it
+  std::uint32_t picture_size = 160;  ///< pixels along each side
+};
+
+/// Validates, inspects and draws many files on `jobs` threads (at least 1) and hands over what the
+/// page says of them in the order of `inputs`, one at a time. Memory does not grow with their
+/// number. Nothing is written.
+void report_files(std::span<const ValidateInput> inputs, const PageWishes& wishes, unsigned jobs,
+                  const std::function<void(PageAsset&&)>& consume);
 
 }  // namespace gltfx

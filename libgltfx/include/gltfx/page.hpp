@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A report as one web page that needs nothing else: no network, no other file.
+#pragma once
+
+#include <gltfx/inspect.hpp>
+#include <gltfx/report.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace gltfx {
+
+/// A picture of an asset, or why there is none.
+struct PagePicture {
+  std::string uri;         ///< a data URI that a browser can show; empty: there is none
+  std::uint32_t size = 0;  ///< pixels along each side
+  std::string problem;     ///< one sentence where there is none; empty: nobody asked for one
+};
+
+/// Everything that the page says of one asset. Owns its text.
+struct PageAsset {
+  FileReport report;
+  InspectReport inspection;
+  PagePicture picture;
+  std::optional<PagePicture> upgraded;  ///< where an upgrade changes the asset
+};
+
+struct PageOptions {
+  std::string title;
+  std::string profile, pixel_level;        ///< of the validation
+  std::span<const RuleDescription> rules;  ///< all, sorted by code; static storage
+};
+
+/// Calls: begin, asset for each in order, end. Each appends text to `out`, which the caller writes
+/// and clears as it likes. The same bytes for the same assets. Text of assets only ever stands in
+/// one block of JSON that no browser takes for markup. Not thread-safe.
+class PageWriter {
+ public:
+  explicit PageWriter(PageOptions options) : options_(std::move(options)) {}
+  void begin(std::string& out) const;
+  void asset(const PageAsset& asset, std::string& out);
+  void end(const RunSummary& summary, std::string& out) const;
+
+ private:
+  PageOptions options_;
+  std::set<std::string_view> codes_;  ///< that findings have
+  bool has_assets_ = false;
+};
+
+}  // namespace gltfx

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// The data of the page: everything that comes from assets stands in one block of JSON, in which no
+// '<' is left that could end it.
+#include <gltfx/page.hpp>
+#include <gltfx/version.hpp>
+
+#include <algorithm>
+
+#include "json/writer.hpp"
+#include "report/facts_json.hpp"
+#include "report/page_source.hpp"
+#include "report/rule_lookup.hpp"
+
+namespace gltfx {
+namespace {
+
+using json::Writer;
+
+constexpr std::size_t kMostOfAKind = 12;   // meshes, images and so on that an asset lists
+constexpr std::size_t kMostUpgrades = 50;  // legacy objects
+
+void member_if(Writer& writer, std::string_view name, const std::string& text) {
+  if (!text.empty()) writer.member(name, text);
+}
+
+void write_counts(Writer& writer, const Counts& counts) {
+  writer.member("errors", counts.errors);
+  writer.member("warnings", counts.warnings);
+  writer.member("infos", counts.infos);
+  writer.member("hints", counts.hints);
+}
+
+void write_excerpt(Writer& writer, const Excerpt& excerpt) {
+  writer.key("excerpt");
+  writer.begin_object();
+  writer.member("text", excerpt.text);
+  writer.member("caret", std::uint64_t{excerpt.caret});
+  writer.member("width", std::uint64_t{excerpt.width});
+  if (excerpt.cut_left) writer.member("cutLeft", true);
+  if (excerpt.cut_right) writer.member("cutRight", true);
+  writer.end_object();
+}
+
+void write_finding(Writer& writer, const Diagnostic& finding) {
+  writer.begin_object();
+  writer.member("code", finding.code);
+  writer.member("severity", severity_name(finding.severity));
+  writer.member("message", finding.message);
+  member_if(writer, "help", finding.help);
+  member_if(writer, "pointer", finding.pointer);
+  member_if(writer, "object", finding.object_name);
+  if (finding.offset) writer.member("offset", *finding.offset);
+  if (finding.location.line > 0) {
+    writer.member("line", std::uint64_t{finding.location.line});
+    writer.member("column", std::uint64_t{finding.location.column});
+  }
+  if (finding.excerpt.width > 0) write_excerpt(writer, finding.excerpt);
+  if (finding.count > 1) {
+    writer.member("count", finding.count);
+    writer.member("lastPointer", finding.last_pointer);
+  }
+  writer.end_object();
+}
+
+void write_picture(Writer& writer, std::string_view name, const PagePicture& picture) {
+  writer.key(name);
+  writer.begin_object();
+  if (!picture.uri.empty()) {
+    writer.member("src", picture.uri);
+    writer.member("size", std::uint64_t{picture.size});
+  }
+  member_if(writer, "problem", picture.problem);
+  writer.end_object();
+}
+
+void write_upgrade(Writer& writer, const InspectReport& inspection) {
+  const auto& all = inspection.upgrade;
+  const std::size_t shown = std::min(all.size(), kMostUpgrades);
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(shown);
+  writer.key("upgrade");
+  report::write_upgrade_facts(writer, std::vector<UpgradeFact>(all.begin(), end));
+  if (all.size() > shown) writer.member("upgradeOmitted", std::uint64_t{all.size() - shown});
+  member_if(writer, "upgradeProblem", inspection.upgrade_problem);
+}
+
+void write_asset(Writer& writer, const PageAsset& asset) {
+  const FileReport& report = asset.report;
+  writer.begin_object();
+  writer.member("path", report.path);
+  writer.member("readable", report.readable);
+  writer.key("counts");
+  writer.begin_object();
+  write_counts(writer, report.counts);
+  writer.end_object();
+  if (report.truncated) writer.member("truncated", true);
+  writer.member("suppressed", report.suppressed);
+  writer.member("leftOut", report.left_out);
+  writer.member("unverified", report.unverified);
+  writer.key("findings");
+  writer.begin_array();
+  for (const Diagnostic& finding : report.diagnostics) write_finding(writer, finding);
+  writer.end_array();
+  member_if(writer, "error", asset.inspection.error);
+  if (asset.inspection.facts) {
+    writer.key("facts");
+    report::write_facts(writer, *asset.inspection.facts, kMostOfAKind);
+  }
+  write_upgrade(writer, asset.inspection);
+  write_picture(writer, "picture", asset.picture);
+  if (asset.upgraded) write_picture(writer, "upgraded", *asset.upgraded);
+  writer.end_object();
+}
+
+void write_rule(Writer& writer, const RuleDescription& rule) {
+  writer.begin_object();
+  writer.member("summary", rule.summary);
+  writer.member("why", rule.why);
+  writer.member("remedy", rule.remedy);
+  writer.end_object();
+}
+
+// In JSON a '<' can only stand inside of a string.
+void add_json(std::string& out, std::string_view json) {
+  while (!json.empty()) {
+    const std::size_t at = std::min(json.find('<'), json.size());
+    out += json.substr(0, at);
+    if (at == json.size()) return;
+    out += "\\u003c";
+    json.remove_prefix(at + 1);
+  }
+}
+
+}  // namespace
+
+void PageWriter::begin(std::string& out) const {
+  out += report::page_begin();
+  std::string json;
+  Writer writer(json);
+  writer.begin_object();
+  writer.member("gltfx", version());
+  writer.member("title", options_.title);
+  writer.member("profile", options_.profile);
+  writer.member("pixels", options_.pixel_level);
+  writer.key("assets");
+  add_json(out, json);
+  out += "[";
+}
+
+void PageWriter::asset(const PageAsset& asset, std::string& out) {
+  for (const Diagnostic& finding : asset.report.diagnostics) codes_.insert(finding.code);
+  out += has_assets_ ? ",\n" : "\n";
+  has_assets_ = true;
+  std::string json;
+  Writer writer(json);
+  write_asset(writer, asset);
+  add_json(out, json);
+}
+
+void PageWriter::end(const RunSummary& summary, std::string& out) const {
+  std::string json;
+  Writer writer(json);
+  writer.begin_object();
+  writer.key("rules");
+  writer.begin_object();
+  for (const std::string_view code : codes_) {
+    const RuleDescription* rule = report::find_rule_in(options_.rules, code);
+    if (rule == nullptr) continue;
+    writer.key(code);
+    write_rule(writer, *rule);
+  }
+  writer.end_object();
+  writer.key("summary");
+  writer.begin_object();
+  writer.member("files", summary.files);
+  writer.member("filesWithErrors", summary.files_with_errors);
+  writer.member("unreadable", summary.unreadable);
+  write_counts(writer, summary.counts);
+  writer.end_object();
+  writer.end_object();
+  out += "\n],\n";
+  add_json(out, std::string_view(json).substr(1));
+  out += report::page_end();
+}
+
+}  // namespace gltfx

@@ -1,0 +1,284 @@
+// The page: totals, the filter and a list that grows as it is read.
+
+const report = JSON.parse(document.getElementById("data").textContent);
+const ROWS_AT_ONCE = 50;
+const byId = (id) => document.getElementById(id);
+const state = { text: "", path: "", verdict: "all", code: "", order: "worst" };
+
+// --- What the list is filtered and sorted by ---
+
+const VERDICTS = [
+  ["all", "any", () => true],
+  ["error", "with errors", (asset) => asset.counts.errors > 0],
+  ["warning", "with warnings", (asset) => asset.counts.warnings > 0],
+  ["info", "with infos", (asset) => asset.counts.infos > 0],
+  ["clean", "without findings", (asset) => verdictOf(asset) === "good"],
+  ["unreadable", "not readable", (asset) => !asset.readable],
+  ["upgrade", "to upgrade", (asset) => toUpgrade(asset) > 0],
+];
+
+const size = (asset) => (asset.facts ? asset.facts.bytes.total : 0);
+const ORDERS = [
+  ["worst", "worst first", (a, b) => b.counts.errors - a.counts.errors || b.counts.warnings - a.counts.warnings
+    || b.counts.infos - a.counts.infos || a.index - b.index],
+  ["run", "as in the run", (a, b) => a.index - b.index],
+  ["size", "largest first", (a, b) => size(b) - size(a) || a.index - b.index],
+  ["triangles", "most triangles", (a, b) => count(b, "triangles") - count(a, "triangles") || a.index - b.index],
+  ["gpu", "most image memory", (a, b) => imageMemory(b) - imageMemory(a) || a.index - b.index],
+];
+
+function count(asset, kind) {
+  return asset.facts ? asset.facts.counts[kind] : 0;
+}
+
+function imageMemory(asset) {
+  return asset.facts ? asset.facts.gpuBytes.images : 0;
+}
+
+function toUpgrade(asset) {
+  return asset.upgrade.filter((step) => step.done).length;
+}
+
+function verdictOf(asset) {
+  if (!asset.readable) return "unreadable";
+  const { errors, warnings, infos, hints } = asset.counts;
+  return errors > 0 ? "error" : warnings > 0 ? "warning" : infos + hints > 0 ? "info" : "good";
+}
+
+/** What the text is looked for in; put together once. */
+function words(asset) {
+  if (asset.words === undefined) {
+    const found = [];
+    for (const one of asset.findings) found.push(one.code, one.message, one.pointer || "", one.object || "");
+    for (const one of asset.facts ? asset.facts.extensions : []) found.push(one.name);
+    for (const kind of asset.facts ? ["meshes", "materials", "images", "animations"] : []) {
+      for (const one of asset.facts[kind]) found.push(one.name || one.uri || "");
+    }
+    asset.words = (asset.path + "\n" + found.join("\n")).toLowerCase();
+  }
+  return asset.words;
+}
+
+function findingMatches(finding) {
+  if (SEVERITIES.includes(state.verdict) && finding.severity !== state.verdict) return false;
+  return state.code === "" || finding.code === state.code;
+}
+
+function assetMatches(asset) {
+  if (state.path && !asset.path.toLowerCase().includes(state.path)) return false;
+  if (!VERDICTS.find(([name]) => name === state.verdict)[2](asset)) return false;
+  if (state.code && !asset.findings.some(findingMatches)) return false;
+  return !state.text || words(asset).includes(state.text);
+}
+
+// --- The list ---
+
+let shown = [];
+
+function stateText(asset) {
+  if (!asset.readable) return make("span.is-error", {}, "not readable");
+  const counts = { error: asset.counts.errors, warning: asset.counts.warnings, info: asset.counts.infos,
+    hint: asset.counts.hints };
+  const parts = SEVERITIES.filter((one) => counts[one] > 0)
+    .map((one) => make("span.is-" + one, {}, counted(counts[one], one)));
+  if (parts.length === 0) return make("span.is-good", {}, "no findings");
+  return make("span", {}, parts.flatMap((part, i) => (i === 0 ? [part] : [" · ", part])));
+}
+
+function thumb(asset) {
+  if (asset.picture.src) return make("img.thumb", { src: asset.picture.src, alt: "", width: 48, height: 48 });
+  return make("span.thumb.none", { "aria-hidden": "true", title: asset.picture.problem || "no picture" }, "–");
+}
+
+function cell(kind, value, unit, known) {
+  return make("span.cell." + kind, {}, known ? value : "–", make("small", {}, unit));
+}
+
+function pathPart(asset) {
+  const cut = asset.path.lastIndexOf("/") + 1;
+  const folder = cut > 0 ? make("span.folder", {}, isolated(asset.path.slice(0, cut))) : null;
+  return make("span.path", {}, folder, make("h3", {}, isolated(asset.path.slice(cut))));
+}
+
+function row(asset) {
+  const known = Boolean(asset.facts);
+  const steps = toUpgrade(asset);
+  const summary = make("summary", {}, thumb(asset), pathPart(asset),
+    make("span.state", {}, stateText(asset),
+      steps > 0 ? make("span.to-do", {}, counted(steps, "object") + " to upgrade") : null),
+    cell("bytes", sizeText(size(asset)), "bytes", known),
+    cell("triangles", shortCount(count(asset, "triangles")), "triangles", known),
+    cell("textures", grouped(count(asset, "textures")), "textures", known));
+  const folded = make("details.asset", {}, summary);
+  folded.addEventListener("toggle", () => {
+    if (folded.open && folded.childElementCount === 1) folded.append(details(asset, findingMatches));
+  });
+  return make("li", {}, folded);
+}
+
+function showMore() {
+  const list = byId("list");
+  const from = list.childElementCount;
+  list.append(...shown.slice(from, from + ROWS_AT_ONCE).map(row));
+  byId("more").hidden = list.childElementCount >= shown.length;
+}
+
+function refresh() {
+  shown = report.assets.filter(assetMatches).sort(ORDERS.find(([name]) => name === state.order)[2]);
+  byId("list").replaceChildren();
+  showMore();
+  const all = counted(report.assets.length, "asset");
+  byId("count").textContent = shown.length === report.assets.length ? all
+    : grouped(shown.length) + " of " + all;
+}
+
+// --- Totals ---
+
+function sum(of) {
+  return report.assets.reduce((total, asset) => total + of(asset), 0);
+}
+
+function fillSummary() {
+  const kinds = { error: 0, unreadable: 0, warning: 0, info: 0, good: 0 };
+  for (const asset of report.assets) ++kinds[verdictOf(asset)];
+  const all = report.assets.length;
+  const wrong = kinds.error + kinds.unreadable;
+  const number = make("strong" + (wrong > 0 ? ".is-error" : ".is-good"), {}, wrong > 0 ? counted(wrong, "asset") : "None");
+  const verdict = all === 0 ? ["There are no assets."] : wrong === 0
+    ? [number, " of " + counted(all, "asset") + " has errors."]
+    : [number, " of " + grouped(all) + (wrong === 1 ? " has errors." : " have errors.")];
+  const names = { error: "with errors", unreadable: "not readable", warning: "with warnings",
+    info: "with infos only", good: "without findings" };
+  const parts = Object.keys(kinds).map((kind) => [kind, grouped(kinds[kind]) + " " + names[kind], kinds[kind]]);
+  const figures = [
+    ["Errors", grouped(report.summary.errors)], ["Warnings", grouped(report.summary.warnings)],
+    ["Infos", grouped(report.summary.infos + report.summary.hints)],
+    ["Size", sizeText(sum(size))],
+    ["Triangles", shortCount(sum((asset) => count(asset, "triangles")))],
+    ["Images, GPU", sizeText(sum(imageMemory))],
+    ["To upgrade", grouped(report.assets.filter((asset) => toUpgrade(asset) > 0).length)]];
+  byId("summary").append(make("p.verdict", {}, verdict),
+    ...bar(parts),
+    make("dl.figures", {}, figures.map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value)))));
+}
+
+/** Per rule: findings, and assets that have some. */
+function ruleCounts() {
+  const counts = new Map();
+  for (const asset of report.assets) {
+    const seen = new Set();
+    for (const finding of asset.findings) {
+      const entry = counts.get(finding.code) || { code: finding.code, severity: finding.severity, findings: 0, assets: 0 };
+      entry.findings += finding.count || 1;
+      if (!seen.has(finding.code)) ++entry.assets;
+      seen.add(finding.code);
+      counts.set(finding.code, entry);
+    }
+  }
+  return [...counts.values()].sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity)
+    || b.assets - a.assets || (a.code < b.code ? -1 : 1));
+}
+
+function extensionCounts() {
+  const counts = new Map();
+  for (const asset of report.assets) {
+    for (const one of asset.facts ? asset.facts.extensions : []) {
+      const entry = counts.get(one.name) || { ...one, assets: 0 };
+      ++entry.assets;
+      counts.set(one.name, entry);
+    }
+  }
+  return [...counts.values()].sort((a, b) => b.assets - a.assets || (a.name < b.name ? -1 : 1));
+}
+
+function fold(heading, note, content) {
+  return make("details.fold", {}, make("summary", {}, make("h3", {}, heading), " ", make("span.soft", {}, note)),
+    make("div", {}, content));
+}
+
+function fillOverview(rules) {
+  const pick = (entry) => {
+    const button = make("button.link", { type: "button" }, entry.code);
+    button.addEventListener("click", () => {
+      byId("code").value = entry.code;
+      read();
+      byId("assets").scrollIntoView();
+      byId("code").focus({ preventScroll: true });
+    });
+    return button;
+  };
+  const ruleRows = rules.map((entry) => [make("span.label.is-" + entry.severity, {}, entry.severity), pick(entry),
+    report.rules[entry.code] ? report.rules[entry.code].summary : "", grouped(entry.findings), grouped(entry.assets)]);
+  const extensions = extensionCounts();
+  const extensionRows = extensions.map((one) => [make("span.mono", {}, link(one.spec, visible(one.name))), one.status,
+    one.successor ? make("span.mono", {}, isolated(one.successor)) : "", grouped(one.assets)]);
+  const uses = USES.map((use) => [use, sum((asset) => (asset.facts ? asset.facts.bytes[use] : 0))])
+    .sort((a, b) => b[1] - a[1]).map(([use, bytes]) => [use, use + " " + sizeText(bytes), bytes]);
+  const overview = byId("overview");
+  if (rules.length > 0) {
+    overview.append(fold("Findings by rule", counted(rules.length, "rule"), table("Rules that found something",
+      [["severity"], ["rule"], ["what it says"], ["findings", true], ["assets", true]], ruleRows)));
+  }
+  if (extensions.length > 0) {
+    overview.append(fold("Extensions", grouped(extensions.length), table("Extensions in use",
+      [["name"], ["status"], ["successor"], ["assets", true]], extensionRows)));
+  }
+  if (sum(size) > 0) overview.append(fold("Where the bytes go", sizeText(sum(size)), bar(uses)));
+}
+
+// --- The filter ---
+
+function read() {
+  for (const name of Object.keys(state)) {
+    const value = byId(name).value;
+    state[name] = name === "text" || name === "path" ? value.trim().toLowerCase() : value;
+  }
+  refresh();
+}
+
+function reset() {
+  for (const name of Object.keys(state)) {
+    const field = byId(name);
+    if (field.tagName === "SELECT") field.selectedIndex = 0;
+    else field.value = "";
+  }
+  read();
+}
+
+function fillFilter(rules) {
+  const option = ([value, text]) => make("option", { value }, text);
+  byId("verdict").append(...VERDICTS.map(option));
+  byId("order").append(...ORDERS.map(option));
+  byId("code").append(option(["", "any"]),
+    ...rules.slice().sort((a, b) => (a.code < b.code ? -1 : 1))
+      .map((entry) => option([entry.code, entry.code + " (" + entry.assets + ")"])));
+  byId("filter").addEventListener("input", read);
+  byId("reset").addEventListener("click", reset);
+}
+
+function chooseTheme(event) {
+  if (event.target.value === "auto") {
+    delete document.documentElement.dataset.theme;
+  } else {
+    document.documentElement.dataset.theme = event.target.value;
+  }
+}
+
+function start() {
+  report.assets.forEach((asset, index) => { asset.index = index; });
+  document.title = visible(report.title) + " – gltfx report";
+  byId("title").textContent = visible(report.title);
+  const rules = ruleCounts();
+  fillSummary();
+  fillOverview(rules);
+  fillFilter(rules);
+  byId("more").addEventListener("click", showMore);
+  new IntersectionObserver((entries) => {
+    if (entries.some((entry) => entry.isIntersecting) && !byId("more").hidden) showMore();
+  }, { rootMargin: "600px" }).observe(byId("more"));
+  document.querySelector(".theme").addEventListener("change", chooseTheme);
+  byId("about").textContent = "gltfx " + report.gltfx + ", profile " + report.profile + ", images: " + report.pixels;
+  refresh();
+}
+
+start();

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The page without its data, as the build put it together from page/.
+#pragma once
+
+#include <string_view>
+
+namespace gltfx::report {
+
+std::string_view page_begin();  ///< up to the block of data
+std::string_view page_end();    ///< behind it
+
+}  // namespace gltfx::report

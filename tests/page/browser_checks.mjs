@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page does in a browser. Each check gets a fresh page and throws where something is wrong.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { BREAKERS } from "./hostile.mjs";
+
+const shownCount = (page) => page.locator("#count").textContent();
+const rows = (page) => page.locator("#list > li").count();
+
+async function open(context, url) {
+  const page = await context.newPage();
+  page.requests = [];
+  page.complaints = [];
+  page.on("request", (request) => page.requests.push(request.url()));
+  page.on("console", (message) => page.complaints.push(message.text()));
+  page.on("pageerror", (error) => page.complaints.push(error.message));
+  await page.goto(url);
+  return page;
+}
+
+/** Opens what is folded, so that it is looked at as well. */
+async function unfold(page) {
+  for (const fold of await page.locator(".fold > summary").all()) await fold.click();
+  for (let i = 0; i < Math.min(4, await rows(page)); ++i) {
+    await page.locator("#list > li").nth(i).locator("summary").first().click();
+  }
+  await page.locator(".finding details > summary").first().click();
+}
+
+async function isAccessible(browser, url, axeSource) {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const width of [1280, 360]) {
+      const context = await browser.newContext({ colorScheme, viewport: { width, height: 900 } });
+      const page = await open(context, url);
+      await unfold(page);
+      // The page's own policy lets no script in: axe comes through the debugger.
+      const result = await page.evaluate(`${axeSource}; axe.run(document, {resultTypes: ["violations"]})`);
+      const found = result.violations.map((one) => `${one.id}: ${one.nodes[0].html} ${one.nodes[0].failureSummary}`);
+      assert.deepEqual(found, [], `${colorScheme}, ${width} px`);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= width, `${width} px: the page is ${wide} px wide`);
+      await context.close();
+    }
+  }
+}
+
+async function loadsNothing(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  await unfold(page);
+  const others = page.requests.filter((one) => one !== url && !one.startsWith("data:image/webp;base64,"));
+  assert.deepEqual(others, []);
+  assert.deepEqual(page.complaints, []);
+  await context.close();
+}
+
+async function textStaysText(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  await page.fill("#path", "hostile");
+  const count = await rows(page);
+  assert.equal(count, BREAKERS.length + 1);
+  for (let i = 0; i < count; ++i) await page.locator("#list > li").nth(i).locator("summary").first().click();
+  assert.equal(await page.evaluate(() => window.broken), undefined);
+  assert.equal(await page.locator("#list svg, #list script, #list b >> text=hostile").count(), 0);
+  assert.equal(await page.locator('a[href^="javascript"]').count(), 0);
+  const text = await page.locator("#list").textContent();
+  assert.ok(text.includes("</script><img src=x onerror=window.broken=1>"));
+  assert.ok(text.includes("\\u202egnp.elif"));
+  assert.ok(text.includes("مرحبا بالعالم"));
+  assert.ok(!/[\u0000-\u0008\u202e]/.test(text));
+  assert.deepEqual(page.complaints, []);
+  await context.close();
+}
+
+async function filters(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  const all = await shownCount(page);
+  assert.match(all, /^\d+ assets$/);
+  await page.fill("#path", "fixtures/tour/");
+  assert.equal(await shownCount(page), `1 of ${all}`);
+  await page.fill("#path", "");
+  await page.fill("#text", "did you mean 'metallicfactor'");
+  assert.equal(await shownCount(page), all.replace(/^/, "0 of "));
+  await page.fill("#text", "metalicFactor");
+  assert.equal(await shownCount(page), `1 of ${all}`);
+  await page.locator("#list summary").first().click();
+  const everything = await page.locator(".finding").count();
+  await page.selectOption("#verdict", "warning");
+  await page.locator("#list summary").first().click();
+  const warnings = await page.locator(".finding").count();
+  assert.ok(warnings > 0 && warnings < everything);
+  assert.equal(await page.locator(".finding:not(.warning)").count(), 0);
+  await page.click("#reset");
+  await page.waitForFunction((wanted) => document.getElementById("count").textContent === wanted, all);
+  await page.selectOption("#code", "UNRESOLVED_REFERENCE");
+  assert.match(await shownCount(page), / of /);
+  await page.click("#reset");
+  await page.waitForFunction((wanted) => document.getElementById("count").textContent === wanted, all);
+  await page.locator(".fold > summary").first().click();
+  await page.locator(".fold .link").first().click();
+  assert.match(await shownCount(page), / of /);
+  await context.close();
+}
+
+async function sorts(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  const errors = async () => page.locator("#list .state").first().textContent();
+  assert.match(await errors(), /not readable|errors?/);
+  await page.selectOption("#order", "size");
+  const sizes = await page.evaluate(() => {
+    const data = JSON.parse(document.getElementById("data").textContent).assets;
+    return Math.max(...data.map((one) => (one.facts ? one.facts.bytes.total : 0)));
+  });
+  const first = await page.locator("#list .path h3").first().textContent();
+  const largest = await page.evaluate((most) => JSON.parse(document.getElementById("data").textContent).assets
+    .filter((one) => one.facts && one.facts.bytes.total === most).map((one) => one.path), sizes);
+  assert.ok(largest.some((path) => path.endsWith(first)));
+  await context.close();
+}
+
+async function worksByKeyboard(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Skip to the assets");
+  const first = page.locator("#list summary").first();
+  await first.focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await page.locator("#list details[open] .body").count(), 1);
+  const outline = await first.evaluate((element) => getComputedStyle(element).outlineStyle);
+  assert.equal(outline, "solid");
+  await page.locator('.theme input[value="auto"]').focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+  await context.close();
+}
+
+async function showsAllInTheEnd(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  const all = Number((await shownCount(page)).match(/\d+/)[0]);
+  const before = await rows(page);
+  assert.ok(before < all, "the list is built in parts");
+  // It grows by itself where it is scrolled, and by its button.
+  await page.evaluate(() => window.scrollTo(0, document.body.scrollHeight));
+  await page.waitForFunction((few) => document.getElementById("list").childElementCount > few, before);
+  await page.evaluate(() => {
+    const more = document.getElementById("more");
+    while (!more.hidden) more.click();
+  });
+  assert.equal(await rows(page), all);
+  await context.close();
+}
+
+/** [name, check] */
+export function browserChecks(browser, url, axePath) {
+  const axeSource = readFileSync(axePath, "utf8");
+  return [
+    ["accessible in both themes, at 1280 and 360 px", () => isAccessible(browser, url, axeSource)],
+    ["loads nothing and complains of nothing", () => loadsNothing(browser, url)],
+    ["text of assets stays text", () => textStaysText(browser, url)],
+    ["filters", () => filters(browser, url)],
+    ["sorts", () => sorts(browser, url)],
+    ["works by keyboard", () => worksByKeyboard(browser, url)],
+    ["shows all in the end", () => showsAllInTheEnd(browser, url)],
+  ];
+}

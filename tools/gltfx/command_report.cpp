@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+#include <gltfx/result_cache.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "input_paths.hpp"
+#include "known_findings.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "report/wording.hpp"
+#include "validation_options.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+// Files that are handed to the threads together.
+constexpr std::size_t kBatch = 1024;
+constexpr std::size_t kBuffer = std::size_t{1} << 16U;
+
+PageOptions page_options(const PageRequest& request) {
+  const ValidateRequest& validate = request.validate;
+  PageOptions options;
+  options.title = request.title.empty() ? fmt::format("{}", fmt::join(validate.paths.words, ", "))
+                                        : request.title;
+  if (options.title.empty()) options.title = "Assets";
+  options.profile = profile_name(validate.validation.profile);
+  options.pixel_level = pixel_level_name(pixel_level(validate.validation));
+  options.rules = rules();
+  return options;
+}
+
+/// A run of inputs onto one page.
+class ReportRun {
+ public:
+  ReportRun(const PageRequest& request, ValidateOptions options, KnownFindings known)
+      : request_(request),
+        options_(std::move(options), request.validate.by_path),
+        known_(std::move(known)),
+        page_(page_options(request)),
+        output_(request.output),
+        progress_(!request.validate.quiet) {}
+
+  ExitCode execute() {
+    if (!output_.problem().empty()) {
+      complain(output_.problem());
+      return ExitCode::internal;
+    }
+    note_useless_options(request_.validate);
+    const ValidateRequest& validate = request_.validate;
+    const auto found = look_ahead(validate.paths, {request_.output}, progress_.visible());
+    if (!found) {
+      complain(found.error().message);
+      return ExitCode::usage;
+    }
+    files_ = *found;
+    InputWalk walk(validate.paths);
+    page_.begin(text_);
+    collect(walk);
+    if (!validate.quiet) say_notes(walk);
+    page_.end(summary_, text_);
+    flush(0);
+    output_.finish();
+    progress_.clear();
+    std::string problem = output_.problem();
+    const auto& cache = options_.common().cache;
+    if (problem.empty() && cache) problem = cache->finish();
+    if (!problem.empty()) {
+      complain(problem);
+      return ExitCode::internal;
+    }
+    tell();
+    return verdict_on(summary_, request_.validate, false);
+  }
+
+ private:
+  void collect(InputWalk& walk) {
+    std::vector<std::string> batch;
+    while (auto input = walk.next()) {
+      batch.push_back(std::move(input->path));
+      if (batch.size() < kBatch) continue;
+      collect(batch);
+      batch.clear();
+    }
+    collect(batch);
+  }
+
+  void collect(const std::vector<std::string>& paths) {
+    const unsigned jobs = request_.validate.common.jobs;
+    options_.set_jobs(paths.size() == 1 ? jobs : 1);
+    std::vector<ValidateInput> inputs;
+    for (const std::string& path : paths) inputs.push_back({path, &options_.of(path)});
+    report_files(inputs, request_.wishes, jobs, [this](PageAsset&& asset) { take(asset); });
+  }
+
+  void take(PageAsset& asset) {
+    known_.apply(asset.report);
+    summary_.add(asset.report);
+    page_.asset(asset, text_);
+    flush(kBuffer);
+    progress_.show(summary_.files, files_);
+  }
+
+  void flush(std::size_t above) {
+    if (text_.size() <= above) return;
+    output_.write(text_);
+    text_.clear();
+  }
+
+  void tell() const {
+    if (request_.validate.quiet || request_.output.empty()) return;
+    using report::counted;
+    static_cast<void>(print(fmt::format(
+        "{}: {}, {}, {}\n", printable(request_.output), counted(summary_.files, "asset"),
+        counted(summary_.counts.errors, "error"), counted(summary_.counts.warnings, "warning"))));
+  }
+
+  const PageRequest& request_;
+  OptionsByPath options_;
+  KnownFindings known_;
+  PageWriter page_;
+  Output output_;
+  ProgressLine progress_;
+  RunSummary summary_;
+  std::string text_;
+  std::uint64_t files_ = 0;  ///< in all, where somebody watches
+};
+
+}  // namespace
+
+ExitCode run(const PageRequest& request) {
+  auto options = validation_of(request.validate);
+  if (!options) {
+    complain(options.error().message);
+    return ExitCode::usage;
+  }
+  auto known = KnownFindings::load(request.validate.baseline, {}, options->max_issues);
+  if (!known) {
+    complain(known.error().message);
+    return ExitCode::usage;
+  }
+  if (known->active()) options->max_issues = 0;
+  return ReportRun(request, *std::move(options), *std::move(known)).execute();
+}
+
+}  // namespace gltfx::tool
