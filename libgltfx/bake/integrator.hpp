@@ -56,8 +56,8 @@ PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& 
 PathSample look_along(const PathSetting& setting, const Ray& ray, const Float2& point,
                       const SampleStream& random);
 
-/// Light along a ray by other means, as a test of the first: directions are taken evenly but on glass
-/// and mirrors, lights other than punctual ones are found by chance only, media are followed
+/// Light along a ray by other means, as a test of the first: directions are taken evenly but on
+/// glass and mirrors, lights other than punctual ones are found by chance only, media are followed
 /// collision by collision in one colour, and no path is given up or split.
 Rgb trace_simply(const PathSetting& setting, const Ray& ray, const SampleStream& random);
 
