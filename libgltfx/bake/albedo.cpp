@@ -25,16 +25,15 @@ auto mean(int resolution, const Function& f) {
   return sum * (1.0 / resolution);
 }
 
-// Sum over the points that two cells take their values from.
+// Sum over the points that two cells take their values from, four at a time.
 double weigh(const AlbedoRow* table, const TableCell& row, const TableCell& column) {
-  double sum = 0;
+  std::array<float, 4> sums{};
   for (std::size_t r = 0; r < 4; ++r) {
-    const double* values = table[row.first + r].data() + column.first;
-    const auto& w = column.weights;
-    sum += row.weights[r] *
-           (w[0] * values[0] + w[1] * values[1] + w[2] * values[2] + w[3] * values[3]);
+    const float* values = table[row.first + r].data() + column.first;
+    for (std::size_t c = 0; c < 4; ++c) sums[c] += row.weights[r] * values[c];
   }
-  return sum;
+  const auto& w = column.weights;
+  return static_cast<double>((sums[0] * w[0] + sums[1] * w[1]) + (sums[2] * w[2] + sums[3] * w[3]));
 }
 
 TableCell column_of(double cosine) { return {std::sqrt(std::sqrt(cosine)), kAlbedoColumns}; }
@@ -75,13 +74,13 @@ double integrate_sheen_albedo(double sheen_roughness, double cosine, int resolut
 }
 
 TableCell::TableCell(double x, int size) {
-  const double scaled = std::clamp(x, 0.0, 1.0) * (size - 1);
+  const auto scaled = static_cast<float>(std::clamp(x, 0.0, 1.0)) * static_cast<float>(size - 1);
   const int cell = std::min(static_cast<int>(scaled), size - 2);
-  const double t = scaled - cell;
-  const double a = t * (-0.5 + t * (1 - 0.5 * t));
-  const double b = 1 + t * t * (-2.5 + 1.5 * t);
-  const double c = t * (0.5 + t * (2 - 1.5 * t));
-  const double d = t * t * (-0.5 + 0.5 * t);
+  const float t = scaled - static_cast<float>(cell);
+  const float a = t * (-0.5F + t * (1 - 0.5F * t));
+  const float b = 1 + t * t * (-2.5F + 1.5F * t);
+  const float c = t * (0.5F + t * (2 - 1.5F * t));
+  const float d = t * t * (-0.5F + 0.5F * t);
   first = static_cast<std::size_t>(std::clamp(cell - 1, 0, size - 4));
   if (cell == 0) {
     weights = {b + 2 * a, c - a, d, 0};

@@ -15,7 +15,7 @@ namespace gltfx::bake {
 /// (Catmull and Rom); at the ends it goes on straight.
 struct TableCell {
   std::size_t first = 0;
-  std::array<double, 4> weights{};
+  std::array<float, 4> weights{};
 
   TableCell() = default;
   TableCell(double x, int size);
@@ -61,7 +61,7 @@ SpecularAlbedo integrate_specular_albedo(double roughness, double cosine, int re
 double integrate_diffuse_fresnel(double cosine, int resolution);
 double integrate_sheen_albedo(double sheen_roughness, double cosine, int resolution);
 
-using AlbedoRow = std::array<double, kAlbedoColumns>;
+using AlbedoRow = std::array<float, kAlbedoColumns>;
 extern const std::array<AlbedoRow, kSpecularRows> kSpecularConstant;
 extern const std::array<AlbedoRow, kSpecularRows> kSpecularRising;
 extern const std::array<AlbedoRow, kSheenRows> kSheenAlbedo;

@@ -55,6 +55,21 @@ void visit_node(const Node& node, Visitor& visitor, double probability) {
   }
 }
 
+/// Value and density of a node: of its own making, or of a leaf one after the other.
+template <class Node>
+Evaluation evaluate_node(const Node& node, const Directions& d, const Through& through) {
+  if constexpr (requires { node.evaluate(d, through); }) {
+    return node.evaluate(d, through);
+  } else {
+    return {node.eval(d, through), node.pdf(d)};
+  }
+}
+
+/// What a choice between two makes of their densities.
+inline double mix_pdf(double pdf0, double pdf1, double chance) {
+  return chance <= 0 ? pdf0 : chance >= 1 ? pdf1 : (1 - chance) * pdf0 + chance * pdf1;
+}
+
 /// mix(bsdf0, bsdf1, factor) = (1 - factor) * bsdf0 + factor * bsdf1
 template <class Bsdf0, class Bsdf1>
 struct mix : Lobe {
@@ -68,15 +83,10 @@ struct mix : Lobe {
     chance = power > 0 ? f * b.power / power : f;
     is_delta = (chance >= 1 || a.is_delta) && (chance <= 0 || b.is_delta);
   }
-  Rgb eval(const Directions& d, const Through& through) const {
-    if (factor <= 0) return bsdf0.eval(d, through);
-    if (factor >= 1) return bsdf1.eval(d, through);
-    return (1 - factor) * bsdf0.eval(d, through) + factor * bsdf1.eval(d, through);
-  }
-  double pdf(const Directions& d) const {
-    if (chance <= 0) return bsdf0.pdf(d);
-    if (chance >= 1) return bsdf1.pdf(d);
-    return (1 - chance) * bsdf0.pdf(d) + chance * bsdf1.pdf(d);
+  Evaluation evaluate(const Directions& d, const Through& through) const {
+    const Evaluation a = factor < 1 ? evaluate_node(bsdf0, d, through) : Evaluation();
+    const Evaluation b = factor > 0 ? evaluate_node(bsdf1, d, through) : Evaluation();
+    return {(1 - factor) * a.f + factor * b.f, mix_pdf(a.pdf, b.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
     return choose(chance, r.lobe) ? bsdf1.sample(v, r) : bsdf0.sample(v, r);
@@ -97,11 +107,10 @@ struct conductor_fresnel : Lobe {
 
   conductor_fresnel(const Fresnel& f, const Bsdf& b, const Vec3d& v)
       : Lobe{max_value(f.at(v.z)) * b.power, b.is_delta}, fresnel(f), bsdf(b) {}
-  Rgb eval(const Directions& d, const Through& through) const {
-    const Rgb value = bsdf.eval(d, through);
-    return value.x == 0 ? Rgb() : value * fresnel.at(d.v_h);
+  Evaluation evaluate(const Directions& d, const Through& through) const {
+    const Evaluation value = evaluate_node(bsdf, d, through);
+    return {value.f.x == 0 ? Rgb() : value.f * fresnel.at(d.v_h), value.pdf};
   }
-  double pdf(const Directions& d) const { return bsdf.pdf(d); }
   Proposal sample(const Vec3d& v, const Random3& r) const { return bsdf.sample(v, r); }
   template <class Visitor>
   void visit(Visitor& visitor, double probability) const {
@@ -134,21 +143,19 @@ struct fresnel_mix : Lobe {
                                                    : chance_of(reflected, passed);
     is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);
   }
-  Rgb eval(const Directions& d, const Through& through) const {
+  Evaluation evaluate(const Directions& d, const Through& through) const {
     const Rgb fr = fresnel.at(d.v_h);
-    const Rgb reflected = fr * layer.eval(d, through);
-    if (base.power <= 0) return reflected;
+    const Evaluation above = evaluate_node(layer, d, through);
+    const Rgb reflected = fr * above.f;
+    if (base.power <= 0) return {reflected, above.pdf};
     const double rest = 1 - max_value(fr);
     Through below{through.diffuse * rest * held.factor(d.l.z), through.specular * rest};
     if (d.opposite && fresnel.eta != 1) {
       const double cosine = dot(d.v, refraction_half(d, fresnel.eta));
       below.specular = through.specular * (1 - max_value(fresnel.at(cosine)));
     }
-    return reflected + base.eval(d, below);
-  }
-  double pdf(const Directions& d) const {
-    if (chance >= 1) return layer.pdf(d);
-    return chance * layer.pdf(d) + (1 - chance) * base.pdf(d);
+    const Evaluation passed = evaluate_node(base, d, below);
+    return {reflected + passed.f, mix_pdf(passed.pdf, above.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
     return choose(chance, r.lobe) ? layer.sample(v, r) : base.sample(v, r);
@@ -189,14 +196,13 @@ struct sheen_layer : Lobe {
     chance = e.strength <= 0 ? 0 : std::fmin(std::fmax(sheen / power, 0.02), 1);
     is_delta = chance <= 0 && b.is_delta;
   }
-  Rgb eval(const Directions& d, const Through& through) const {
-    if (scaling.strength <= 0) return base.eval(d, through);
+  Evaluation evaluate(const Directions& d, const Through& through) const {
+    const Evaluation below = evaluate_node(base, d, through);
+    if (scaling.strength <= 0) return below;
+    const Evaluation sheen = evaluate_node(brdf, d, through);
     const SheenScaling::Weights weights = scaling.weights(d.l.z);
-    return color * brdf.eval(d, through) * weights.sheen + base.eval(d, through) * weights.base;
-  }
-  double pdf(const Directions& d) const {
-    if (chance <= 0) return base.pdf(d);
-    return chance * brdf.pdf(d) + (1 - chance) * base.pdf(d);
+    return {color * sheen.f * weights.sheen + below.f * weights.base,
+            mix_pdf(below.pdf, sheen.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
     return choose(chance, r.lobe) ? brdf.sample(v, r) : base.sample(v, r);
@@ -223,13 +229,11 @@ struct fresnel_coat : Lobe {
     chance = fr <= 0 ? 0 : fr / power;
     is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);
   }
-  Rgb eval(const Directions& d, const Through& through) const {
-    if (fr <= 0) return base.eval(d, through);
-    return (1 - fr) * base.eval(d, through) + fr * layer.eval(d, through);
-  }
-  double pdf(const Directions& d) const {
-    if (chance <= 0) return base.pdf(d);
-    return (1 - chance) * base.pdf(d) + chance * layer.pdf(d);
+  Evaluation evaluate(const Directions& d, const Through& through) const {
+    const Evaluation below = evaluate_node(base, d, through);
+    if (fr <= 0) return below;
+    const Evaluation coat = evaluate_node(layer, d, through);
+    return {(1 - fr) * below.f + fr * coat.f, mix_pdf(below.pdf, coat.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
     return choose(chance, r.lobe) ? layer.sample(v, r) : base.sample(v, r);

@@ -305,8 +305,7 @@ bool Bvh::State::is_front(const Hit& hit, const Vec3d& direction) const {
   const auto& [a, b, c] = mesh.triangles[hit.triangle];
   const Vec3d p = to_vec(mesh.positions[a]);
   const Vec3d normal = cross(to_vec(mesh.positions[b]) - p, to_vec(mesh.positions[c]) - p);
-  const Vec3d outward = transform_normal(instance.to_world, normal) * facing[hit.instance];
-  return dot(outward, direction) < 0;
+  return dot(NormalTransform(instance.to_world).outward(normal), direction) < 0;
 }
 
 namespace {

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "bake/turn.hpp"
+
 namespace gltfx::bake {
 
 using std::numbers::inv_pi;
@@ -55,7 +57,7 @@ struct Directions {
     const Vec3d sum = v + l;
     const double square_length = dot(sum, sum);
     if (square_length < 1e-300) return;  // both in the plane and opposed: no facet between them
-    h = sum / std::sqrt(square_length);
+    h = sum * (1 / std::sqrt(square_length));
     v_h = dot(v, h);
   }
 
@@ -73,6 +75,12 @@ inline Vec3d refraction_half(const Directions& d, double eta) {
   const Vec3d sum = d.v + eta * mirrored(d.l);
   return normalize(sum.z > 0 ? sum : -sum);
 }
+
+/// Value and density of one direction, as multiple importance sampling needs them together.
+struct Evaluation {
+  Rgb f;           ///< without the cosine
+  double pdf = 0;  ///< per steradian
+};
 
 /// A direction that a lobe proposes.
 struct Proposal {
@@ -97,15 +105,15 @@ inline bool choose(double probability, double& random) {
 /// Around +z, density cosine / pi.
 inline Vec3d cosine_hemisphere(double u, double v) {
   const double radius = std::sqrt(u);
-  const double phi = 2 * pi * v;
-  return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::fmax(0.0, 1 - u))};
+  const Turn turn = turn_by(v);
+  return {radius * turn.cosine, radius * turn.sine, std::sqrt(std::fmax(0.0, 1 - u))};
 }
 
 /// Around +z, density 1 / (2 pi).
 inline Vec3d uniform_hemisphere(double u, double v) {
   const double radius = std::sqrt(std::fmax(0.0, 1 - u * u));
-  const double phi = 2 * pi * v;
-  return {radius * std::cos(phi), radius * std::sin(phi), u};
+  const Turn turn = turn_by(v);
+  return {radius * turn.cosine, radius * turn.sine, u};
 }
 
 }  // namespace gltfx::bake

@@ -2,83 +2,96 @@
 #include "bake/distribution.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 
 namespace gltfx::bake {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1F;
 
-std::size_t cell_of(float coordinate, std::size_t count) {
-  const auto scaled =
-      static_cast<std::size_t>(std::max(coordinate, 0.0F) * static_cast<float>(count));
-  return std::min(scaled, count - 1);
+double sum_of(std::span<const float> weights) {
+  double sum = 0;
+  for (const float weight : weights) sum += static_cast<double>(weight);
+  return sum;
 }
 
 }  // namespace
 
-// One more list of weights. The guide says for each of as many equal parts of [0, 1) at which step
-// it begins.
-void GridDistribution::Steps::add(std::span<const float> weights) {
-  double total = 0;
-  for (const float weight : weights) total += static_cast<double>(weight);
+void GridDistribution::Quantiles::add(std::span<const float> weights) {
+  parts = std::bit_ceil(weights.size());
+  const double total = sum_of(weights);
   const double even = 1.0 / static_cast<double>(weights.size());
-  double sum = 0;
-  for (const float weight : weights) {
-    sum += total > 0 ? static_cast<double>(weight) / total : even;
-    sums.push_back(static_cast<float>(sum));
+  const auto probability = [&](std::size_t cell) {
+    return total > 0 ? static_cast<double>(weights[cell]) / total : even;
+  };
+  std::size_t cell = 0;
+  double sum = 0;  // of the cells before
+  float last = 0;
+  bounds.push_back(0);
+  for (std::size_t part = 1; part < parts; ++part) {
+    const double wanted = static_cast<double>(part) / static_cast<double>(parts);
+    while (cell + 1 < weights.size() && sum + probability(cell) <= wanted) {
+      sum += probability(cell++);
+    }
+    const double own = probability(cell);
+    const double within = own > 0 ? std::clamp((wanted - sum) / own, 0.0, 1.0) : 0;
+    const auto bound = static_cast<float>((static_cast<double>(cell) + within) * even);
+    last = std::max(std::nextafter(last, 2.0F), std::min(bound, kBelowOne));
+    bounds.push_back(last);
   }
-  sums.back() = 1;
-  const float* own = sums.data() + sums.size() - weights.size();
-  std::uint32_t step = 0;
-  for (std::size_t part = 0; part < weights.size(); ++part) {
-    const float begin = static_cast<float>(part) / static_cast<float>(weights.size());
-    while (step + 1 < weights.size() && own[step] <= begin) ++step;
-    guide.push_back(step);
+  bounds.push_back(std::max(std::nextafter(last, 2.0F), 1.0F));
+}
+
+// By halves, without a branch that nobody can foresee.
+const float* GridDistribution::Quantiles::before(std::size_t number, float coordinate) const {
+  const float* bound = list(number);
+  for (std::size_t step = parts / 2; step > 0; step /= 2) {
+    bound += bound[step] <= coordinate ? step : 0;
   }
+  return bound;
 }
 
-GridDistribution::Choice GridDistribution::choose(const Steps& steps, std::size_t first,
-                                                  std::size_t count, float random) {
-  const float* sums = steps.sums.data() + first;
-  std::size_t index = steps.guide[first + cell_of(random, count)];
-  while (index + 1 < count && sums[index] <= random) ++index;
-  while (index > 0 && sums[index - 1] > random) --index;  // where a part was rounded
-  const float before = index > 0 ? sums[index - 1] : 0.0F;
-  const float width = sums[index] - before;
-  return {index, width > 0 ? std::clamp((random - before) / width, 0.0F, kBelowOne) : 0.5F};
+GridDistribution::Choice GridDistribution::choose(const Quantiles& quantiles, std::size_t list,
+                                                  float random) {
+  const float scaled = std::min(random, kBelowOne) * static_cast<float>(quantiles.parts);
+  const auto part = static_cast<std::int32_t>(scaled);
+  const float* bound = quantiles.list(list) + part;
+  const float width = bound[1] - bound[0];
+  return {std::min(bound[0] + (scaled - static_cast<float>(part)) * width, kBelowOne), width};
 }
 
-float GridDistribution::probability(const Steps& steps, std::size_t first, std::size_t index) {
-  return steps.sums[first + index] - (index > 0 ? steps.sums[first + index - 1] : 0.0F);
-}
-
-GridDistribution::GridDistribution(std::size_t width, std::vector<float> weights) : width_(width) {
+GridDistribution::GridDistribution(std::size_t width, std::span<const float> weights)
+    : height_(weights.size() / width) {
   std::vector<float> totals;
-  for (std::size_t first = 0; first < weights.size(); first += width_) {
-    const auto row = std::span<const float>(weights).subspan(first, width_);
+  cells_.bounds.reserve(height_ * (std::bit_ceil(width) + 1));
+  for (std::size_t first = 0; first < weights.size(); first += width) {
+    const auto row = weights.subspan(first, width);
     cells_.add(row);
-    double total = 0;
-    for (const float weight : row) total += static_cast<double>(weight);
-    totals.push_back(static_cast<float>(total));
+    totals.push_back(static_cast<float>(std::min(sum_of(row), 3e38)));
   }
   rows_.add(totals);
 }
 
-Float2 GridDistribution::sample(const Float2& random) const {
-  const std::size_t height = rows_.sums.size();
-  const Choice row = choose(rows_, 0, height, random[1]);
-  const Choice cell = choose(cells_, row.index * width_, width_, random[0]);
-  return {(static_cast<float>(cell.index) + cell.within) / static_cast<float>(width_),
-          (static_cast<float>(row.index) + row.within) / static_cast<float>(height)};
+std::size_t GridDistribution::row_of(float coordinate) const {
+  const float scaled = std::max(coordinate, 0.0F) * static_cast<float>(height_);
+  return std::min(static_cast<std::size_t>(static_cast<std::int64_t>(scaled)), height_ - 1);
+}
+
+GridDistribution::Sample GridDistribution::sample(const Float2& random) const {
+  const Choice y = choose(rows_, 0, random[1]);
+  const Choice x = choose(cells_, row_of(y.coordinate), random[0]);
+  const auto parts = static_cast<double>(rows_.parts * cells_.parts);
+  const double area = static_cast<double>(y.width) * static_cast<double>(x.width);
+  return {{x.coordinate, y.coordinate}, 1 / (area * parts)};
 }
 
 double GridDistribution::density(const Float2& point) const {
-  const std::size_t row = cell_of(point[1], rows_.sums.size());
-  const std::size_t cell = cell_of(point[0], width_);
-  return static_cast<double>(probability(rows_, 0, row)) *
-         static_cast<double>(probability(cells_, row * width_, cell)) *
-         static_cast<double>(cells_.sums.size());
+  const float* y = rows_.before(0, point[1]);
+  const float* x = cells_.before(row_of(point[1]), point[0]);
+  const auto parts = static_cast<double>(rows_.parts * cells_.parts);
+  return 1 / (static_cast<double>(y[1] - y[0]) * static_cast<double>(x[1] - x[0]) * parts);
 }
 
 }  // namespace gltfx::bake

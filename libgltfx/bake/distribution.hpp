@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Choosing the cells of a grid by their weights.
+/// Choosing points of a grid by the weights of its cells.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,35 +10,43 @@
 
 namespace gltfx::bake {
 
-/// Piecewise constant over the unit square. Weights that are all 0 count as equal.
+/// The unit square in rows, each in parts of equal probability within which all points are alike:
+/// taking a point is two looks into tables, without a search. Every point has a density above 0.
 class GridDistribution {
  public:
   GridDistribution() = default;
-  /// `weights`: rows of `width`, finite and not negative.
-  GridDistribution(std::size_t width, std::vector<float> weights);
+  /// `weights`: rows of `width`, finite and not negative. Weights that are all 0 count as equal.
+  GridDistribution(std::size_t width, std::span<const float> weights);
 
+  struct Sample {
+    Float2 point{};
+    double density = 0;  ///< there
+  };
   /// A point of the unit square by an even one.
-  Float2 sample(const Float2& random) const;
+  Sample sample(const Float2& random) const;
   /// Density at a point of the unit square; 1 on average.
   double density(const Float2& point) const;
 
  private:
-  /// Running sums of weights, ending in 1, and where a search in them may begin.
-  struct Steps {
-    std::vector<float> sums;
-    std::vector<std::uint32_t> guide;
+  /// Lists of where each of `parts` parts of the probability begins, and where the last one ends.
+  struct Quantiles {
+    std::size_t parts = 1;  ///< a power of two
+    std::vector<float> bounds;
     void add(std::span<const float> weights);
+    const float* list(std::size_t number) const { return bounds.data() + number * (parts + 1); }
+    /// The bound before a coordinate.
+    const float* before(std::size_t number, float coordinate) const;
   };
   struct Choice {
-    std::size_t index = 0;
-    float within = 0;  ///< between the sums before and after
+    float coordinate = 0;
+    float width = 1;  ///< of the part that it lies in, above 0
   };
-  static Choice choose(const Steps& steps, std::size_t first, std::size_t count, float random);
-  static float probability(const Steps& steps, std::size_t first, std::size_t index);
+  static Choice choose(const Quantiles& quantiles, std::size_t list, float random);
+  std::size_t row_of(float coordinate) const;
 
-  std::size_t width_ = 1;
-  Steps rows_;
-  Steps cells_;  ///< row by row, each from 0 to 1
+  std::size_t height_ = 1;
+  Quantiles rows_;
+  Quantiles cells_;  ///< a list for each row
 };
 
 }  // namespace gltfx::bake

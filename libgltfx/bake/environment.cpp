@@ -15,12 +15,12 @@ constexpr double kPi = std::numbers::pi;
 
 // A column may lie one beside the image, on whose other side it goes on; a row as well, where the
 // outermost counts.
-Rgb texel(const EnvironmentImage& image, std::int64_t column, std::int64_t row) {
+const Float3& texel(const EnvironmentImage& image, std::int64_t column, std::int64_t row) {
   const auto width = static_cast<std::int64_t>(image.width);
   const auto height = static_cast<std::int64_t>(image.height);
   const std::int64_t x = column < 0 ? column + width : column >= width ? column - width : column;
   const std::int64_t y = std::clamp<std::int64_t>(row, 0, height - 1);
-  return to_vec(image.radiance[static_cast<std::size_t>(y * width + x)]);
+  return image.radiance[static_cast<std::size_t>(y * width + x)];
 }
 
 // The integral over each texel of the brightness that is read between texels: of linear
@@ -39,13 +39,25 @@ std::vector<float> weights_of(const EnvironmentImage& image) {
       for (std::int64_t dy = -1; dy <= 1; ++dy) {
         for (std::int64_t dx = -1; dx <= 1; ++dx) {
           const double share = (dx == 0 ? 0.75 : 0.125) * (dy == 0 ? 0.75 : 0.125);
-          sum += share * luminance(texel(image, x + dx, y + dy));
+          sum += share * luminance(to_vec(texel(image, x + dx, y + dy)));
         }
       }
       weights.push_back(static_cast<float>(sum * ring));
     }
   }
   return weights;
+}
+
+// With one texel more on each side.
+std::vector<Float3> with_border(const EnvironmentImage& image) {
+  const std::int64_t width = image.width;
+  const std::int64_t height = image.height;
+  std::vector<Float3> texels;
+  texels.reserve(static_cast<std::size_t>((width + 2) * (height + 2)));
+  for (std::int64_t y = -1; y <= height; ++y) {
+    for (std::int64_t x = -1; x <= width; ++x) texels.push_back(texel(image, x, y));
+  }
+  return texels;
 }
 
 // `down`: from the upper edge.
@@ -66,19 +78,34 @@ Float2 point_of(const Vec3d& direction) {
           static_cast<float>(std::acos(std::clamp(direction.y, -1.0, 1.0)) / kPi)};
 }
 
-Environment::Environment(EnvironmentImage image)
-    : image_(std::move(image)), distribution_(image_.width, weights_of(image_)) {}
+Environment::Environment(const EnvironmentImage& image)
+    : width_(image.width),
+      height_(image.height),
+      texels_(with_border(image)),
+      distribution_(image.width, weights_of(image)) {}
 
 Rgb Environment::radiance_at(const Float2& point) const {
-  const double x = static_cast<double>(point[0]) * image_.width - 0.5;
-  const double y = static_cast<double>(point[1]) * image_.height - 0.5;
-  const std::int64_t left = floor_of(x);
-  const std::int64_t top = floor_of(y);
-  const double fx = x - static_cast<double>(left);
-  const double fy = y - static_cast<double>(top);
-  const Rgb upper = texel(image_, left, top) * (1 - fx) + texel(image_, left + 1, top) * fx;
-  const Rgb lower = texel(image_, left, top + 1) * (1 - fx) + texel(image_, left + 1, top + 1) * fx;
-  return upper * (1 - fy) + lower * fy;
+  const auto place = [](float coordinate, std::uint32_t size) {  // 0.5 in the middle of the border
+    const auto count = static_cast<float>(size);
+    return std::min(std::max(0.5F, coordinate * count + 0.5F), count + 0.5F);
+  };
+  const float x = place(point[0], width_);
+  const float y = place(point[1], height_);
+  const auto left = static_cast<std::int32_t>(x);
+  const auto top = static_cast<std::int32_t>(y);
+  const float fx = x - static_cast<float>(left);
+  const float fy = y - static_cast<float>(top);
+  const std::size_t pitch = std::size_t{width_} + 2;
+  const Float3* upper =
+      texels_.data() + static_cast<std::size_t>(top) * pitch + static_cast<std::size_t>(left);
+  const Float3* lower = upper + pitch;
+  Float3 sum{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float above = upper[0][c] + (upper[1][c] - upper[0][c]) * fx;
+    const float below = lower[0][c] + (lower[1][c] - lower[0][c]) * fx;
+    sum[c] = above + (below - above) * fy;
+  }
+  return to_vec(sum);
 }
 
 EnvironmentLook Environment::look(const Vec3d& direction) const {
@@ -89,14 +116,10 @@ EnvironmentLook Environment::look(const Vec3d& direction) const {
 }
 
 EnvironmentSample Environment::sample(const Float2& random) const {
-  EnvironmentSample sample;
-  sample.point = distribution_.sample(random);
-  const Turn down = turn_by(static_cast<double>(sample.point[1]) / 2);
-  sample.direction = direction_at(sample.point, down);
-  if (down.sine > 0) {
-    sample.pdf = distribution_.density(sample.point) / (2 * kPi * kPi * down.sine);
-  }
-  return sample;
+  const auto [point, density] = distribution_.sample(random);
+  const Turn down = turn_by(static_cast<double>(point[1]) / 2);
+  const double area = 2 * kPi * kPi * down.sine;
+  return {direction_at(point, down), point, area > 0 ? density / area : 0.0};
 }
 
 }  // namespace gltfx::bake

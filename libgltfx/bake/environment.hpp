@@ -4,6 +4,9 @@
 
 #include <gltfx/vec3.hpp>
 
+#include <cstdint>
+#include <vector>
+
 #include "bake/distribution.hpp"
 #include "bake/scene.hpp"
 
@@ -26,7 +29,7 @@ struct EnvironmentLook {
 class Environment {
  public:
   /// `image` has at least one texel.
-  explicit Environment(EnvironmentImage image);
+  explicit Environment(const EnvironmentImage& image);
 
   Rgb radiance(const Vec3d& direction) const { return look(direction).radiance; }
   /// Radiance and density of a direction in one go.
@@ -40,7 +43,8 @@ class Environment {
  private:
   Rgb radiance_at(const Float2& point) const;
 
-  EnvironmentImage image_;
+  std::uint32_t width_, height_;
+  std::vector<Float3> texels_;  ///< rows from the top, with a border that makes it endless
   GridDistribution distribution_;
 };
 

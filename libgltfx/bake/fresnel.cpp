@@ -73,7 +73,7 @@ Rgb iridescent_fresnel(double outside_ior, double film_ior, const Rgb& base_f0, 
   return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
 }
 
-Rgb Fresnel::at(double cosine) const {
+Rgb Fresnel::inside_or_iridescent(double cosine) const {
   if (eta < 1) {  // Schlick's curve belongs to the angle in the thinner medium
     const double sine_square = (1 - square(cosine)) / square(eta);
     if (sine_square >= 1) return Rgb(1);  // total reflection, whatever `specular` says

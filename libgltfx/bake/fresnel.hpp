@@ -41,7 +41,12 @@ struct Fresnel {
   double eta = 1;
   Film film;
 
-  Rgb at(double cosine) const;
+  Rgb at(double cosine) const {
+    return eta < 1 || film.strength > 0 ? inside_or_iridescent(cosine) : schlick(f0, f90, cosine);
+  }
+
+ private:
+  Rgb inside_or_iridescent(double cosine) const;
 };
 
 /// The surface of a dielectric: F0 by ior, scaled by specular colour and factor.

@@ -114,7 +114,7 @@ class Integration {
     const Directions d(v_, p.l, p.measure, static_cast<std::uint8_t>(kind));
     KindDensity density(d, static_cast<Lobes>(kind));
     visit_node(graph_, density, 1);
-    if (density.sum() > 0) sum += graph_.eval(d, {}) * (weight * d.l.z / density.sum());
+    if (density.sum() > 0) sum += graph_.evaluate(d, {}).f * (weight * d.l.z / density.sum());
   }
 
   const Graph& graph_;

@@ -68,7 +68,7 @@ Setting make_setting(const Scene& scene, const Subject& subject, const View& vie
     EnvironmentImage image = own ? *scene.environment : studio_environment(view.backward);
     for (Float3& texel : image.radiance) scale(texel, exposure);
     if (studio) setting.floor = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
-    setting.environment.emplace(std::move(image));
+    setting.environment.emplace(image);
   }
   setting.emitters = Emitters(scene);
   setting.lights = brought_to_studio(scene, subject, options.lamps);

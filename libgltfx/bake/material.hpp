@@ -20,8 +20,6 @@ struct Seen {
   SeenFacets alpha;
   Fresnel ior, metal_f0;
   Held held;
-  SheenScaling sheen;
-  SeenCoat coat;
 
   Seen(const Material& m, const Vec3d& viewer, double relative_ior, ShaderMode mode)
       : v(viewer),
@@ -29,18 +27,49 @@ struct Seen {
         alpha(microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation), v),
         ior(dielectric_fresnel(m, m.volumetric() ? eta : 1, mode)),
         metal_f0(metal_fresnel(m, mode)),
-        held(held_below(ior, alpha, v, m, mode)),
-        sheen(m.sheen_color, m.sheen_roughness, v, mode),
+        held(held_below(ior, alpha, v, m, mode)) {}
+};
+
+/// The same of what extensions put on top.
+struct SeenLayers {
+  SheenScaling sheen;
+  SeenCoat coat;
+
+  SeenLayers(const Material& m, const Vec3d& v, ShaderMode mode)
+      : sheen(m.sheen_color, m.sheen_roughness, v, mode),
         coat(m.clearcoat_normal, m.clearcoat_roughness, v) {}
 };
 
-/// The material as a graph of nodes. They refer to `seen`.
-inline auto material_graph(const Material& m, const Seen& seen) {
+/// Whether a material is that of the core specification, as far as its lobes go.
+inline bool is_core(const Material& m) {
+  return m.transmission == 0 && m.diffuse_transmission == 0 && max_value(m.sheen_color) <= 0 &&
+         m.clearcoat == 0;
+}
+
+/// The core material as a graph of nodes (Appendix B). They refer to `seen`. It is what is left of
+/// the one below where that has nothing to add, in a third of the time.
+// clang-format off
+inline auto core_graph(const Material& m, const Seen& seen) {
+  const auto dielectric_brdf = fresnel_mix(
+      seen.ior,
+      /*base*/ diffuse_brdf(m.base_color),
+      /*layer*/ specular_brdf(seen.alpha),
+      seen.v, seen.held);
+
+  const auto metal_brdf = conductor_fresnel(
+      /*f0*/ seen.metal_f0,
+      specular_brdf(seen.alpha),
+      seen.v);
+
+  return mix(dielectric_brdf, metal_brdf, m.metallic);
+}
+
+/// The material with all extensions as a graph of nodes. They refer to `seen` and `layers`.
+inline auto material_graph(const Material& m, const Seen& seen, const SeenLayers& layers) {
   const bool volume = m.volumetric();
   const double scatter_strength =
       m.scattering == Scattering::unified && !volume ? m.scatter_strength : 0;
 
-  // clang-format off
   const auto diffuse_bsdf = mix(
       diffuse_brdf(m.base_color),
       diffuse_btdf(m.diffuse_transmission_color),
@@ -68,21 +97,15 @@ inline auto material_graph(const Material& m, const Seen& seen) {
       m.sheen_color,
       sheen_brdf(m.sheen_roughness, seen.v, m.sheen_color),
       material,
-      seen.sheen);
+      layers.sheen);
 
   return fresnel_coat(
       /*ior*/ 1.5,
       /*weight*/ m.clearcoat,
       /*base*/ sheen_material,
-      /*layer*/ clearcoat_brdf(seen.coat));
-  // clang-format on
+      /*layer*/ clearcoat_brdf(layers.coat));
 }
-
-/// Value and density of one direction, as multiple importance sampling needs them together.
-struct Evaluation {
-  Rgb f;           ///< without the cosine; no delta lobes
-  double pdf = 0;  ///< per steradian, of Bsdf::sample()
-};
+// clang-format on
 
 /// Frame, units and options as in <gltfx/material.hpp>. Keeps no reference to the material. Not of
 /// use for unlit materials: they only emit.
@@ -92,6 +115,7 @@ class Bsdf {
   Bsdf(const Bsdf&) = delete;
   Bsdf& operator=(const Bsdf&) = delete;
 
+  /// Without delta lobes.
   Evaluation evaluate(const Vec3d& l) const;
   /// The part of evaluate() that is mirrored, glossy or sheen.
   Rgb reflect(const Vec3d& l) const;
@@ -99,16 +123,22 @@ class Bsdf {
   /// Below this, Random3::lobe leads to mirrors, gloss and sheen; from it on, to the rest.
   double reflection_chance() const;
   /// Whether all lobes are mirrors or ideal refractions, so that evaluate() gives 0 everywhere.
-  bool is_delta() const { return graph_.is_delta; }
+  bool is_delta() const { return core_ ? core_->is_delta : full_->is_delta; }
   /// Albedo by quadrature, as gltfx::integrate().
   Albedo integrate(int resolution) const;
 
  private:
-  using Graph = decltype(material_graph(std::declval<Material>(), std::declval<Seen>()));
+  using CoreGraph = decltype(core_graph(std::declval<Material>(), std::declval<Seen>()));
+  using Graph = decltype(material_graph(std::declval<Material>(), std::declval<Seen>(),
+                                        std::declval<SeenLayers>()));
+  template <class Nodes>
+  std::optional<MaterialSample> sample(const Nodes& graph, const Random3& random) const;
 
   bool flipped_;  // seen from behind: all is mirrored at the surface
   Seen seen_;
-  Graph graph_;
+  std::optional<CoreGraph> core_;  // or else:
+  std::optional<SeenLayers> layers_;
+  std::optional<Graph> full_;
 };
 
 }  // namespace gltfx::bake

@@ -67,8 +67,8 @@ struct Microfacets {
     const Vec3d stretch = normalize({alpha_t * w.x, alpha_b * w.y, w.z});
     const double z = (1 - u) * (1 + stretch.z) - stretch.z;
     const double radius = std::sqrt(std::fmax(0.0, 1 - z * z));
-    const double phi = 2 * pi * v;
-    const Vec3d cap(radius * std::cos(phi) + stretch.x, radius * std::sin(phi) + stretch.y,
+    const Turn turn = turn_by(v);
+    const Vec3d cap(radius * turn.cosine + stretch.x, radius * turn.sine + stretch.y,
                     z + stretch.z);
     return turned_back(normalize({alpha_t * cap.x, alpha_b * cap.y, std::fmax(1e-12, cap.z)}));
   }

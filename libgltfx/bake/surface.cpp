@@ -13,38 +13,35 @@
 namespace gltfx::bake {
 namespace {
 
-// The triangle of a hit, in the world.
+// The triangle of a hit; what it tells is in the world.
 class Triangle {
  public:
   Triangle(const Scene& scene, const Hit& hit)
       : instance_(scene.instances[hit.instance]),
         mesh_(scene.meshes[instance_.mesh]),
         corners_(mesh_.triangles[hit.triangle]),
-        hit_(hit),
-        mirrored_(determinant(instance_.to_world) < 0 ? -1.0 : 1.0) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      points_[i] = transform_point(instance_.to_world, to_vec(mesh_.positions[corners_[i]]));
-    }
-  }
+        u_(static_cast<double>(hit.u)),
+        v_(static_cast<double>(hit.v)),
+        first_(to_vec(mesh_.positions[corners_[0]])),
+        along_1_(to_vec(mesh_.positions[corners_[1]]) - first_),
+        along_2_(to_vec(mesh_.positions[corners_[2]]) - first_),
+        normals_(instance_.to_world) {}
 
   // From the weights: nearer to the triangle than the end of the ray.
   Vec3d position() const {
-    return points_[0] + (points_[1] - points_[0]) * weight(1) +
-           (points_[2] - points_[0]) * weight(2);
+    return transform_point(instance_.to_world, first_ + along_1_ * u_ + along_2_ * v_);
   }
 
   // Out of the front; zero without area.
   Vec3d flat_normal() const {
-    const Vec3d n = cross(points_[1] - points_[0], points_[2] - points_[0]) * mirrored_;
+    const Vec3d n = normals_.outward(cross(along_1_, along_2_));
     const double norm = length(n);
     return norm > 0 && std::isfinite(norm) ? n / norm : Vec3d();
   }
 
   Vec3d smooth_normal(const Vec3d& flat) const {
     if (mesh_.normals.empty()) return flat;
-    Vec3d sum;
-    for (std::size_t i = 0; i < 3; ++i) sum += to_vec(mesh_.normals[corners_[i]]) * weight(i);
-    const Vec3d n = transform_normal(instance_.to_world, sum) * mirrored_;
+    const Vec3d n = normals_.outward(mean(mesh_.normals));
     const double norm = length(n);
     return norm > 0 && std::isfinite(norm) ? n / norm : flat;
   }
@@ -53,13 +50,9 @@ class Triangle {
   // material looks at by tangents, or else any.
   Frame frame(const Vec3d& normal, const SceneMaterial& material) const {
     Vec3d tangent;
-    double sign = mirrored_;
+    double sign = normals_.handedness();
     if (!mesh_.tangents.empty() && !mesh_.normals.empty()) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Float4& t = mesh_.tangents[corners_[i]];
-        tangent += to_vec({t[0], t[1], t[2]}) * weight(i);
-      }
-      tangent = transform_vector(instance_.to_world, tangent);
+      tangent = transform_vector(instance_.to_world, mean(mesh_.tangents));
       if (mesh_.tangents[corners_[0]][3] < 0) sign = -sign;
     } else if (needs_tangents(material)) {
       tangent = along_u(material, normal, sign);
@@ -72,10 +65,13 @@ class Triangle {
   }
 
  private:
-  double weight(std::size_t corner) const {
-    const auto u = static_cast<double>(hit_.u);
-    const auto v = static_cast<double>(hit_.v);
-    return corner == 0 ? 1 - u - v : corner == 1 ? u : v;
+  template <std::size_t N>
+  Vec3d mean(const std::vector<std::array<float, N>>& values) const {
+    const auto at = [&](std::size_t corner) -> Vec3d {
+      const auto& value = values[corners_[corner]];
+      return {value[0], value[1], value[2]};
+    };
+    return at(0) * (1 - u_ - v_) + at(1) * u_ + at(2) * v_;
   }
 
   static bool needs_tangents(const SceneMaterial& material) {
@@ -101,8 +97,8 @@ class Triangle {
     const auto dv2 = static_cast<double>(uv[2][1] - uv[0][1]);
     const double area = du1 * dv2 - du2 * dv1;
     if (area == 0) return {};
-    const Vec3d e1 = points_[1] - points_[0];
-    const Vec3d e2 = points_[2] - points_[0];
+    const Vec3d e1 = transform_vector(instance_.to_world, along_1_);
+    const Vec3d e2 = transform_vector(instance_.to_world, along_2_);
     const Vec3d along = (e1 * dv2 - e2 * dv1) / area;
     const Vec3d up = (e1 * du2 - e2 * du1) / area;  // against v
     sign = dot(cross(normal, along), up) < 0 ? -1 : 1;
@@ -112,9 +108,9 @@ class Triangle {
   const Instance& instance_;
   const Mesh& mesh_;
   const std::array<std::uint32_t, 3>& corners_;
-  const Hit& hit_;
-  double mirrored_;
-  std::array<Vec3d, 3> points_;
+  double u_, v_;                     // weights of the second and third corner
+  Vec3d first_, along_1_, along_2_;  // in the mesh: a corner, and from there to the others
+  NormalTransform normals_;
 };
 
 // Where a shading normal leans so far that the viewer would see its back, it is bent until he just
@@ -151,10 +147,8 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
   const SceneMaterial& material = material_of(scene, mesh);
   const Triangle triangle(scene, hit);
-  Surface surface;
-  surface.material = material_at(scene, mesh, material, hit);
-  surface.position = triangle.position();
-  surface.flat_normal = triangle.flat_normal();
+  Surface surface{triangle.position(), triangle.flat_normal(), Frame(),
+                  material_at(scene, mesh, material, hit)};
   const bool front = dot(surface.flat_normal, ray.direction) < 0;
   const Vec3d smooth = triangle.smooth_normal(surface.flat_normal);
   if (length(smooth) == 0) return surface;

@@ -17,6 +17,7 @@ struct Footprint {
   float share = 0;  // of the second
 };
 
+// Repeated ones are at most one image away.
 std::uint32_t wrapped(std::int64_t texel, std::int64_t size, Wrap wrap) {
   if (texel >= 0 && texel < size) return static_cast<std::uint32_t>(texel);
   switch (wrap) {
@@ -29,14 +30,18 @@ std::uint32_t wrapped(std::int64_t texel, std::int64_t size, Wrap wrap) {
     case Wrap::repeat:
       break;
   }
-  return static_cast<std::uint32_t>(((texel % size) + size) % size);
+  return static_cast<std::uint32_t>(texel < 0 ? texel + size : texel - size);
 }
 
 Footprint footprint(float coordinate, std::uint32_t size, Wrap wrap, Filter filter) {
   // Beyond that a float holds no texels of any image.
   constexpr float kFar = 1e9F;
-  const float scaled = coordinate * static_cast<float>(size);
-  if (!(std::fabs(scaled) < kFar)) return {};
+  const auto width = static_cast<float>(size);
+  if (!(std::fabs(coordinate * width) < kFar)) return {};
+  if (wrap == Wrap::repeat) {  // brought near first: there is less to wrap then
+    coordinate -= static_cast<float>(floor_of(static_cast<double>(coordinate)));
+  }
+  const float scaled = coordinate * width;
   if (filter == Filter::nearest) {
     const std::uint32_t texel = wrapped(floor_of(static_cast<double>(scaled)), size, wrap);
     return {texel, texel, 0};

@@ -8,14 +8,6 @@
 namespace gltfx::bake {
 namespace {
 
-std::array<float, 256> make_table() {
-  std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    table[i] = srgb_decode(static_cast<float>(i) / 255.0F);
-  }
-  return table;
-}
-
 float sane(float value) { return std::isfinite(value) ? std::clamp(value, 0.0F, 1e6F) : 0.0F; }
 
 }  // namespace
@@ -46,11 +38,6 @@ float srgb_encode(float linear) {
 float srgb_decode(float encoded) {
   if (encoded <= 0.04045F) return encoded / 12.92F;
   return std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
-
-float srgb_decode_byte(std::uint8_t encoded) {
-  static const std::array<float, 256> kTable = make_table();
-  return kTable[encoded];
 }
 
 std::uint8_t to_byte(float value) {

@@ -25,7 +25,7 @@ std::string table(const std::string& type, const std::string& name, int rows,
   for (int r = 0; r < rows; ++r) {
     text += "    {";
     for (int c = 0; c < kAlbedoColumns; ++c) {
-      text += fmt::format("{:.5f}{}", value(row_roughness(r, rows), column_cosine(c)),
+      text += fmt::format("{:.5f}F{}", value(row_roughness(r, rows), column_cosine(c)),
                           c + 1 < kAlbedoColumns ? ", " : "");
     }
     text += "},\n";

@@ -167,7 +167,8 @@ TEST(Sampling, LeavesAreTakenWithTheirDensity) {
   for (const Named& named : materials()) {
     const Vec3d v = direction_of_cosine(0.6);
     const Seen seen(named.material, v, named.material.ior, ShaderMode::conserving);
-    const auto graph = material_graph(named.material, seen);
+    const SeenLayers layers(named.material, v, ShaderMode::conserving);
+    const auto graph = material_graph(named.material, seen, layers);
     const LeafTest test{v, named.name};
     visit_node(graph, test, 1);
   }

@@ -46,7 +46,7 @@ constexpr Vec3d cross(const Vec3d& a, const Vec3d& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 /// Precondition: not of length 0.
-inline Vec3d normalize(const Vec3d& a) { return a / std::sqrt(dot(a, a)); }
+inline Vec3d normalize(const Vec3d& a) { return a * (1 / std::sqrt(dot(a, a))); }
 constexpr double max_value(const Rgb& a) {
   const double m = a.x > a.y ? a.x : a.y;
   return m > a.z ? m : a.z;
