@@ -33,6 +33,7 @@ struct Group {
   std::vector<std::uint32_t> instances;  // in order
   std::vector<std::size_t> first;        // triangle of each
   std::size_t triangles = 0, vertices = 0;
+  bool mirrored = false;  // one of them, at least
 };
 
 }  // namespace
@@ -74,6 +75,7 @@ struct Bvh::State {
   }
 
   bool build();
+  static void set_filters(RTCGeometry geometry, Treatment treatment, bool mirrored);
   void group_instances();
   bool add_group(const Group& group, Treatment treatment);
   bool add_shared_mesh(std::uint32_t mesh);
@@ -86,6 +88,7 @@ struct Bvh::State {
   std::optional<Hit> intersect(Tracing& tracing, const Ray& ray) const;
   static void filter_closest(const RTCFilterFunctionNArguments* args);
   static void filter_any(const RTCFilterFunctionNArguments* args);
+  static void filter_backs(const RTCFilterFunctionNArguments* args);
 
   const Scene& scene;
   RTCDevice device = nullptr;
@@ -110,13 +113,6 @@ struct Bvh::Tracing {
 
 namespace {
 
-void set_filters(RTCGeometry geometry, Treatment treatment, RTCFilterFunctionN closest,
-                 RTCFilterFunctionN any) {
-  if (treatment == Treatment::solid) return;
-  rtcSetGeometryIntersectFilterFunction(geometry, closest);
-  rtcSetGeometryOccludedFilterFunction(geometry, any);
-}
-
 void* new_buffer(RTCGeometry geometry, RTCBufferType type, std::size_t count) {
   const bool vertices = type == RTC_BUFFER_TYPE_VERTEX;
   return rtcSetNewGeometryBuffer(geometry, type, 0, vertices ? RTC_FORMAT_FLOAT3 : RTC_FORMAT_UINT3,
@@ -135,14 +131,20 @@ bool attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, std::uint32_
 RTCScene new_scene(RTCDevice device) {
   RTCScene scene = rtcNewScene(device);
   if (scene != nullptr) {
-    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
-                                                       RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
   }
   return scene;
 }
 
 }  // namespace
+
+void Bvh::State::set_filters(RTCGeometry geometry, Treatment treatment, bool mirrored) {
+  if (treatment == Treatment::solid) return;
+  const bool simple = treatment == Treatment::culled && !mirrored;
+  rtcSetGeometryIntersectFilterFunction(geometry, simple ? filter_backs : filter_closest);
+  rtcSetGeometryOccludedFilterFunction(geometry, simple ? filter_backs : filter_any);
+}
 
 void Bvh::State::group_instances() {
   constexpr std::size_t kMostFlattened = 1U << 20U;
@@ -169,6 +171,7 @@ void Bvh::State::group_instances() {
     group.first.push_back(group.triangles);
     group.triangles += mesh.triangles.size();
     group.vertices += mesh.positions.size();
+    group.mirrored = group.mirrored || facing.back() < 0;
   }
 }
 
@@ -191,7 +194,7 @@ bool Bvh::State::add_group(const Group& group, Treatment treatment) {
     for (const auto& t : mesh.triangles) *indices++ = {t[0] + base, t[1] + base, t[2] + base};
     base += static_cast<std::uint32_t>(mesh.positions.size());
   }
-  set_filters(geometry, treatment, filter_closest, filter_any);
+  set_filters(geometry, treatment, group.mirrored);
   return attach(device, top, geometry, static_cast<std::uint32_t>(treatment));
 }
 
@@ -210,7 +213,7 @@ bool Bvh::State::add_shared_mesh(std::uint32_t number) {
   std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Float3*>(points));
   std::copy(mesh.triangles.begin(), mesh.triangles.end(),
             static_cast<std::array<std::uint32_t, 3>*>(indices));
-  set_filters(geometry, treatment_of(material_of(scene, mesh)), filter_closest, filter_any);
+  set_filters(geometry, treatment_of(material_of(scene, mesh)), false);
   if (!attach(device, own, geometry, 0)) return false;
   rtcCommitScene(own);
   return rtcGetDeviceError(device) == RTC_ERROR_NONE;
@@ -260,6 +263,17 @@ Hit Bvh::State::hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t
   return hit;
 }
 
+namespace {
+
+// Above 0 where the ray goes the way that the triangle's normal points, by its winding.
+float along_normal(const RTCFilterFunctionNArguments* args) {
+  return RTCHitN_Ng_x(args->hit, 1, 0) * RTCRayN_dir_x(args->ray, 1, 0) +
+         RTCHitN_Ng_y(args->hit, 1, 0) * RTCRayN_dir_y(args->ray, 1, 0) +
+         RTCHitN_Ng_z(args->hit, 1, 0) * RTCRayN_dir_z(args->ray, 1, 0);
+}
+
+}  // namespace
+
 // What part of a ray a triangle stops that Embree offers.
 float Bvh::State::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const {
   hit = hit_of(RTCHitN_instID(args->hit, 1, 0, 0), RTCHitN_geomID(args->hit, 1, 0),
@@ -274,11 +288,14 @@ float Bvh::State::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) co
 
 // A mesh of many instances is met in its own space, where nothing is mirrored.
 bool Bvh::State::offers_front(const RTCFilterFunctionNArguments* args, const Hit& hit) const {
-  const float along = RTCHitN_Ng_x(args->hit, 1, 0) * RTCRayN_dir_x(args->ray, 1, 0) +
-                      RTCHitN_Ng_y(args->hit, 1, 0) * RTCRayN_dir_y(args->ray, 1, 0) +
-                      RTCHitN_Ng_z(args->hit, 1, 0) * RTCRayN_dir_z(args->ray, 1, 0);
+  const float along = along_normal(args);
   const bool instance = RTCHitN_instID(args->hit, 1, 0, 0) != RTC_INVALID_GEOMETRY_ID;
   return (instance || facing[hit.instance] > 0 ? along : -along) < 0;
+}
+
+// Where nothing is mirrored it does not matter whose triangle it is.
+void Bvh::State::filter_backs(const RTCFilterFunctionNArguments* args) {
+  if (along_normal(args) >= 0) args->valid[0] = 0;
 }
 
 void Bvh::State::filter_closest(const RTCFilterFunctionNArguments* args) {

@@ -2,9 +2,6 @@
 #include "bake/distribution.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 
 namespace gltfx::bake {
 namespace {
@@ -17,81 +14,82 @@ double sum_of(std::span<const float> weights) {
   return sum;
 }
 
+std::size_t cell_of(float coordinate, std::size_t count) {
+  const auto scaled =
+      static_cast<std::int64_t>(std::max(coordinate, 0.0F) * static_cast<float>(count));
+  return std::min(static_cast<std::size_t>(scaled), count - 1);
+}
+
 }  // namespace
 
-void GridDistribution::Quantiles::add(std::span<const float> weights) {
-  parts = std::bit_ceil(weights.size());
+// The guide says for each of as many equal parts of [0, 1) at which step it begins, or a little
+// before: where a part begins is a matter of rounding.
+void GridDistribution::Steps::add(std::span<const float> weights) {
+  count = weights.size();
+  const std::size_t first = sums.size();
   const double total = sum_of(weights);
-  const double even = 1.0 / static_cast<double>(weights.size());
-  const auto probability = [&](std::size_t cell) {
-    return total > 0 ? static_cast<double>(weights[cell]) / total : even;
-  };
-  std::size_t cell = 0;
-  double sum = 0;  // of the cells before
-  float last = 0;
-  bounds.push_back(0);
-  for (std::size_t part = 1; part < parts; ++part) {
-    const double wanted = static_cast<double>(part) / static_cast<double>(parts);
-    while (cell + 1 < weights.size() && sum + probability(cell) <= wanted) {
-      sum += probability(cell++);
-    }
-    const double own = probability(cell);
-    const double within = own > 0 ? std::clamp((wanted - sum) / own, 0.0, 1.0) : 0;
-    const auto bound = static_cast<float>((static_cast<double>(cell) + within) * even);
-    last = std::max(std::nextafter(last, 2.0F), std::min(bound, kBelowOne));
-    bounds.push_back(last);
+  const double even = 1.0 / static_cast<double>(count);
+  double sum = 0;
+  sums.push_back(0);
+  for (const float weight : weights) {
+    sum += total > 0 ? static_cast<double>(weight) / total : even;
+    sums.push_back(std::min(static_cast<float>(sum), 1.0F));
   }
-  bounds.push_back(std::max(std::nextafter(last, 2.0F), 1.0F));
+  sums.back() = 1;
+  const float* own = sums.data() + first;
+  std::uint32_t step = 0;
+  for (std::size_t part = 0; part < count; ++part) {
+    const double begin = (static_cast<double>(part) - 0x1p-20) / static_cast<double>(count);
+    while (static_cast<double>(own[step + 1]) <= begin) ++step;
+    guide.push_back(step);
+  }
 }
 
-// By halves, without a branch that nobody can foresee.
-const float* GridDistribution::Quantiles::before(std::size_t number, float coordinate) const {
-  const float* bound = list(number);
-  for (std::size_t step = parts / 2; step > 0; step /= 2) {
-    bound += bound[step] <= coordinate ? step : 0;
-  }
-  return bound;
+float GridDistribution::Steps::probability(std::size_t list, std::size_t index) const {
+  const float* own = sums.data() + list * (count + 1);
+  return own[index + 1] - own[index];
 }
 
-GridDistribution::Choice GridDistribution::choose(const Quantiles& quantiles, std::size_t list,
+// The last sum is 1 and `random` below: every search ends, and never at a step without width. Most
+// take one step or none, which is not left to a branch that nobody can foresee.
+GridDistribution::Choice GridDistribution::choose(const Steps& steps, std::size_t list,
                                                   float random) {
-  const float scaled = std::min(random, kBelowOne) * static_cast<float>(quantiles.parts);
-  const auto part = static_cast<std::int32_t>(scaled);
-  const float* bound = quantiles.list(list) + part;
-  const float width = bound[1] - bound[0];
-  return {std::min(bound[0] + (scaled - static_cast<float>(part)) * width, kBelowOne), width};
+  random = std::min(random, kBelowOne);
+  const float* sums = steps.sums.data() + list * (steps.count + 1);
+  std::size_t index = steps.guide[list * steps.count + cell_of(random, steps.count)];
+  index += static_cast<std::size_t>(sums[index + 1] <= random);
+  while (sums[index + 1] <= random) ++index;
+  const float probability = sums[index + 1] - sums[index];
+  return {index, std::min((random - sums[index]) / probability, kBelowOne), probability};
 }
 
 GridDistribution::GridDistribution(std::size_t width, std::span<const float> weights)
-    : height_(weights.size() / width) {
+    : width_(width) {
   std::vector<float> totals;
-  cells_.bounds.reserve(height_ * (std::bit_ceil(width) + 1));
-  for (std::size_t first = 0; first < weights.size(); first += width) {
-    const auto row = weights.subspan(first, width);
+  for (std::size_t first = 0; first < weights.size(); first += width_) {
+    const auto row = weights.subspan(first, width_);
     cells_.add(row);
     totals.push_back(static_cast<float>(std::min(sum_of(row), 3e38)));
   }
   rows_.add(totals);
 }
 
-std::size_t GridDistribution::row_of(float coordinate) const {
-  const float scaled = std::max(coordinate, 0.0F) * static_cast<float>(height_);
-  return std::min(static_cast<std::size_t>(static_cast<std::int64_t>(scaled)), height_ - 1);
-}
-
 GridDistribution::Sample GridDistribution::sample(const Float2& random) const {
-  const Choice y = choose(rows_, 0, random[1]);
-  const Choice x = choose(cells_, row_of(y.coordinate), random[0]);
-  const auto parts = static_cast<double>(rows_.parts * cells_.parts);
-  const double area = static_cast<double>(y.width) * static_cast<double>(x.width);
-  return {{x.coordinate, y.coordinate}, 1 / (area * parts)};
+  const Choice row = choose(rows_, 0, random[1]);
+  const Choice cell = choose(cells_, row.index, random[0]);
+  const auto width = static_cast<float>(width_);
+  const auto height = static_cast<float>(rows_.count);
+  return {{(static_cast<float>(cell.index) + cell.within) / width,
+           (static_cast<float>(row.index) + row.within) / height},
+          static_cast<double>(row.probability * cell.probability * (width * height))};
 }
 
 double GridDistribution::density(const Float2& point) const {
-  const float* y = rows_.before(0, point[1]);
-  const float* x = cells_.before(row_of(point[1]), point[0]);
-  const auto parts = static_cast<double>(rows_.parts * cells_.parts);
-  return 1 / (static_cast<double>(y[1] - y[0]) * static_cast<double>(x[1] - x[0]) * parts);
+  const std::size_t row = cell_of(point[1], rows_.count);
+  const std::size_t cell = cell_of(point[0], width_);
+  return static_cast<double>(rows_.probability(0, row)) *
+         static_cast<double>(cells_.probability(row, cell)) *
+         (static_cast<double>(width_) * static_cast<double>(rows_.count));
 }
 
 }  // namespace gltfx::bake

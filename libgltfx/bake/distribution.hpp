@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Choosing points of a grid by the weights of its cells.
+/// Choosing the cells of a grid by their weights.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,12 +11,11 @@
 
 namespace gltfx::bake {
 
-/// The unit square in rows, each in parts of equal probability within which all points are alike:
-/// taking a point is two looks into tables, without a search. Every point has a density above 0.
+/// Piecewise constant over the unit square. Weights that are all 0 count as equal.
 class GridDistribution {
  public:
   GridDistribution() = default;
-  /// `weights`: rows of `width`, finite and not negative. Weights that are all 0 count as equal.
+  /// `weights`: rows of `width`, finite and not negative.
   GridDistribution(std::size_t width, std::span<const float> weights);
 
   struct Sample {
@@ -28,25 +28,24 @@ class GridDistribution {
   double density(const Float2& point) const;
 
  private:
-  /// Lists of where each of `parts` parts of the probability begins, and where the last one ends.
-  struct Quantiles {
-    std::size_t parts = 1;  ///< a power of two
-    std::vector<float> bounds;
+  /// Lists of `count` weights: running sums, each list from 0 to 1, and where a search begins.
+  struct Steps {
+    std::size_t count = 0;
+    std::vector<float> sums;           ///< count + 1 of each list
+    std::vector<std::uint32_t> guide;  ///< count of each list
     void add(std::span<const float> weights);
-    const float* list(std::size_t number) const { return bounds.data() + number * (parts + 1); }
-    /// The bound before a coordinate.
-    const float* before(std::size_t number, float coordinate) const;
+    float probability(std::size_t list, std::size_t index) const;
   };
   struct Choice {
-    float coordinate = 0;
-    float width = 1;  ///< of the part that it lies in, above 0
+    std::size_t index = 0;
+    float within = 0;       ///< of the step, below 1
+    float probability = 0;  ///< above 0
   };
-  static Choice choose(const Quantiles& quantiles, std::size_t list, float random);
-  std::size_t row_of(float coordinate) const;
+  static Choice choose(const Steps& steps, std::size_t list, float random);
 
-  std::size_t height_ = 1;
-  Quantiles rows_;
-  Quantiles cells_;  ///< a list for each row
+  std::size_t width_ = 1;
+  Steps rows_;
+  Steps cells_;  ///< a list for each row
 };
 
 }  // namespace gltfx::bake

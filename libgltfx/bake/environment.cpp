@@ -73,9 +73,9 @@ Vec3d direction_of(const Float2& point) {
 }
 
 Float2 point_of(const Vec3d& direction) {
-  const double turn = std::atan2(direction.x, -direction.z);
-  return {static_cast<float>(turn / (2 * kPi) + 0.5),
-          static_cast<float>(std::acos(std::clamp(direction.y, -1.0, 1.0)) / kPi)};
+  const double ring = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+  return {static_cast<float>(turn_of(direction.x, -direction.z) + 0.5),
+          static_cast<float>(turn_of(ring, direction.y) * 2)};
 }
 
 Environment::Environment(const EnvironmentImage& image)

@@ -139,6 +139,7 @@ Albedo integrate(const Material& material, const Vec3d& v, const ShaderOptions& 
 
 Rgb emitted(const Material& material, const Vec3d& v) {
   if (material.unlit) return material.base_color;
+  if (material.clearcoat <= 0) return material.emissive;
   const double cosine = std::fabs(dot(v, material.clearcoat_normal));
   const double coat = material.clearcoat * bake::schlick(bake::f0_of_ior(1.5, 1), cosine);
   return material.emissive * (1 - coat);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -33,6 +34,25 @@ inline Turn turn_by(double turns) {
   const auto first = static_cast<std::size_t>(quarters & 1);
   return {parts[first] * static_cast<double>(1 - (quarters & 2)),
           parts[1 - first] * static_cast<double>(1 - ((quarters + 1) & 2))};
+}
+
+/// The other way round, from -1/2 to 1/2, to some 1e-7: the angle from +x to (x, y).
+inline double turn_of(double y, double x) {
+  constexpr double kTurn = 6.28318530717958648;
+  const double across = std::fabs(x);
+  const double up = std::fabs(y);
+  const double less = across < up ? across : up;
+  const double more = across < up ? up : across;
+  if (!(more > 0)) return 0;
+  const bool steep = less > 0.41421356 * more;  // nearer to 1/8 than to 0
+  const double z = steep ? (less - more) / (less + more) : less / more;
+  const double q = z * z;
+  const double angle =
+      z * (1 + q * (-1.0 / 3 + q * (1.0 / 5 + q * (-1.0 / 7 + q * (1.0 / 9 - q * (1.0 / 11))))));
+  double turn = angle / kTurn + (steep ? 0.125 : 0.0);
+  if (across < up) turn = 0.25 - turn;
+  if (x < 0) turn = 0.5 - turn;
+  return y < 0 ? -turn : turn;
 }
 
 }  // namespace gltfx::bake

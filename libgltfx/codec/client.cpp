@@ -105,6 +105,13 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
   return result_of<EncodedImage>(state_->images, job, request.pixels, true);
 }
 
+void Client::prepare_images() {
+  try {
+    state_->images.prepare();
+  } catch (const std::bad_alloc&) {  // whoever needs it will say so
+  }
+}
+
 Client& Client::shared() {
   static Client client;
   return client;

@@ -194,6 +194,9 @@ class Client {
   ImageResult decode_image(const ImageRequest& request);
   /// A Fault of kind `malformed` when the format cannot hold what is asked for.
   EncodeResult encode_image(const EncodeRequest& request);
+  /// Starts a worker for images, without waiting for it: its libraries take longer to load than
+  /// most images to decode.
+  void prepare_images();
 
   /// The one that this process shares. Its workers end with the process.
   static Client& shared();

@@ -35,12 +35,18 @@ bool wait_for_answer(const Process& worker, milliseconds time) {
   return wait_for_packet(worker.socket(), milliseconds::zero()) == Wait::ready;
 }
 
+bool has_greeted(Process& process) {
+  if (process.greeted()) return true;
+  if (!process.started() || !wait_for_answer(process, kStartTime)) return false;
+  const auto greeting = receive_packet(process.socket());
+  if (!greeting || !read_hello(greeting->bytes)) return false;
+  process.set_greeted();
+  return true;
+}
+
 std::unique_ptr<Process> start(const std::string& program) {
   auto process = std::make_unique<Process>(program);
-  if (!process->started()) return nullptr;
-  if (!wait_for_answer(*process, kStartTime)) return nullptr;
-  const auto greeting = receive_packet(process->socket());
-  return greeting && read_hello(greeting->bytes) ? std::move(process) : nullptr;
+  return has_greeted(*process) ? std::move(process) : nullptr;
 }
 
 // A worker without an answer.
@@ -116,6 +122,13 @@ void Pool::give_back(Worker worker) {
   changed_.notify_one();
 }
 
+void Pool::prepare() {
+  const std::lock_guard lock(mutex_);
+  if (leased_ > 0 || !idle_.empty()) return;
+  auto worker = std::make_unique<Process>(program_);
+  if (worker->started()) idle_.push_back(std::move(worker));
+}
+
 Reply Pool::ask(const Job& job, std::span<const std::byte> bytes) {
   struct Lease {
     Pool& pool;
@@ -134,7 +147,9 @@ Reply Pool::ask(Worker& worker, const Job& job, std::span<const std::byte> bytes
   const int descriptors[] = {payload.get(), result.get()};
   const Frame frame = write_job(job);
   // One that has died meanwhile is replaced.
-  if (worker && !send_packet(worker->socket(), frame, descriptors)) worker.reset();
+  if (worker && !(has_greeted(*worker) && send_packet(worker->socket(), frame, descriptors))) {
+    worker.reset();
+  }
   if (!worker) {
     worker = start(program_);
     if (!worker || !send_packet(worker->socket(), frame, descriptors)) {

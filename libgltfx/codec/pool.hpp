@@ -28,6 +28,8 @@ class Pool {
  public:
   Pool(std::string program, unsigned most);
   Reply ask(const Job& job, std::span<const std::byte> bytes);
+  /// Starts one worker, without waiting for it, unless there is one.
+  void prepare();
 
  private:
   using Worker = std::unique_ptr<Process>;

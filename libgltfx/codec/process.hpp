@@ -29,6 +29,9 @@ class Process {
 
   bool started() const { return id_ > 0; }
   int socket() const { return socket_.get(); }
+  /// Whether the program has said what it is.
+  bool greeted() const { return greeted_; }
+  void set_greeted() { greeted_ = true; }
 
   /// Whether the process runs no more.
   bool has_ended() const;
@@ -39,6 +42,7 @@ class Process {
 
  private:
   pid_t id_ = -1;
+  bool greeted_ = false;
   UniqueFd socket_, lifeline_;
 };
 

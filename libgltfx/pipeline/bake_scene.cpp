@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "codec/client.hpp"
 #include "model/asset.hpp"
 #include "model/variants.hpp"
 #include "pipeline/bake_names.hpp"
@@ -75,6 +76,7 @@ class Loader {
     auto opened = open_asset(path_, options_.root);
     if (!opened) return fail(BakeProblem::unreadable, opened.error().message);
     asset_ = *std::move(opened);
+    codec::Client::shared().prepare_images();  // for textures, and the picture itself
     return true;
   }
 

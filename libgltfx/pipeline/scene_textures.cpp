@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/scene_textures.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <string>
 #include <utility>
@@ -18,6 +19,9 @@ namespace {
 
 // Images that run into a limit cost a second each: one asset gets no more than two of them.
 constexpr int kMostCostly = 2;
+
+// What a worker decodes in the time that another one takes to start.
+constexpr std::uint64_t kWorkerPixels = std::uint64_t{1} << 23U;
 
 bake::Wrap wrap_of(model::Wrap wrap) {
   if (wrap == model::Wrap::clamp_to_edge) return bake::Wrap::clamp_to_edge;
@@ -67,7 +71,9 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
       if (!obstacle(image).empty() || job_of_.count(image) > 0) continue;
       Job job{image,
               codec::Fault{codec::FaultKind::too_large, "its pixels ask for too much memory"}};
-      if (budget.take(decoded_size(*resources_.images[image].header))) job.result = codec::Image();
+      const image::Header& header = *resources_.images[image].header;
+      if (budget.take(decoded_size(header))) job.result = codec::Image();
+      pixels_ = saturating_add(pixels_, std::uint64_t{header.width} * header.height);
       job_of_.emplace(image, jobs_.size());
       jobs_.push_back(std::move(job));
       break;
@@ -77,10 +83,11 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
 
 void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget) {
   plan(budget);
+  const auto worth = static_cast<unsigned>(std::min<std::uint64_t>(pixels_ / kWorkerPixels, 64));
   std::atomic<bool> stopped = false;
   int costly = 0;
   parallel_ordered(
-      jobs_.size(), jobs,
+      jobs_.size(), std::min(jobs == 0 ? default_jobs() : jobs, 1 + worth),
       [&](std::size_t i) {
         Job& job = jobs_[i];
         if (stopped || std::holds_alternative<codec::Fault>(job.result)) return;

@@ -50,6 +50,7 @@ class SceneTextures {
   std::vector<std::uint32_t> used_;                         ///< the other way round
   std::vector<model::Texture> textures_;                    ///< likewise
   std::vector<Job> jobs_;
+  std::uint64_t pixels_ = 0;                               ///< of all jobs, by headers
   std::unordered_map<std::uint32_t, std::size_t> job_of_;  ///< by image
 };
 

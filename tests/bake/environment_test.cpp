@@ -44,6 +44,14 @@ TEST(Environment, TurnsAreSinesAndCosines) {
   }
 }
 
+TEST(Environment, AnglesComeBackFromTheirSinesAndCosines) {
+  for (double turns = -0.4999; turns < 0.5; turns += 0.00137) {
+    const Turn turn = turn_by(turns);
+    EXPECT_NEAR(turn_of(3 * turn.sine, 3 * turn.cosine), turns, 5e-7);
+  }
+  EXPECT_EQ(turn_of(0, 0), 0);
+}
+
 TEST(Environment, RadianceIsReadBetweenTexels) {
   const Environment environment(spotted());
   const Vec3d middle = direction_of({20.5F / 32, 5.5F / 16});

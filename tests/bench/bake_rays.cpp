@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws an asset, then casts as many rays at its triangles with Embree and nothing else:
 //   bake_rays ASSET SIZE SAMPLES BOUNCES JOBS
-// prints processor seconds of drawing, rays, and processor seconds of the same number of rays.
+// prints processor seconds of drawing, rays, and seconds of the same number of rays: of the
+// processor and on the clock.
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -24,6 +26,10 @@ using namespace gltfx;
 
 // Of all threads: what else runs on the machine counts for little.
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 RTCScene plain_scene(RTCDevice device, const bake::Scene& scene) {
   RTCScene top = rtcNewScene(device);
@@ -121,6 +127,7 @@ int main(int argc, char** argv) {
   std::vector<std::uint64_t> rows(size);
   std::uint64_t cast_rays = 0;
   const double start = seconds();
+  const double clock_start = clock_seconds();
   for (std::uint32_t sample = 0; cast_rays < wanted; ++sample) {
     parallel_ordered(
         size, options.jobs,
@@ -135,9 +142,9 @@ int main(int argc, char** argv) {
         },
         [&](std::size_t y) { cast_rays += rows[y]; });
   }
-  const double casting =
-      (seconds() - start) * static_cast<double>(wanted) / static_cast<double>(cast_rays);
-  std::printf("%.6f %llu %.6f\n", drawing, static_cast<unsigned long long>(wanted), casting);
+  const double share = static_cast<double>(wanted) / static_cast<double>(cast_rays);
+  std::printf("%.6f %llu %.6f %.6f\n", drawing, static_cast<unsigned long long>(wanted),
+              (seconds() - start) * share, (clock_seconds() - clock_start) * share);
   rtcReleaseScene(plain);
   rtcReleaseDevice(device);
   return 0;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws an asset and looks at the memory of this process:
+//   bake_memory ASSET SIZE SAMPLES JOBS
+// prints bytes of what is drawn (vertices with all attributes that are used, indices, decoded
+// texels: each once, packed as the scene holds them), and the peak above an idle process when the
+// scene is there, and when the picture is.
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+
+#include <sys/resource.h>
+
+#include "pipeline/bake_picture.hpp"
+#include "pipeline/bake_scene.hpp"
+
+namespace {
+
+using namespace gltfx;
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
+
+std::size_t bytes_of(const bake::Scene& scene) {
+  std::size_t bytes = 0;
+  for (const bake::Mesh& mesh : scene.meshes) {
+    bytes += bytes_of(mesh.triangles) + bytes_of(mesh.positions) + bytes_of(mesh.normals) +
+             bytes_of(mesh.tangents) + bytes_of(mesh.colors);
+    for (const auto& set : mesh.uvs) bytes += bytes_of(set);
+  }
+  std::set<const void*> images;
+  for (const bake::Texture& texture : scene.textures) {
+    if (images.insert(texture.pixels.data()).second) bytes += texture.pixels.size();
+  }
+  return bytes;
+}
+
+std::size_t peak() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 5) return 2;
+  const std::size_t idle = peak();
+  BakeOptions options;
+  const auto size = static_cast<std::uint32_t>(std::atoi(argv[2]));
+  options.samples = static_cast<std::uint32_t>(std::atoi(argv[3]));
+  options.jobs = static_cast<unsigned>(std::atoi(argv[4]));
+  const BakeScene loaded = load_bake_scene(argv[1], options);
+  if (!loaded.ready()) return 1;
+  const std::size_t loading = peak() - idle;
+  const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
+  const DrawnPicture drawn = draw_picture(loaded, view, {size, size}, options, {});
+  std::printf("%zu %zu %zu\n", bytes_of(*loaded.scene), loading, peak() - idle);
+  return 0;
+}
