@@ -2,11 +2,16 @@
 #include "bake/distribution.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 
 namespace gltfx::bake {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1F;
+constexpr std::size_t kMostParts = 128;  // of a list: tables stay near at hand
+constexpr float kAlike = 2;              // weights of one part, at most this apart
 
 double sum_of(std::span<const float> weights) {
   double sum = 0;
@@ -14,21 +19,19 @@ double sum_of(std::span<const float> weights) {
   return sum;
 }
 
-std::size_t cell_of(float coordinate, std::size_t count) {
-  const auto scaled =
-      static_cast<std::int64_t>(std::max(coordinate, 0.0F) * static_cast<float>(count));
-  return std::min(static_cast<std::size_t>(scaled), count - 1);
+bool are_alike(std::span<const float> weights) {
+  const auto [least, greatest] = std::minmax_element(weights.begin(), weights.end());
+  return *greatest <= *least * kAlike;
 }
 
 }  // namespace
 
-// The guide says for each of as many equal parts of [0, 1) at which step it begins, or a little
-// before: where a part begins is a matter of rounding.
-void GridDistribution::Steps::add(std::span<const float> weights) {
+void GridDistribution::Lists::add(std::span<const float> weights) {
   count = weights.size();
-  const std::size_t first = sums.size();
+  parts = std::min(std::bit_ceil(count), kMostParts);
   const double total = sum_of(weights);
   const double even = 1.0 / static_cast<double>(count);
+  const std::size_t first = sums.size();
   double sum = 0;
   sums.push_back(0);
   for (const float weight : weights) {
@@ -36,38 +39,69 @@ void GridDistribution::Steps::add(std::span<const float> weights) {
     sums.push_back(std::min(static_cast<float>(sum), 1.0F));
   }
   sums.back() = 1;
-  const float* own = sums.data() + first;
-  std::uint32_t step = 0;
-  for (std::size_t part = 0; part < count; ++part) {
-    const double begin = (static_cast<double>(part) - 0x1p-20) / static_cast<double>(count);
-    while (static_cast<double>(own[step + 1]) <= begin) ++step;
-    guide.push_back(step);
+  std::vector<float> probabilities(count);
+  for (std::size_t i = 0; i < count; ++i) probabilities[i] = sums[first + i + 1] - sums[first + i];
+  add_bounds(probabilities);
+}
+
+void GridDistribution::Lists::add_bounds(std::span<const float> probabilities) {
+  const std::size_t list = bounds.size() / (parts + 1);
+  float begin = 0;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const float next = static_cast<float>(part + 1) / static_cast<float>(parts);
+    const float end = part + 1 < parts ? std::max(search(list, next).coordinate, begin) : 1.0F;
+    const std::size_t cell = cell_of(begin);
+    const bool alike =
+        begin < end && are_alike(probabilities.subspan(cell, cell_of(end) - cell + 1));
+    bounds.push_back(alike ? begin : -begin);
+    begin = end;
   }
+  bounds.push_back(1);
 }
 
-float GridDistribution::Steps::probability(std::size_t list, std::size_t index) const {
-  const float* own = sums.data() + list * (count + 1);
-  return own[index + 1] - own[index];
+std::size_t GridDistribution::Lists::cell_of(float coordinate) const {
+  const float scaled = std::max(coordinate, 0.0F) * static_cast<float>(count);
+  return std::min(static_cast<std::size_t>(static_cast<std::int64_t>(scaled)), count - 1);
 }
 
-// The last sum is 1 and `random` below: every search ends, and never at a step without width. Most
-// take one step or none, which is not left to a branch that nobody can foresee.
-GridDistribution::Choice GridDistribution::choose(const Steps& steps, std::size_t list,
-                                                  float random) {
+// The last sum is 1 and `random` below: what is found has width.
+GridDistribution::Choice GridDistribution::Lists::search(std::size_t list, float random) const {
+  const float* first = sums.data() + list * (count + 1);
+  const float* after = std::upper_bound(first, first + count, random);
+  const float probability = after[0] - after[-1];
+  const auto cells = static_cast<float>(count);
+  const float place = static_cast<float>(after - first - 1) + (random - after[-1]) / probability;
+  return {std::min(place / cells, kBelowOne), 1 / (probability * cells)};
+}
+
+GridDistribution::Choice GridDistribution::Lists::choose(std::size_t list, float random) const {
   random = std::min(random, kBelowOne);
-  const float* sums = steps.sums.data() + list * (steps.count + 1);
-  std::size_t index = steps.guide[list * steps.count + cell_of(random, steps.count)];
-  index += static_cast<std::size_t>(sums[index + 1] <= random);
-  while (sums[index + 1] <= random) ++index;
-  const float probability = sums[index + 1] - sums[index];
-  return {index, std::min((random - sums[index]) / probability, kBelowOne), probability};
+  const float scaled = random * static_cast<float>(parts);
+  const auto part = static_cast<std::int32_t>(scaled);
+  const float* bound = bounds.data() + list * (parts + 1) + part;
+  if (std::signbit(bound[0])) return search(list, random);
+  const float width = std::fabs(bound[1]) - bound[0];
+  return {std::min(bound[0] + (scaled - static_cast<float>(part)) * width, kBelowOne),
+          width * static_cast<float>(parts)};
 }
 
-GridDistribution::GridDistribution(std::size_t width, std::span<const float> weights)
-    : width_(width) {
+// By halves, without a branch that nobody can foresee.
+float GridDistribution::Lists::spread(std::size_t list, float coordinate) const {
+  const float* bound = bounds.data() + list * (parts + 1);
+  for (std::size_t step = parts / 2; step > 0; step /= 2) {
+    bound += std::fabs(bound[step]) <= coordinate ? step : 0;
+  }
+  if (!std::signbit(bound[0])) {
+    return (std::fabs(bound[1]) - bound[0]) * static_cast<float>(parts);
+  }
+  const float* sum = sums.data() + list * (count + 1) + cell_of(coordinate);
+  return 1 / ((sum[1] - sum[0]) * static_cast<float>(count));
+}
+
+GridDistribution::GridDistribution(std::size_t width, std::span<const float> weights) {
   std::vector<float> totals;
-  for (std::size_t first = 0; first < weights.size(); first += width_) {
-    const auto row = weights.subspan(first, width_);
+  for (std::size_t first = 0; first < weights.size(); first += width) {
+    const auto row = weights.subspan(first, width);
     cells_.add(row);
     totals.push_back(static_cast<float>(std::min(sum_of(row), 3e38)));
   }
@@ -75,21 +109,17 @@ GridDistribution::GridDistribution(std::size_t width, std::span<const float> wei
 }
 
 GridDistribution::Sample GridDistribution::sample(const Float2& random) const {
-  const Choice row = choose(rows_, 0, random[1]);
-  const Choice cell = choose(cells_, row.index, random[0]);
-  const auto width = static_cast<float>(width_);
-  const auto height = static_cast<float>(rows_.count);
-  return {{(static_cast<float>(cell.index) + cell.within) / width,
-           (static_cast<float>(row.index) + row.within) / height},
-          static_cast<double>(row.probability * cell.probability * (width * height))};
+  const Choice y = rows_.choose(0, random[1]);
+  const Choice x = cells_.choose(rows_.cell_of(y.coordinate), random[0]);
+  return {{x.coordinate, y.coordinate},
+          1 / (static_cast<double>(x.spread) * static_cast<double>(y.spread))};
 }
 
+// Infinite spread: nothing is taken there.
 double GridDistribution::density(const Float2& point) const {
-  const std::size_t row = cell_of(point[1], rows_.count);
-  const std::size_t cell = cell_of(point[0], width_);
-  return static_cast<double>(rows_.probability(0, row)) *
-         static_cast<double>(cells_.probability(row, cell)) *
-         (static_cast<double>(width_) * static_cast<double>(rows_.count));
+  const float y = rows_.spread(0, point[1]);
+  const float x = cells_.spread(rows_.cell_of(point[1]), point[0]);
+  return 1 / (static_cast<double>(x) * static_cast<double>(y));
 }
 
 }  // namespace gltfx::bake

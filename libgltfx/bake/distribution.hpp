@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -11,7 +10,9 @@
 
 namespace gltfx::bake {
 
-/// Piecewise constant over the unit square. Weights that are all 0 count as equal.
+/// The unit square in rows of parts of equal probability. Within most parts all points are alike,
+/// and taking one is a look into a table; where weights differ much it is a search for the cell.
+/// Weights that are all 0 count as equal.
 class GridDistribution {
  public:
   GridDistribution() = default;
@@ -28,24 +29,27 @@ class GridDistribution {
   double density(const Float2& point) const;
 
  private:
-  /// Lists of `count` weights: running sums, each list from 0 to 1, and where a search begins.
-  struct Steps {
-    std::size_t count = 0;
-    std::vector<float> sums;           ///< count + 1 of each list
-    std::vector<std::uint32_t> guide;  ///< count of each list
-    void add(std::span<const float> weights);
-    float probability(std::size_t list, std::size_t index) const;
-  };
   struct Choice {
-    std::size_t index = 0;
-    float within = 0;       ///< of the step, below 1
-    float probability = 0;  ///< above 0
+    float coordinate = 0;
+    float spread = 1;  ///< one over the density there
   };
-  static Choice choose(const Steps& steps, std::size_t list, float random);
+  /// Lists of `count` weights each.
+  struct Lists {
+    std::size_t count = 1, parts = 1;  ///< the latter a power of two
+    std::vector<float> sums;           ///< running, from 0 to 1: count + 1 of each list
+    /// Where parts begin and the last one ends; negative (be it 0) where weights differ.
+    std::vector<float> bounds;
 
-  std::size_t width_ = 1;
-  Steps rows_;
-  Steps cells_;  ///< a list for each row
+    void add(std::span<const float> weights);
+    void add_bounds(std::span<const float> probabilities);
+    std::size_t cell_of(float coordinate) const;
+    Choice choose(std::size_t list, float random) const;
+    Choice search(std::size_t list, float random) const;
+    float spread(std::size_t list, float coordinate) const;
+  };
+
+  Lists rows_;
+  Lists cells_;  ///< a list for each row
 };
 
 }  // namespace gltfx::bake
