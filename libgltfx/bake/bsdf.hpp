@@ -61,7 +61,8 @@ Evaluation evaluate_node(const Node& node, const Directions& d, const Through& t
   if constexpr (requires { node.evaluate(d, through); }) {
     return node.evaluate(d, through);
   } else {
-    return {node.eval(d, through), node.pdf(d)};
+    const Rgb value = node.eval(d, through);
+    return {value, Node::kKinds == kSpecularReflect ? value : Rgb(), node.pdf(d)};
   }
 }
 
@@ -86,7 +87,8 @@ struct mix : Lobe {
   Evaluation evaluate(const Directions& d, const Through& through) const {
     const Evaluation a = factor < 1 ? evaluate_node(bsdf0, d, through) : Evaluation();
     const Evaluation b = factor > 0 ? evaluate_node(bsdf1, d, through) : Evaluation();
-    return {(1 - factor) * a.f + factor * b.f, mix_pdf(a.pdf, b.pdf, chance)};
+    return {(1 - factor) * a.f + factor * b.f, (1 - factor) * a.reflected + factor * b.reflected,
+            mix_pdf(a.pdf, b.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
     return choose(chance, r.lobe) ? bsdf1.sample(v, r) : bsdf0.sample(v, r);
@@ -109,7 +111,9 @@ struct conductor_fresnel : Lobe {
       : Lobe{max_value(f.at(v.z)) * b.power, b.is_delta}, fresnel(f), bsdf(b) {}
   Evaluation evaluate(const Directions& d, const Through& through) const {
     const Evaluation value = evaluate_node(bsdf, d, through);
-    return {value.f.x == 0 ? Rgb() : value.f * fresnel.at(d.v_h), value.pdf};
+    if (value.f.x == 0) return {{}, {}, value.pdf};
+    const Rgb fr = fresnel.at(d.v_h);
+    return {value.f * fr, value.reflected * fr, value.pdf};
   }
   Proposal sample(const Vec3d& v, const Random3& r) const { return bsdf.sample(v, r); }
   template <class Visitor>
@@ -147,7 +151,7 @@ struct fresnel_mix : Lobe {
     const Rgb fr = fresnel.at(d.v_h);
     const Evaluation above = evaluate_node(layer, d, through);
     const Rgb reflected = fr * above.f;
-    if (base.power <= 0) return {reflected, above.pdf};
+    if (base.power <= 0) return {reflected, fr * above.reflected, above.pdf};
     const double rest = 1 - max_value(fr);
     Through below{through.diffuse * rest * held.factor(d.l.z), through.specular * rest};
     if (d.opposite && fresnel.eta != 1) {
@@ -155,7 +159,8 @@ struct fresnel_mix : Lobe {
       below.specular = through.specular * (1 - max_value(fresnel.at(cosine)));
     }
     const Evaluation passed = evaluate_node(base, d, below);
-    return {reflected + passed.f, mix_pdf(passed.pdf, above.pdf, chance)};
+    return {reflected + passed.f, fr * above.reflected + passed.reflected,
+            mix_pdf(passed.pdf, above.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
     return choose(chance, r.lobe) ? layer.sample(v, r) : base.sample(v, r);
@@ -202,6 +207,7 @@ struct sheen_layer : Lobe {
     const Evaluation sheen = evaluate_node(brdf, d, through);
     const SheenScaling::Weights weights = scaling.weights(d.l.z);
     return {color * sheen.f * weights.sheen + below.f * weights.base,
+            color * sheen.reflected * weights.sheen + below.reflected * weights.base,
             mix_pdf(below.pdf, sheen.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
@@ -233,7 +239,8 @@ struct fresnel_coat : Lobe {
     const Evaluation below = evaluate_node(base, d, through);
     if (fr <= 0) return below;
     const Evaluation coat = evaluate_node(layer, d, through);
-    return {(1 - fr) * below.f + fr * coat.f, mix_pdf(below.pdf, coat.pdf, chance)};
+    return {(1 - fr) * below.f + fr * coat.f, (1 - fr) * below.reflected + fr * coat.reflected,
+            mix_pdf(below.pdf, coat.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
     return choose(chance, r.lobe) ? layer.sample(v, r) : base.sample(v, r);

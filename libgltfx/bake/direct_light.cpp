@@ -28,7 +28,7 @@ Candidate DirectLight::candidate(const Ray& towards, const Vec3d& l, const Rgb& 
   } else if (around_ != nullptr) {
     share *= around_->transmittance(towards.far);
   }
-  return {towards, l, value.f, share, luminance(share)};
+  return {towards, value, share, luminance(share)};
 }
 
 Candidate DirectLight::from_environment(const Float2& random) const {
@@ -70,7 +70,7 @@ Candidate lamp_inside(const PathSetting& setting, const Medium& medium, const Ra
   const double phase = henyey_greenstein(medium.anisotropy, -dot(ray.direction, towards.direction));
   const Rgb share =
       lamp.light.irradiance * medium.transmittance(towards.far) * (phase / lamp.probability);
-  return {towards, {}, {}, share, luminance(share)};
+  return {towards, {}, share, luminance(share)};
 }
 
 }  // namespace gltfx::bake

@@ -19,8 +19,7 @@ inline double power_weight(double own, double other) {
 /// What would come from a direction to the viewer, were nothing in the way.
 struct Candidate {
   Ray towards;
-  Vec3d l;  ///< the same direction, in the surface's frame
-  Rgb f;    ///< of the material for it
+  Evaluation value;  ///< of the material for it
   Rgb share;
   double weight = 0;  ///< luminance of that; 0: nothing
 };

@@ -79,6 +79,7 @@ inline Vec3d refraction_half(const Directions& d, double eta) {
 /// Value and density of one direction, as multiple importance sampling needs them together.
 struct Evaluation {
   Rgb f;           ///< without the cosine
+  Rgb reflected;   ///< the part of it that is mirrored, glossy or sheen
   double pdf = 0;  ///< per steradian
 };
 

@@ -11,7 +11,6 @@ namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1F;
 constexpr std::size_t kMostParts = 128;  // of a list: tables stay near at hand
-constexpr float kAlike = 2;              // weights of one part, at most this apart
 
 double sum_of(std::span<const float> weights) {
   double sum = 0;
@@ -19,14 +18,14 @@ double sum_of(std::span<const float> weights) {
   return sum;
 }
 
-bool are_alike(std::span<const float> weights) {
+bool are_alike(std::span<const float> weights, float most) {
   const auto [least, greatest] = std::minmax_element(weights.begin(), weights.end());
-  return *greatest <= *least * kAlike;
+  return *greatest <= *least * most;
 }
 
 }  // namespace
 
-void GridDistribution::Lists::add(std::span<const float> weights) {
+void GridDistribution::Lists::add(std::span<const float> weights, float alike) {
   count = weights.size();
   parts = std::min(std::bit_ceil(count), kMostParts);
   const double total = sum_of(weights);
@@ -41,19 +40,19 @@ void GridDistribution::Lists::add(std::span<const float> weights) {
   sums.back() = 1;
   std::vector<float> probabilities(count);
   for (std::size_t i = 0; i < count; ++i) probabilities[i] = sums[first + i + 1] - sums[first + i];
-  add_bounds(probabilities);
+  add_bounds(probabilities, alike);
 }
 
-void GridDistribution::Lists::add_bounds(std::span<const float> probabilities) {
+void GridDistribution::Lists::add_bounds(std::span<const float> probabilities, float alike) {
   const std::size_t list = bounds.size() / (parts + 1);
   float begin = 0;
   for (std::size_t part = 0; part < parts; ++part) {
     const float next = static_cast<float>(part + 1) / static_cast<float>(parts);
     const float end = part + 1 < parts ? std::max(search(list, next).coordinate, begin) : 1.0F;
     const std::size_t cell = cell_of(begin);
-    const bool alike =
-        begin < end && are_alike(probabilities.subspan(cell, cell_of(end) - cell + 1));
-    bounds.push_back(alike ? begin : -begin);
+    const bool even =
+        begin < end && are_alike(probabilities.subspan(cell, cell_of(end) - cell + 1), alike);
+    bounds.push_back(even ? begin : -begin);
     begin = end;
   }
   bounds.push_back(1);
@@ -98,14 +97,14 @@ float GridDistribution::Lists::spread(std::size_t list, float coordinate) const 
   return 1 / ((sum[1] - sum[0]) * static_cast<float>(count));
 }
 
-GridDistribution::GridDistribution(std::size_t width, std::span<const float> weights) {
+GridDistribution::GridDistribution(std::size_t width, std::span<const float> weights, float alike) {
   std::vector<float> totals;
   for (std::size_t first = 0; first < weights.size(); first += width) {
     const auto row = weights.subspan(first, width);
-    cells_.add(row);
+    cells_.add(row, alike);
     totals.push_back(static_cast<float>(std::min(sum_of(row), 3e38)));
   }
-  rows_.add(totals);
+  rows_.add(totals, alike);
 }
 
 GridDistribution::Sample GridDistribution::sample(const Float2& random) const {

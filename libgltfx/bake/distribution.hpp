@@ -10,14 +10,15 @@
 
 namespace gltfx::bake {
 
-/// The unit square in rows of parts of equal probability. Within most parts all points are alike,
-/// and taking one is a look into a table; where weights differ much it is a search for the cell.
-/// Weights that are all 0 count as equal.
+/// Piecewise constant over the unit square, in rows of parts of equal probability. Where the
+/// weights of a part are nearly alike all its points are alike, and taking one is a look into a
+/// table; where they differ it is a search for the cell. Weights that are all 0 count as equal.
 class GridDistribution {
  public:
   GridDistribution() = default;
-  /// `weights`: rows of `width`, finite and not negative.
-  GridDistribution(std::size_t width, std::span<const float> weights);
+  /// `weights`: rows of `width`, finite and not negative. `alike`: how far weights may be apart
+  /// that count as equal; with 1 the density is the same all over a cell.
+  GridDistribution(std::size_t width, std::span<const float> weights, float alike = 1);
 
   struct Sample {
     Float2 point{};
@@ -40,8 +41,8 @@ class GridDistribution {
     /// Where parts begin and the last one ends; negative (be it 0) where weights differ.
     std::vector<float> bounds;
 
-    void add(std::span<const float> weights);
-    void add_bounds(std::span<const float> probabilities);
+    void add(std::span<const float> weights, float alike);
+    void add_bounds(std::span<const float> probabilities, float alike);
     std::size_t cell_of(float coordinate) const;
     Choice choose(std::size_t list, float random) const;
     Choice search(std::size_t list, float random) const;

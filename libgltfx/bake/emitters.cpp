@@ -75,11 +75,11 @@ Emitters::Emitters(const Scene& scene) : first_(scene.instances.size(), kNowhere
   }
   for (float& weight : weights) weight /= most;
   weights.resize((weights.size() + kRow - 1) / kRow * kRow);
-  choice_ = GridDistribution(kRow, std::move(weights));
+  choice_ = GridDistribution(kRow, weights);
 }
 
 Shine Emitters::sample(const Scene& scene, const Vec3d& from, const Float2& random) const {
-  const Float2 point = choice_.sample(random);
+  const Float2 point = choice_.sample(random).point;
   const std::size_t rows = (areas_.size() + kRow - 1) / kRow;
   const float x = point[0] * kRow;
   const float y = point[1] * static_cast<float>(rows);

@@ -12,6 +12,7 @@ namespace gltfx::bake {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr float kAlike = 2;  // brightness that is taken for the same where light is looked for
 
 // A column may lie one beside the image, on whose other side it goes on; a row as well, where the
 // outermost counts.
@@ -82,7 +83,7 @@ Environment::Environment(const EnvironmentImage& image)
     : width_(image.width),
       height_(image.height),
       texels_(with_border(image)),
-      distribution_(image.width, weights_of(image)) {}
+      distribution_(image.width, weights_of(image), kAlike) {}
 
 Rgb Environment::radiance_at(const Float2& point) const {
   const auto place = [](float coordinate, std::uint32_t size) {  // 0.5 in the middle of the border

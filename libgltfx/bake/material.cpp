@@ -58,34 +58,30 @@ Evaluation Bsdf::evaluate(const Vec3d& l) const {
   return core_ ? in_one_piece(*core_, d) : in_one_piece(*full_, d);
 }
 
-Rgb Bsdf::reflect(const Vec3d& l) const {
-  if (std::fabs(l.z) < kGrazing) return {};
-  const Directions d(seen_.v, flipped_ ? mirrored(l) : l, Measure::solid_angle, kSpecularReflect);
-  return graph_.eval(d, {});
-}
-
 double Bsdf::reflection_chance() const {
-  const auto& sheen = graph_.base;
-  const auto& metal = sheen.base;
-  const double rest =
-      (1 - graph_.chance) * (1 - sheen.chance) * (1 - metal.chance) * (1 - metal.bsdf0.chance);
-  return 1 - rest;
+  const auto rest_of = [](const auto& material) {
+    return (1 - material.chance) * (1 - material.bsdf0.chance);
+  };
+  if (core_) return 1 - rest_of(*core_);
+  const auto& sheen = full_->base;
+  return 1 - (1 - full_->chance) * (1 - sheen.chance) * rest_of(sheen.base);
 }
 
-std::optional<MaterialSample> Bsdf::sample(const Random3& random) const {
+std::optional<BsdfSample> Bsdf::sample(const Random3& random) const {
   return core_ ? sample(*core_, random) : sample(*full_, random);
 }
 
 template <class Nodes>
-std::optional<MaterialSample> Bsdf::sample(const Nodes& graph, const Random3& random) const {
+std::optional<BsdfSample> Bsdf::sample(const Nodes& graph, const Random3& random) const {
   const Proposal p = graph.sample(seen_.v, random);
   if (!p.valid || std::fabs(p.l.z) < kGrazing) return std::nullopt;
   const Directions d(seen_.v, p.l, p.measure);
-  const auto [f, pdf] = in_one_piece(graph, d);
+  const auto [f, reflected, pdf] = in_one_piece(graph, d);
   if (!(pdf > 0)) return std::nullopt;
-  const Rgb weight = f * (d.l.z / pdf);
-  if (!(max_value(weight) > 0)) return std::nullopt;
-  return MaterialSample{flipped_ ? mirrored(p.l) : p.l, weight, pdf, p.measure == Measure::delta};
+  const double scale = d.l.z / pdf;
+  if (!(max_value(f * scale) > 0)) return std::nullopt;
+  const bool delta = p.measure == Measure::delta;
+  return BsdfSample{{flipped_ ? mirrored(p.l) : p.l, f * scale, pdf, delta}, reflected * scale};
 }
 
 Albedo Bsdf::integrate(int resolution) const {

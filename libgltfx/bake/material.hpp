@@ -107,6 +107,10 @@ inline auto material_graph(const Material& m, const Seen& seen, const SeenLayers
 }
 // clang-format on
 
+struct BsdfSample : MaterialSample {
+  Rgb reflected;  ///< part of `weight` that is mirrored, glossy or sheen
+};
+
 /// Frame, units and options as in <gltfx/material.hpp>. Keeps no reference to the material. Not of
 /// use for unlit materials: they only emit.
 class Bsdf {
@@ -117,9 +121,7 @@ class Bsdf {
 
   /// Without delta lobes.
   Evaluation evaluate(const Vec3d& l) const;
-  /// The part of evaluate() that is mirrored, glossy or sheen.
-  Rgb reflect(const Vec3d& l) const;
-  std::optional<MaterialSample> sample(const Random3& random) const;
+  std::optional<BsdfSample> sample(const Random3& random) const;
   /// Below this, Random3::lobe leads to mirrors, gloss and sheen; from it on, to the rest.
   double reflection_chance() const;
   /// Whether all lobes are mirrors or ideal refractions, so that evaluate() gives 0 everywhere.
@@ -132,7 +134,7 @@ class Bsdf {
   using Graph = decltype(material_graph(std::declval<Material>(), std::declval<Seen>(),
                                         std::declval<SeenLayers>()));
   template <class Nodes>
-  std::optional<MaterialSample> sample(const Nodes& graph, const Random3& random) const;
+  std::optional<BsdfSample> sample(const Nodes& graph, const Random3& random) const;
 
   bool flipped_;  // seen from behind: all is mirrored at the surface
   Seen seen_;

@@ -221,7 +221,7 @@ class Path {
   // Of some candidates one is looked at, by what they would give were nothing in the way: resampled
   // importance sampling (J. Talbot et al., EGSR 2005). Where the camera looks it pays to be choosy.
   template <class Propose>
-  void gather(Draw draw, Draw draw_choice, const Bsdf& bsdf, const Propose& propose) {
+  void gather(Draw draw, Draw draw_choice, const Propose& propose) {
     const std::uint32_t tries = surfaces_ == 1 ? kTries : 1;
     Candidate chosen;
     double total = 0;
@@ -233,20 +233,20 @@ class Path {
       total += each.weight;
       if (choose(each.weight / total, random)) chosen = each;
     }
-    if (total > 0) add_seen(chosen, total / (chosen.weight * tries), bsdf);
+    if (total > 0) add_seen(chosen, total / (chosen.weight * tries));
   }
 
   void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf) {
     const DirectLight light(s_, surface, bsdf, media_.around(hit.instance));
     if (s_.setting.environment) {
-      gather(Draw::environment, Draw::choice, bsdf,
+      gather(Draw::environment, Draw::choice,
              [&light](const Float2& random) { return light.from_environment(random); });
     }
     if (!s_.setting.emitters.empty()) {
-      gather(Draw::emitter, Draw::emitter_choice, bsdf,
+      gather(Draw::emitter, Draw::emitter_choice,
              [&light](const Float2& random) { return light.from_emitter(random); });
     }
-    if (!s_.setting.lights.empty()) add_seen(light.from_lamp(pair(Draw::lamp)), 1, bsdf);
+    if (!s_.setting.lights.empty()) add_seen(light.from_lamp(pair(Draw::lamp)), 1);
   }
 
   // Where a medium scatters.
@@ -258,12 +258,12 @@ class Path {
             gloss_);
   }
 
-  void add_seen(const Candidate& light, double scale, const Bsdf& bsdf) {
+  void add_seen(const Candidate& light, double scale) {
     if (!(max_value(light.share) > 0)) return;
     ++result_.rays;
     const double seen = static_cast<double>(s_.bvh.visibility(light.towards));
     if (seen <= 0) return;
-    const Rgb gloss = surfaces_ == 1 ? part(bsdf.reflect(light.l), light.f) : gloss_;
+    const Rgb gloss = surfaces_ == 1 ? part(light.value.reflected, light.value.f) : gloss_;
     deliver(throughput_ * light.share * (scale * seen), gloss);
   }
 
@@ -321,21 +321,17 @@ class Path {
     const auto next =
         bsdf.sample({range.from + lobe * range.size(), static_cast<double>(towards[0]),
                      static_cast<double>(towards[1])});
-    return next && go_on(hit, surface, v, bsdf, *next);
+    return next && go_on(hit, surface, v, *next);
   }
 
-  bool go_on(const Hit& hit, const Surface& surface, const Vec3d& v, const Bsdf& bsdf,
-             const MaterialSample& next) {
+  bool go_on(const Hit& hit, const Surface& surface, const Vec3d& v, const BsdfSample& next) {
     const Vec3d onwards = normalize(surface.frame.to_world(next.l));
     const bool outside = dot(onwards, surface.flat_normal) > 0;
     if (outside != (next.l.z > 0)) return false;
     throughput_ *= next.weight;
     const bool through = (next.l.z > 0) != (v.z > 0);
     if (surfaces_ == 1) {
-      gloss_ = through ? Rgb(0)
-               : next.delta
-                   ? Rgb(1)
-                   : part(bsdf.reflect(next.l) * std::fabs(next.l.z), next.weight * next.pdf);
+      gloss_ = through ? Rgb(0) : next.delta ? Rgb(1) : part(next.reflected, next.weight);
     }
     if (through && surface.material.volumetric()) {
       if (outside) {
