@@ -18,17 +18,17 @@ bool DirectLight::leads_in(const Vec3d& l) const {
 
 Vec3d DirectLight::start(const Vec3d& l) const { return start_at(surface_, l.z > 0, s_.size); }
 
+Rgb DirectLight::dimming(const Vec3d& l, double far) const {
+  if (leads_in(l)) return medium_of(surface_.material).transmittance(far);
+  return around_ != nullptr ? around_->transmittance(far) : Rgb(1);
+}
+
 Candidate DirectLight::candidate(const Ray& towards, const Vec3d& l, const Rgb& light,
                                  double pdf) const {
   const Evaluation value = bsdf_.evaluate(l);
   const double scale = pdf > 0 ? power_weight(pdf, value.pdf) / pdf : 1.0;
-  Rgb share = value.f * light * (std::fabs(l.z) * scale);
-  if (leads_in(l)) {
-    share *= medium_of(surface_.material).transmittance(towards.far);
-  } else if (around_ != nullptr) {
-    share *= around_->transmittance(towards.far);
-  }
-  return {towards, value, share, luminance(share)};
+  const Rgb share = value.f * light * dimming(l, towards.far) * (std::fabs(l.z) * scale);
+  return {towards, value, {}, share, luminance(share)};
 }
 
 Candidate DirectLight::from_environment(const Float2& random) const {
@@ -36,8 +36,15 @@ Candidate DirectLight::from_environment(const Float2& random) const {
   if (!(light.pdf > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
   if (!is_consistent(light.direction, l) || leads_in(l)) return {};
-  return candidate({start(l), light.direction}, l, s_.setting.environment->radiance(light),
-                   light.pdf);
+  const Evaluation value = bsdf_.evaluate(l);
+  const double scale = std::fabs(l.z) * power_weight(light.pdf, value.pdf);
+  const Ray towards{start(l), light.direction};
+  const Rgb share = value.f * dimming(l, towards.far) * scale;
+  return {towards, value, light.point, share / light.pdf, luminance(share)};
+}
+
+void DirectLight::finish_environment(Candidate& chosen) const {
+  chosen.share *= s_.setting.environment->radiance_at(chosen.point);
 }
 
 Candidate DirectLight::from_emitter(const Float2& random) const {
@@ -70,7 +77,7 @@ Candidate lamp_inside(const PathSetting& setting, const Medium& medium, const Ra
   const double phase = henyey_greenstein(medium.anisotropy, -dot(ray.direction, towards.direction));
   const Rgb share =
       lamp.light.irradiance * medium.transmittance(towards.far) * (phase / lamp.probability);
-  return {towards, {}, share, luminance(share)};
+  return {towards, {}, {}, share, luminance(share)};
 }
 
 }  // namespace gltfx::bake

@@ -20,8 +20,9 @@ inline double power_weight(double own, double other) {
 struct Candidate {
   Ray towards;
   Evaluation value;  ///< of the material for it
+  Float2 point{};    ///< of the environment
   Rgb share;
-  double weight = 0;  ///< luminance of that; 0: nothing
+  double weight = 0;  ///< for a choice among its kind; 0: nothing
 };
 
 /// Candidates of one surface. Each takes even random numbers, and its shares' mean is the light of
@@ -34,7 +35,11 @@ class DirectLight {
               const Medium* around)
       : s_(setting), surface_(surface), bsdf_(bsdf), around_(around) {}
 
+  /// Its share still wants finish_environment(). Weighed without a look at the environment, which
+  /// is sampled by its brightness: what that is over the density is the same everywhere, more or
+  /// less.
   Candidate from_environment(const Float2& random) const;
+  void finish_environment(Candidate& chosen) const;
   Candidate from_emitter(const Float2& random) const;
   Candidate from_lamp(const Float2& random) const;
 
@@ -46,6 +51,8 @@ class DirectLight {
   bool leads_in(const Vec3d& l) const;
   /// `light`: radiance, or irradiance of a lamp; `pdf`: of the direction, 0 for a lamp.
   Candidate candidate(const Ray& towards, const Vec3d& l, const Rgb& light, double pdf) const;
+  /// What media let through on the way.
+  Rgb dimming(const Vec3d& l, double far) const;
   Vec3d start(const Vec3d& l) const;
 
   const PathSetting& s_;

@@ -37,12 +37,11 @@ class Environment {
   EnvironmentSample sample(const Float2& random) const;
   /// That of a sample.
   Rgb radiance(const EnvironmentSample& sample) const { return radiance_at(sample.point); }
+  Rgb radiance_at(const Float2& point) const;
   /// Of sample(), per steradian.
   double pdf(const Vec3d& direction) const { return look(direction).pdf; }
 
  private:
-  Rgb radiance_at(const Float2& point) const;
-
   std::uint32_t width_, height_;
   std::vector<Float3> texels_;  ///< rows from the top, with a border that makes it endless
   GridDistribution distribution_;

@@ -44,6 +44,7 @@ struct PathSetting {
   int bounces = 4;  ///< surfaces at most that scatter along a path
   double size = 1;  ///< of the scene, for distances that count as none
   ShaderMode mode = ShaderMode::conserving;
+  std::uint32_t tries = 4;  ///< for a light, where the camera looks: fewer do with many samples
 };
 
 /// Light that arrives along a ray that comes from a point of the picture (x and y from 0 to 1),

@@ -17,7 +17,6 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::uint32_t kSteps = 1024;      // of a path, in media and on surfaces
-constexpr std::uint32_t kTries = 4;         // for a lamp, where the camera looks
 constexpr std::uint32_t kRouletteFrom = 3;  // step
 constexpr double kSharp = 0.5;              // roughness below which gloss shows a picture
 constexpr std::uint32_t kDeepPaths = 2;     // into what light passes through
@@ -43,6 +42,12 @@ constexpr std::uint32_t kFirstDraw = 1;  // after the position in the pixel
 struct Range {
   double from = 0, to = 1;
   double size() const { return to - from; }
+};
+
+// One of several candidates, and what it stands for.
+struct Chosen {
+  Candidate light;
+  double scale = 0;
 };
 
 // One path, from the camera on.
@@ -221,8 +226,8 @@ class Path {
   // Of some candidates one is looked at, by what they would give were nothing in the way: resampled
   // importance sampling (J. Talbot et al., EGSR 2005). Where the camera looks it pays to be choosy.
   template <class Propose>
-  void gather(Draw draw, Draw draw_choice, const Propose& propose) {
-    const std::uint32_t tries = surfaces_ == 1 ? kTries : 1;
+  Chosen gather(Draw draw, Draw draw_choice, const Propose& propose) const {
+    const std::uint32_t tries = surfaces_ == 1 ? s_.tries : 1;
     Candidate chosen;
     double total = 0;
     double random = single(draw_choice);
@@ -233,20 +238,23 @@ class Path {
       total += each.weight;
       if (choose(each.weight / total, random)) chosen = each;
     }
-    if (total > 0) add_seen(chosen, total / (chosen.weight * tries));
+    return {chosen, total > 0 ? total / (chosen.weight * tries) : 0};
   }
 
   void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf) {
     const DirectLight light(s_, surface, bsdf, media_.around(hit.instance));
     if (s_.setting.environment) {
-      gather(Draw::environment, Draw::choice,
-             [&light](const Float2& random) { return light.from_environment(random); });
+      Chosen far = gather(Draw::environment, Draw::choice, [&light](const Float2& random) {
+        return light.from_environment(random);
+      });
+      if (far.scale > 0) light.finish_environment(far.light);
+      add_seen(far);
     }
     if (!s_.setting.emitters.empty()) {
-      gather(Draw::emitter, Draw::emitter_choice,
-             [&light](const Float2& random) { return light.from_emitter(random); });
+      add_seen(gather(Draw::emitter, Draw::emitter_choice,
+                      [&light](const Float2& random) { return light.from_emitter(random); }));
     }
-    if (!s_.setting.lights.empty()) add_seen(light.from_lamp(pair(Draw::lamp)), 1);
+    if (!s_.setting.lights.empty()) add_seen({light.from_lamp(pair(Draw::lamp)), 1});
   }
 
   // Where a medium scatters.
@@ -258,7 +266,8 @@ class Path {
             gloss_);
   }
 
-  void add_seen(const Candidate& light, double scale) {
+  void add_seen(const Chosen& chosen) {
+    const auto& [light, scale] = chosen;
     if (!(max_value(light.share) > 0)) return;
     ++result_.rays;
     const double seen = static_cast<double>(s_.bvh.visibility(light.towards));

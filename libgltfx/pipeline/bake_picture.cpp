@@ -10,8 +10,9 @@
 namespace gltfx {
 namespace {
 
-constexpr std::uint32_t kLooks = 48;  // for edges, which are not smoothed
-constexpr double kRendering = 0.9;    // of the time; denoising takes the rest
+constexpr std::uint32_t kLooks = 48;       // for edges, which are not smoothed
+constexpr double kRendering = 0.9;         // of the time; denoising takes the rest
+constexpr std::uint32_t kFewSamples = 32;  // which have to be chosen with care
 
 bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
   bake::RenderOptions result;
@@ -47,7 +48,8 @@ DrawnPicture draw_picture(const BakeScene& loaded, const bake::View& view, const
                                 setting,
                                 static_cast<int>(options.bounces),
                                 loaded.subject->size(),
-                                options.literal_shader ? ShaderMode::spec : ShaderMode::conserving};
+                                options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
+                                options.samples > kFewSamples ? 2U : 4U};
   bake::RenderOptions rendering = render_options(size, options);
   if (progress) {
     rendering.progress = [&progress](double part) { progress(part * kRendering); };
