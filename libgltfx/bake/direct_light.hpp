@@ -25,6 +25,12 @@ struct Candidate {
   double weight = 0;  ///< for a choice among its kind; 0: nothing
 };
 
+/// One of several candidates, and what it stands for.
+struct Chosen {
+  Candidate light;
+  double scale = 0;
+};
+
 /// Candidates of one surface. Each takes even random numbers, and its shares' mean is the light of
 /// its kind, as far as directions that the material samples do not find it (multiple importance
 /// sampling with those).

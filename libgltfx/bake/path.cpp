@@ -44,12 +44,6 @@ struct Range {
   double size() const { return to - from; }
 };
 
-// One of several candidates, and what it stands for.
-struct Chosen {
-  Candidate light;
-  double scale = 0;
-};
-
 // One path, from the camera on.
 class Path {
  public:
