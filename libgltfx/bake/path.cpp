@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "bake/background.hpp"
 #include "bake/direct_light.hpp"
@@ -17,9 +16,10 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::uint32_t kSteps = 1024;      // of a path, in media and on surfaces
+constexpr std::uint32_t kLooks = 2;         // for light of one kind, where the camera looks
 constexpr std::uint32_t kRouletteFrom = 3;  // step
 constexpr double kSharp = 0.5;              // roughness below which gloss shows a picture
-constexpr std::uint32_t kDeepPaths = 2;     // into what light passes through
+constexpr std::uint32_t kDeepPaths = 4;     // into what light passes through
 
 // Dimensions of the random numbers of one step of a path.
 enum Draw : std::uint32_t {
@@ -163,7 +163,7 @@ class Path {
     surface.material.outside_ior = media_.ior_around(hit.instance);
     follow_one_color(surface.material);
     const Bsdf bsdf(surface.material, v, {s_.mode, color_});
-    if (!is_clear(surface.material)) {
+    if (!may_be_clear(surface.material)) {
       note(surface.material, surface.frame.normal, hit.distance);
     }
     if (!bsdf.is_delta()) gather_light(hit, surface, bsdf);
@@ -172,8 +172,8 @@ class Path {
     return false;
   }
 
-  static bool is_clear(const Material& m) {
-    return m.transmission > 0.9 && m.metallic < 0.1 && m.roughness < 0.25;
+  static bool may_be_clear(const Material& m) {
+    return m.transmission > 0.05 && m.metallic < 0.5 && m.roughness < 0.25;
   }
 
   bool goes_on(const Surface& surface) const {
@@ -220,14 +220,15 @@ class Path {
   // Of some candidates one is looked at, by what they would give were nothing in the way: resampled
   // importance sampling (J. Talbot et al., EGSR 2005). Where the camera looks it pays to be choosy.
   template <class Propose>
-  Chosen gather(Draw draw, Draw draw_choice, const Propose& propose) const {
+  Chosen gather(Draw draw, Draw draw_choice, const Branch& part, const Propose& propose) const {
     const std::uint32_t tries = surfaces_ == 1 ? s_.tries : 1;
     Candidate chosen;
     double total = 0;
-    double random = single(draw_choice);
+    auto random =
+        static_cast<double>(random_.single(dimension(draw_choice), part.number, part.count));
     for (std::uint32_t i = 0; i < tries; ++i) {
-      const Candidate each =
-          propose(random_.pair(dimension(draw), branch_.number * tries + i, branch_.count * tries));
+      const Branch point = part.part(i, tries);
+      const Candidate each = propose(random_.pair(dimension(draw), point.number, point.count));
       if (!(each.weight > 0)) continue;
       total += each.weight;
       if (choose(each.weight / total, random)) chosen = each;
@@ -237,16 +238,21 @@ class Path {
 
   void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf) {
     const DirectLight light(s_, surface, bsdf, media_.around(hit.instance));
-    if (s_.setting.environment) {
-      Chosen far = gather(Draw::environment, Draw::choice, [&light](const Float2& random) {
-        return light.from_environment(random);
-      });
-      if (far.scale > 0) light.finish_environment(far.light);
-      add_seen(far);
-    }
-    if (!s_.setting.emitters.empty()) {
-      add_seen(gather(Draw::emitter, Draw::emitter_choice,
-                      [&light](const Float2& random) { return light.from_emitter(random); }));
+    const std::uint32_t looks = surfaces_ == 1 ? kLooks : 1;
+    for (std::uint32_t look = 0; look < looks; ++look) {
+      const Branch part = branch_.part(look, looks);
+      if (s_.setting.environment) {
+        Chosen far = gather(Draw::environment, Draw::choice, part, [&light](const Float2& random) {
+          return light.from_environment(random);
+        });
+        if (far.scale > 0) light.finish_environment(far.light);
+        add_seen({far.light, far.scale / looks});
+      }
+      if (s_.setting.emitters.empty()) continue;
+      const Chosen near =
+          gather(Draw::emitter, Draw::emitter_choice, part,
+                 [&light](const Float2& random) { return light.from_emitter(random); });
+      add_seen({near.light, near.scale / looks});
     }
     if (!s_.setting.lights.empty()) add_seen({light.from_lamp(pair(Draw::lamp)), 1});
   }
@@ -324,6 +330,10 @@ class Path {
     const auto next =
         bsdf.sample({range.from + lobe * range.size(), static_cast<double>(towards[0]),
                      static_cast<double>(towards[1])});
+    // A picture comes through, or else what is seen is the surface.
+    constexpr double kNarrow = 2;  // per steradian
+    const bool clear = next && (next->l.z > 0) != (v.z > 0) && (next->delta || next->pdf > kNarrow);
+    if (!clear) note(surface.material, surface.frame.normal, hit.distance);
     return next && go_on(hit, surface, v, *next);
   }
 
