@@ -29,8 +29,8 @@ bool is_sane(const Vec3d& p) {
 // Whether no ray ever meets a surface of the material, whatever its textures hold.
 bool is_invisible(const SceneMaterial& material) {
   if (!has_holes(material)) return false;
-  return material.alpha <= 0 ||
-         (material.alpha_mode == AlphaMode::mask && material.alpha < material.alpha_cutoff);
+  if (material.alpha_mode == AlphaMode::mask) return material.alpha < material.alpha_cutoff;
+  return material.alpha <= 0;
 }
 
 std::size_t visible_triangles(const Scene& scene, const Instance& instance) {
