@@ -274,8 +274,7 @@ TEST_F(ClosedForm, CamerasPutPointsWhereTheyBelong) {
       asset.draw(square(static_cast<float>(half_width / size.width)), lamp,
                  {{"translation", {10 + x, y, -5}}});
       if (perspective) {
-        asset.camera({{"type", "perspective"},
-                      {"perspective", {{"yfov", yfov}, {"znear", 0.01}, {"aspectRatio", 1}}}},
+        asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", yfov}, {"znear", 0.01}}}},
                      {{"translation", {10, 0, 0}}, {"scale", {3, 3, 3}}});
       } else {
         asset.camera(
