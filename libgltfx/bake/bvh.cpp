@@ -82,7 +82,6 @@ struct Bvh::State {
   bool add_instance(std::uint32_t instance);
   Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
   float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
-  bool is_front(const Hit& hit, const Vec3d& direction) const;
   bool is_traceable(const Ray& ray) const;  // numbers, and not too large for Embree
   bool offers_front(const RTCFilterFunctionNArguments* args, const Hit& hit) const;
   std::optional<Hit> intersect(Tracing& tracing, const Ray& ray) const;
@@ -316,15 +315,6 @@ void Bvh::State::filter_any(const RTCFilterFunctionNArguments* args) {
   if (tracing.visibility > 0) args->valid[0] = 0;
 }
 
-bool Bvh::State::is_front(const Hit& hit, const Vec3d& direction) const {
-  const Instance& instance = scene.instances[hit.instance];
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  const auto& [a, b, c] = mesh.triangles[hit.triangle];
-  const Vec3d p = to_vec(mesh.positions[a]);
-  const Vec3d normal = cross(to_vec(mesh.positions[b]) - p, to_vec(mesh.positions[c]) - p);
-  return dot(NormalTransform(instance.to_world).outward(normal), direction) < 0;
-}
-
 namespace {
 
 void start(RTCRay& target, const Ray& ray) {
@@ -399,10 +389,6 @@ float Bvh::visibility(const Ray& ray) const {
   start(query, ray);
   rtcOccluded1(state_->top, &tracing.embree, &query);
   return query.tfar < 0 ? 0.0F : tracing.visibility;
-}
-
-bool Bvh::is_front(const Hit& hit, const Vec3d& direction) const {
-  return state_->is_front(hit, direction);
 }
 
 std::size_t Bvh::triangles() const { return state_->triangles; }

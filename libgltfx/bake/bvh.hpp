@@ -32,9 +32,6 @@ class Bvh {
   /// What part of light comes through to the end of the ray past surfaces: 0 when one is solid.
   float visibility(const Ray& ray) const;
 
-  /// Whether the front of the triangle is hit, by the winding of its vertices.
-  bool is_front(const Hit& hit, const Vec3d& direction) const;
-
   /// Triangles of all instances.
   std::size_t triangles() const;
 

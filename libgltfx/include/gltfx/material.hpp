@@ -18,7 +18,7 @@
 ///     const gltfx::Vec3d viewer{0, 0, 1}, sun{0, 0.6, -0.8};
 ///     const gltfx::Rgb seen = gltfx::evaluate(leaf, viewer, sun) * (100000 * 0.8);  // cd/m^2
 ///     const gltfx::Rgb through = gltfx::integrate(leaf, viewer).diffuse_transmit;
-///     const auto next = gltfx::sample(leaf, viewer, {0.9, 0.3, 0.7});  // to where a path goes on
+///     const auto next = gltfx::sample(leaf, viewer, {0.5, 0.3, 0.7});  // to where a path goes on
 #pragma once
 
 #include <gltfx/vec3.hpp>
