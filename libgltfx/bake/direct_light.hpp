@@ -31,6 +31,21 @@ struct Chosen {
   double scale = 0;
 };
 
+/// Of `tries` candidates one, by what they would give were nothing in the way: resampled importance
+/// sampling (J. Talbot et al., EGSR 2005). `random` is from [0, 1); propose(i) gives a candidate.
+template <class Propose>
+Chosen choose_one(std::uint32_t tries, double random, const Propose& propose) {
+  Candidate chosen;
+  double total = 0;
+  for (std::uint32_t i = 0; i < tries; ++i) {
+    const Candidate each = propose(i);
+    if (!(each.weight > 0)) continue;
+    total += each.weight;
+    if (choose(each.weight / total, random)) chosen = each;
+  }
+  return {chosen, total > 0 ? total / (chosen.weight * tries) : 0};
+}
+
 /// Candidates of one surface. Each takes even random numbers, and its shares' mean is the light of
 /// its kind, as far as directions that the material samples do not find it (multiple importance
 /// sampling with those).

@@ -16,7 +16,7 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::uint32_t kSteps = 1024;      // of a path, in media and on surfaces
-constexpr std::uint32_t kLooks = 2;         // for light of one kind, where the camera looks
+constexpr std::uint32_t kLooks = 2;         // for light where the camera looks, of few samples
 constexpr std::uint32_t kRouletteFrom = 3;  // step
 constexpr double kSharp = 0.5;              // roughness below which gloss shows a picture
 constexpr std::uint32_t kDeepPaths = 4;     // into what light passes through
@@ -41,7 +41,7 @@ constexpr std::uint32_t kFirstDraw = 1;  // after the position in the pixel
 // Of the random number that chooses among lobes.
 struct Range {
   double from = 0, to = 1;
-  double size() const { return to - from; }
+  double at(double part) const { return from + part * (to - from); }
 };
 
 // One path, from the camera on.
@@ -217,28 +217,20 @@ class Path {
     return power_weight(pdf_, s_.setting.emitters.pdf(hit, cosine));
   }
 
-  // Of some candidates one is looked at, by what they would give were nothing in the way: resampled
-  // importance sampling (J. Talbot et al., EGSR 2005). Where the camera looks it pays to be choosy.
+  // Where the camera looks it pays to be choosy.
   template <class Propose>
   Chosen gather(Draw draw, Draw draw_choice, const Branch& part, const Propose& propose) const {
     const std::uint32_t tries = surfaces_ == 1 ? s_.tries : 1;
-    Candidate chosen;
-    double total = 0;
-    auto random =
-        static_cast<double>(random_.single(dimension(draw_choice), part.number, part.count));
-    for (std::uint32_t i = 0; i < tries; ++i) {
+    const float random = random_.single(dimension(draw_choice), part.number, part.count);
+    return choose_one(tries, static_cast<double>(random), [&](std::uint32_t i) {
       const Branch point = part.part(i, tries);
-      const Candidate each = propose(random_.pair(dimension(draw), point.number, point.count));
-      if (!(each.weight > 0)) continue;
-      total += each.weight;
-      if (choose(each.weight / total, random)) chosen = each;
-    }
-    return {chosen, total > 0 ? total / (chosen.weight * tries) : 0};
+      return propose(random_.pair(dimension(draw), point.number, point.count));
+    });
   }
 
   void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf) {
     const DirectLight light(s_, surface, bsdf, media_.around(hit.instance));
-    const std::uint32_t looks = surfaces_ == 1 ? kLooks : 1;
+    const std::uint32_t looks = surfaces_ == 1 && s_.tries > 2 ? kLooks : 1;
     for (std::uint32_t look = 0; look < looks; ++look) {
       const Branch part = branch_.part(look, looks);
       if (s_.setting.environment) {
@@ -309,7 +301,7 @@ class Path {
       path.result_ = {};
       path.result_.alpha = 1;
       path.branch_ = branch_.part(i, count);
-      path.scale_ = range.size() * count / (mirrors ? 1 : others);
+      path.scale_ = (range.to - range.from) * count / (mirrors ? 1 : others);
       path.throughput_ *= path.scale_;
       path.noting_ = noting_ && !mirrors;
       if (path.turn(hit, surface, v, bsdf, within, range) && path.survives()) {
@@ -327,9 +319,8 @@ class Path {
     const Float2 towards = random_.pair(dimension(Draw::direction), branch.number, branch.count);
     const auto lobe =
         static_cast<double>(random_.single(dimension(Draw::lobe), branch.number, branch.count));
-    const auto next =
-        bsdf.sample({range.from + lobe * range.size(), static_cast<double>(towards[0]),
-                     static_cast<double>(towards[1])});
+    const auto next = bsdf.sample(
+        {range.at(lobe), static_cast<double>(towards[0]), static_cast<double>(towards[1])});
     // A picture comes through, or else what is seen is the surface.
     constexpr double kNarrow = 2;  // per steradian
     const bool clear = next && (next->l.z > 0) != (v.z > 0) && (next->delta || next->pdf > kNarrow);
