@@ -59,6 +59,12 @@ class Conversion {
     const model::Asset asset(parsed.document);
     const model::Views views(asset);
     const auto loaded = model::load_resources(container_, resolver_, asset, views, options_.jobs);
+    if (!loaded.notes.empty()) {
+      std::string why = loaded.notes.front();
+      if (why.ends_with('.')) why.pop_back();
+      notes_.fail(std::move(why));
+      return;
+    }
     copy_buffers(asset, loaded.data, model);
     model::DracoMeshes draco;
     draco.add_all(asset, views, loaded.data);

@@ -6,6 +6,13 @@
 #include "base/utf8.hpp"
 
 namespace gltfx::json {
+namespace {
+
+// simdjson looks for the best implementation when it is first asked, in functions that end the
+// program when memory is missing. So it is asked before anybody's work begins.
+[[maybe_unused]] const bool kReady = simdjson::validate_utf8("", 0);
+
+}  // namespace
 
 bool is_utf8(std::string_view text) { return simdjson::validate_utf8(text.data(), text.size()); }
 

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <new>
-#include <optional>
 #include <utility>
 
 #include "inspect/facts.hpp"

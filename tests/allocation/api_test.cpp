@@ -1,98 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library throws nothing: each allocation of a call fails once, and the call says so or gives
-// what it always gives. GLTFX_ALLOCATION_STRIDE (1: all of them) says how many are tried.
+// The library throws nothing: where memory is missing it says so.
 #include <gltfx/pipeline.hpp>
 
-#include <algorithm>
-#include <atomic>
-#include <cstdlib>
 #include <filesystem>
-#include <functional>
-#include <new>
-#include <set>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "container/temp_folder.hpp"
-
-namespace {
-
-std::atomic<bool> counting{false};
-std::atomic<long> allocations{0};
-std::atomic<long> fail_at{0};
-
-void* take(std::size_t size) {
-  if (counting && allocations.fetch_add(1) + 1 == fail_at) return nullptr;
-  return std::malloc(size == 0 ? 1 : size);
-}
-
-void* take_or_throw(std::size_t size) {
-  void* memory = take(size);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return take_or_throw(size); }
-void* operator new[](std::size_t size) { return take_or_throw(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return take(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return take(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "each_fails.hpp"
 
 namespace gltfx::test {
 namespace {
 
-namespace fs = std::filesystem;
 using container::test::TempFolder;
 
-std::string fixture(const std::string& name) {
-  return (fs::path(GLTFX_SOURCE_DIR) / "fixtures" / name).native();
-}
-
-long stride() {
-  const char* text = std::getenv("GLTFX_ALLOCATION_STRIDE");
-  return text == nullptr ? 13 : std::max(1L, std::atol(text));
-}
-
-/// Calls with the allocation of that number failing. Empty when it threw.
-std::string call(const std::function<std::string()>& work, long number) {
-  allocations = 0;
-  fail_at = number;
-  counting = true;
-  std::string said;
-  try {
-    said = work();
-  } catch (const std::exception&) {
-    said.clear();
-  }
-  counting = false;
-  return said;
-}
-
-void let_each_fail(const std::function<std::string()>& work, const fs::path& folder = {}) {
-  call(work, 0);  // what is built once and kept is there from now on
-  if (!folder.empty()) fs::remove_all(folder / "out");
-  const std::string sound = call(work, 0);
-  const long all = allocations;
-  std::set<std::string> faults;
-  for (long number = 1; number <= all; number += stride()) {
-    if (!folder.empty()) fs::remove_all(folder / "out");
-    const std::string said = call(work, number);
-    if (said == sound || said.find("not enough memory") != std::string::npos) continue;
-    faults.insert(std::to_string(number) + (said.empty() ? " throws" : " says " + said));
-    if (faults.size() > 5) break;
-  }
-  EXPECT_THAT(faults, testing::IsEmpty()) << all << " allocations";
-  testing::Test::RecordProperty("allocations", std::to_string(all));
-}
-
 std::string text_of(const FileReport& report) {
-  counting = false;
+  count_allocations(false);
   std::string text = report.readable ? "" : "unreadable ";
   for (const Diagnostic& each : report.diagnostics) {
     text.append(each.code).append(each.pointer).append(each.message).append("\n");
@@ -130,7 +53,7 @@ TEST_P(Upgrade, SaysThatMemoryIsMissing) {
   options.output = (folder.path() / "out" / "a.gltf").native();
   const auto work = [&] {
     const UpgradeReport report = upgrade_file(path, options);
-    counting = false;
+    count_allocations(false);
     std::string said = report.error + (report.written ? " written" : " not written");
     for (const UpgradeAction& action : report.actions) said += action.pointer;
     return said + std::to_string(report.diff.size());
@@ -153,7 +76,7 @@ TEST_P(Bake, SaysThatMemoryIsMissing) {
   const std::string path = fixture(GetParam());
   let_each_fail([&] {
     const BakeReport report = bake_file(path, options);
-    counting = false;
+    count_allocations(false);
     std::string said = report.error + " " + std::to_string(report.pixels.bytes.size());
     for (const std::string& note : report.notes) said += note;
     for (const Diagnostic& each : report.validation.diagnostics) said += each.message;
@@ -171,9 +94,9 @@ TEST(Batches, SayThatMemoryIsMissing) {
     std::string said;
     validate_files(paths, options, 1, [&](FileReport&& report) {
       said += text_of(report);
-      counting = true;
+      count_allocations(true);
     });
-    counting = false;
+    count_allocations(false);
     return said;
   });
 }
@@ -182,9 +105,9 @@ TEST(Bytes, SayThatMemoryIsMissing) {
   const std::string text = R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 3}]})";
   const ValidateOptions options;
   let_each_fail([&] {
-    counting = false;
+    count_allocations(false);
     std::string own = text;
-    counting = true;
+    count_allocations(true);
     return text_of(validate_bytes(std::move(own), "-", options));
   });
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// To be preloaded: lets one allocation of a program fail. GLTFX_FAIL_AT is its number, counted
 /// from 1 from main() on (0: none); before that nobody could say anything. GLTFX_FAIL_LOG names a
-/// file that gets the number of allocations when the program leaves main() or ends, and "failed"
-/// in front of it when one did.
+/// file that gets the number of allocations when the program ends, or "failed" and a number when
+/// one did.
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -29,14 +29,6 @@ std::atomic<bool> failed{false};
 std::atomic<long> allocations{0};
 long fail_at = 0;
 
-bool fails() {
-  if (!counting.load(std::memory_order_relaxed)) return false;
-  if (allocations.fetch_add(1) + 1 != fail_at) return false;
-  failed = true;
-  errno = ENOMEM;
-  return true;
-}
-
 void write_log() {
   counting = false;
   const char* path = std::getenv("GLTFX_FAIL_LOG");
@@ -47,6 +39,15 @@ void write_log() {
       std::snprintf(text, sizeof(text), "%s%ld\n", failed ? "failed " : "", allocations.load());
   static_cast<void>(!::write(fd, text, static_cast<std::size_t>(size)));
   ::close(fd);
+}
+
+bool fails() {
+  if (!counting.load(std::memory_order_relaxed)) return false;
+  if (allocations.fetch_add(1) + 1 != fail_at) return false;
+  failed = true;
+  write_log();
+  errno = ENOMEM;
+  return true;
 }
 
 using Main = int (*)(int, char**, char**);

@@ -3,6 +3,7 @@
 #include <gltfx/mapping.hpp>
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -54,6 +55,22 @@ void clean_up_when_ended() {
   }
 }
 
+std::terminate_handler usual_end = nullptr;
+
+// Libraries that promise not to throw end the program where memory is missing.
+void explain_and_die() {
+  try {
+    if (const auto fault = std::current_exception()) std::rethrow_exception(fault);
+  } catch (const std::bad_alloc&) {
+    remove_temporaries();
+    static_cast<void>(write_all(STDERR_FILENO, "gltfx: there is not enough memory\n"));
+    std::_Exit(static_cast<int>(ExitCode::internal));
+  } catch (...) {
+    // Whatever it is, it ends as it would have.
+  }
+  usual_end();
+}
+
 ExitCode run_command(int argc, char** argv) {
   const CommandLine command = read_command_line(argc, argv);
   if (const auto* answer = std::get_if<Answer>(&command)) {
@@ -74,6 +91,7 @@ int main(int argc, char** argv) {
   gltfx::tool::guard_mappings();
   gltfx::tool::clean_up_when_ended();
   gltfx::tool::keep_standard_streams();
+  gltfx::tool::usual_end = std::set_terminate(gltfx::tool::explain_and_die);
   ExitCode code = ExitCode::internal;
   try {
     code = gltfx::tool::run_command(argc, argv);
