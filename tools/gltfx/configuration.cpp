@@ -205,13 +205,14 @@ Result<ValidateRequest> configured(const ValidateWords& words) {
 }
 
 Result<PageRequest> configured(const PageWords& words) {
+  InputWords inputs = words.validate.inputs;
   Reading reading;
-  NamedPaths paths;
-  read_inputs(reading, words.validate.inputs, "report", paths);
-  require_files(reading, words.validate.inputs,
+  reading.require(!inputs.paths.empty() || !inputs.files_from.empty(),
+                  "report: name at least one file, folder or glob.");
+  require_files(reading, inputs,
                 "report: standard input has no file beside which anything could be found; name a "
                 "file ('./-' for one that is called '-').");
-  if (const auto read = reading.finish(paths); !read) return read.error();
+  if (const auto read = reading.finish(inputs); !read) return read.error();
   auto validate = configured(words.validate);
   if (!validate) return validate.error();
   return request_of(words, *std::move(validate));

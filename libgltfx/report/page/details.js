@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One asset, unfolded. Built when somebody opens it.
 
 const SEVERITIES = ["error", "warning", "info", "hint"];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 "use strict";
 // Elements and numbers. Text of assets comes in by textContent alone: it never becomes markup.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page: totals, the filter and a list that grows as it is read.
 
 const report = JSON.parse(document.getElementById("data").textContent);
