@@ -134,6 +134,51 @@ TEST_F(Report, OptionsOfValidationCount) {
   EXPECT_EQ(data_of({"w.gltf", "--isolated"})["assets"][0]["counts"]["warnings"], 1);
 }
 
+TEST_F(Report, InputsAreNamedAsForValidate) {
+  write_both();
+  folder_.write("list.txt", "in/faulty.gltf\nin/sound.gltf\n");
+  EXPECT_EQ(data_of({"--files-from", "list.txt"})["assets"].size(), 2U);
+  const Outcome piped = gltfx({"report", "--files-from", "-", "-o", "-", "--no-thumbnails"},
+                              {folder_.path().native(), "in/sound.gltf\n", {}});
+  EXPECT_EQ(data_in(piped.out)["assets"].size(), 1U);
+  EXPECT_EQ(data_of({"in", "--shard", "1/2"})["assets"].size() +
+                data_of({"in", "--shard", "2/2"})["assets"].size(),
+            2U);
+  const json first = data_of({"in", "--cache", "kept"});
+  EXPECT_TRUE(fs::exists(folder_.path() / "kept"));
+  EXPECT_EQ(data_of({"in", "--cache", "kept", "--color", "never"}), first);
+}
+
+TEST_F(Report, ResourcesSchemasAndBudgetsCount) {
+  folder_.write("data.bin", std::string(8, 'x'));
+  folder_.write("in/a.gltf", R"({"asset": {"version": "2.0"}, "extensionsUsed": ["ACME_leaf"],
+    "extras": {"gltfx": {"ignore": [{"code": "UNUSED_OBJECT", "reason": "kept for later"}]}},
+    "buffers": [{"byteLength": 8, "uri": "../data.bin"}]})");
+  folder_.write("ACME_leaf.schema.json",
+                R"({"$schema": "https://json-schema.org/draft/2020-12/schema",
+    "$id": "gltfx:ext/ACME_leaf", "title": "ACME_leaf", "description": "A leaf.", "type": "object",
+    "x-gltfx": {"extension": "ACME_leaf", "on": ["material"], "status": "vendor"}})");
+  const auto of = [this](std::vector<std::string> words) {
+    words.insert(words.begin(), {"in/a.gltf", "--root", "."});
+    return data_of(std::move(words))["assets"][0];
+  };
+  EXPECT_EQ(data_of({"in/a.gltf"})["assets"][0]["facts"]["files"].size(), 1U);
+  EXPECT_EQ(of({})["facts"]["files"].size(), 2U);
+  EXPECT_EQ(of({})["facts"]["extensions"][0]["status"], "unknown");
+  EXPECT_EQ(of({"--schema", "ACME_leaf.schema.json"})["facts"]["extensions"][0]["status"],
+            "vendor");
+  EXPECT_EQ(of({"--schema-dir", "."})["facts"]["extensions"][0]["status"], "vendor");
+  EXPECT_EQ(of({})["leftOut"], 0);
+  EXPECT_EQ(of({"--inline-suppressions"})["leftOut"], 1);
+  const std::string pointer = fixture("bad/triangle-lfs-buffer.gltf");
+  EXPECT_EQ(data_of({pointer})["assets"][0]["counts"]["errors"], 0);
+  EXPECT_EQ(data_of({pointer, "--lfs", "error"})["assets"][0]["counts"]["errors"], 1);
+  const json budgets =
+      data_of({fixture("good/stone.gltf"), "--max-texture-size", "1", "--max-total-pixels", "1",
+               "--max-triangles", "1", "--max-draw-calls", "1", "--config", "/dev/null"});
+  EXPECT_GE(budgets["rules"].size(), 3U);
+}
+
 TEST_F(Report, AnOldPageStaysUntilTheNewOneIsComplete) {
   write_both();
   folder_.write("page.html", "old");

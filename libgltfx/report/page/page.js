@@ -170,6 +170,7 @@ function ruleCounts() {
     const seen = new Set();
     for (const finding of asset.findings) {
       const entry = counts.get(finding.code) || { code: finding.code, severity: finding.severity, findings: 0, assets: 0 };
+      if (SEVERITIES.indexOf(finding.severity) < SEVERITIES.indexOf(entry.severity)) entry.severity = finding.severity;
       entry.findings += finding.count || 1;
       if (!seen.has(finding.code)) ++entry.assets;
       seen.add(finding.code);
