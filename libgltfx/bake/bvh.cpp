@@ -2,6 +2,7 @@
 #include "bake/bvh.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -75,6 +76,7 @@ struct Bvh::State {
   }
 
   bool build();
+  static void keep(std::unique_ptr<State> failed);
   static void set_filters(RTCGeometry geometry, Treatment treatment, bool mirrored);
   void group_instances();
   bool add_group(const Group& group, Treatment treatment);
@@ -90,6 +92,7 @@ struct Bvh::State {
   static void filter_backs(const RTCFilterFunctionNArguments* args);
 
   const Scene& scene;
+  State* kept_before = nullptr;
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
   std::vector<RTCScene> shared;           // by mesh; null where not shared
@@ -339,9 +342,19 @@ Bvh::Bvh(Bvh&&) noexcept = default;
 Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 Bvh::~Bvh() = default;
 
+// Embree's threads still hold on to what a build that failed had allocated: it is never freed.
+void Bvh::State::keep(std::unique_ptr<State> failed) {
+  static std::atomic<State*> kept{nullptr};
+  State* const state = failed.release();
+  state->kept_before = kept.exchange(state);
+}
+
 Result<Bvh> Bvh::build(const Scene& scene) {
   auto state = std::make_unique<State>(scene);
-  if (!state->build()) return Error{"there is not enough memory to prepare the scene for rays"};
+  if (!state->build()) {
+    State::keep(std::move(state));
+    return Error{"there is not enough memory to prepare the scene for rays"};
+  }
   return Bvh(std::move(state));
 }
 

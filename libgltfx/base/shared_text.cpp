@@ -39,11 +39,7 @@ void TextRoom::Free::operator()(char* memory) const noexcept { free_pages(memory
 
 TextRoom::TextRoom(std::size_t size) : size_(size) {
   if (size >= PTRDIFF_MAX) return;
-  try {
-    bytes_ = {static_cast<char*>(allocate_pages(size + 1)), Free{size + 1}};
-  } catch (const std::bad_alloc&) {
-    return;
-  }
+  bytes_ = {static_cast<char*>(allocate_pages(size + 1)), Free{size + 1}};
   bytes_.get()[size] = '\0';
 }
 

@@ -18,7 +18,7 @@ SharedText share_text(std::string text);
 /// Room for a text of known length, to be filled and then shared.
 class TextRoom {
  public:
-  /// Check operator bool: there may not be enough memory.
+  /// Check operator bool: no text can be that long. Throws std::bad_alloc.
   explicit TextRoom(std::size_t size);
 
   explicit operator bool() const { return bytes_ != nullptr; }
