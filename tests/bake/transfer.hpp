@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Light that a half space of an evenly scattering medium gives back, by S. Chandrasekhar, Radiative
-/// Transfer (1950).
+/// Light that a half space of an evenly scattering medium gives back, by S. Chandrasekhar,
+/// Radiative Transfer (1950).
 #pragma once
 
 #include <cmath>
