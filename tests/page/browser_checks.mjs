@@ -61,6 +61,7 @@ async function textStaysText(browser, url) {
   const count = await rows(page);
   assert.equal(count, BREAKERS.length + 1);
   for (let i = 0; i < count; ++i) await page.locator("#list > li").nth(i).locator("summary").first().click();
+  await page.waitForFunction((all) => document.querySelectorAll("#list .body").length === all, count);
   assert.equal(await page.evaluate(() => window.broken), undefined);
   assert.equal(await page.locator("#list svg, #list script, #list b >> text=hostile").count(), 0);
   assert.equal(await page.locator('a[href^="javascript"]').count(), 0);
@@ -86,9 +87,11 @@ async function filters(browser, url) {
   await page.fill("#text", "metalicFactor");
   assert.equal(await shownCount(page), `1 of ${all}`);
   await page.locator("#list summary").first().click();
+  await page.locator(".finding").first().waitFor();
   const everything = await page.locator(".finding").count();
   await page.selectOption("#verdict", "warning");
   await page.locator("#list summary").first().click();
+  await page.locator(".finding").first().waitFor();
   const warnings = await page.locator(".finding").count();
   assert.ok(warnings > 0 && warnings < everything);
   assert.equal(await page.locator(".finding:not(.warning)").count(), 0);
@@ -129,7 +132,7 @@ async function worksByKeyboard(browser, url) {
   const first = page.locator("#list summary").first();
   await first.focus();
   await page.keyboard.press("Enter");
-  assert.equal(await page.locator("#list details[open] .body").count(), 1);
+  await page.locator("#list details[open] .body").waitFor();
   const outline = await first.evaluate((element) => getComputedStyle(element).outlineStyle);
   assert.equal(outline, "solid");
   await page.locator('.theme input[value="auto"]').focus();
