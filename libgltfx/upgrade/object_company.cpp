@@ -22,7 +22,10 @@ ObjectPlan::Problem ObjectPlan::reason_to_go() {
     return fmt::format("{} stands beside it already and is what readers use", successor_.name);
   }
   for (const schema::Relation& hider : upgrade.hidden_by) {
-    if (has_beside(hider.extension)) return fmt::format("without effect: {}", hider.because);
+    if (!has_beside(hider.extension)) continue;
+    std::string_view because = hider.because;  // a sentence, of which a part of one is made
+    if (because.ends_with('.')) because.remove_suffix(1);
+    return fmt::format("without effect: {}", because);
   }
   if (conversion_ != nullptr) {
     if (Problem why = conversion_->reason_to_go(bench())) return why;

@@ -175,6 +175,24 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
   EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
 }
 
+TEST_F(BakeOptionsTest, SchemasOfOnesOwnAndTheConfigurationHold) {
+  std::string text = kStage;
+  const std::string materials = "\"materials\": [{";
+  text.insert(text.find(materials) + materials.size(), "\"extensions\": {\"ACME_leaf\": {}},");
+  text.insert(text.find("[\"KHR_materials_variants\"") + 1, "\"ACME_leaf\", ");
+  folder_.write("leaf.gltf", text);
+  const auto drawn = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"leaf.gltf", "-o", "a.png", "--size", "8", "--samples", "1"});
+    return run(words).code;
+  };
+  EXPECT_EQ(drawn({}), 0) << "of an unknown extension nothing is known";
+  EXPECT_EQ(drawn({"--schema", fixture("schemas/ACME_leaf.schema.json")}), 1) << "no age";
+  EXPECT_EQ(drawn({"--schema-dir", fixture("schemas")}), 1);
+  folder_.write("own.toml", "environment = \"gone.hdr\"\n");
+  EXPECT_EQ(drawn({"--config", "own.toml"}), 3);
+  EXPECT_EQ(drawn({"--config", "gone.toml"}), 2);
+}
+
 TEST_F(BakeOptionsTest, ForceDrawsWhatIsNotValid) {
   std::string text = kStage;
   text.insert(1, "\"scene\": 0, \"nonsense\": [],");
