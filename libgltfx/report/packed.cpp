@@ -139,7 +139,11 @@ void carry_if_any(Archive& archive, Holder& holder, const Make& make, const Cont
 template <class Archive, class Optional, class Content>
 void carry_optional(Archive& archive, Optional& value, const Content& content) {
   carry_if_any(
-      archive, value, [](auto& empty) -> auto& { return empty.emplace(); }, content);
+      archive, value, [](auto& empty) -> auto& {
+        empty = typename Optional::value_type();  // clang 14 cannot emplace what lies in a class
+        return *empty;
+      },
+      content);
 }
 
 template <class Archive, class Place>

@@ -206,7 +206,8 @@ ResourceInfo Reader::resource(NodeId node) {
     number(node, "byteLength", resource.byte_length.emplace());
   }
   if (const NodeId at = object(node, "image"); at != json::kNoNode) {
-    ResourceInfo::Image& image = resource.image.emplace();
+    resource.image = ResourceInfo::Image();  // clang 14 cannot emplace what lies in a class
+    ResourceInfo::Image& image = *resource.image;
     number(at, "width", image.width);
     number(at, "height", image.height);
     number(at, "bits", image.bits);
