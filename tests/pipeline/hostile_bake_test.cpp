@@ -64,30 +64,34 @@ Json alpha(const char* mode, double cutoff, double value) {
   return material;
 }
 
+Json& primitive(AssetText& asset, int mesh) {
+  return asset.json()["meshes"][static_cast<std::size_t>(mesh)]["primitives"][0];
+}
+
 void skinned(AssetText& asset, float weight) {
   const int mesh = asset.mesh(square(), asset.material(plain()));
   const std::vector<std::array<std::uint8_t, 4>> joints(4);
   const std::vector<std::array<float, 4>> weights(4, {weight, 0, 0, 0});
-  Json& attributes = asset.json()["meshes"][mesh]["primitives"][0]["attributes"];
+  Json& attributes = primitive(asset, mesh)["attributes"];
   const int first = asset.accessor("VEC4", 5121, 4, packed(joints));
   const int second = asset.accessor("VEC4", 5126, 4, packed(weights));
   attributes["JOINTS_0"] = first;
   attributes["WEIGHTS_0"] = second;
   const int joint = asset.node({{"scale", {0, 0, 0}}});
-  asset.add("skins", {{"joints", {joint}}});
+  asset.add("skins", {{"joints", Json::array({joint})}});
   asset.node({{"mesh", mesh}, {"skin", 0}});
 }
 
 void morphed(AssetText& asset, double weight) {
   const int mesh = asset.mesh(square(), asset.material(plain()));
   const int target = asset.positions({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
-  asset.json()["meshes"][mesh]["primitives"][0]["targets"] = {{{"POSITION", target}}};
-  asset.node({{"mesh", mesh}, {"weights", {weight}}});
+  primitive(asset, mesh)["targets"] = Json::array({Json::object({{"POSITION", target}})});
+  asset.node({{"mesh", mesh}, {"weights", Json::array({weight})}});
 }
 
 void only_mode(AssetText& asset, int mode) {
   const int mesh = asset.mesh(square(), -1);
-  asset.json()["meshes"][mesh]["primitives"][0]["mode"] = mode;
+  primitive(asset, mesh)["mode"] = mode;
   asset.node({{"mesh", mesh}});
 }
 
