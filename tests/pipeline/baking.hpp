@@ -93,7 +93,7 @@ class AssetText {
     Json primitive{{"attributes", attributes},
                    {"indices", accessor("SCALAR", 5125, indices.size(), packed(indices))}};
     if (material >= 0) primitive["material"] = material;
-    return add("meshes", {{"primitives", {primitive}}});
+    return add("meshes", {{"primitives", Json::array({primitive})}});
   }
   /// A node of the scene.
   int node(const Json& node) {
