@@ -40,6 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } else {
     require(!bytes.error().message.empty());
   }
+  require(encode_base64(input) == encode(input));
   require(*decode_base64(encode(input)) == input);
   const auto uri = split_data_uri(input);
   require(!uri || classify_uri(input).kind == UriKind::data);
