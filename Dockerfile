@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+# gltfx and what it needs at run time:
+#   docker build --tag gltfx .
+#   docker run --rm --volume "$PWD:/assets:ro" gltfx validate .
+FROM debian:12-slim AS build
+COPY . /gltfx
+WORKDIR /gltfx
+RUN tools/deb && rm -rf /var/lib/apt/lists/*
+
+FROM debian:12-slim
+COPY --from=build /gltfx/build/deb/gltfx_*.deb /tmp/
+RUN apt-get update \
+    && apt-get install --yes --no-install-recommends /tmp/gltfx_*.deb \
+    && rm -rf /tmp/gltfx_*.deb /var/lib/apt/lists/* \
+    && useradd --create-home gltfx
+USER gltfx
+WORKDIR /assets
+ENTRYPOINT ["gltfx"]
+CMD ["--help"]

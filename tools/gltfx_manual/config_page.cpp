@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// gltfx.toml(5).
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "config_keys.hpp"
+#include "pages.hpp"
+#include "roff.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+constexpr std::string_view kDescription =
+    R"(What is asked of every run in a folder can stand in a file of this name. The nearest one of the
+working folder and those above it holds, never one that lies with the assets: what comes from
+outside cannot switch off its own checks. `--config` names another file, `--isolated` none.
+
+The file is written in TOML 1.0. The command line stands before the file. Paths and patterns start
+from the folder of the file. gltfx-config(1) shows what holds for a path, and which line says so.)";
+
+constexpr std::string_view kOverrides =
+    R"(Each table of the list `overrides` holds for some paths only. It has a member `paths`, a list of
+globs, folders (with / at the end) and names, and any of the keys that are marked so above. A later
+one stands before an earlier one; what is ignored adds up, and `select` brings a code back.)";
+
+constexpr std::string_view kExample = R"(profile = "strict"
+ignore = ["IMAGE_NPOT_DIMENSIONS"]
+schemas = ["schemas", "ACME_leaf.schema.json"]
+
+[severity]
+UNUSED_OBJECT = "hint"
+
+[budgets]
+texture-size = 2048
+triangles = 100000
+
+[[overrides]]
+paths = ["props/**/*.glb", "old/", "*.draft.gltf"]
+ignore = ["EXTENSION_LEGACY"]
+budgets.triangles = 5000
+)";
+
+std::string_view form_of(ConfigForm form) {
+  switch (form) {
+    case ConfigForm::number:
+      return "whole number";
+    case ConfigForm::flag:
+      return "true or false";
+    case ConfigForm::path:
+      return "path";
+    case ConfigForm::codes:
+      return "list of codes";
+    case ConfigForm::paths:
+      return "list of paths";
+    case ConfigForm::levels:
+      return "table of CODE = \"LEVEL\"";
+    default:
+      return "string";
+  }
+}
+
+// The option of the command line that says the same.
+std::string option_of(std::string_view key) {
+  if (key == "schemas") return "--schema";
+  constexpr std::string_view kBudgets = "budgets.";
+  if (key.starts_with(kBudgets)) return fmt::format("--max-{}", key.substr(kBudgets.size()));
+  return fmt::format("--{}", key);
+}
+
+// Without what is said in brackets about the command line, or about defaults.
+std::string_view without_usage(std::string_view text) {
+  while (text.ends_with(')')) {
+    const std::size_t open = text.rfind(" (");
+    const std::string_view inside = text.substr(std::min(open, text.size()));
+    const bool usage = inside.starts_with(" (default:") || inside.ends_with("repeatable)");
+    if (!usage) break;
+    text.remove_suffix(inside.size());
+  }
+  return text;
+}
+
+std::string text_of(const std::vector<CommandEntry>& table, const ConfigKey& key) {
+  const std::string name = option_of(key.name);
+  std::string_view verb = "validate";
+  const OptionEntry* option = find_option(table, verb, name);
+  if (option == nullptr) option = find_option(table, verb = "bake", name);
+  if (option == nullptr) return {};
+  std::string text = fmt::format("{}. As `{}` of gltfx-{}(1). Default: {}.",
+                                 without_usage(option->text), name, verb, key.otherwise);
+  if (key.name == "schemas") text.append(" Folders are taken as by `--schema-dir`.");
+  if (key.by_path) text.append(" May stand in `overrides`.");
+  return text;
+}
+
+}  // namespace
+
+std::string config_page(const std::vector<CommandEntry>& table, const Edition& edition) {
+  RoffPage page("gltfx.toml", 5, edition.date, edition.version);
+  page.name("gltfx.toml", "configuration of gltfx");
+  page.section("DESCRIPTION");
+  page.prose(kDescription);
+  page.section("KEYS");
+  for (const ConfigKey& key : config_keys()) {
+    page.item(fmt::format("{} ({})", roff_bold(key.name), roff_literal(form_of(key.form))),
+              text_of(table, key));
+  }
+  page.section("OVERRIDES");
+  page.prose(kOverrides);
+  page.section("EXAMPLES");
+  page.example(kExample);
+  page.section("SEE ALSO");
+  page.prose("gltfx(1), gltfx-config(1), gltfx-validate(1)");
+  return page.text();
+}
+
+}  // namespace gltfx::tool

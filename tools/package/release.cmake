@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# What is released when, by the first entry of the changelog of the Debian package, the one place that
+# says so: GLTFX_PACKAGE_MAINTAINER and GLTFX_RELEASE_DATE.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/changelog lines)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/changelog)
+list(GET lines 0 head)
+list(FILTER lines INCLUDE REGEX "^ -- ")
+list(GET lines 0 foot)
+if(NOT head MATCHES "^gltfx \\(${PROJECT_VERSION}\\) ")
+  message(FATAL_ERROR "tools/package/changelog does not begin with version ${PROJECT_VERSION}")
+endif()
+if(NOT foot MATCHES "^ -- (.* <.*>)  [A-Z][a-z][a-z], ([0-9][0-9]) ([A-Z][a-z][a-z]) ([0-9]+) ")
+  message(FATAL_ERROR "tools/package/changelog: no maintainer and date in '${foot}'")
+endif()
+set(GLTFX_PACKAGE_MAINTAINER ${CMAKE_MATCH_1})
+set(day ${CMAKE_MATCH_2})
+set(year ${CMAKE_MATCH_4})
+set(months Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec)
+list(FIND months ${CMAKE_MATCH_3} month)
+math(EXPR month "${month} + 101")
+string(SUBSTRING ${month} 1 2 month)
+set(GLTFX_RELEASE_DATE ${year}-${month}-${day})
