@@ -15,6 +15,7 @@
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
 #include "bake/stretch.hpp"
+#include "base/parallel.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -77,6 +78,7 @@ struct Bvh::State {
   std::vector<std::uint32_t> instanced;   // instance of geometry kTreatments + i
   std::vector<int> facing;                // by instance: -1 where the transform mirrors
   std::size_t triangles = 0;
+  bool watertight = false;
   double farthest = kFarthest;  // from where a ray may come
 };
 
@@ -107,10 +109,23 @@ bool attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, std::uint32_
   return rtcGetDeviceError(device) == RTC_ERROR_NONE;
 }
 
-RTCScene new_scene(RTCDevice device) {
+// On one thread: with more the order of triangles, and with it which of two at one place is hit,
+// would depend on their number. Not by the device's own limit, which holds for the whole process.
+void commit(RTCScene scene) {
+  run_alone([scene] { rtcCommitScene(scene); });
+}
+
+// A ray in some millions slips through between two triangles, for a tenth less time: only those
+// must not that keep count of what they are inside of.
+bool has_volumes(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const SceneMaterial& each) { return each.factors.volumetric(); });
+}
+
+RTCScene new_scene(RTCDevice device, bool watertight) {
   RTCScene scene = rtcNewScene(device);
   if (scene != nullptr) {
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene, watertight ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
   }
   return scene;
@@ -179,7 +194,7 @@ bool Bvh::State::add_group(const Group& group, Treatment treatment) {
 
 bool Bvh::State::add_shared_mesh(std::uint32_t number) {
   const Mesh& mesh = scene.meshes[number];
-  RTCScene own = new_scene(device);
+  RTCScene own = new_scene(device, watertight);
   if (own == nullptr) return false;
   shared[number] = own;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -194,7 +209,7 @@ bool Bvh::State::add_shared_mesh(std::uint32_t number) {
             static_cast<std::array<std::uint32_t, 3>*>(indices));
   set_filters(geometry, treatment_of(material_of(scene, mesh)), false);
   if (!attach(device, own, geometry, 0)) return false;
-  rtcCommitScene(own);
+  commit(own);
   return rtcGetDeviceError(device) == RTC_ERROR_NONE;
 }
 
@@ -207,12 +222,11 @@ bool Bvh::State::add_instance(std::uint32_t index) {
   return attach(device, top, geometry, static_cast<std::uint32_t>(kTreatments + index));
 }
 
-// The device has one thread: with more the order of triangles, and with it which of two at one
-// place is hit, would depend on chance.
 bool Bvh::State::build() {
-  device = rtcNewDevice("threads=1,set_affinity=0");
+  device = rtcNewDevice("set_affinity=0");
   if (device == nullptr) return false;
-  top = new_scene(device);
+  watertight = has_volumes(scene);
+  top = new_scene(device, watertight);
   if (top == nullptr) return false;
   group_instances();
   for (std::size_t i = 0; i < kTreatments; ++i) {
@@ -223,7 +237,7 @@ bool Bvh::State::build() {
   for (std::uint32_t i = 0; i < instanced.size(); ++i) {
     if (!add_instance(i)) return false;
   }
-  rtcCommitScene(top);
+  commit(top);
   return rtcGetDeviceError(device) == RTC_ERROR_NONE;
 }
 

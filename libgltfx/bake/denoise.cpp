@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "bake/denoise_planes.hpp"
 #include "bake/regression.hpp"
 #include "bake/storage.hpp"
 #include "base/parallel.hpp"
@@ -16,8 +15,7 @@ namespace gltfx::bake {
 namespace {
 
 constexpr int kTile = 16;  // pixels along a side that are worked on together
-constexpr int kReach = 4;  // how far neighbours are looked for
-constexpr int kPatch = 2;  // half width of what is compared
+constexpr int kReach = kNeighbours;
 constexpr int kMargin = kReach + kPatch;
 constexpr int kSide = kTile + 2 * kMargin;
 constexpr int kCompared = kTile + 2 * kPatch;
@@ -44,8 +42,10 @@ using Block = std::array<float, static_cast<std::size_t>(kSide* kSide)>;
 template <std::size_t Terms>
 class TileFilter {
  public:
-  TileFilter(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top)
+  TileFilter(const DenoiseLayer& layer, const Features& features, std::uint32_t left,
+             std::uint32_t top)
       : layer_(layer),
+        all_features_(features),
         left_(static_cast<int>(left) - kMargin),
         top_(static_cast<int>(top) - kMargin) {
     copy(layer.weight, weight_);
@@ -67,7 +67,7 @@ class TileFilter {
 
   void run() {
     for (std::size_t c = 0; c < layer_.values.size(); ++c) copy(layer_.values[c], values_[c]);
-    for (std::size_t f = 0; f < Terms - 3; ++f) copy(layer_.features[f], features_[f]);
+    for (std::size_t f = 0; f < Terms - 3; ++f) copy(all_features_[f], features_[f]);
     std::size_t offset = 0;
     for (int dy = -kReach; dy <= kReach; ++dy) {
       for (int dx = -kReach; dx <= kReach; ++dx, ++offset) compare(dx, dy, weights_[offset]);
@@ -217,6 +217,7 @@ class TileFilter {
   }
 
   const DenoiseLayer& layer_;
+  const Features& all_features_;
   int left_, top_;  // of the surroundings
   Block weight_, variance_, y_;
   std::array<Block, 3> values_{};
@@ -224,73 +225,93 @@ class TileFilter {
   std::array<std::array<Row, kTile>, static_cast<std::size_t>(kOffsets)> weights_;
 };
 
+// Layer by layer: there is memory for one of them at a time.
 class Denoiser {
  public:
-  explicit Denoiser(const Film& film)
-      : film_(film),
-        scattered_(light_layer(film, LightPart::scattered)),
-        reflected_(light_layer(film, LightPart::reflected)),
-        shadow_(shadow_layer(film)) {}
+  Denoiser(const Film& film, const Rows& rows, unsigned jobs, Canvas& canvas)
+      : film_(film), rows_(rows), jobs_(jobs), canvas_(canvas) {}
 
-  std::vector<Rgb> run(unsigned jobs) {
-    result_.resize(film_.size());
-    const std::uint32_t columns = (film_.width() + kTile - 1) / kTile;
-    const std::uint32_t rows = (film_.height() + kTile - 1) / kTile;
-    parallel_ordered(
-        std::size_t{columns} * rows, jobs,
-        [&](std::size_t tile) {
-          const auto number = static_cast<std::uint32_t>(tile);
-          filter(number % columns * kTile, number / columns * kTile);
-        },
-        [](std::size_t) {});
-    return std::move(result_);
+  void run(const DepthRange& depths) {
+    start();
+    const Features features = features_of(film_, depths, jobs_);
+    for (const LightPart part : {LightPart::scattered, LightPart::reflected}) {
+      const DenoiseLayer layer = light_layer(film_, part, jobs_);
+      const auto light = [part](const Sights& seen, const Rgb& value) {
+        return value * surface_color(seen, part);
+      };
+      if (part == LightPart::scattered) {
+        smooth<kScatteredTerms>(layer, features, light);
+      } else {
+        smooth<kReflectedTerms>(layer, features, light);
+      }
+    }
+    smooth<kShadowTerms>(shadow_layer(film_, jobs_), features,
+                         [](const Sights& seen, const Rgb& value) {
+                           return to_vec(seen.behind) * ((1 - value.x) / std::max(seen.count, 1U));
+                         });
   }
 
  private:
-  // Mean of the halves, each by its number of samples.
-  void filter(std::uint32_t left, std::uint32_t top) {
-    const auto scattered = smooth<kScatteredTerms>(scattered_, left, top);
-    const auto reflected = smooth<kReflectedTerms>(reflected_, left, top);
-    const auto shadow = smooth<kShadowTerms>(shadow_, left, top);
-    for (std::uint32_t y = 0; y < kTile && top + y < film_.height(); ++y) {
+  static constexpr std::size_t kScatteredTerms = 3 + kFeatures;
+  static constexpr std::size_t kReflectedTerms = 7;  // without the colour
+  static constexpr std::size_t kShadowTerms = 3;
+
+  std::size_t pixel(std::uint32_t x, std::uint32_t y) const {
+    return std::size_t{y} * film_.width() + x;
+  }
+
+  // Light that has no noise.
+  void start() {
+    for (std::size_t i = pixel(0, rows_.first); i < pixel(0, rows_.last); ++i) {
+      const Sights seen = film_.sights(i);
+      canvas_.radiance[i] = to_float3(to_vec(seen.direct) / Rgb(std::max(seen.count, 1U)));
+    }
+  }
+
+  // light(what is seen, value of the layer): what is added to the radiance.
+  template <std::size_t Terms, class Light>
+  void smooth(const DenoiseLayer& layer, const Features& features, const Light& light) {
+    const std::uint32_t columns = (film_.width() + kTile - 1) / kTile;
+    const std::uint32_t lines = (rows_.last - rows_.first + kTile - 1) / kTile;
+    parallel_ordered(
+        std::size_t{columns} * lines, jobs_,
+        [&](std::size_t tile) {
+          const auto number = static_cast<std::uint32_t>(tile);
+          const std::uint32_t left = number % columns * kTile;
+          const std::uint32_t top = rows_.first + number / columns * kTile;
+          const auto filter =
+              std::make_unique<TileFilter<Terms>>(layer, features, left, top - film_.held().first);
+          add_tile(*filter, left, top, light);
+        },
+        [](std::size_t) {});
+  }
+
+  template <class Filter, class Light>
+  void add_tile(Filter& filter, std::uint32_t left, std::uint32_t top, const Light& light) {
+    const bool matters = filter.matters();
+    if (matters) filter.run();
+    for (std::uint32_t y = 0; y < kTile && top + y < rows_.last; ++y) {
+      std::array<Float3, kTile> values{};
+      if (matters) values = filter.values(static_cast<int>(y));
       for (std::uint32_t x = 0; x < kTile && left + x < film_.width(); ++x) {
-        const std::size_t i = std::size_t{top + y} * film_.width() + left + x;
-        const Sights seen = film_.sights(i);
-        const double count = std::max(seen.count, 1U);
-        const std::size_t at = std::size_t{y} * kTile + x;
-        const Rgb shown = to_vec(seen.behind) * (1 - shadow[at].x);
-        result_[i] = (to_vec(seen.direct) + shown) / Rgb(count) +
-                     scattered[at] * surface_color(seen, LightPart::scattered) +
-                     reflected[at] * surface_color(seen, LightPart::reflected);
+        const std::size_t i = pixel(left + x, top + y);
+        const Rgb more = light(film_.sights(i), to_vec(values[x]));
+        canvas_.radiance[i] = to_float3(to_vec(canvas_.radiance[i]) + more);
       }
     }
   }
 
-  static constexpr std::size_t kScatteredTerms = 3 + DenoiseLayer::kFeatures;
-  static constexpr std::size_t kReflectedTerms = 7;  // without the colour
-  static constexpr std::size_t kShadowTerms = 3;
-
-  template <std::size_t Terms>
-  static std::vector<Rgb> smooth(const DenoiseLayer& layer, std::uint32_t left, std::uint32_t top) {
-    std::vector<Rgb> result(std::size_t{kTile} * kTile);
-    const auto filter = std::make_unique<TileFilter<Terms>>(layer, left, top);
-    if (!filter->matters()) return result;
-    filter->run();
-    for (int y = 0; y < kTile; ++y) {
-      const auto values = filter->values(y);
-      const auto row = static_cast<std::size_t>(y) * kTile;
-      for (std::size_t x = 0; x < kTile; ++x) result[row + x] = to_vec(values[x]);
-    }
-    return result;
-  }
-
   const Film& film_;
-  const DenoiseLayer scattered_, reflected_, shadow_;
-  std::vector<Rgb> result_;
+  const Rows rows_;
+  const unsigned jobs_;
+  Canvas& canvas_;
 };
 
 }  // namespace
 
-std::vector<Rgb> denoise(const Film& film, unsigned jobs) { return Denoiser(film).run(jobs); }
+void denoise(const Film& film, const Rows& rows, const DepthRange& depths, unsigned jobs,
+             Canvas& canvas) {
+  Denoiser(film, rows, jobs, canvas).run(depths);
+}
 
 }  // namespace gltfx::bake

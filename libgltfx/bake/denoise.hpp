@@ -7,15 +7,22 @@
 /// Nonlinearly Weighted First-order Regression for Denoising Monte Carlo Renderings (EGSR 2016).
 #pragma once
 
-#include <vector>
-
-#include "bake/film.hpp"
+#include "bake/canvas.hpp"
+#include "bake/denoise_planes.hpp"
 
 namespace gltfx::bake {
 
-/// Radiance by pixel, as Film::radiance() gives it without the noise. Deterministic: the same film
-/// gives the same picture on any number of threads. A film with fewer than two samples a pixel, or
-/// without noise, comes out as it is.
-std::vector<Rgb> denoise(const Film& film, unsigned jobs);
+/// Pixels beyond a tile's own that it depends on: how far neighbours are looked for, half the width
+/// of the patches that are compared, and what their variance depends on.
+constexpr int kNeighbours = 4;
+constexpr int kPatch = 2;
+constexpr std::uint32_t kDenoiseReach = kNeighbours + kPatch + kVarianceReach;
+
+/// Replaces the radiance of rows of the canvas, as expose() gives it, by the same without noise.
+/// The film holds the rows and kDenoiseReach more on either side, as far as the picture has them.
+/// Deterministic: the same numbers on any number of threads. A film with fewer than two samples a
+/// pixel, or without noise, comes out as it is.
+void denoise(const Film& film, const Rows& rows, const DepthRange& depths, unsigned jobs,
+             Canvas& canvas);
 
 }  // namespace gltfx::bake

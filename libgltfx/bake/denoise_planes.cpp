@@ -5,42 +5,67 @@
 #include <cmath>
 
 #include "bake/storage.hpp"
+#include "base/parallel.hpp"
 
 namespace gltfx::bake {
 namespace {
 
-// Means over squares of 2 * radius + 1 pixels, cut off at the edges.
-Plane blurred(const Plane& plane, std::uint32_t width, std::uint32_t height, int radius) {
-  const auto across = [radius](const float* from, float* to, std::size_t count,
-                               std::size_t stride) {
-    const auto n = static_cast<std::ptrdiff_t>(count);
-    const auto s = static_cast<std::ptrdiff_t>(stride);
-    double sum = 0;
-    std::ptrdiff_t first = 0;
-    std::ptrdiff_t last = 0;  // of the window [first, last)
-    for (std::ptrdiff_t i = 0; i < n; ++i) {
-      for (; last < std::min(n, i + radius + 1); ++last) sum += static_cast<double>(from[last * s]);
-      for (; first < i - radius; ++first) sum -= static_cast<double>(from[first * s]);
-      to[i * s] = static_cast<float>(std::max(sum, 0.0) / static_cast<double>(last - first));
+constexpr int kWide = 6;  // how far around halves are compared
+constexpr int kNear = 1;  // how far around variances are made alike
+static_assert(kWide + kNear == kVarianceReach);
+
+// visit(number in the planes, number in the picture) for each pixel that is held.
+template <class Visit>
+void for_pixels(const Film& film, unsigned jobs, const Visit& visit) {
+  const std::uint32_t rows = film.held().last - film.held().first;
+  const auto work = [&](std::size_t row) {
+    for (std::size_t i = row * film.width(); i < (row + 1) * film.width(); ++i) {
+      visit(i, film.first_pixel() + i);
     }
   };
-  Plane rows(plane.size());
-  Plane result(plane.size());
-  for (std::size_t y = 0; y < height; ++y) {
-    across(plane.data() + y * width, rows.data() + y * width, width, 1);
+  parallel_ordered(rows, jobs, work, [](std::size_t) {});
+}
+
+void blur_row(const float* from, float* to, std::size_t count, int radius) {
+  const auto n = static_cast<std::ptrdiff_t>(count);
+  double sum = 0;
+  std::ptrdiff_t first = 0;
+  std::ptrdiff_t last = 0;  // of the window [first, last)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    for (; last < std::min(n, i + radius + 1); ++last) sum += static_cast<double>(from[last]);
+    for (; first < i - radius; ++first) sum -= static_cast<double>(from[first]);
+    to[i] = static_cast<float>(std::max(sum, 0.0) / static_cast<double>(last - first));
   }
-  for (std::size_t x = 0; x < width; ++x) across(rows.data() + x, result.data() + x, height, width);
-  return result;
+}
+
+// Means over squares of 2 * radius + 1 pixels, cut off at the edges. Downwards each sum is one of
+// its own, the same wherever the plane begins.
+void blur(Plane& plane, std::size_t width, std::size_t height, int radius) {
+  Plane rows(plane.size());
+  for (std::size_t y = 0; y < height; ++y) {
+    blur_row(plane.data() + y * width, rows.data() + y * width, width, radius);
+  }
+  const auto reach = static_cast<std::size_t>(radius);
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::size_t first = y - std::min(y, reach);
+    const std::size_t last = std::min(y + reach + 1, height);
+    const float share = 1 / static_cast<float>(last - first);
+    float* to = plane.data() + y * width;
+    std::fill_n(to, width, 0.0F);
+    for (std::size_t row = first; row < last; ++row) {
+      const float* from = rows.data() + row * width;
+      for (std::size_t x = 0; x < width; ++x) to[x] += from[x] * share;
+    }
+  }
 }
 
 DenoiseLayer empty_layer(const Film& film, std::size_t channels) {
   DenoiseLayer layer;
   layer.width = film.width();
-  layer.height = film.height();
+  layer.height = film.held().last - film.held().first;
   layer.values.assign(channels, Plane(film.size()));
   layer.y.resize(film.size());
   layer.weight.resize(film.size());
-  for (Plane& plane : layer.features) plane.resize(film.size());
   return layer;
 }
 
@@ -51,25 +76,14 @@ float count_of(const PixelSums& sums, std::size_t half) {
 
 // What samples say of their spread is too much, since they are spread evenly on purpose: it is
 // scaled by how much the halves differ around.
-void settle_variance(DenoiseLayer& layer, const Plane& claimed, const Plane& apart) {
-  constexpr int kWide = 6;
-  const Plane seen = blurred(apart, layer.width, layer.height, kWide);
-  const Plane said = blurred(claimed, layer.width, layer.height, kWide);
-  layer.variance.resize(claimed.size());
+void settle_variance(DenoiseLayer& layer, Plane claimed, Plane apart) {
+  layer.variance = claimed;
+  blur(apart, layer.width, layer.height, kWide);
+  blur(claimed, layer.width, layer.height, kWide);
   for (std::size_t i = 0; i < claimed.size(); ++i) {
-    const float scale = said[i] > 0 ? std::min(seen[i] / said[i], 2.0F) : 1.0F;
-    layer.variance[i] = claimed[i] * scale;
+    layer.variance[i] *= claimed[i] > 0 ? std::min(apart[i] / claimed[i], 2.0F) : 1.0F;
   }
-  layer.variance = blurred(layer.variance, layer.width, layer.height, 1);
-}
-
-void read_features(const Sights& seen, std::size_t i, DenoiseLayer& layer) {
-  if (seen.alpha <= 0) return;
-  for (std::size_t c = 0; c < 3; ++c) {
-    layer.features[c][i] = seen.normal[c] / seen.alpha;
-    layer.features[4 + c][i] = seen.albedo[c] / seen.alpha;
-  }
-  layer.features[3][i] = seen.depth / seen.alpha;
+  blur(layer.variance, layer.width, layer.height, kNear);
 }
 
 // Where a colour is next to black, what it would show is guessed by the others.
@@ -79,35 +93,45 @@ Rgb light_on(const Rgb& sent, const Rgb& color) {
   return (sent + Rgb(kBlack * mean)) / (color + Rgb(kBlack));
 }
 
-// Depths in parts of what lies between the nearest and the farthest.
-void scale_depth(Plane& depth) {
-  float nearest = 0;
-  float farthest = 0;
-  for (const float z : depth) {
-    if (z <= 0) continue;
-    nearest = nearest == 0 ? z : std::min(nearest, z);
-    farthest = std::max(farthest, z);
-  }
-  const float scale = farthest > nearest ? 1 / (farthest - nearest) : 0;
-  for (float& z : depth) z = z > 0 ? std::min((z - nearest) * scale, 1.0F) : 0.0F;
+// In parts of what lies between the nearest and the farthest; behind glass there may be more.
+float scaled_depth(float z, const DepthRange& depths) {
+  constexpr float kBeyond = 2;
+  const float span = depths.farthest - depths.nearest;
+  if (!(span > 0 && z > 0)) return 0;
+  return std::clamp((z - depths.nearest) / span, 0.0F, kBeyond);
 }
 
 }  // namespace
+
+Features features_of(const Film& film, const DepthRange& depths, unsigned jobs) {
+  Features features;
+  for (Plane& plane : features) plane.resize(film.size());
+  for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
+    const Sights seen = film.sights(pixel);
+    if (seen.alpha <= 0) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+      features[c][i] = seen.normal[c] / seen.alpha;
+      features[4 + c][i] = seen.albedo[c] / seen.alpha;
+    }
+    features[3][i] = scaled_depth(seen.depth / seen.alpha, depths);
+  });
+  return features;
+}
 
 Rgb surface_color(const Sights& seen, LightPart part) {
   const double count = std::max(seen.count, 1U);
   return to_vec(part == LightPart::scattered ? seen.albedo : seen.mirror) / Rgb(count);
 }
 
-DenoiseLayer light_layer(const Film& film, LightPart part) {
+DenoiseLayer light_layer(const Film& film, LightPart part, unsigned jobs) {
   DenoiseLayer layer = empty_layer(film, 3);
   Plane claimed(film.size());
   Plane apart(film.size());
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const PixelSums& sums = film.at(i);
+  for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
+    const PixelSums& sums = film.at(pixel);
     const Rgb color = surface_color(sums.sights, part);
     layer.weight[i] = sums.sights.alpha / static_cast<float>(std::max(sums.samples, 1U));
-    if (!(max_value(color) > 0)) continue;
+    if (!(max_value(color) > 0)) return;
     const auto& halves = part == LightPart::scattered ? sums.scattered : sums.reflected;
     std::array<Rgb, 2> light;
     for (std::size_t half = 0; half < 2; ++half) {
@@ -119,25 +143,23 @@ DenoiseLayer light_layer(const Film& film, LightPart part) {
     layer.y[i] = static_cast<float>(luminance(mean));
     const double difference = luminance(light[0]) - luminance(light[1]);
     apart[i] = static_cast<float>(difference * difference / 4) * layer.weight[i];
-    const double error = film.error(i, part) / luminance(color);
+    const double error = film.error(pixel, part) / luminance(color);
     claimed[i] = static_cast<float>(error * error * static_cast<double>(layer.weight[i]));
-    read_features(film.sights(i), i, layer);
-  }
-  scale_depth(layer.features[3]);
-  settle_variance(layer, claimed, apart);
+  });
+  settle_variance(layer, std::move(claimed), std::move(apart));
   return layer;
 }
 
-DenoiseLayer shadow_layer(const Film& film) {
+DenoiseLayer shadow_layer(const Film& film, unsigned jobs) {
   DenoiseLayer layer = empty_layer(film, 1);
   Plane claimed(film.size());
   Plane apart(film.size());
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const PixelSums& sums = film.at(i);
+  for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
+    const PixelSums& sums = film.at(pixel);
     const auto seen = static_cast<float>(luminance(to_vec(sums.sights.behind)));
     const float alpha = sums.sights.alpha / static_cast<float>(std::max(sums.samples, 1U));
     layer.weight[i] = std::max(1 - alpha, 0.0F);
-    if (!(seen > 0)) continue;
+    if (!(seen > 0)) return;
     std::array<float, 2> part{};
     for (std::size_t half = 0; half < 2; ++half) {
       part[half] =
@@ -148,8 +170,8 @@ DenoiseLayer shadow_layer(const Film& film) {
     apart[i] = (part[0] - part[1]) * (part[0] - part[1]) / 4 * layer.weight[i];
     // As if each sample said yes or no.
     claimed[i] = mean / static_cast<float>(sums.samples) * layer.weight[i];
-  }
-  settle_variance(layer, claimed, apart);
+  });
+  settle_variance(layer, std::move(claimed), std::move(apart));
   return layer;
 }
 

@@ -11,12 +11,12 @@
 namespace gltfx::bake {
 namespace {
 
-Picture blank(const Film& film, std::uint32_t channels, Numbers numbers) {
+Picture blank(const Canvas& canvas, std::uint32_t channels, Numbers numbers) {
   Picture picture;
-  picture.width = film.width();
-  picture.height = film.height();
+  picture.width = canvas.width;
+  picture.height = canvas.height;
   picture.channels = channels;
-  const std::size_t count = film.size() * channels;
+  const std::size_t count = canvas.size() * channels;
   if (numbers == Numbers::bytes) {
     picture.bytes.reserve(count);
   } else {
@@ -37,10 +37,6 @@ void add_color(Picture& picture, const Float3& color, bool encoded, Numbers numb
   }
 }
 
-Float3 mean(const Float3& sum, float count) {
-  return {sum[0] / count, sum[1] / count, sum[2] / count};
-}
-
 Float3 material_color(std::uint32_t material) {
   const std::uint32_t bits = mix_bits(material + 1);
   return {static_cast<float>(bits & 0xFFU) / 255.0F,
@@ -49,13 +45,12 @@ Float3 material_color(std::uint32_t material) {
 }
 
 // Nearest and farthest distance of what is seen.
-std::pair<float, float> depth_range(const Film& film) {
+std::pair<float, float> depth_range(const Canvas& canvas) {
   float nearest = 0;
   float farthest = 0;
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const Sights seen = film.sights(i);
-    if (seen.alpha <= 0) continue;
-    const float z = seen.depth / seen.alpha;
+  for (std::size_t i = 0; i < canvas.depth.size(); ++i) {
+    const float z = canvas.depth[i];
+    if (canvas.alpha[i] <= 0) continue;
     nearest = nearest == 0 ? z : std::min(nearest, z);
     farthest = std::max(farthest, z);
   }
@@ -64,20 +59,19 @@ std::pair<float, float> depth_range(const Film& film) {
 
 Float3 grey(float value) { return {value, value, value}; }
 
-Float3 layer_color(const Sights& seen, std::uint32_t material, Layer layer, Numbers numbers,
+Float3 layer_color(const Canvas& canvas, std::size_t i, Layer layer, Numbers numbers,
                    const std::pair<float, float>& range) {
-  const auto count = static_cast<float>(std::max(seen.count, 1U));
-  if (seen.alpha <= 0) return {0, 0, 0};
+  if (canvas.alpha[i] <= 0) return {0, 0, 0};
   switch (layer) {
     case Layer::albedo:
-      return mean(seen.albedo, count);
+      return canvas.albedo[i];
     case Layer::normal: {
-      const Float3 n = mean(seen.normal, count);
+      const Float3& n = canvas.normal[i];
       if (numbers == Numbers::floats) return n;
       return {n[0] / 2 + 0.5F, n[1] / 2 + 0.5F, n[2] / 2 + 0.5F};
     }
     case Layer::depth: {
-      const float z = seen.depth / seen.alpha;
+      const float z = canvas.depth[i];
       if (numbers == Numbers::floats) return grey(z);
       const float span = std::max(range.second - range.first, 1e-12F);
       return grey(1 - 0.9F * (z - range.first) / span);
@@ -85,44 +79,46 @@ Float3 layer_color(const Sights& seen, std::uint32_t material, Layer layer, Numb
     case Layer::material:
       break;
   }
+  const std::uint32_t material = canvas.material[i];
   return numbers == Numbers::floats ? grey(static_cast<float>(material)) : material_color(material);
 }
 
 }  // namespace
 
-Picture develop(const Film& film, const std::vector<Rgb>& radiance, bool alpha, Numbers numbers) {
-  Picture picture = blank(film, alpha ? 4 : 3, numbers);
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const double covered = film.alpha(i);
-    const double scale = alpha && covered > 0 ? 1 / covered : 1;
-    const Float3 light = to_float3(radiance[i] * scale);
+Picture develop(const Canvas& canvas, bool alpha, Numbers numbers) {
+  Picture picture = blank(canvas, alpha ? 4 : 3, numbers);
+  for (std::size_t i = 0; i < canvas.size(); ++i) {
+    const float covered = canvas.alpha[i];
+    const float scale = alpha && covered > 0 ? 1 / covered : 1;
+    const Float3& from = canvas.radiance[i];
+    const Float3 light{from[0] * scale, from[1] * scale, from[2] * scale};
     add_color(picture, numbers == Numbers::bytes ? tone_map(light) : light, false, numbers);
     if (!alpha) continue;
     if (numbers == Numbers::bytes) {
-      picture.bytes.push_back(to_byte(static_cast<float>(covered)));
+      picture.bytes.push_back(to_byte(covered));
     } else {
-      picture.floats.push_back(static_cast<float>(covered));
+      picture.floats.push_back(covered);
     }
   }
   return picture;
 }
 
-Picture develop_layer(const Film& film, Layer layer, Numbers numbers) {
-  Picture picture = blank(film, 3, numbers);
-  const auto range = depth_range(film);
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    const Float3 color = layer_color(film.sights(i), film.at(i).material, layer, numbers, range);
+Picture develop_layer(const Canvas& canvas, Layer layer, Numbers numbers) {
+  Picture picture = blank(canvas, 3, numbers);
+  const auto range = depth_range(canvas);
+  for (std::size_t i = 0; i < canvas.size(); ++i) {
+    const Float3 color = layer_color(canvas, i, layer, numbers, range);
     add_color(picture, color, layer != Layer::albedo, numbers);
   }
   return picture;
 }
 
-double mean_square_difference(const Picture& a, const Picture& b, const Film& film_a,
-                              const Film& film_b) {
+double mean_square_difference(const Picture& a, const Picture& b, const Canvas& canvas_a,
+                              const Canvas& canvas_b) {
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < film_a.size(); ++i) {
-    if (film_a.alpha(i) <= 0 && film_b.alpha(i) <= 0) continue;
+  for (std::size_t i = 0; i < canvas_a.size(); ++i) {
+    if (canvas_a.alpha[i] <= 0 && canvas_b.alpha[i] <= 0) continue;
     for (std::size_t c = i * a.channels; c < (i + 1) * a.channels; ++c) {
       const double apart = static_cast<double>(a.bytes[c]) - static_cast<double>(b.bytes[c]);
       sum += apart * apart;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bake/film.hpp"
+#include "bake/canvas.hpp"
 
 namespace gltfx::bake {
 
@@ -20,19 +20,18 @@ struct Picture {
 /// What the pixels are to be used for.
 enum class Numbers : std::uint8_t { bytes, floats };
 
-/// The picture itself. `radiance`: by pixel, as Film::radiance() or denoise() give it. With `alpha`
-/// there are four channels.
-Picture develop(const Film& film, const std::vector<Rgb>& radiance, bool alpha, Numbers numbers);
+/// The picture itself. With `alpha` there are four channels.
+Picture develop(const Canvas& canvas, bool alpha, Numbers numbers);
 
 enum class Layer : std::uint8_t { albedo, normal, depth, material };
 
-/// Of what was seen first, averaged over the samples.
-Picture develop_layer(const Film& film, Layer layer, Numbers numbers);
+/// Of what was seen first. Precondition: the canvas has the layer.
+Picture develop_layer(const Canvas& canvas, Layer layer, Numbers numbers);
 
-/// The mean square of the difference of bytes, over pixels in which either film shows something.
-/// Precondition: pictures and films of one size and number of channels.
-double mean_square_difference(const Picture& a, const Picture& b, const Film& film_a,
-                              const Film& film_b);
+/// The mean square of the difference of bytes, over pixels in which either canvas shows something.
+/// Precondition: pictures and canvases of one size and number of channels.
+double mean_square_difference(const Picture& a, const Picture& b, const Canvas& canvas_a,
+                              const Canvas& canvas_b);
 
 /// How much they differ, by pixel: grey where they are equal, and four times the difference around
 /// it.

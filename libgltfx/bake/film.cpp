@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bake/storage.hpp"
 
@@ -46,8 +47,26 @@ void add(Sights& sights, const PathSample& sample) {
   sights.depth += static_cast<float>(sample.depth);
 }
 
+void Film::hold(const Rows& rows) {
+  const std::size_t lost = std::min(std::size_t{rows.first - held_.first} * width_, size());
+  pixels_.erase(pixels_.begin(), pixels_.begin() + static_cast<std::ptrdiff_t>(lost));
+  std::vector<std::uint32_t> looked(looked_.begin() + static_cast<std::ptrdiff_t>(lost),
+                                    looked_.end());
+  std::vector<Sights> looks;
+  for (std::uint32_t& each : looked) {
+    if (each == kNone) continue;
+    looks.push_back(looks_[each]);
+    each = static_cast<std::uint32_t>(looks.size() - 1);
+  }
+  held_ = rows;
+  pixels_.resize(std::size_t{rows.last - rows.first} * width_);
+  looked.resize(pixels_.size(), kNone);
+  looked_ = std::move(looked);
+  looks_ = std::move(looks);
+}
+
 void Film::add(std::size_t pixel, const PathSample& sample) {
-  PixelSums& sums = pixels_[pixel];
+  PixelSums& sums = pixels_[pixel - first_pixel()];
   const std::size_t half = sums.samples & 1U;
   ++sums.samples;
   sums.rays += sample.rays;
@@ -73,7 +92,7 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
 bool Film::is_mixed(std::size_t pixel) const {
   constexpr double kColors = 3e-4;  // variances
   constexpr double kNormals = 1e-2;
-  const PixelSums& sums = pixels_[pixel];
+  const PixelSums& sums = at(pixel);
   if (sums.clear || sums.samples == 0 || sums.sights.alpha <= 0) return false;
   const double count = sums.samples;
   if (alpha(pixel) < 1 - 1e-4) return true;
@@ -86,15 +105,15 @@ bool Film::is_mixed(std::size_t pixel) const {
 }
 
 void Film::add_sights(std::size_t pixel, const Sights& sights) {
-  if (looked_.empty()) looked_.assign(pixels_.size(), kNone);
-  looked_[pixel] = static_cast<std::uint32_t>(looks_.size());
+  looked_[pixel - first_pixel()] = static_cast<std::uint32_t>(looks_.size());
   looks_.push_back(sights);
 }
 
 Sights Film::sights(std::size_t pixel) const {
-  Sights sum = pixels_[pixel].sights;
-  if (looked_.empty() || looked_[pixel] == kNone) return sum;
-  const Sights& more = looks_[looked_[pixel]];
+  Sights sum = at(pixel).sights;
+  const std::uint32_t looked = looked_[pixel - first_pixel()];
+  if (looked == kNone) return sum;
+  const Sights& more = looks_[looked];
   sum.count += more.count;
   add_to(sum.direct, to_vec(more.direct));
   add_to(sum.behind, to_vec(more.behind));
@@ -107,7 +126,7 @@ Sights Film::sights(std::size_t pixel) const {
 }
 
 Rgb Film::radiance(std::size_t pixel) const {
-  const PixelSums& sums = pixels_[pixel];
+  const PixelSums& sums = at(pixel);
   if (sums.samples == 0) return {};
   const Rgb behind = to_vec(sums.sights.behind);
   const double seen = luminance(behind);
@@ -122,12 +141,12 @@ double Film::alpha(std::size_t pixel) const {
 }
 
 double Film::error(std::size_t pixel) const {
-  const PixelSums& sums = pixels_[pixel];
+  const PixelSums& sums = at(pixel);
   return standard_error(sums.samples, noisy(sums), sums.square);
 }
 
 double Film::error(std::size_t pixel, LightPart part) const {
-  const PixelSums& sums = pixels_[pixel];
+  const PixelSums& sums = at(pixel);
   const bool scattered = part == LightPart::scattered;
   const auto& halves = scattered ? sums.scattered : sums.reflected;
   return standard_error(sums.samples, to_vec(halves[0]) + to_vec(halves[1]),

@@ -38,15 +38,29 @@ struct PixelSums {
 /// What noise is in.
 enum class LightPart : std::uint8_t { scattered, reflected };
 
+/// Rows of a picture, from the top: [first, last).
+struct Rows {
+  std::uint32_t first = 0, last = 0;
+};
+
+/// Pixels count through the whole picture, row by row, whichever rows are held.
 class Film {
  public:
-  Film(std::uint32_t width, std::uint32_t height)
-      : width_(width), height_(height), pixels_(std::size_t{width} * height) {}
+  /// Holds all rows.
+  Film(std::uint32_t width, std::uint32_t height) : Film(width, height, {0, height}) {}
+  Film(std::uint32_t width, std::uint32_t height, const Rows& held)
+      : width_(width), height_(height) {
+    hold(held);
+  }
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
+  const Rows& held() const { return held_; }
+  /// Rows that are held no longer are lost; new ones are empty. Neither end moves up.
+  void hold(const Rows& rows);
+
   void add(std::size_t pixel, const PathSample& sample);
-  const PixelSums& at(std::size_t pixel) const { return pixels_[pixel]; }
+  const PixelSums& at(std::size_t pixel) const { return pixels_[pixel - first_pixel()]; }
 
   /// Whether samples of the pixel saw different things, so that more looks tell more.
   bool is_mixed(std::size_t pixel) const;
@@ -54,7 +68,9 @@ class Film {
   void add_sights(std::size_t pixel, const Sights& sights);
   /// What was seen by samples and looks.
   Sights sights(std::size_t pixel) const;
+  /// Pixels that are held, and the first one of them.
   std::size_t size() const { return pixels_.size(); }
+  std::size_t first_pixel() const { return std::size_t{held_.first} * width_; }
 
   /// Mean radiance, multiplied by alpha where the background is transparent.
   Rgb radiance(std::size_t pixel) const;
@@ -66,8 +82,10 @@ class Film {
 
  private:
   std::uint32_t width_, height_;
+  Rows held_;
+  // Of the rows that are held:
   std::vector<PixelSums> pixels_;
-  std::vector<std::uint32_t> looked_;  ///< by pixel, index in looks_ or kNone; empty without looks
+  std::vector<std::uint32_t> looked_;  ///< by pixel, index in looks_ or kNone
   std::vector<Sights> looks_;
 };
 

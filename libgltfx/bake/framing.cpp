@@ -19,8 +19,6 @@ constexpr double kStrayFactor = 3;    // core extents that a point may lie from 
 constexpr double kYfov = 28 * std::numbers::pi / 180;
 constexpr double kMargin = 0.90;  // part of the picture that the subject may fill
 
-double component(const Vec3d& v, std::size_t axis) { return v[static_cast<int>(axis)]; }
-
 bool is_sane(const Vec3d& p) {
   constexpr double kFar = 1e18;  // beyond that there is no ray
   return std::fabs(p.x) < kFar && std::fabs(p.y) < kFar && std::fabs(p.z) < kFar;
@@ -45,11 +43,13 @@ Subject surfaces_of(const Scene& scene) {
   for (const Instance& each : scene.instances) triangles += visible_triangles(scene, each);
   const std::size_t step = triangles * 3 / kMostPoints + 1;
   Subject subject;
+  subject.points.reserve(3 * (triangles / step + 1));
+  subject.faces.reserve(triangles / step + 1);
   std::size_t next = 0;  // of the triangles that are still to come
   for (const Instance& each : scene.instances) {
     const Mesh& mesh = scene.meshes[each.mesh];
     const bool culled = is_culled(material_of(scene, mesh));
-    const double side = determinant(each.to_world) < 0 ? -0.5 : 0.5;
+    const bool mirrored = determinant(each.to_world) < 0;
     const std::size_t own = visible_triangles(scene, each);
     for (; next < own; next += step) {
       std::array<Vec3d, 3> p;
@@ -57,8 +57,8 @@ Subject surfaces_of(const Scene& scene) {
         p[i] = transform_point(each.to_world, to_vec(mesh.positions[mesh.triangles[next][i]]));
       }
       if (!std::all_of(p.begin(), p.end(), is_sane)) continue;
-      subject.points.insert(subject.points.end(), p.begin(), p.end());
-      subject.faces.push_back({side * cross(p[1] - p[0], p[2] - p[0]), culled});
+      for (const Vec3d& corner : p) subject.points.push_back(to_float3(corner));
+      subject.faces.push_back({mirrored, culled});
     }
     next -= own;
   }
@@ -66,10 +66,10 @@ Subject surfaces_of(const Scene& scene) {
 }
 
 // Along one axis: from where to where points belong to the subject.
-std::pair<double, double> limits_along(const std::vector<Vec3d>& points, std::size_t axis) {
-  std::vector<double> values;
+std::pair<double, double> limits_along(const std::vector<Float3>& points, std::size_t axis) {
+  std::vector<float> values;
   values.reserve(points.size());
-  for (const Vec3d& p : points) values.push_back(component(p, axis));
+  for (const Float3& p : points) values.push_back(p[axis]);
   const auto at = [&values](std::size_t index) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
     std::nth_element(values.begin(), place, values.end());
@@ -90,10 +90,10 @@ void drop_strays(Subject& subject) {
     longest = std::max(longest, core[axis].second - core[axis].first);
   }
   if (!(longest > 0)) return;
-  const auto strays = [&](const Vec3d& p) {
+  const auto strays = [&](const Float3& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double middle = (core[axis].first + core[axis].second) / 2;
-      if (std::fabs(component(p, axis) - middle) > kStrayFactor * longest) return true;
+      if (std::fabs(static_cast<double>(p[axis]) - middle) > kStrayFactor * longest) return true;
     }
     return false;
   };
@@ -114,15 +114,23 @@ Vec3d backward_of(const Direction& direction) {
   return {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
 }
 
+// Normal of a face on its front, as long as twice its area.
+Vec3d area_of(const Subject& subject, std::size_t face) {
+  const Float3* corners = &subject.points[3 * face];
+  const Vec3d first = to_vec(corners[0]);
+  const Vec3d area = cross(to_vec(corners[1]) - first, to_vec(corners[2]) - first);
+  return subject.faces[face].mirrored ? -area : area;
+}
+
 // What part of the surfaces that are looked at from there shows something: back faces do not.
 double fronts_seen(const Subject& subject, const Direction& direction) {
   const Vec3d backward = backward_of(direction);
   double seen = 0;
   double all = 0;
-  for (const Face& face : subject.faces) {
-    const double area = dot(face.area, backward);
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    const double area = dot(area_of(subject, i), backward);
     all += std::fabs(area);
-    seen += face.culled ? std::max(0.0, area) : std::fabs(area);
+    seen += subject.faces[i].culled ? std::max(0.0, area) : std::fabs(area);
   }
   return all > 0 ? seen / all : 0.0;
 }
@@ -134,11 +142,11 @@ struct Slanted {
   double nearest = left;
 };
 
-Slanted slant(const std::vector<Vec3d>& points, const View& view, const Vec3d& middle, double wide,
+Slanted slant(const std::vector<Float3>& points, const View& view, const Vec3d& middle, double wide,
               double high) {
   Slanted s;
-  for (const Vec3d& point : points) {
-    const Vec3d p = point - middle;
+  for (const Float3& point : points) {
+    const Vec3d p = to_vec(point) - middle;
     const double x = dot(p, view.right);
     const double y = dot(p, view.up);
     const double z = dot(p, view.backward);
@@ -159,8 +167,9 @@ std::optional<Subject> find_subject(const Scene& scene) {
   Subject subject = surfaces_of(scene);
   if (subject.points.empty()) return std::nullopt;
   drop_strays(subject);
-  subject.least = subject.greatest = subject.points.front();
-  for (const Vec3d& p : subject.points) {
+  subject.least = subject.greatest = to_vec(subject.points.front());
+  for (const Float3& point : subject.points) {
+    const Vec3d p = to_vec(point);
     subject.least = {std::min(subject.least.x, p.x), std::min(subject.least.y, p.y),
                      std::min(subject.least.z, p.z)};
     subject.greatest = {std::max(subject.greatest.x, p.x), std::max(subject.greatest.y, p.y),

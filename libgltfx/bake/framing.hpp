@@ -14,14 +14,14 @@ namespace gltfx::bake {
 
 /// A triangle, as far as its sides matter.
 struct Face {
-  Vec3d area;           ///< its normal on the front, as long as its area
-  bool culled = false;  ///< there is nothing to see of it from behind
+  bool mirrored = false;  ///< its corners are clockwise seen from the front
+  bool culled = false;    ///< there is nothing to see of it from behind
 };
 
 /// What a scene is about: triangles of its surfaces without those that stray, and the box around
 /// them.
 struct Subject {
-  std::vector<Vec3d> points;  ///< corners, three for each face
+  std::vector<Float3> points;  ///< corners, three for each face
   std::vector<Face> faces;
   Vec3d least, greatest;
 

@@ -2,6 +2,7 @@
 #include "bake/render.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -26,15 +27,17 @@ double tent(float random) {
 
 class Renderer {
  public:
-  Renderer(const PathSetting& setting, const View& view, const RenderOptions& options)
+  Renderer(const PathSetting& setting, const View& view, const RenderOptions& options,
+           const Rows& rows, Film& film)
       : setting_(setting),
         view_(view),
         options_(options),
-        film_(options.width, options.height),
+        rows_(rows),
+        film_(film),
         columns_((options.width + kTile - 1) / kTile),
-        done_(std::size_t{columns_} * ((options.height + kTile - 1) / kTile), 0) {}
+        done_(std::size_t{columns_} * ((rows.last - rows.first + kTile - 1) / kTile), 0) {}
 
-  Film run() {
+  void run() {
     const bool steady = options_.seconds <= 0 && options_.noise <= 0;
     const std::uint32_t round = steady ? options_.samples : kRound;
     for (std::uint32_t first = 0; first < options_.samples; first += round) {
@@ -42,7 +45,6 @@ class Renderer {
       if (!render_round(first, last) || out_of_time()) break;
     }
     if (options_.looks > 0) look_again();
-    return std::move(film_);
   }
 
  private:
@@ -92,8 +94,8 @@ class Renderer {
   template <class Visit>
   void for_pixels(std::uint32_t tile, const Visit& visit) const {
     const std::uint32_t left = tile % columns_ * kTile;
-    const std::uint32_t top = tile / columns_ * kTile;
-    for (std::uint32_t y = top; y < std::min(top + kTile, options_.height); ++y) {
+    const std::uint32_t top = rows_.first + tile / columns_ * kTile;
+    for (std::uint32_t y = top; y < std::min(top + kTile, rows_.last); ++y) {
       for (std::uint32_t x = left; x < std::min(left + kTile, options_.width); ++x) visit(x, y);
     }
   }
@@ -102,18 +104,14 @@ class Renderer {
     if (options_.progress) options_.progress(part);
   }
 
+  // The worst row of a tile tells whether it has enough.
   void render_tile(std::uint32_t tile, std::uint32_t first, std::uint32_t last) {
-    const std::uint32_t left = tile % columns_ * kTile;
-    const std::uint32_t top = tile / columns_ * kTile;
-    double worst = 0;
-    for (std::uint32_t y = top; y < std::min(top + kTile, options_.height); ++y) {
-      double row = 0;
-      for (std::uint32_t x = left; x < std::min(left + kTile, options_.width); ++x) {
-        for (std::uint32_t sample = first; sample < last; ++sample) render_sample(x, y, sample);
-        row += visible_error(std::size_t{y} * options_.width + x);
-      }
-      worst = std::max(worst, row / kTile);
-    }
+    std::array<double, kTile> errors{};
+    for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
+      for (std::uint32_t sample = first; sample < last; ++sample) render_sample(x, y, sample);
+      errors[(y - rows_.first) % kTile] += visible_error(std::size_t{y} * options_.width + x);
+    });
+    const double worst = *std::max_element(errors.begin(), errors.end()) / kTile;
     if (options_.noise > 0 && last >= 2 * kRound && worst < options_.noise) done_[tile] = 1;
   }
 
@@ -159,7 +157,8 @@ class Renderer {
   const PathSetting& setting_;
   const View& view_;
   const RenderOptions& options_;
-  Film film_;
+  const Rows rows_;
+  Film& film_;
   std::uint32_t columns_;
   std::vector<std::uint8_t> done_;  // tiles; not bool, of which neighbours share a byte
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
@@ -167,8 +166,15 @@ class Renderer {
 
 }  // namespace
 
+void render_rows(const PathSetting& setting, const View& view, const RenderOptions& options,
+                 const Rows& rows, Film& film) {
+  Renderer(setting, view, options, rows, film).run();
+}
+
 Film render(const PathSetting& setting, const View& view, const RenderOptions& options) {
-  return Renderer(setting, view, options).run();
+  Film film(options.width, options.height);
+  render_rows(setting, view, options, film.held(), film);
+  return film;
 }
 
 }  // namespace gltfx::bake

@@ -27,7 +27,12 @@ struct RenderOptions {
   std::function<void(double)> progress;
 };
 
-/// The same bytes for any number of jobs unless there is a limit of time.
+/// Renders rows that the film holds and that are new to it: the same numbers for any number of jobs
+/// and whichever rows come at a time, unless there is a limit of time.
+void render_rows(const PathSetting& setting, const View& view, const RenderOptions& options,
+                 const Rows& rows, Film& film);
+
+/// All rows.
 Film render(const PathSetting& setting, const View& view, const RenderOptions& options);
 
 }  // namespace gltfx::bake

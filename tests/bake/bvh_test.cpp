@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/parallel.hpp"
+#include "base/support/two_at_once.hpp"
 #include "shapes.hpp"
 
 namespace gltfx::bake {
@@ -109,6 +111,13 @@ TEST(Bvh, BlendingIsCoverage) {
   }
   EXPECT_NEAR(first / 4000.0, 0.25, 0.02);
   EXPECT_NEAR(second / 4000.0, 0.75 * 0.25, 0.02);
+}
+
+TEST(Bvh, LeavesThreadsToThoseWhoTrace) {
+  if (default_jobs() < 2) GTEST_SKIP() << "one processor";
+  const Scene scene = scene_of(square());
+  const Bvh bvh = bvh_of(scene);
+  EXPECT_TRUE(test::two_run_at_once());
 }
 
 TEST(Bvh, NothingToHitIsNoFault) {

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::FloatEq;
 
 // Two pixels: half covered by something grey, and nothing.
-Film two_pixels() {
+Canvas two_pixels() {
   Film film(2, 1);
   PathSample there;
   there.direct = Rgb(0.5);
@@ -26,10 +26,10 @@ Film two_pixels() {
   film.add(0, PathSample());
   film.add(1, PathSample());
   film.add(1, PathSample());
-  return film;
+  Canvas canvas(2, 1, {true, true, true, true});
+  expose(film, {0, 1}, canvas);
+  return canvas;
 }
-
-std::vector<Rgb> radiance(const Film& film) { return {film.radiance(0), film.radiance(1)}; }
 
 TEST(Film, KeepsMeansAndErrors) {
   Film film(1, 1);
@@ -50,38 +50,70 @@ TEST(Film, WhatIsNoNumberIsLeftOut) {
   EXPECT_EQ(film.radiance(0), Rgb());
 }
 
+TEST(Film, HoldsSomeRowsOnly) {
+  Film film(1, 4, {0, 2});
+  PathSample sample;
+  sample.scattered = Rgb(1);
+  sample.albedo = Rgb(0.5);
+  film.add(1, sample);
+  Sights more;
+  bake::add(more, sample);
+  film.add_sights(0, more);
+  film.add_sights(1, more);
+  film.hold({1, 4});
+  EXPECT_EQ(film.size(), 3U);
+  EXPECT_EQ(film.first_pixel(), 1U);
+  EXPECT_EQ(film.radiance(1), Rgb(1));
+  EXPECT_EQ(film.sights(1).count, 2U);
+  film.add(3, sample);
+  EXPECT_EQ(film.at(2).samples, 0U);
+  EXPECT_EQ(film.sights(3).count, 1U);
+  film.hold({2, 4});
+  EXPECT_EQ(film.radiance(3), Rgb(1));
+  EXPECT_EQ(film.sights(2).count, 0U);
+}
+
+TEST(Canvas, HasTheLayersThatAreWanted) {
+  Film film(1, 1);
+  film.add(0, PathSample());
+  Canvas canvas(1, 1, {.normal = true});
+  expose(film, {0, 1}, canvas);
+  EXPECT_EQ(canvas.normal.size(), 1U);
+  EXPECT_TRUE(canvas.albedo.empty() && canvas.depth.empty() && canvas.material.empty());
+}
+
 TEST(Develop, AlphaIsNotMultipliedIn) {
-  const Film film = two_pixels();
-  const Picture picture = develop(film, radiance(film), true, Numbers::floats);
+  const Canvas canvas = two_pixels();
+  const Picture picture = develop(canvas, true, Numbers::floats);
   EXPECT_EQ(picture.channels, 4U);
   EXPECT_THAT(picture.floats, ElementsAre(0.5F, 0.5F, 0.5F, 0.5F, 0, 0, 0, 0));
   EXPECT_TRUE(picture.bytes.empty());
 }
 
 TEST(Develop, BytesAreToneMapped) {
-  const Film film = two_pixels();
-  const Picture picture = develop(film, radiance(film), false, Numbers::bytes);
+  const Canvas canvas = two_pixels();
+  const Picture picture = develop(canvas, false, Numbers::bytes);
   const auto expected = to_byte(srgb_encode(tone_map({0.25F, 0.25F, 0.25F})[0]));
   EXPECT_THAT(picture.bytes, ElementsAre(expected, expected, expected, 0, 0, 0));
 }
 
 TEST(Develop, Layers) {
-  const Film film = two_pixels();
-  EXPECT_THAT(develop_layer(film, Layer::albedo, Numbers::floats).floats,
+  const Canvas canvas = two_pixels();
+  EXPECT_THAT(develop_layer(canvas, Layer::albedo, Numbers::floats).floats,
               ElementsAre(0.125F, 0.25F, 0.5F, 0, 0, 0));
-  EXPECT_THAT(develop_layer(film, Layer::normal, Numbers::bytes).bytes,
+  EXPECT_THAT(develop_layer(canvas, Layer::normal, Numbers::bytes).bytes,
               ElementsAre(128, 128, 255, 0, 0, 0));
-  EXPECT_THAT(develop_layer(film, Layer::depth, Numbers::floats).floats,
+  EXPECT_THAT(develop_layer(canvas, Layer::depth, Numbers::floats).floats,
               ElementsAre(FloatEq(4), FloatEq(4), FloatEq(4), 0, 0, 0));
-  EXPECT_EQ(develop_layer(film, Layer::depth, Numbers::bytes).bytes[0], 255);
-  EXPECT_EQ(develop_layer(film, Layer::material, Numbers::floats).floats[0], 3);
+  EXPECT_EQ(develop_layer(canvas, Layer::depth, Numbers::bytes).bytes[0], 255);
+  EXPECT_EQ(develop_layer(canvas, Layer::material, Numbers::floats).floats[0], 3);
 }
 
 TEST(Develop, DifferencesCountWhereThereIsSomething) {
-  const Film film = two_pixels();
+  const Canvas canvas = two_pixels();
   const Picture a{2, 1, 3, {10, 20, 30, 0, 0, 0}, {}};
   const Picture b{2, 1, 3, {13, 20, 30, 99, 99, 99}, {}};
-  EXPECT_DOUBLE_EQ(mean_square_difference(a, b, film, film), 3);
+  EXPECT_DOUBLE_EQ(mean_square_difference(a, b, canvas, canvas), 3);
   EXPECT_THAT(difference(a, b).bytes, ElementsAre(116, 128, 128, 0, 0, 0));
 }
 

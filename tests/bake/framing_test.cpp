@@ -25,7 +25,8 @@ void expect_framed(const Scene& scene, double aspect) {
   const View view = frame(*subject, usual_direction(*subject), aspect);
   float least = 1;
   float greatest = 0;
-  for (const Vec3d& point : subject->points) {
+  for (const Float3& corner : subject->points) {
+    const Vec3d point = to_vec(corner);
     for (const float coordinate : in_picture(view, point)) {
       least = std::min(least, coordinate);
       greatest = std::max(greatest, coordinate);

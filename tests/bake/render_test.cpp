@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/denoise.hpp"
 #include "bake/develop.hpp"
+#include "bake/draw.hpp"
 #include "bake/framing.hpp"
 #include "bake/studio.hpp"
 #include "rendering.hpp"
@@ -42,10 +42,18 @@ RenderOptions small(std::uint32_t samples) {
   return options;
 }
 
-std::vector<Rgb> plain(const Film& film) {
-  std::vector<Rgb> radiance;
-  for (std::size_t i = 0; i < film.size(); ++i) radiance.push_back(film.radiance(i));
-  return radiance;
+Canvas plain(const Film& film) {
+  Canvas canvas(film.width(), film.height());
+  expose(film, film.held(), canvas);
+  return canvas;
+}
+
+DrawOptions denoised(std::uint32_t samples, unsigned jobs = 1) {
+  DrawOptions options;
+  options.render = small(samples);
+  options.render.jobs = jobs;
+  options.denoise = true;
+  return options;
 }
 
 bool same(const Film& a, const Film& b) {
@@ -76,9 +84,41 @@ TEST(Render, TheNumberOfThreadsDoesNotShow) {
   options.jobs = 2;
   const Film two = render(stage.path_setting(), front(), options);
   EXPECT_TRUE(same(one, two));
-  EXPECT_EQ(denoise(one, 1), denoise(two, 2));
   options.seed = 1;
   EXPECT_FALSE(same(one, render(stage.path_setting(), front(), options)));
+}
+
+// Which rows come at a time does not show either.
+TEST(Draw, TheNumberOfThreadsDoesNotShow) {
+  const Stage stage = studio_stage();
+  DrawOptions options = denoised(8);
+  options.render.width = 20;
+  options.render.height = 600;  // rows after rows
+  options.render.looks = 4;
+  options.layers.normal = true;
+  const Canvas one = draw(stage.path_setting(), front(), options);
+  options.render.jobs = 2;
+  const Canvas two = draw(stage.path_setting(), front(), options);
+  EXPECT_EQ(one.radiance, two.radiance);
+  EXPECT_EQ(one.normal, two.normal);
+  options.render.seconds = 1e6;  // all rows at once
+  const Canvas whole = draw(stage.path_setting(), front(), options);
+  EXPECT_EQ(one.alpha, whole.alpha);
+  EXPECT_EQ(one.normal, whole.normal);
+  EXPECT_EQ(one.radiance, whole.radiance);
+}
+
+TEST(Draw, ProgressEndsAtTheEnd) {
+  const Stage stage = studio_stage();
+  DrawOptions options = denoised(2);
+  options.render.height = 300;
+  double last = 0;
+  options.render.progress = [&last](double part) {
+    EXPECT_GE(part, last);
+    last = part;
+  };
+  draw(stage.path_setting(), front(), options);
+  EXPECT_DOUBLE_EQ(last, 1);
 }
 
 TEST(Render, SamplesDoNotDependOnHowManyFollow) {
@@ -123,19 +163,17 @@ TEST(Render, ProgressEndsAtTheEnd) {
 // Nearer to the picture of many samples than the noise was.
 TEST(Denoise, ComesNearer) {
   const Stage stage = studio_stage();
-  const Film noisy = render(stage.path_setting(), front(), small(16));
+  const Canvas noisy = plain(render(stage.path_setting(), front(), small(16)));
   RenderOptions many = small(512);
   many.seed = 9;
-  const Film wanted = render(stage.path_setting(), front(), many);
-  const std::vector<Rgb> clean = denoise(noisy, 1);
-  const auto shown = [](const Film& film, const std::vector<Rgb>& radiance) {
-    return develop(film, radiance, false, Numbers::bytes);
+  const Canvas wanted = plain(render(stage.path_setting(), front(), many));
+  const Canvas clean = draw(stage.path_setting(), front(), denoised(16));
+  const Picture reference = develop(wanted, false, Numbers::bytes);
+  const auto difference = [&](const Canvas& canvas) {
+    return mean_square_difference(develop(canvas, false, Numbers::bytes), reference, canvas,
+                                  wanted);
   };
-  const Picture reference = shown(wanted, plain(wanted));
-  const double before =
-      mean_square_difference(shown(noisy, plain(noisy)), reference, noisy, wanted);
-  const double after = mean_square_difference(shown(noisy, clean), reference, noisy, wanted);
-  EXPECT_LT(after, before * 0.5);
+  EXPECT_LT(difference(clean), difference(noisy) * 0.5);
 }
 
 TEST(Denoise, WhatHasNoNoiseStays) {
@@ -148,10 +186,10 @@ TEST(Denoise, WhatHasNoNoiseStays) {
   View view;
   view.origin = {0, 0, 4};
   view.half_width = view.half_height = 0.2;
-  const Film film = render(stage.path_setting(), view, small(4));
-  const std::vector<Rgb> clean = denoise(film, 1);
-  for (std::size_t i = 0; i < film.size(); ++i) {
-    EXPECT_NEAR(clean[i].x, film.radiance(i).x, 1e-3);
+  const Canvas noisy = plain(render(stage.path_setting(), view, small(4)));
+  const Canvas clean = draw(stage.path_setting(), view, denoised(4));
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    EXPECT_NEAR(clean.radiance[i][0], noisy.radiance[i][0], 1e-3F);
   }
 }
 

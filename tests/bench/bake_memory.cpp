@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   if (!loaded.ready()) return 1;
   const std::size_t loading = peak() - idle;
   const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
-  const DrawnPicture drawn = draw_picture(loaded, view, {size, size}, options, {});
+  const bake::Canvas drawn = draw_picture(loaded, view, {size, size}, options, {});
   std::printf("%zu %zu %zu\n", bytes_of(*loaded.scene), loading, peak() - idle);
   return 0;
 }

@@ -12,7 +12,6 @@
 
 #include <embree3/rtcore.h>
 
-#include "bake/film.hpp"
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"
@@ -117,10 +116,9 @@ int main(int argc, char** argv) {
   if (!loaded.ready()) return 1;
   const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
   const double begin = seconds();
-  const DrawnPicture drawn = draw_picture(loaded, view, {size, size}, options, {});
+  const bake::Canvas drawn = draw_picture(loaded, view, {size, size}, options, {});
   const double drawing = seconds() - begin;
-  std::uint64_t wanted = 0;
-  for (std::size_t i = 0; i < drawn.film.size(); ++i) wanted += drawn.film.at(i).rays;
+  const std::uint64_t wanted = drawn.rays;
 
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene plain = plain_scene(device, *loaded.scene);

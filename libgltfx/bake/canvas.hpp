@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A picture in numbers, before it is made for a display.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/film.hpp"
+
+namespace gltfx::bake {
+
+/// What of a surface that is seen first is wanted beside its light.
+struct Layers {
+  bool albedo = false, normal = false, depth = false, material = false;
+};
+
+/// By pixel, rows from the top; layers that are not wanted are empty. What was seen first is
+/// averaged over the samples, and 0 where there is nothing.
+struct Canvas {
+  Canvas(std::uint32_t width, std::uint32_t height, const Layers& layers = {});
+
+  std::uint32_t width, height;
+  std::vector<Float3> radiance;  ///< multiplied by alpha where the background is transparent
+  std::vector<float> alpha;
+  std::vector<Float3> albedo, normal;
+  std::vector<float> depth;             ///< along the ray
+  std::vector<std::uint32_t> material;  ///< of the scene; kNone: the default one, or nothing
+  std::uint64_t rays = 0;               ///< that were traced
+
+  std::size_t size() const { return radiance.size(); }
+};
+
+/// Rows of a film, which holds them, with their noise.
+void expose(const Film& film, const Rows& rows, Canvas& canvas);
+
+}  // namespace gltfx::bake

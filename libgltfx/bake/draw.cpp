@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/draw.hpp"
+
+#include <algorithm>
+
+#include "bake/denoise.hpp"
+#include "base/parallel.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr std::uint32_t kTile = 16;  // pixels along a side that are worked on together
+constexpr std::uint32_t kMargin = (kDenoiseReach + kTile - 1) / kTile * kTile;
+
+// Some rays tell enough of it.
+DepthRange depth_range(const PathSetting& setting, const View& view) {
+  constexpr std::uint32_t kLooks = 96;  // along a side
+  DepthRange range;
+  for (std::uint32_t i = 0; i < kLooks * kLooks; ++i) {
+    const double x = (i % kLooks + 0.5) / kLooks;
+    const double y = (i / kLooks + 0.5) / kLooks;
+    const auto hit = setting.bvh.first_layer(view.ray(x, y));
+    if (!hit) continue;
+    const auto z = static_cast<float>(hit->distance);
+    range.nearest = range.nearest == 0 ? z : std::min(range.nearest, z);
+    range.farthest = std::max(range.farthest, z);
+  }
+  return range;
+}
+
+// Enough tiles that few threads wait at the end of them. What is drawn does not depend on it.
+std::uint32_t rows_at_once(const RenderOptions& options) {
+  constexpr std::uint32_t kTilesPerJob = 16;
+  if (options.seconds > 0) return options.height;
+  const std::uint32_t jobs = options.jobs == 0 ? default_jobs() : options.jobs;
+  const std::uint32_t tiles = kTilesPerJob * std::clamp(jobs, 2U, 256U);
+  const std::uint32_t columns = (options.width + kTile - 1) / kTile;
+  return (tiles + columns - 1) / columns * kTile;
+}
+
+// Progress of the whole by that of some rows.
+RenderOptions part_of(const RenderOptions& options, const Rows& rows) {
+  RenderOptions part = options;
+  if (!options.progress) return part;
+  part.progress = [&options, rows](double within) {
+    options.progress((rows.first + within * (rows.last - rows.first)) / options.height);
+  };
+  return part;
+}
+
+}  // namespace
+
+Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& options) {
+  const RenderOptions& render = options.render;
+  Canvas canvas(render.width, render.height, options.layers);
+  const DepthRange depths = options.denoise ? depth_range(setting, view) : DepthRange();
+  const std::uint32_t margin = options.denoise ? kMargin : 0;
+  const std::uint32_t step = rows_at_once(render);
+  Film film(render.width, render.height, {});
+  for (Rows rows{0, 0}; rows.last < render.height;) {
+    rows = {rows.last, std::min(rows.last + step, render.height)};
+    const Rows fresh{film.held().last, std::min(rows.last + margin, render.height)};
+    film.hold({rows.first - std::min(rows.first, margin), fresh.last});
+    render_rows(setting, view, part_of(render, fresh), fresh, film);
+    expose(film, rows, canvas);
+    if (options.denoise) denoise(film, rows, depths, render.jobs, canvas);
+  }
+  return canvas;
+}
+
+}  // namespace gltfx::bake
