@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash disable=SC2034
 # What the scripts of tools/ share; source it. Package names are those of Debian 12.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -7,8 +8,10 @@ build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libopenimageio-dev libwebp-dev libpng-dev
   libembree-dev libtinygltf-dev libxxhash-dev)
 test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
-  pre-commit libxml2-utils)
+  pre-commit libxml2-utils shellcheck pkg-config doxygen mandoc)
+package_packages=(dpkg-dev file gzip)  # for Debian packages
 
+slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only nightly asks for them
 page_packages=(chromium npm)  # large: only nightly asks for them
 
 say() { printf '\n== %s\n' "$*"; }
@@ -39,6 +42,12 @@ build() {
   local preset=$1
   shift
   (cd "$root" && cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"})
+}
+
+# The scripts of the project.
+shell_files() {
+  find "$root/tools" "$root/tests" "$root/.ci" -type f -exec grep -lE '^#!/bin/bash|^# shellcheck shell=bash' {} + |
+    sort
 }
 
 # The C++ files of the project.

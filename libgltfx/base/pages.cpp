@@ -6,6 +6,9 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace gltfx {
 namespace {
@@ -33,6 +36,12 @@ void free_pages(void* memory, std::size_t bytes) noexcept {
   } else {
     ::operator delete(memory);
   }
+}
+
+void give_back_memory() noexcept {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 }  // namespace gltfx

@@ -28,4 +28,7 @@ struct PageAllocator {
   bool operator==(const PageAllocator&) const { return true; }
 };
 
+/// Hands what was freed back to the system, between two pieces of work that need much memory.
+void give_back_memory() noexcept;
+
 }  // namespace gltfx

@@ -31,4 +31,8 @@ void parallel_ordered(std::size_t count, unsigned jobs,
 /// An exception reaches the caller.
 void run_both(unsigned jobs, const std::function<void()>& one, const std::function<void()>& other);
 
+/// Calls it on the caller's thread, where also libraries that would share their work out among
+/// threads keep to this one.
+void run_alone(const std::function<void()>& work);
+
 }  // namespace gltfx

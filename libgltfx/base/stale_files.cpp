@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <string>
@@ -13,7 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <unistd.h>
+
+#include "base/hash.hpp"
 
 namespace gltfx {
 namespace {
@@ -23,7 +27,25 @@ namespace fs = std::filesystem;
 // Taken when the program is loaded: before it can have made a file.
 const fs::file_time_type kStart = fs::file_time_type::clock::now() - std::chrono::seconds(1);
 
-/// A temporary file's own name, and that of the file it was to become: NAME.PID-N.part
+constexpr std::chrono::hours kForgotten{24};
+constexpr std::string_view kEnding = ".part";
+
+// Eight digits for the space in which numbers of processes are unique: a machine since it was
+// started, or a container on it.
+const std::string& process_space() {
+  static const std::string space = [] {
+    std::string boot;
+    std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
+    std::error_code fault;
+    HashParts parts;
+    parts.add(boot);
+    parts.add(fs::read_symlink("/proc/self/ns/pid", fault).native());
+    return fmt::format("{:08x}", parts.finish().low & 0xFFFFFFFFU);
+  }();
+  return space;
+}
+
+/// A temporary file's own name, and that of the file it was to become: NAME.SPACE-PID-N.part
 struct Leftover {
   std::string name, target;
 };
@@ -40,10 +62,16 @@ long take_number(std::string_view& text, char mark) {
   return number;
 }
 
-// A number of a process that is used again, as in containers, tells nothing; the time does.
-bool is_stale(long process, const fs::path& file) {
+bool is_older(const fs::path& file, fs::file_time_type time) {
   std::error_code fault;
-  if (process == ::getpid()) return fs::last_write_time(file, fault) < kStart && !fault;
+  const auto written = fs::last_write_time(file, fault);
+  return !fault && written < time;
+}
+
+// A number of a process that is used again tells nothing; the time does.
+bool is_stale(std::string_view space, long process, const fs::path& file) {
+  if (space != process_space()) return is_older(file, kStart - kForgotten);
+  if (process == ::getpid()) return is_older(file, kStart);
   return ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
 }
 
@@ -52,17 +80,24 @@ std::vector<Leftover> leftovers_in(const fs::path& folder) {
   std::error_code fault;
   for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
     const std::string name = at->path().filename();
-    constexpr std::string_view kEnding = ".part";
     if (!name.ends_with(kEnding)) continue;
     std::string_view rest = std::string_view(name).substr(0, name.size() - kEnding.size());
     const long attempt = take_number(rest, '-');
-    const long process = attempt < 0 ? -1 : take_number(rest, '.');
-    if (process > 0 && is_stale(process, at->path())) found.push_back({name, std::string(rest)});
+    const long process = attempt < 0 ? -1 : take_number(rest, '-');
+    const std::size_t dot = rest.rfind('.');
+    if (process <= 0 || dot == std::string_view::npos) continue;
+    if (!is_stale(rest.substr(dot + 1), process, at->path())) continue;
+    found.push_back({name, std::string(rest.substr(0, dot))});
   }
   return found;
 }
 
 }  // namespace
+
+std::string temporary_name(const fs::path& target, int number) {
+  return fmt::format("{}.{}-{}-{}{}", target.native(), process_space(), ::getpid(), number,
+                     kEnding);
+}
 
 void remove_stale_files(const fs::path& target) {
   static std::mutex mutex;

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/stale_files.hpp"
 #include "base/text.hpp"
 
 namespace gltfx {
@@ -38,8 +39,9 @@ Error file_error(std::string_view action, const std::filesystem::path& path, int
 }
 
 TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+  remove_stale_files(target_);
   for (int attempt = 0; attempt < 1000 && !fd_; ++attempt) {
-    name_ = fmt::format("{}.{}-{}.part", target_.native(), ::getpid(), attempt);
+    name_ = temporary_name(target_, attempt);
     kept_.emplace(name_);
     constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
     fd_ = UniqueFd(::open(name_.c_str(), kFlags, kNewFile));

@@ -17,8 +17,9 @@ namespace gltfx {
 /// calls give nothing when they succeed, else why they did not. Not thread-safe.
 class TemporaryFile {
  public:
-  /// Creates a file in the target's folder; the first write() says when that failed. Links are not
-  /// followed: `target` is the place that is taken.
+  /// Creates a file in the target's folder, without those that killed processes have left there for
+  /// the same target; the first write() says when that failed. Links are not followed: `target` is
+  /// the place that is taken.
   explicit TemporaryFile(std::filesystem::path target);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;

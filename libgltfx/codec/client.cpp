@@ -2,9 +2,11 @@
 #include "codec/client.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <utility>
 
+#include "codec/chance.hpp"
 #include "codec/pool.hpp"
 #include "codec/program_path.hpp"
 
@@ -31,6 +33,14 @@ Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
 // An encoder holds the texels, what it makes of them, and tables.
 constexpr std::uint64_t kEncoderMemoryPerByte = 8;
 
+std::atomic<std::uint64_t> chances = 0;
+
+Fault noted(const Fault& fault) {
+  const bool certain = fault.kind == FaultKind::malformed || fault.kind == FaultKind::too_large;
+  if (!certain) ++chances;
+  return fault;
+}
+
 Fault no_thread_here() {
   return {FaultKind::unavailable, "The system refuses what it takes to wait for a decoder."};
 }
@@ -43,7 +53,7 @@ auto guarded(Work&& work) -> decltype(work()) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    return no_thread_here();
+    return noted(no_thread_here());
   }
 }
 
@@ -52,7 +62,7 @@ std::variant<T, Fault> result_of(Pool& pool, const Job& job, std::span<const std
                                  bool with_memory) {
   return guarded([&]() -> std::variant<T, Fault> {
     Reply reply = pool.ask(job, bytes);
-    if (const auto* fault = std::get_if<Fault>(&reply.answer)) return *fault;
+    if (const auto* fault = std::get_if<Fault>(&reply.answer)) return noted(*fault);
     T& result = *std::get_if<T>(&reply.answer);
     if (with_memory) result.owner = std::move(reply.memory.owner);
     return std::move(result);
@@ -60,6 +70,8 @@ std::variant<T, Fault> result_of(Pool& pool, const Job& job, std::span<const std
 }
 
 }  // namespace
+
+std::uint64_t faults_by_chance() { return chances; }
 
 struct Client::State {
   explicit State(Settings given)

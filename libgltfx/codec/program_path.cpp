@@ -22,8 +22,11 @@ std::string program_path(const std::string& folder, const std::string& name) {
   const char* named = std::getenv("GLTFX_CODEC_WORKERS");  // NOLINT(concurrency-mt-unsafe)
   if (named != nullptr && *named != '\0') return fs::path(named) / name;
   std::error_code fault;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", fault).parent_path() / name;
-  if (is_program(beside)) return beside;
+  const fs::path own = fs::read_symlink("/proc/self/exe", fault).parent_path();
+  for (const char* way : {"", GLTFX_WORKERS_FROM_PROGRAMS}) {
+    const fs::path path = (own / way / name).lexically_normal();
+    if (is_program(path)) return path;
+  }
   return fs::path(GLTFX_WORKER_FOLDER) / name;
 }
 

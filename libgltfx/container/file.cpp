@@ -23,8 +23,7 @@ std::string_view kind_of(mode_t mode) {
   if (S_ISDIR(mode)) return "it is a folder";
   if (S_ISFIFO(mode)) return "it is a pipe";
   if (S_ISSOCK(mode)) return "it is a socket";
-  if (S_ISCHR(mode) || S_ISBLK(mode)) return "it is a device";
-  return "it is a special file";
+  return "it is a device";
 }
 
 ssize_t pread_again(int fd, char* to, std::size_t length, std::uint64_t offset) {

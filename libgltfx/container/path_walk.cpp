@@ -129,10 +129,9 @@ class Walk {
     std::string target(PATH_MAX, '\0');
     const ssize_t length = ::readlinkat(here(), link.c_str(), target.data(), target.size());
     if (length < 0) return end(file, file_fault(errno));
-    if (length == 0) return end(file, file_fault(ENOENT));
     target.resize(static_cast<std::size_t>(length));
     push_components(target);
-    if (target.front() == '/' && !start_at_slash()) return end(file, file_fault(EXDEV));
+    if (target.starts_with('/') && !start_at_slash()) return end(file, file_fault(EXDEV));
     return false;
   }
 

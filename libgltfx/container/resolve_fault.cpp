@@ -40,12 +40,15 @@ constexpr std::array kWordings{
             "Raise the size limit or free memory, or split the file."},
 };
 
-const Wording& wording(ResolveFault fault) {
-  for (const Wording& entry : kWordings) {
-    if (entry.fault == fault) return entry;
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kWordings.size(); ++i) {
+    if (kWordings[i].fault != static_cast<ResolveFault>(i)) return false;
   }
-  return kWordings.front();
+  return true;
 }
+static_assert(in_order());
+
+const Wording& wording(ResolveFault fault) { return kWordings[static_cast<std::size_t>(fault)]; }
 
 }  // namespace
 

@@ -62,7 +62,7 @@ ResolveFault Resolver::open_at(std::string_view path, File& file) const {
   } else {
     file = open_beneath(root_->get(), base_ + std::string(path), confinement_);
   }
-  if (log_) log_->add({std::string(path), file.fault, file.state});
+  if (log_) log_->add({std::string(path), file.fault});
   return file.fault;
 }
 

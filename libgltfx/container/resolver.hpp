@@ -33,7 +33,6 @@ class LookupLog {
   struct Lookup {
     std::string path;
     ResolveFault fault = ResolveFault::none;
-    FileState state;  ///< where there is no fault
   };
   void add(Lookup lookup);
   /// In the order they were asked for; not while a Resolver may still add some.

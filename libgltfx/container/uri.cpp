@@ -65,17 +65,17 @@ std::string remove_dot_segments(std::string_view path) {
       segments.push_back(segment);
     }
   }
-  if (segments.empty() && folder) return "./";
+  if (segments.empty()) return "./";
   std::string out;
   for (const std::string_view segment : segments) out.append(segment).push_back('/');
-  if (!folder && !out.empty()) out.pop_back();
+  if (!folder) out.pop_back();
   return out;
 }
 
 /// A ':' in the first segment would read as the end of a scheme.
 std::string hide_colons(std::string path) {
   const std::size_t end = std::min(path.find('/'), path.size());
-  for (std::size_t at = path.rfind(':', end); at != npos && at < end; at = path.rfind(':', at)) {
+  for (std::size_t at = path.rfind(':', end); at != npos; at = path.rfind(':', at)) {
     path.replace(at, 1, "%3A");
     if (at == 0) break;
     --at;

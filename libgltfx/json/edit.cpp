@@ -100,7 +100,7 @@ std::vector<Editor::Item> Editor::items(NodeId container, const Change& change) 
 }
 
 // Nothing that was there stays: only the brackets do.
-void Editor::refill(NodeId container, const std::vector<Item>& items, const Change& change) {
+void Editor::refill(NodeId container, const Change& change) {
   const Span span = document_.span(container);
   const Layout layout = layout_.of(container);
   std::string text;
@@ -120,7 +120,6 @@ void Editor::refill(NodeId container, const std::vector<Item>& items, const Chan
     text += layout.line_end;
     text += outer.substr(0, outer.size() - (nested ? layout.unit.size() : 0));
   }
-  if (items.empty() && change.added.empty()) return;
   add(span.begin + 1, span.end - 1, std::move(text));
 }
 
@@ -129,7 +128,7 @@ void Editor::settle(NodeId container, const Change& change) {
   const std::vector<Item> all = items(container, change);
   const auto is_kept = [](const Item& item) { return item.kept; };
   const auto first = std::find_if(all.begin(), all.end(), is_kept);
-  if (first == all.end()) return refill(container, all, change);
+  if (first == all.end()) return refill(container, change);
   if (first != all.begin()) add(all.front().begin, first->begin, {});
   std::uint32_t end = first->end;  // of the last item that is kept
   bool gone = false;

@@ -76,7 +76,7 @@ class Editor {
   };
   std::vector<Item> items(NodeId container, const Change& change) const;
   void settle(NodeId container, const Change& change);
-  void refill(NodeId container, const std::vector<Item>& items, const Change& change);
+  void refill(NodeId container, const Change& change);
   void add(std::uint32_t begin, std::uint32_t end, std::string text);
 
   const Document& document_;

@@ -75,9 +75,7 @@ std::vector<Edit> chain_edits(std::string_view text, std::span<const Edit> first
     collector.keep(piece, at - begin, end - at);
     begin = end;
   }
-  for (; edit != second.end(); ++edit) {
-    if (edit->span.begin >= begin) collector.add(edit->text);
-  }
+  for (; edit != second.end(); ++edit) collector.add(edit->text);  // behind all of it
   return collector.finish(text.size());
 }
 

@@ -15,9 +15,10 @@ std::string_view blank_from(std::string_view text, std::size_t at) {
   return text.substr(at, end - at);
 }
 
+// Precondition: something before `end` is not blank, such as an opening bracket.
 std::string_view blank_before(std::string_view text, std::size_t end) {
   std::size_t begin = end;
-  while (begin > 0 && is_blank(text[begin - 1])) --begin;
+  while (is_blank(text[begin - 1])) --begin;
   return text.substr(begin, end - begin);
 }
 

@@ -61,10 +61,7 @@ ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at)
                         quoted(text.substr(at, size))),
             opening};
   }
-  while (size < 6 && at + size < end &&
-         std::isxdigit(static_cast<unsigned char>(text[at + size]))) {
-    ++size;
-  }
+  while (at + size < end && std::isxdigit(static_cast<unsigned char>(text[at + size]))) ++size;
   if (at + size == end) return cut_string(end, opening);
   return {Fault::bad_escape,
           {at, at + size},

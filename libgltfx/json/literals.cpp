@@ -26,12 +26,12 @@ std::optional<double> small_integer(std::string_view literal) {
 }
 
 // Decides for a literal that no double is near to: is it too large (or too small)? True when the
-// first digit that is not zero has a weight of one or more.
+// first digit that is not zero has a weight of one or more. Precondition: there is one, since zero
+// itself is a double.
 bool is_large(std::string_view literal) {
   const std::size_t mark = literal.find_first_of("eE");
   const std::string_view mantissa = literal.substr(0, mark);
   const std::size_t first = mantissa.find_first_of("123456789");
-  if (first == std::string_view::npos) return false;
   const std::size_t point =
       mantissa.find('.') == std::string_view::npos ? mantissa.size() : mantissa.find('.');
   const auto weight = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);

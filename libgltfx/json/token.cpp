@@ -45,7 +45,7 @@ bool starts_comment(std::string_view rest) {
 }
 
 bool is_word(std::string_view token) {
-  return !token.empty() && is_a(kWord, token.front()) && !starts_number(token.front());
+  return is_a(kWord, token.front()) && !starts_number(token.front());
 }
 
 Span token_at(std::string_view text, std::uint32_t at) {
@@ -58,7 +58,6 @@ Span token_at(std::string_view text, std::uint32_t at) {
 }
 
 std::string describe_token(std::string_view token) {
-  if (token.empty()) return "the end of the text";
   const char c = token.front();
   if (c == '\0') return "a NUL byte";
   if (c == '"') {

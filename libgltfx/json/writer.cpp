@@ -42,7 +42,7 @@ void append_special(std::string& out, CodePoint point) {
     append_utf8(out, 0xFFFD);
   } else if (const std::string_view escape = short_escape(c); !escape.empty()) {
     out += escape;
-  } else if (c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029) {
+  } else if (c < 0xA0 || c == 0x2028 || c == 0x2029) {  // what is_plain() is not among them
     fmt::format_to(std::back_inserter(out), "\\u{:04x}", c);
   } else {
     append_utf8(out, c);

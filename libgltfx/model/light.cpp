@@ -55,4 +55,11 @@ std::optional<std::uint32_t> light_of(const Asset& asset, const Node& node) {
                                       : std::nullopt;
 }
 
+std::string_view unread_lights(const Asset& asset) {
+  constexpr std::string_view kByImages = "EXT_lights_image_based";
+  const json::Document& document = asset.document();
+  const bool there = extension_object(document, document.root(), kByImages) != json::kNoNode;
+  return there ? kByImages : std::string_view();
+}
+
 }  // namespace gltfx::model

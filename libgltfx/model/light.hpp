@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/properties.hpp"
@@ -32,5 +33,9 @@ std::vector<std::optional<Light>> read_lights(const Asset& asset,
 
 /// The light that a node carries, as an index into those, or nothing.
 std::optional<std::uint32_t> light_of(const Asset& asset, const Node& node);
+
+/// The extension of lights that the document has and that are not read (those by images), or
+/// nothing.
+std::string_view unread_lights(const Asset& asset);
 
 }  // namespace gltfx::model

@@ -2,21 +2,24 @@
 #include <gltfx/bake.hpp>
 #include <gltfx/pipeline.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "bake/denoise.hpp"
 #include "bake/develop.hpp"
 #include "bake/lighting.hpp"
-#include "bake/render.hpp"
 #include "base/parallel.hpp"
+#include "codec/chance.hpp"
 #include "pipeline/bake_asset.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "pipeline/kept_picture.hpp"
+#include "pipeline/kept_result.hpp"
 #include "pipeline/picture_file.hpp"
 #include "pipeline/thumbnail.hpp"
 
@@ -61,7 +64,7 @@ class Baker {
     if (!views) return fail(BakeProblem::refused, views.error().message);
     pictures_ = options_.sizes.size() * views->size();
     for (std::size_t i = 0; i < views->size(); ++i) {
-      const DrawnPicture drawn = draw_picture(loaded_, (*views)[i], size, options_, part());
+      const bake::Canvas drawn = draw_picture(loaded_, (*views)[i], size, options_, part());
       ++done_;
       std::string suffix;
       if (options_.sizes.size() > 1) suffix = fmt::format("-{}x{}", size.width, size.height);
@@ -79,20 +82,18 @@ class Baker {
     };
   }
 
-  bool take(const DrawnPicture& drawn, const std::string& suffix) {
+  bool take(const bake::Canvas& drawn, const std::string& suffix) {
     if (report_.pixels.bytes.empty()) {
-      bake::Picture shown =
-          bake::develop(drawn.film, drawn.radiance, options_.transparent, bake::Numbers::bytes);
+      bake::Picture shown = bake::develop(drawn, options_.transparent, bake::Numbers::bytes);
       report_.pixels = {shown.width, shown.height, shown.channels, std::move(shown.bytes)};
     }
     if (options_.output.empty()) return true;
     const auto numbers = holds_floats(format_) ? bake::Numbers::floats : bake::Numbers::bytes;
-    const bake::Picture picture =
-        bake::develop(drawn.film, drawn.radiance, options_.transparent, numbers);
+    const bake::Picture picture = bake::develop(drawn, options_.transparent, numbers);
     if (!write(picture, with_suffix(options_.output, suffix))) return false;
     for (const BakeLayer layer : options_.layers) {
       const bake::Picture seen =
-          bake::develop_layer(drawn.film, static_cast<bake::Layer>(layer), numbers);
+          bake::develop_layer(drawn, static_cast<bake::Layer>(layer), numbers);
       const std::string ending = fmt::format("{}-{}", suffix, bake_layer_name(layer));
       if (!write(seen, with_suffix(options_.output, ending))) return false;
     }
@@ -125,6 +126,7 @@ class Baker {
 BakeReport failed(const std::string& path, std::string why) {
   BakeReport report;
   report.path = path;
+  report.validation.path = path;
   report.problem = BakeProblem::unreadable;
   report.error = std::move(why);
   return report;
@@ -153,10 +155,11 @@ std::string check_picture_name(const std::string& path) {
 
 namespace {
 
-template <class Load>
-BakeReport draw(const std::string& path, const BakeOptions& options, const Load& load) {
+// The library does not throw.
+template <class Work>
+BakeReport guarded(const std::string& path, const Work& work) {
   try {
-    return Baker(load(), options).run();
+    return work();
   } catch (const std::bad_alloc&) {
     return failed(path, "there is not enough memory to draw this file");
   } catch (const std::filesystem::filesystem_error&) {
@@ -164,14 +167,50 @@ BakeReport draw(const std::string& path, const BakeOptions& options, const Load&
   }
 }
 
-}  // namespace
-
-BakeReport bake_file(const std::string& path, const BakeOptions& options) {
-  return draw(path, options, [&] { return load_bake_scene(path, options); });
+template <class Load>
+BakeReport draw(const std::string& path, const BakeOptions& options, const Load& load) {
+  return guarded(path, [&] { return Baker(load(), options).run(); });
 }
+
+}  // namespace
 
 BakeReport bake_asset(const std::string& path, OpenedAsset asset, const BakeOptions& options) {
   return draw(path, options, [&] { return load_bake_scene(path, std::move(asset), options); });
+}
+
+namespace {
+
+std::optional<BakeReport> recalled(const std::optional<std::string>& kept, const std::string& path,
+                                   const BakeOptions& options) {
+  return kept ? recall_pictures(*kept, path, options) : std::nullopt;
+}
+
+BakeReport bake_or_recall(const std::string& path, const BakeOptions& options) {
+  KeptResult kept(path, *options.cache, picture_key(options));
+  codec::Client::shared().prepare_images();
+  if (auto report = recalled(kept.as_it_was(), path, options)) return *std::move(report);
+  auto opened = open_asset(path, options.root);
+  if (!opened) return failed(path, opened.error().message);
+  const container::Resolver resolver = opened->resolver;
+  if (auto report = recalled(kept.by_content(opened->container, resolver), path, options)) {
+    return *std::move(report);
+  }
+  const auto lookups = std::make_shared<container::LookupLog>();
+  opened->resolver.record(lookups);
+  const std::uint64_t before = codec::faults_by_chance();
+  BakeReport report = bake_asset(path, *std::move(opened), options);
+  if (codec::faults_by_chance() != before) return report;
+  if (const auto packed = pack_pictures(report, options)) kept.keep(*packed, resolver, *lookups);
+  return report;
+}
+
+}  // namespace
+
+BakeReport bake_file(const std::string& path, const BakeOptions& options) {
+  if (!can_be_kept(options)) {
+    return draw(path, options, [&] { return load_bake_scene(path, options); });
+  }
+  return guarded(path, [&] { return bake_or_recall(path, options); });
 }
 
 }  // namespace gltfx

@@ -56,12 +56,12 @@ class Comparison {
       first_.report.error = views.error().message;
       return;
     }
-    const DrawnPicture a = draw(first_, views->front(), 0);
+    const bake::Canvas a = draw(first_, views->front(), 0);
     second_.subject = first_.subject;  // lit and framed alike
-    const DrawnPicture b = draw(second_, views->front(), 0.5);
+    const bake::Canvas b = draw(second_, views->front(), 0.5);
     const bake::Picture left = develop(a, first_.report);
     const bake::Picture right = develop(b, second_.report);
-    const double difference = bake::mean_square_difference(left, right, a.film, b.film);
+    const double difference = bake::mean_square_difference(left, right, a, b);
     psnr_ = difference > 0 ? 10 * std::log10(255.0 * 255.0 / difference)
                            : std::numeric_limits<double>::infinity();
     if (options_.output.empty()) return;
@@ -69,7 +69,7 @@ class Comparison {
     if (trouble) error_ = std::move(trouble->message);
   }
 
-  DrawnPicture draw(const BakeScene& loaded, const bake::View& view, double before) const {
+  bake::Canvas draw(const BakeScene& loaded, const bake::View& view, double before) const {
     std::function<void(double)> progress;
     if (options_.progress) {
       progress = [this, before](double part) { options_.progress(before + part / 2); };
@@ -77,9 +77,8 @@ class Comparison {
     return draw_picture(loaded, view, options_.sizes.front(), options_, progress);
   }
 
-  bake::Picture develop(const DrawnPicture& drawn, BakeReport& report) const {
-    bake::Picture picture =
-        bake::develop(drawn.film, drawn.radiance, options_.transparent, bake::Numbers::bytes);
+  bake::Picture develop(const bake::Canvas& drawn, BakeReport& report) const {
+    bake::Picture picture = bake::develop(drawn, options_.transparent, bake::Numbers::bytes);
     report.pixels = {picture.width, picture.height, picture.channels, picture.bytes};
     return picture;
   }

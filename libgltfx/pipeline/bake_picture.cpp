@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/bake_picture.hpp"
 
+#include <algorithm>
 #include <utility>
 
-#include "bake/denoise.hpp"
+#include "bake/draw.hpp"
 #include "bake/lighting.hpp"
-#include "bake/render.hpp"
 
 namespace gltfx {
 namespace {
 
 constexpr std::uint32_t kLooks = 48;       // for edges, which are not smoothed
-constexpr double kRendering = 0.9;         // of the time; denoising takes the rest
 constexpr std::uint32_t kFewSamples = 32;  // which have to be chosen with care
 
 bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
@@ -27,16 +26,17 @@ bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& opti
   return result;
 }
 
-std::vector<Rgb> plain(const bake::Film& film) {
-  std::vector<Rgb> radiance;
-  radiance.reserve(film.size());
-  for (std::size_t i = 0; i < film.size(); ++i) radiance.push_back(film.radiance(i));
-  return radiance;
+bake::Layers layers_of(const BakeOptions& options) {
+  const auto wants = [&options](BakeLayer layer) {
+    return std::find(options.layers.begin(), options.layers.end(), layer) != options.layers.end();
+  };
+  return {wants(BakeLayer::albedo), wants(BakeLayer::normal), wants(BakeLayer::depth),
+          wants(BakeLayer::material)};
 }
 
 }  // namespace
 
-DrawnPicture draw_picture(const BakeScene& loaded, const bake::View& view, const BakeSize& size,
+bake::Canvas draw_picture(const BakeScene& loaded, const bake::View& view, const BakeSize& size,
                           const BakeOptions& options, std::function<void(double)> progress) {
   bake::LightingOptions lighting;
   lighting.lamps = static_cast<bake::Lamps>(options.lights);
@@ -50,14 +50,9 @@ DrawnPicture draw_picture(const BakeScene& loaded, const bake::View& view, const
                                 loaded.subject->size(),
                                 options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
                                 options.samples > kFewSamples ? 2U : 4U};
-  bake::RenderOptions rendering = render_options(size, options);
-  if (progress) {
-    rendering.progress = [&progress](double part) { progress(part * kRendering); };
-  }
-  bake::Film film = bake::render(paths, view, rendering);
-  std::vector<Rgb> radiance = options.denoise ? bake::denoise(film, options.jobs) : plain(film);
-  if (progress) progress(1);
-  return {std::move(film), std::move(radiance)};
+  bake::DrawOptions drawing{render_options(size, options), layers_of(options), options.denoise};
+  drawing.render.progress = std::move(progress);
+  return bake::draw(paths, view, drawing);
 }
 
 }  // namespace gltfx

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/pages.hpp"
 #include "codec/client.hpp"
 #include "model/asset.hpp"
 #include "model/variants.hpp"
@@ -121,6 +122,8 @@ class Loader {
     }
     result_.report.notes = scene->notes;
     result_.scene = std::move(scene);
+    asset_ = {};  // its bytes are in the scene by now
+    give_back_memory();
     return true;
   }
 

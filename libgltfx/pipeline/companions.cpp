@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/replace_file.hpp"
+#include "base/stale_files.hpp"
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "container/uri.hpp"
@@ -41,6 +42,7 @@ bool has_bytes(const fs::path& file, std::string_view bytes) {
 }
 
 std::optional<Error> put_file(const fs::path& target, std::string_view bytes) {
+  remove_stale_files(target);
   std::error_code fault;
   std::optional<Error> trouble;
   if (!fs::exists(target, fault)) {

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <random>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include <fcntl.h>
@@ -81,9 +83,12 @@ bool lock(int fd, int how) {
   return true;
 }
 
+// Sorted by name, the newest comes last.
 std::string fresh_name(const std::string& folder) {
   std::random_device random;
-  return fmt::format("{}/{:08x}{:08x}{}", folder, random(), random(), kEnding);
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const auto since_1970 = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+  return fmt::format("{}/{:016x}{:08x}{}", folder, since_1970, random(), kEnding);
 }
 
 }  // namespace
@@ -109,17 +114,21 @@ std::optional<Error> ResultStore::load() {
        at.increment(fault)) {
     const std::string& path = at->path().native();
     if (!path.ends_with(kEnding)) continue;
-    Segment segment{path, UniqueFd(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW)), 0,
-                    false};
+    Segment segment;
+    segment.path = path;
+    segment.fd = UniqueFd(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
     struct stat status {};
     if (!segment.fd || ::fstat(segment.fd.get(), &status) != 0) continue;
     segment.size = static_cast<std::uint64_t>(status.st_size);
+    segment.last_use = state_of(status).modified;
     if (read_at(segment.fd.get(), 0, sizeof kMagic) == bytes_of(kMagic)) {
       segments_.push_back(std::move(segment));
     }
   }
   if (fault) return file_error("list the cache", folder_, fault.value());
   drop_oldest();
+  std::sort(segments_.begin(), segments_.end(),
+            [](const Segment& a, const Segment& b) { return a.path < b.path; });
   for (std::uint32_t i = 0; i < segments_.size(); ++i) index(i);
   return std::nullopt;
 }
@@ -128,12 +137,8 @@ void ResultStore::drop_oldest() {
   std::uint64_t sum = 0;
   for (const Segment& segment : segments_) sum += segment.size;
   if (sum <= kMostBytes) return;
-  const auto last_use = [](const Segment& segment) {
-    const auto state = file_state(segment.path);
-    return state ? state->modified : 0;
-  };
-  std::sort(segments_.begin(), segments_.end(), [&](const Segment& a, const Segment& b) {
-    return std::pair(last_use(a), a.path) > std::pair(last_use(b), b.path);
+  std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
+    return std::tie(a.last_use, a.path) > std::tie(b.last_use, b.path);
   });
   while (sum > kMostBytes && !segments_.empty()) {
     const Segment& oldest = segments_.back();
@@ -150,7 +155,7 @@ void ResultStore::index(std::uint32_t number) {
   std::string window;
   std::uint64_t begin = 0;  // of the window
   for (std::uint64_t at = sizeof kMagic; at + sizeof(RecordHead) <= segment.size;) {
-    if (at < begin || at + sizeof(RecordHead) > begin + window.size()) {
+    if (at + sizeof(RecordHead) > begin + window.size()) {
       begin = at;
       window = read_at(segment.fd.get(), begin, kWindow);
       if (window.size() < sizeof(RecordHead)) return;
@@ -211,9 +216,9 @@ std::optional<std::string> ResultStore::read(const Slot& slot, const Hash128& ke
 
 bool ResultStore::create_own() {
   if (own_) return true;
-  own_path_ = fresh_name(folder_);
+  const std::string path = fresh_name(folder_);
   constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC | O_NOFOLLOW;
-  own_ = UniqueFd(::open(own_path_.c_str(), kFlags, 0666));
+  own_ = UniqueFd(::open(path.c_str(), kFlags, 0666));
   return own_ && lock(own_.get(), LOCK_SH) && write_all(own_.get(), bytes_of(kMagic));
 }
 
@@ -230,15 +235,19 @@ std::optional<Error> ResultStore::problem() const {
   return problem_;
 }
 
-// Those that other runs write to now stay as they are. Of a value that several files have the
-// newest copy counts, which is the one that the index knows.
+// Those that other runs write to now stay as they are. The index knows the newest copy of a value;
+// what this run added is newer still, so that the file of all takes the place of one from before
+// it.
 void ResultStore::tidy() {
   if (segments_.size() < kManyFiles) return;
   std::vector<bool> ours(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     ours[i] = lock(segments_[i].fd.get(), LOCK_EX);
   }
-  TemporaryFile together(fresh_name(folder_));
+  const auto newest = std::find(ours.rbegin(), ours.rend(), true);
+  if (newest == ours.rend()) return;
+  const auto last = static_cast<std::size_t>(newest.base() - ours.begin()) - 1;
+  TemporaryFile together(segments_[last].path);
   std::optional<Error> trouble = together.write(bytes_of(kMagic));
   std::string records;
   constexpr std::size_t kAtOnce = std::size_t{1} << 20U;
@@ -253,9 +262,9 @@ void ResultStore::tidy() {
     records.clear();
   }
   if (!trouble) trouble = together.write(records);
-  if (!trouble) trouble = together.move_to_free_place();
+  if (!trouble) trouble = together.move_over();
   if (trouble) return;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
+  for (std::size_t i = 0; i < last; ++i) {
     if (ours[i]) ::unlink(segments_[i].path.c_str());
   }
 }

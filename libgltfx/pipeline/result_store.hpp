@@ -48,6 +48,7 @@ class ResultStore {
     std::string path;
     UniqueFd fd;
     std::uint64_t size = 0;
+    std::int64_t last_use = 0;  ///< nanoseconds since 1970
     mutable bool used = false;
   };
   // Where a value lies; slots without offset are free.
@@ -67,11 +68,10 @@ class ResultStore {
   bool create_own();
 
   const std::string folder_;
-  std::vector<Segment> segments_;
-  std::vector<Slot> slots_;  ///< open addressing; the size is a power of two
+  std::vector<Segment> segments_;  ///< oldest first: of a value in several the last counts
+  std::vector<Slot> slots_;        ///< open addressing; the size is a power of two
   std::size_t filled_ = 0;
   mutable std::mutex mutex_;
-  std::string own_path_;
   UniqueFd own_;  ///< invalid before the first value
   std::optional<Error> problem_;
 };

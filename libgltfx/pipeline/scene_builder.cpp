@@ -120,6 +120,9 @@ class SceneBuilder {
   bake::Scene run() {
     const model::SceneRoots roots = model::choose_scene(asset_, views_, options_.scene);
     if (!roots.note.empty() && !views_.nodes.empty()) notes_.add(roots.note);
+    if (const auto lights = model::unread_lights(asset_); !lights.empty()) {
+      notes_.add(fmt::format("{} is not drawn; an environment can take its place.", lights));
+    }
     const model::Pose pose = model::compute_pose(asset_, views_, roots, animated_);
     model::DracoMeshes draco;
     draco.add_all(asset_, views_, resources_);

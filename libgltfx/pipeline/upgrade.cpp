@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include "base/replace_file.hpp"
-#include "base/stale_files.hpp"
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "json/parse.hpp"
@@ -277,15 +276,12 @@ class Upgrade {
   // Before the asset that refers to them.
   std::optional<Error> write_files() const {
     for (const upgrade::NewFile& file : files_) {
-      const fs::path target = target_folder() / file.path;
-      remove_stale_files(target);
-      if (auto trouble = put_file(target, *file.bytes)) return trouble;
+      if (auto trouble = put_file(target_folder() / file.path, *file.bytes)) return trouble;
     }
     return std::nullopt;
   }
 
   std::optional<Error> write_in_place(std::string_view bytes) {
-    remove_stale_files(path_);
     if (auto trouble = check_replaceable(path_, state_)) return trouble;
     if (auto trouble = write_files()) return trouble;
     if (!options_.backup) return replace_file(path_, bytes, state_);
@@ -308,7 +304,6 @@ class Upgrade {
       if (auto trouble = copy_companions(parsed_.document, resolver_, folder)) return trouble;
     }
     if (auto trouble = write_files()) return trouble;
-    remove_stale_files(target);
     return write_file(target, bytes);
   }
 

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
+#include <gltfx/result_cache.hpp>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "container/container.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/kept_report.hpp"
+#include "pipeline/kept_result.hpp"
 #include "pipeline/proposed_fix.hpp"
 #include "pipeline/resolver_for.hpp"
+#include "pipeline/validation_key.hpp"
+#include "report/packed.hpp"
 #include "validate/validator.hpp"
 
 namespace gltfx {
@@ -38,18 +46,37 @@ FileReport validate_opened(const container::Container& opened, const std::string
   return report;
 }
 
+// Findings that another machine, or a quieter one, would not have.
+bool is_repeatable(const FileReport& report) {
+  constexpr std::array<std::string_view, 3> kByChance{"IMAGE_NOT_DECODED", "IMAGE_PIXELS_INVALID",
+                                                      "DRACO_DECODE_FAILED"};
+  return report.readable && std::none_of(report.diagnostics.begin(), report.diagnostics.end(),
+                                         [&](const Diagnostic& finding) {
+                                           return std::find(kByChance.begin(), kByChance.end(),
+                                                            finding.code) != kByChance.end();
+                                         });
+}
+
+std::optional<FileReport> unpacked(const std::optional<std::string>& kept,
+                                   const std::string& path) {
+  if (!kept) return std::nullopt;
+  auto report = report::unpack(*kept, rules());
+  if (report) report->path = path;
+  return report;
+}
+
 FileReport validate_or_recall(const std::string& path, const ValidateOptions& options) {
-  KeptReport kept(path, options);
-  if (auto report = kept.as_it_was()) return *std::move(report);
+  KeptResult kept(path, *options.cache, validation_key(options, options.cache->folder()));
+  if (auto report = unpacked(kept.as_it_was(), path)) return *std::move(report);
   const auto opened = container::open_file(path);
   if (!opened) return validate::unreadable(path, opened.error().message, options);
   const container::Resolver resolver = resolver_for(fs::path(path).parent_path(), options.root);
-  if (auto report = kept.by_content(*opened, resolver)) return *std::move(report);
+  if (auto report = unpacked(kept.by_content(*opened, resolver), path)) return *std::move(report);
   const auto lookups = std::make_shared<container::LookupLog>();
   container::Resolver recorded = resolver;
   recorded.record(lookups);
   FileReport report = validate_opened(*opened, path, recorded, options);
-  kept.keep(report, resolver, *lookups);
+  if (is_repeatable(report)) kept.keep(report::pack(report), resolver, *lookups);
   return report;
 }
 

@@ -5,6 +5,7 @@
 
 #include "json/writer.hpp"
 #include "report/entry.hpp"
+#include "report/read_line.hpp"
 #include "report/safe_text.hpp"
 #include "report/writers.hpp"
 
@@ -22,6 +23,7 @@ class JsonLinesWriter final : public ReportWriter {
       writer.member("format", kJsonFormat);
       if (!options_.profile.empty()) writer.member("profile", options_.profile);
       if (!options_.pixel_level.empty()) writer.member("pixels", options_.pixel_level);
+      writer.member("failOn", options_.fail_on ? severity_name(*options_.fail_on) : kNever);
       writer.key("shard");
       writer.begin_object();
       writer.member("index", std::uint64_t{options_.shard.index});

@@ -265,6 +265,10 @@ RunHead Reader::head(NodeId line) {
   if (format != kJsonFormat) blame("format");
   text(line, "profile", head.profile);
   text(line, "pixels", head.pixel_level);
+  std::string loudness(severity_name(Severity::error));
+  text(line, "failOn", loudness);
+  head.fail_on = severity_from_name(loudness);
+  if (!head.fail_on && loudness != kNever) blame("failOn");
   if (const NodeId at = object(line, "shard"); at != json::kNoNode) {
     number(at, "index", head.shard.index);
     number(at, "count", head.shard.count);

@@ -4,6 +4,7 @@
 
 #include <gltfx/report.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,9 +14,13 @@
 
 namespace gltfx::report {
 
+/// As the first line names a run that nothing makes fail.
+inline constexpr std::string_view kNever = "never";
+
 /// The first line of a run.
 struct RunHead {
   std::string version, profile, pixel_level;
+  std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
   Shard shard;
 };
 

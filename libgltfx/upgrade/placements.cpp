@@ -13,14 +13,13 @@ namespace gltfx::upgrade {
 
 namespace {
 
-// A number may be spelt in several ways.
+// A number may be spelt in several ways. `json` is a value of JSON, or empty.
 bool is_same(const json::Document& document, json::NodeId old, const std::string& json) {
   if (document.raw(old) == json) return true;
   if (!document.is_number(old)) return false;
   double value = 0;
-  const char* const end = json.data() + json.size();
-  const auto [stop, fault] = std::from_chars(json.data(), end, value);
-  return fault == std::errc() && stop == end && value == document.number(old).value;
+  const auto read = std::from_chars(json.data(), json.data() + json.size(), value);
+  return read.ec == std::errc() && value == document.number(old).value;
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ void fill(Texels& texels, const Recipe& recipe) {
   const std::size_t step = texels.raster.channels;
   const std::size_t count = std::size_t{texels.raster.width} * texels.raster.height;
   texels.bytes.resize(count * step * sizeof(T));
+  if (count == 0) return;
   auto* to = reinterpret_cast<T*>(texels.bytes.data());
   for (std::size_t i = 0; i < step; ++i) {
     Channel<T>(recipe.job.channels[i], recipe.images[i].get(), full).write(to + i, step, count);

@@ -4,14 +4,14 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <mutex>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "base/support/two_at_once.hpp"
 
 namespace gltfx {
 namespace {
@@ -99,17 +99,7 @@ TEST(ParallelOrderedThreads, NeverMoreThanAsked) {
 
 TEST(ParallelOrderedThreads, TwoJobsRunAtTheSameTimeWhereTheMachineHasTwo) {
   if (default_jobs() < 2) GTEST_SKIP() << "one processor";
-  std::mutex mutex;
-  std::set<std::thread::id> threads;
-  parallel_ordered(
-      200, 2,
-      [&](std::size_t) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        const std::lock_guard lock(mutex);
-        threads.insert(std::this_thread::get_id());
-      },
-      nothing);
-  EXPECT_EQ(threads.size(), 2U);
+  EXPECT_TRUE(test::two_run_at_once());
 }
 
 TEST(ParallelOrderedThreads, AnExceptionReachesTheCallerInsteadOfEndingTheProcess) {
@@ -119,6 +109,14 @@ TEST(ParallelOrderedThreads, AnExceptionReachesTheCallerInsteadOfEndingTheProces
     };
     EXPECT_THROW(parallel_ordered(100, jobs, fail, nothing), std::runtime_error);
   }
+}
+
+TEST(ParallelOrderedThreads, WorkAloneStaysOnTheCallersThread) {
+  const auto here = std::this_thread::get_id();
+  bool ran = false;
+  run_alone([&] { ran = std::this_thread::get_id() == here; });
+  EXPECT_TRUE(ran);
+  EXPECT_THROW(run_alone([] { throw std::runtime_error("no"); }), std::runtime_error);
 }
 
 TEST(DefaultJobs, IsAtLeastOne) { EXPECT_GE(default_jobs(), 1U); }

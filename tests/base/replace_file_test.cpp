@@ -5,12 +5,16 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include "base/stale_files.hpp"
 #include "base/temporary_files.hpp"
 #include "container/temp_folder.hpp"
 
@@ -104,6 +108,26 @@ TEST(ReplaceFile, RefusesReadOnlyFiles) {
   expect_refused(folder, file, *file_state(file), "read-only");
 }
 
+TEST(ReplaceFile, WhatIsNotThereOrNoFileCannotBeReplaced) {
+  const TempFolder folder;
+  EXPECT_THAT(check_replaceable(folder.path(), {})->message, HasSubstr("not a regular file"));
+  EXPECT_THAT(check_replaceable(folder.path() / "none", {})->message, HasSubstr("cannot look at"));
+  EXPECT_THAT(replace_file(folder.path() / "none", "new", {})->message,
+              HasSubstr("cannot look at"));
+}
+
+TEST(ReplaceFile, OwnerAndGroupAreKept) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root owns files of others";
+  const TempFolder folder;
+  for (const uid_t user : {0U, 12345U}) {
+    const fs::path file = folder.write("a.gltf", "old");
+    ASSERT_EQ(::chown(file.c_str(), user, 54321), 0);
+    EXPECT_FALSE(write_file(file, "new"));
+    EXPECT_EQ(status_of(file).st_uid, user);
+    EXPECT_EQ(status_of(file).st_gid, 54321U);
+  }
+}
+
 TEST(ReplaceFile, OnlyRegularFilesHaveAState) {
   const TempFolder folder;
   ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
@@ -123,6 +147,39 @@ TEST(CreateFile, MakesANewFileAndNeverReplacesOne) {
   EXPECT_EQ(content(file), "first");
   EXPECT_EQ(entries(folder), 1);
   EXPECT_TRUE(create_file(folder.path() / "missing" / "a.gltf", "x"));
+}
+
+TEST(CreateFile, APathMayBeRelative) {
+  const TempFolder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  EXPECT_FALSE(create_file("a.gltf", "new"));
+  fs::current_path(before);
+  EXPECT_EQ(content(folder.path() / "a.gltf"), "new");
+}
+
+TEST(CreateFile, NamesOfTemporaryFilesMayBeTaken) {
+  const TempFolder folder;
+  const fs::path file = folder.path() / "a.gltf";
+  const fs::path taken = temporary_name(file, 0);
+  folder.write(taken.filename(), "theirs");
+  EXPECT_FALSE(create_file(file, "new"));
+  EXPECT_EQ(content(file), "new");
+  EXPECT_EQ(content(taken), "theirs");
+}
+
+TEST(TemporaryFiles, BeyondTheFirst64AreForgotten) {
+  const TempFolder folder;
+  std::vector<fs::path> paths;
+  std::vector<std::unique_ptr<TemporaryName>> names;
+  for (int i = 0; i < 70; ++i) {
+    paths.push_back(folder.write(std::to_string(i), "x"));
+    names.push_back(std::make_unique<TemporaryName>(paths.back().native()));
+  }
+  remove_temporaries();
+  EXPECT_EQ(
+      std::count_if(paths.begin(), paths.end(), [](const auto& path) { return fs::exists(path); }),
+      6);
 }
 
 TEST(TemporaryFiles, AreRemovedWhileTheyAreKnown) {

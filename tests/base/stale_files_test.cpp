@@ -1,50 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/stale_files.hpp"
 
+#include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/leftover.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx {
 namespace {
 
-// The number of a process that runs no more.
-std::string ended_process() {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(0);
-  ::waitpid(child, nullptr, 0);
-  return std::to_string(child);
+std::set<std::string> names_in(const container::test::TempFolder& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    names.insert(entry.path().filename());
+  }
+  return names;
 }
 
 TEST(StaleFiles, OnlyThoseOfEndedProcessesAndOfThatNameGo) {
   const container::test::TempFolder folder;
-  const std::string dead = ended_process();
-  const std::string alive = std::to_string(::getppid());
-  const std::string own = std::to_string(::getpid());
+  const pid_t dead = ended_process();
+  const std::string gone = left_by(dead, "a.gltf", 0);
   const std::set<std::string> stay{"a.gltf",
-                                   "b.gltf." + dead + "-0.part",
-                                   "a.gltf." + alive + "-0.part",
-                                   "a.gltf." + own + "-0.part",
+                                   left_by(dead, "b.gltf", 0),
+                                   left_by(::getppid(), "a.gltf", 0),
+                                   temporary_name("a.gltf", 0),
                                    "a.gltf.part",
                                    "a.gltf.x-0.part",
-                                   "a.gltf." + dead + ".part",
-                                   "a.gltf." + dead + "-0.partial"};
+                                   "a.gltf." + std::to_string(dead) + ".part",
+                                   gone + "ial"};
   for (const std::string& name : stay) folder.write(name, "x");
-  folder.write("a.gltf." + dead + "-0.part", "x");
-  folder.write("a.gltf." + dead + "-17.part", "x");
+  folder.write(gone, "x");
+  folder.write(left_by(dead, "a.gltf", 17), "x");
   remove_stale_files(folder.path() / "a.gltf");
-  std::set<std::string> left;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-    left.insert(entry.path().filename());
-  }
-  EXPECT_EQ(left, stay);
+  EXPECT_EQ(names_in(folder), stay);
+}
+
+TEST(StaleFiles, WhatAnotherMachineWritesStaysForADay) {
+  const container::test::TempFolder folder;
+  const std::string own = temporary_name("a.gltf", 0);
+  const std::string elsewhere = "a.gltf.01234567" + own.substr(own.find('-'));
+  const std::string forgotten = "a.gltf.01234567-1-0.part";
+  ASSERT_NE(elsewhere, own);
+  folder.write(elsewhere, "x");
+  folder.write(forgotten, "x");
+  std::filesystem::last_write_time(
+      folder.path() / forgotten,
+      std::filesystem::file_time_type::clock::now() - std::chrono::hours(25));
+  remove_stale_files(folder.path() / "a.gltf");
+  EXPECT_EQ(names_in(folder), std::set<std::string>{elsewhere});
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ TEST(Base64, PaddingStandsOnlyAtTheEnd) {
   EXPECT_THAT(decoded("===="), HasSubstr("Character 1 of the base64 text is padding"));
   EXPECT_THAT(decoded("AA=A"), HasSubstr("Character 3 of the base64 text is padding"));
   EXPECT_THAT(decoded("AAAA="), HasSubstr("error: "));
+  EXPECT_THAT(decoded("A=AAA"), HasSubstr("Character 2 of the base64 text is padding"));
 }
 
 TEST(Base64, MissingPaddingIsRefused) {

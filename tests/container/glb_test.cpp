@@ -182,6 +182,17 @@ TEST(Glb, UnknownChunksAreSkipped) {
   EXPECT_EQ(container.chunks.back().length, 8U);
 }
 
+TEST(Glb, LettersOfATypeAreShownWhereTheyArePlain) {
+  const auto said = [](std::uint32_t type) {
+    return open_glb(glb(json_chunk() + bin_chunk() + chunk(type, ""))).faults.at(0).message;
+  };
+  EXPECT_THAT(said(0x00434241), HasSubstr("0x00434241 ('ABC') is"));
+  EXPECT_THAT(said(0x00000000), HasSubstr("0x00000000 is"));
+  EXPECT_THAT(said(0x41274241), HasSubstr("0x41274241 is"));
+  EXPECT_THAT(said(0x417F4241), HasSubstr("0x417f4241 is"));
+  EXPECT_THAT(said(0x411B4241), HasSubstr("0x411b4241 is"));
+}
+
 TEST(Glb, FaultsOfOneChunkComeInTheirOrder) {
   const Container container = open_glb(glb(chunk(kChunkBin, "abcde", 7), {20}));
   EXPECT_THAT(

@@ -4,6 +4,7 @@
 #include <gltfx/mapping.hpp>
 
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -57,6 +58,24 @@ TEST(Mapping, OtherMemoryIsNotTouched) {
   EXPECT_FALSE(repair_mapping(text.data()));
   EXPECT_FALSE(repair_mapping(nullptr));
   EXPECT_FALSE(is_torn(Bytes::from_string(text)));
+}
+
+TEST(Mapping, SeveralAreKeptApart) {
+  const Guard guard;
+  const TempFolder folder;
+  const auto path = folder.write("cut", std::string(1U << 20U, 'x'));
+  const auto other = folder.write("whole", std::string(1U << 20U, 'y'));
+  const Loaded whole = load_file(open_regular(AT_FDCWD, other.c_str()));
+  const Loaded cut = load_file(open_regular(AT_FDCWD, path.c_str()));
+  const Loaded last = load_file(open_regular(AT_FDCWD, other.c_str()));
+  std::filesystem::resize_file(path, 4096);
+  EXPECT_EQ(cut.bytes.text().back(), '\0');
+  EXPECT_TRUE(is_torn(cut.bytes));
+  EXPECT_FALSE(is_torn(whole.bytes));
+  EXPECT_FALSE(is_torn(last.bytes));
+  EXPECT_FALSE(is_torn(Bytes::from_string("elsewhere")));
+  EXPECT_FALSE(repair_mapping(nullptr));
+  EXPECT_FALSE(repair_mapping(reinterpret_cast<const void*>(UINTPTR_MAX)));
 }
 
 TEST(Mapping, AMappingThatIsGoneIsForgotten) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 
 #include "container/file.hpp"
@@ -39,6 +42,7 @@ TEST(Sniff, BytesTellTheFormat) {
   EXPECT_EQ(format_of(" \r\n\t{}"), Format::gltf);
   EXPECT_EQ(format_of("\xEF\xBB\xBF{}"), Format::gltf);
   EXPECT_EQ(format_of("\xFF\xFE{"), Format::gltf);
+  EXPECT_EQ(format_of(std::string_view("\xFE\xFF\0{", 4)), Format::gltf);
   EXPECT_EQ(format_of("materials: none"), Format::gltf);
   EXPECT_EQ(format_of("[\xC3\xA4]"), Format::gltf);
   EXPECT_EQ(format_of("\x89PNG\r\n\x1A\n"), Format::unknown);
@@ -181,6 +185,29 @@ TEST(CopyRange, AnImpossibleSizeIsAFaultAndNoCrash) {
   const TempFolder folder;
   const File file = open_regular(AT_FDCWD, folder.write("a", "12345").c_str());
   EXPECT_EQ(copy_range(file.fd.get(), 0, UINT64_MAX).fault, ResolveFault::too_large);
+}
+
+TEST(LoadFile, NothingIsMappedOfNothing) {
+  const TempFolder folder;
+  const File file = open_regular(AT_FDCWD, folder.write("a", "").c_str());
+  const Loaded loaded = map_file(file.fd.get(), 0);
+  EXPECT_EQ(loaded.fault, ResolveFault::none);
+  EXPECT_TRUE(loaded.bytes.text().empty());
+  EXPECT_EQ(load_file(file_fault(ENOENT)).fault, ResolveFault::not_found);
+}
+
+// Addresses only: of the four gibibytes one page is touched.
+TEST(OpenBytes, JsonBeyondFourGibibytesIsNoText) {
+  constexpr std::size_t kSize = (std::size_t{1} << 32U) + 1;
+  void* const memory = ::mmap(nullptr, kSize, PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  static_cast<char*>(memory)[0] = '{';
+  const std::shared_ptr<void> owner(memory, [](void* mapped) { ::munmap(mapped, kSize); });
+  const Container container =
+      open_bytes(Bytes({static_cast<const std::byte*>(memory), kSize}, owner), "a.gltf");
+  EXPECT_EQ(container.format, Format::gltf);
+  EXPECT_FALSE(container.json);
 }
 
 TEST(LoadFile, SmallFilesDoNotChangeUnderTheirReader) {

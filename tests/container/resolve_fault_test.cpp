@@ -51,7 +51,12 @@ TEST(ResolveFault, SystemErrorsAreSorted) {
   EXPECT_EQ(fault_of_errno(ENOTDIR), ResolveFault::not_found);
   EXPECT_EQ(fault_of_errno(EXDEV), ResolveFault::outside_root);
   EXPECT_EQ(fault_of_errno(ENXIO), ResolveFault::not_regular);
+  EXPECT_EQ(fault_of_errno(ENAMETOOLONG), ResolveFault::not_found);
+  EXPECT_EQ(fault_of_errno(EISDIR), ResolveFault::not_regular);
   EXPECT_EQ(fault_of_errno(EACCES), ResolveFault::no_permission);
+  EXPECT_EQ(fault_of_errno(EPERM), ResolveFault::no_permission);
+  EXPECT_EQ(fault_of_errno(EFBIG), ResolveFault::too_large);
+  EXPECT_EQ(fault_of_errno(EOVERFLOW), ResolveFault::too_large);
   EXPECT_EQ(fault_of_errno(ENOMEM), ResolveFault::too_large);
   EXPECT_EQ(fault_of_errno(ELOOP), ResolveFault::io_error);
   EXPECT_EQ(fault_of_errno(EIO), ResolveFault::io_error);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/resolver.hpp"
 
+#include <memory>
 #include <string>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "container/confined_open.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx::container::test {
@@ -163,6 +166,44 @@ TEST_P(ResolverTest, AbsoluteLinksDoNotPassThroughFoldersBesideTheRoot) {
   EXPECT_EQ(read("detour"), outside_);
 }
 
+TEST_P(ResolverTest, AbsoluteLinksMayStepUpOnTheirWayBack) {
+  folder_.link("inside/above", "/.." + (root() / "a.bin").native());
+  folder_.link("inside/twice", folder_.path() / "inside/../inside/a.bin");
+  folder_.link("inside/slash", "/");
+  EXPECT_EQ(read("above"), "content of a");
+  EXPECT_EQ(read("twice"), outside_) << "inside the root '..' leads out";
+  EXPECT_EQ(read("slash"), outside_);
+  folder_.link("inside/around", folder_.path().parent_path() / "../" /
+                                    folder_.path().relative_path() / "inside/a.bin");
+  EXPECT_EQ(read("around"), "content of a");
+}
+
+TEST_P(ResolverTest, AnAbsolutePathIsOpenedWhereItLeadsBackInside) {
+  const UniqueFd fd(::open(root().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  EXPECT_EQ(open_beneath(fd.get(), root() / "a.bin", GetParam()).size, 12U);
+  EXPECT_EQ(open_beneath(fd.get(), folder_.path() / "outside/secret", GetParam()).fault,
+            ResolveFault::outside_root);
+}
+
+TEST_P(ResolverTest, TheBaseMayBeAnotherNameOfTheRoot) {
+  EXPECT_EQ(read("a.bin", "inside/sub/.."), "content of a");
+}
+
+TEST_P(ResolverTest, BytesThatAreAddedStandInTheirPlace) {
+  Resolver resolver(root(), root(), GetParam());
+  const auto log = std::make_shared<LookupLog>();
+  resolver.record(log);
+  resolver.add("a.bin", Bytes::from_string("added"));
+  std::uint64_t size = 0;
+  EXPECT_EQ(resolver.open("a.bin").bytes.text(), "added");
+  EXPECT_EQ(resolver.stat("a.bin", size), ResolveFault::none);
+  EXPECT_EQ(size, 5U);
+  EXPECT_TRUE(log->lookups().empty());
+  EXPECT_EQ(resolver.stat("none", size), ResolveFault::not_found);
+  ASSERT_EQ(log->lookups().size(), 1U);
+  EXPECT_EQ(log->lookups().front().path, "none");
+}
+
 TEST_P(ResolverTest, DevicesBehindLinksAreNotOpened) {
   folder_.link("inside/zero", "/dev/zero");
   folder_.link("inside/self", "/proc/self/cwd");
@@ -278,6 +319,17 @@ TEST(Resolver, WithoutARootNothingIsLookedUp) {
   EXPECT_EQ(Resolver().open("a.bin").fault, ResolveFault::no_root);
   EXPECT_EQ(Resolver().stat("a.bin", size), ResolveFault::no_root);
   EXPECT_EQ(size, 0U);
+}
+
+TEST(Resolver, AFolderThatIsGoneHasNoName) {
+  const UniqueFd back(::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC));
+  {
+    const TempFolder folder;
+    ASSERT_EQ(::chdir(folder.path().c_str()), 0);
+  }
+  const Resolver resolver(".", "sub");
+  ASSERT_EQ(::fchdir(back.get()), 0);
+  EXPECT_EQ(resolver.open("a.bin").fault, ResolveFault::not_found);
 }
 
 TEST(Resolver, AnEmptyPathMeansTheCurrentFolder) {

@@ -51,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         Relative{"x%2fy/../a", "a", "a"}, Relative{"...", "...", "..."},
         Relative{"x/a:b", "x/a:b", "x/a:b"}, Relative{"./a:b:c", "a:b:c", "a%3Ab%3Ac"},
         Relative{"a%3ab", "a:b", "a%3Ab"}, Relative{"a%5cb", "a\\b", "a%5Cb"},
+        Relative{"./:a", ":a", "%3Aa"}, Relative{"a_b", "a_b", "a_b"},
         Relative{"data", "data", "data"}));
 
 TEST(Uri, DataIsKnownByItsSchemeAlone) {

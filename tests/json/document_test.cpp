@@ -20,6 +20,11 @@ TEST(Document, FindsMembersByName) {
   EXPECT_EQ(document.find(document.find(0, "c"), "a"), kNoNode);
   EXPECT_EQ(document.find(kNoNode, "a"), kNoNode);
   EXPECT_EQ(document.find(0, kNoKey), kNoNode);
+  EXPECT_EQ(document.find(kNoNode, document.key_id("a")), kNoNode);
+  EXPECT_EQ(document.find(document.find(0, "c"), document.key_id("a")), kNoNode);
+  EXPECT_EQ(document.find_in_text(kNoNode, "a"), kNoNode);
+  EXPECT_EQ(document.find_in_text(document.find(0, "c"), "a"), kNoNode);
+  EXPECT_FALSE(document.has_value(0, "x"));
 }
 
 TEST(Document, HiddenMembersAreFoundInTheTextOnly) {
@@ -55,6 +60,7 @@ TEST(Document, StrippedValuesAreObjectsWithoutMembers) {
     EXPECT_TRUE(document.is_object(value)) << name;
     EXPECT_EQ(document.object_size(value), 0u) << name;
     EXPECT_EQ(document.find(value, "d"), kNoNode) << name;
+    EXPECT_EQ(document.find(value, document.key_id("d")), kNoNode) << name;
     EXPECT_FALSE(document.holds(value, "d")) << name;
   }
   EXPECT_EQ(document.object_size(0), 3u) << "they stay in their place";

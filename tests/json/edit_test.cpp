@@ -114,6 +114,47 @@ TEST(Edit, ManyEmptyObjectsTakeNoLongerThanTheyAre) {
   EXPECT_EQ(result.substr(0, 20), R"([{"a": 1},{"a": 1},{)");
 }
 
+TEST(Edit, AnIndentationThatDoesNotContinueTheOuterOneIsNoUnit) {
+  EXPECT_EQ(with_member("{\n  \"a\": {\n\t\t\t\"b\": 1\n  }\n}", "/a", R"({"c":1})"),
+            "{\n  \"a\": {\n\t\t\t\"b\": 1,\n\t\t\t\"new\": {\n\t\t\t  \"c\": 1\n\t\t\t}\n  }\n}");
+}
+
+TEST(Edit, TrailingCommasOfNewTextAreLeftOut) {
+  EXPECT_EQ(with_member("{\"a\":1}", "", "[true,]"), R"({"a":1,"new":[true]})");
+  EXPECT_EQ(with_member("{\"a\":1}", "", R"({"b":2 , })"), R"({"a":1,"new":{"b":2}})");
+}
+
+TEST(Edit, ElementsComeAndGoAndScalarsAreReplaced) {
+  const std::string text = R"({"a": ["x", "y", "z"], "b": []})";
+  EXPECT_EQ(edited(text,
+                   [](Editor& editor, const Document& document) {
+                     const NodeId array = document.find(0, "a");
+                     editor.remove(array, document.resolve("/a/1"));
+                     editor.replace_scalar(document.resolve("/a/2"), "3");
+                     editor.append_element(array, "[4]");
+                     editor.append_element(document.find(0, "b"), "5");
+                   }),
+            R"({"a": ["x", 3, [4]], "b": [5]})");
+}
+
+TEST(Edit, AValueThatIsEnclosedStays) {
+  const std::string text = "{ \"a\": [1, 2], \"b\": 3 }";
+  const auto enclose = [](Editor& editor, const Document& document) {
+    editor.enclose(0, document.find(0, "a"), "c");
+    editor.replace_text({8, 9}, "0");
+  };
+  EXPECT_EQ(edited(text, enclose), "{ \"a\": { \"c\": [0, 2] }, \"b\": 3 }");
+}
+
+TEST(Edit, OfTwoChangesAtOnePlaceTheLargerCounts) {
+  EXPECT_EQ(edited("[1, 2]",
+                   [](Editor& editor, const Document&) {
+                     editor.replace_text({1, 2}, "0");
+                     editor.replace_text({1, 5}, "3");
+                   }),
+            "[3]");
+}
+
 TEST(Edit, AllMembersGoneAndANewOne) {
   EXPECT_EQ(edited("{\n  \"a\": 1,\n  \"b\": 2\n}",
                    [](Editor& editor, const Document&) {

@@ -41,6 +41,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"{\"a\":}", "syntax 1:6-1:7", "expected a value, found '}'"},
         Case{"{\"a\"}", "syntax 1:5-1:6", "expected ':'"},
         Case{"{\"a\"=1}", "syntax 1:5-1:6", "found '='"},
+        Case{"{\"a\" b}", "syntax 1:6-1:7", "found the word 'b'"},
+        Case{"{\"a\" \"b\r", "syntax 1:6-1:8", "found the string 'b'"},
+        Case{"{\"a\" \"b\\", "syntax 1:6-1:9", "found the string 'b"},
         Case{"[1;2]", "syntax 1:3-1:4", "expected ',' or ']', found ';'"},
         Case{"[\"a\";2]", "syntax 1:5-1:6", "expected ',' or ']', found ';'"},
         Case{"{[1]:2}", "syntax 1:2-1:3", "member name"},
@@ -73,6 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"{\"a\":1,", "unexpected_end 1:8-1:8", "expected a member name"},
         Case{"[tru", "unexpected_end 1:5-1:5", "expected a value or ']'"},
         Case{"n", "unexpected_end 1:2-1:2", "expected a JSON value"},
+        Case{"[{\"abc\":1},{\"a", "unexpected_end 1:15-1:15", "to close the string"},
         Case{"[\"abc", "unexpected_end 1:6-1:6", "expected '\"' to close the string"},
         Case{"[\"abc\\", "unexpected_end 1:7-1:7", "expected '\"' to close the string"},
         Case{"[\"\\u12", "unexpected_end 1:7-1:7", "expected '\"' to close the string"}));
@@ -82,6 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Case{"[\"a\x01\"]", "control_character 1:4-1:5",
              "found the control character U+0001 inside a string; write \\u0001"},
+        Case{"[\"a\x01", "control_character 1:4-1:5", "write \\u0001"},
         Case{"[\"a\tb\"]", "control_character 1:4-1:5", "write \\u0009"},
         Case{"[\"abc\n]", "control_character 1:6-2:1", "is the closing '\"' missing?"},
         Case{std::string_view("[\"a\0b\"]", 7), "control_character 1:4-1:5", "found a NUL byte"},
@@ -99,7 +104,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"[\"\xC2\xC2\x80\"]", "invalid_utf8 1:3-1:4", "found '\\xc2'"},
         Case{"[\"\xC0\x80\"]", "invalid_utf8 1:3-1:4", "found '\\xc0\\x80'"},
         Case{"[\"\xF5\x80\x80\x80\"]", "invalid_utf8 1:3-1:4", "this is not UTF-8"},
-        Case{std::string_view("\xFF\xFE{\0}\0", 6), "invalid_utf8 1:1-1:2", "looks like UTF-16"}));
+        Case{std::string_view("\xFF\xFE{\0}\0", 6), "invalid_utf8 1:1-1:2", "looks like UTF-16"},
+        Case{std::string_view("\xFE\xFF\0{\0}", 6), "invalid_utf8 1:1-1:2", "looks like UTF-16"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, Fatal,
@@ -123,6 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"[12abc]", "bad_number 1:2-1:7", "not a number"},
                       Case{"{\"a\":\n NaN}", "bad_number 2:2-2:5", "neither NaN nor infinities"},
                       Case{"[1, nan]", "bad_number 1:5-1:8", "neither NaN"},
+                      Case{"[inf]", "bad_number 1:2-1:5", "neither NaN"},
                       Case{"[Infinity]", "bad_number 1:2-1:10", "neither NaN"},
                       Case{"[-Infinity]", "bad_number 1:2-1:11", "neither NaN"},
                       Case{"[-inf]", "bad_number 1:2-1:6", "neither NaN"}));
@@ -134,6 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"[FALSE]", "bad_literal 1:2-1:7", "lower case: false"},
         Case{"[NULL]", "bad_literal 1:2-1:6", "lower case: null"},
         Case{"[None]", "bad_literal 1:2-1:6", "JSON has null"},
+        Case{"[nil]", "bad_literal 1:2-1:5", "JSON has null"},
         Case{"[undefined]", "bad_literal 1:2-1:11", "JSON has null"},
         Case{"[truefalse]", "bad_literal 1:2-1:11", "the word 'truefalse'"},
         Case{"[nul, 1]", "bad_literal 1:2-1:5", "the word 'nul'"},
@@ -141,6 +149,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"{'a': 1}", "bad_literal 1:2-1:3", "double quotes"},
         Case{"{\"a\": 'b'}", "bad_literal 1:7-1:8", "double quotes"},
         Case{"[\u201Cb\u201D]", "bad_literal 1:2-1:3", "double quotes"},
+        Case{"[\u201Db\u201D]", "bad_literal 1:2-1:3", "double quotes"},
+        Case{"[\u201Eb\u201C]", "bad_literal 1:2-1:3", "double quotes"},
+        Case{"[\u2018b\u2019]", "bad_literal 1:2-1:3", "double quotes"},
+        Case{"[\u2019b\u2019]", "bad_literal 1:2-1:3", "double quotes"},
+        Case{"[`b`]", "bad_literal 1:2-1:3", "double quotes"},
         Case{"// hi\n{}", "bad_literal 1:1-1:6", "no comments"},
         Case{"{\"a\": 1, // hi\n}", "bad_literal 1:10-1:15", "no comments"},
         Case{"[1 /* one\n */]", "bad_literal 1:4-2:4", "no comments"},

@@ -40,8 +40,8 @@ TEST(Pointer, AnElementOfANumberArrayIsGivenByItsIndex) {
 
 TEST(Pointer, ResolvesToNothingWhereNothingIs) {
   const Document document = parse_clean(R"({"a": ["x", "y"], "0": 1})");
-  for (const std::string_view pointer : {"/b", "/a/2", "/a/-", "/a/01", "/a/+1", "/a/", "/a/0/0",
-                                         "a", "/a~2", "/a/99999999999999999999"}) {
+  for (const std::string_view pointer : {"/b", "/b/c", "/a/1x", "/a/2", "/a/-", "/a/01", "/a/+1",
+                                         "/a/", "/a/0/0", "a", "/a~2", "/a/99999999999999999999"}) {
     EXPECT_EQ(document.resolve(pointer), kNoNode) << pointer;
   }
   EXPECT_EQ(document.string(document.resolve("/a/1")), "y");

@@ -51,6 +51,11 @@ class AssetWithData {
   }
 
   void forget_bytes() { resources_.buffers[0].reset(); }
+  // To an odd address.
+  void move_bytes() {
+    const std::string text(resources_.buffers[0]->text());
+    resources_.buffers[0] = container::Bytes::from_string("x" + text).part(1, text.size());
+  }
 
  private:
   json::Document document_;
@@ -235,6 +240,83 @@ TEST(AccessorData, ReadingForwardInAnyStepsGivesTheSame) {
     }
     EXPECT_EQ(all, (std::vector<std::uint8_t>{1, 70, 3, 80})) << step;
   }
+}
+
+// With view 0 as the base, view 1 as the indices and view 2 as the values of the one element that
+// is replaced.
+AssetWithData with_sparse(const std::string& object, const std::string& views) {
+  return {R"({"componentType": 5125, "type": "SCALAR", "count": 2, "bufferView": 0, "sparse": )" +
+              object + "}",
+          views, packed(std::vector<std::uint32_t>{5, 6, 1, 9})};
+}
+
+TEST(AccessorData, SparsePartsMustBeSound) {
+  const std::string views =
+      view(8) + ", " + view(4, R"(, "byteOffset": 8)") + ", " + view(4, R"(, "byteOffset": 12)");
+  const std::string indices = R"("indices": {"bufferView": 1, "componentType": 5125})";
+  const std::string values = R"("values": {"bufferView": 2})";
+  const auto read = [&](const std::string& members, Malformed malformed = Malformed::unusable) {
+    return with_sparse("{" + members + "}", views).values(malformed);
+  };
+  EXPECT_EQ(read(R"("count": 1, )" + indices + ", " + values), (Values{5, 9}));
+  for (const std::string& broken :
+       {R"("indices": {"bufferView": 1, "componentType": 5126}, )" + values,
+        R"("indices": {"bufferView": 1, "componentType": 5125, "byteOffset": -4}, )" + values,
+        R"("indices": {"componentType": 5125}, )" + values,
+        indices + R"(, "values": {"bufferView": 2, "byteOffset": "4"})",
+        indices + R"(, "values": {})", indices + R"(, "values": {"bufferView": 9})"}) {
+    EXPECT_EQ(read(R"("count": 1, )" + broken), Values{}) << broken;
+  }
+  for (const std::string& incomplete :
+       {indices + ", " + values, R"("count": 0, )" + indices + ", " + values,
+        R"("count": 1, )" + indices, R"("count": 1, )" + values}) {
+    EXPECT_EQ(read(incomplete), Values{}) << incomplete;
+    EXPECT_EQ(read(incomplete, Malformed::absent), (Values{5, 6})) << incomplete;
+  }
+  EXPECT_EQ(read(R"("count": 1, )" + indices + ", " + values, Malformed::absent), (Values{5, 9}));
+}
+
+TEST(AccessorData, ViewsOfSparsePartsMustSayHowLongTheyAre) {
+  const std::string object = R"({"count": 1, "values": {"bufferView": 2},
+    "indices": {"bufferView": 1, "componentType": 5125}})";
+  const auto read = [&](const std::string& index_view) {
+    const std::string views = view(8) + ", " + index_view + ", " + view(4, R"(, "byteOffset": 12)");
+    return with_sparse(object, views).values();
+  };
+  EXPECT_EQ(read(view(4, R"(, "byteOffset": 8)")), (Values{5, 9}));
+  EXPECT_EQ(read(view(3, R"(, "byteOffset": 8)")), Values{});
+  EXPECT_EQ(read(R"({"buffer": 0, "byteOffset": 8})"), Values{});
+}
+
+TEST(AccessorData, MalformedMembersOfTheAccessorAreRefused) {
+  for (const char* const members :
+       {R"("componentType": 5126, "type": "VEC3", "count": 2, "byteOffset": -4)",
+        R"("componentType": 5126, "type": "VEC3", "count": 0)",
+        R"("componentType": 5126, "type": "VEC5", "count": 2)",
+        R"("componentType": 5124, "type": "VEC3", "count": 2)"}) {
+    EXPECT_FALSE(AssetWithData(std::string(R"({"bufferView": 0, )") + members + "}", view(24),
+                               floats({1, 2, 3, 4, 5, 6}))
+                     .open())
+        << members;
+  }
+}
+
+TEST(AccessorData, BytesAtAnyAddressAreRead) {
+  AssetWithData asset(kVec3, view(24), floats({1, 2, 3, 4, 5, 6}));
+  asset.move_bytes();
+  EXPECT_EQ(asset.values(), (Values{1, 2, 3, 4, 5, 6}));
+}
+
+TEST(AccessorData, PackedElementsNeedAKnownFormatAndTheirBytes) {
+  const auto bytes = container::Bytes::from_string(std::string(16, '\0'));
+  const Format floats{ElementType::vec4, ComponentType::float32, false};
+  EXPECT_TRUE(AccessorData::packed(floats, 1, bytes, 0));
+  EXPECT_FALSE(AccessorData::packed(floats, 0, bytes, 0));
+  EXPECT_FALSE(AccessorData::packed(floats, 2, bytes, 0));
+  EXPECT_FALSE(AccessorData::packed(floats, std::uint64_t{1} << 60U, bytes, 0));
+  EXPECT_FALSE(
+      AccessorData::packed({ElementType::vec2, ComponentType::float64, false}, 1, bytes, 0));
+  EXPECT_FALSE(AccessorData::packed({ElementType::none, ComponentType::int8, false}, 1, bytes, 0));
 }
 
 TEST(Normalize, MapsIntegersToFractions) {

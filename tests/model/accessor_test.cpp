@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/accessor.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "asset_text.hpp"
@@ -41,6 +43,34 @@ TEST(Format, IsWrittenInWords) {
   EXPECT_EQ(format_text({ElementType::mat4, ComponentType::float32, false}), "MAT4 of FLOAT");
 }
 
+TEST(Format, OfNothingKnownHasNoSize) {
+  EXPECT_EQ(component_size(ComponentType::none), 0U);
+  EXPECT_FALSE(is_core_component(ComponentType::none));
+  EXPECT_FALSE(is_core_component(ComponentType::int32));
+  EXPECT_TRUE(is_core_component(ComponentType::uint32));
+  EXPECT_FALSE(is_integer(ComponentType::none));
+  EXPECT_FALSE(is_integer(ComponentType::float64));
+  EXPECT_TRUE(is_integer(ComponentType::int32));
+  EXPECT_EQ(format_text({ElementType::none, ComponentType::none, false}),
+            "an unknown type of unknown components");
+}
+
+TEST(ValueRange, IsThatOfTheNumbersOfItsSize) {
+  struct Case {
+    ComponentType type;
+    double least, most;
+  };
+  for (const Case& each :
+       {Case{ComponentType::int8, -128, 127}, Case{ComponentType::uint8, 0, 255},
+        Case{ComponentType::int16, -32768, 32767}, Case{ComponentType::uint16, 0, 65535},
+        Case{ComponentType::int32, -2147483648.0, 2147483647.0},
+        Case{ComponentType::uint32, 0, 4294967295.0},
+        Case{ComponentType::float32, -INFINITY, INFINITY}}) {
+    EXPECT_EQ(value_range(each.type).least, each.least);
+    EXPECT_EQ(value_range(each.type).most, each.most);
+  }
+}
+
 TEST(Accessor, IsReadFromItsObject) {
   const AssetText text(R"({"bufferViews": [{}], "accessors": [{"bufferView": 0, "byteOffset": 8,
     "componentType": 5121, "normalized": true, "count": 3, "type": "VEC4", "min": [0], "max": 1,
@@ -72,6 +102,24 @@ TEST(Accessor, MalformedMembersCountAsAbsent) {
   EXPECT_EQ(accessor.sparse, json::kNoNode);
 }
 
+TEST(Accessor, MembersOfAnotherKindCountAsAbsent) {
+  const AssetText text(R"({"bufferViews": [{}], "accessors": [
+    {"bufferView": "0", "componentType": 5126.5, "count": -1, "type": 3, "name": "x"},
+    {"bufferView": [], "componentType": 70657, "count": 1.5, "type": null, "other": 1}]})");
+  for (const Accessor& accessor : read_accessors(text.asset)) {
+    EXPECT_FALSE(accessor.buffer_view);
+    EXPECT_FALSE(accessor.count);
+    EXPECT_EQ(accessor.format, Format());
+    EXPECT_FALSE(accessor.span_size(4));
+  }
+}
+
+TEST(Accessor, WithoutAFormatItHasNoSpan) {
+  Accessor accessor;
+  accessor.count = 3;
+  EXPECT_FALSE(accessor.span_size(4));
+}
+
 TEST(Accessor, SpanEndsWithTheLastElementAndNotWithItsStride) {
   Accessor accessor;
   accessor.count = 3;
@@ -88,7 +136,9 @@ TEST(Sparse, NeedsAllItsParts) {
     {"count": 4, "componentType": 5126, "type": "VEC3", "sparse": {"count": 2,
      "indices": {"bufferView": 0, "componentType": 5123, "byteOffset": 4}, "values": {"bufferView": 0}}},
     {"sparse": {"count": 0, "indices": {"componentType": 5123}, "values": {}}},
-    {"sparse": {"count": 1, "indices": {"componentType": 5121}}}]})");
+    {"sparse": {"count": 1, "indices": {"componentType": 5121}}},
+    {"sparse": {"count": 1, "values": {"bufferView": 0}}},
+    {"sparse": {"indices": {"componentType": 5121}, "values": {}}}, {}]})");
   const auto accessors = read_accessors(text.asset);
   const auto sparse = read_sparse(text.asset, accessors[0]);
   ASSERT_TRUE(sparse);
@@ -103,7 +153,7 @@ TEST(Sparse, NeedsAllItsParts) {
 
 TEST(Bounds, AreSoundWhenTheTypeCanHoldThem) {
   const AssetText text(R"({"a": [0, 255], "b": [0, 256], "c": [0.5, 1], "d": [1], "e": [0, 1, 2],
-    "f": ["x", 1], "g": [-1, 0]})");
+    "f": ["x", 1], "g": [-1, 0], "h": [0, 1e400]})");
   const auto sound = [&](const char* member, ComponentType component) {
     return is_sound_bound(text.document, {ElementType::vec2, component, false},
                           text.document.find(0, member));
@@ -118,6 +168,8 @@ TEST(Bounds, AreSoundWhenTheTypeCanHoldThem) {
   EXPECT_FALSE(sound("f", ComponentType::float32));
   EXPECT_FALSE(sound("g", ComponentType::uint8));
   EXPECT_TRUE(sound("g", ComponentType::int8));
+  EXPECT_FALSE(sound("h", ComponentType::float32));
+  EXPECT_FALSE(sound("none", ComponentType::float32));
 }
 
 }  // namespace

@@ -4,9 +4,8 @@
 #include <tuple>
 
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "base/leftover.hpp"
 #include "codec/support/png_encoder.hpp"
 #include "legacy_asset.hpp"
 
@@ -357,14 +356,6 @@ TEST(UpgradeImages, NothingNewIsLeftOfAFileThatCannotBeReplaced) {
   EXPECT_EQ(files, 3);
 }
 
-// The number of a process that runs no more.
-std::string ended_process() {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(0);
-  ::waitpid(child, nullptr, 0);
-  return std::to_string(child);
-}
-
 TEST(UpgradeImages, AssetsThatShareAMapShareTheNewOneAlsoAfterACrash) {
   const std::string map = noisy_png(PngColor::rgb, 8, 24);
   const std::string text = document({mapped()}, {{{"uri", "leaf.png"}}}).dump();
@@ -376,9 +367,8 @@ TEST(UpgradeImages, AssetsThatShareAMapShareTheNewOneAlsoAfterACrash) {
 
   const TempFolder folder;
   folder.write("leaf.png", map);
-  const std::string dead = ended_process();
-  folder.write(alone.new_files[0] + "." + dead + "-0.part", "half");
-  folder.write("7.gltf." + dead + "-3.part", "half");
+  folder.write(left_by(ended_process(), alone.new_files[0], 0), "half");
+  folder.write(left_by(ended_process(), "7.gltf", 3), "half");
   std::vector<UpgradeInput> inputs;
   for (int i = 0; i < 40; ++i) {
     inputs.push_back({folder.write(std::to_string(i) + ".gltf", text).native(), {}});

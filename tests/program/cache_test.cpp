@@ -139,6 +139,17 @@ TEST_F(Cache, ManySmallRunsEndUpInFewFiles) {
   EXPECT_EQ(bytes_kept(), kept) << "nothing was forgotten";
 }
 
+TEST_F(Cache, TheNewestReportOfAnAssetCounts) {
+  for (int i = 0; i < 40; ++i) {
+    folder_.write("assets/a.bin", i % 2 == 0 ? "1234" : "12345");
+    folder_.write("assets/a.gltf", with_buffer("4"));  // last: its age is waited for
+    const std::string said = validate().out;
+    const std::uintmax_t kept = bytes_kept();
+    ASSERT_EQ(validate().out, said) << i;
+    ASSERT_LE(bytes_kept(), kept) << "change " << i << " was looked at twice";
+  }
+}
+
 TEST_F(Cache, AFolderThatCannotBeUsedIsAMistake) {
   folder_.write("cache", "a file");
   const Outcome outcome = validate();

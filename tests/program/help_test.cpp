@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// --help, --version, explain and rules: what the program says about itself.
-#include <regex>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "help_words.hpp"
 #include "process.hpp"
 
 namespace gltfx::program {
@@ -66,7 +66,8 @@ const std::vector<Verb>& verbs() {
         "--environment", "--exposure",    "--scene",   "--animation", "--time",       "--variant",
         "--force",       "--samples",     "--bounces", "--seed",      "--denoise",    "--noise",
         "--time-budget", "--shader",      "--root",    "--schema",    "--schema-dir", "--quiet",
-        "--config",      "--isolated",    "--jobs",    "--color",     "--files-from", "--shard"}},
+        "--config",      "--isolated",    "--jobs",    "--color",     "--files-from", "--shard",
+        "--cache"}},
       {"report",
        {"PATH",
         "--output",
@@ -134,16 +135,6 @@ TEST(Help, OfEachVerbListsEveryOptionExamplesAndExitCodes) {
                       HasSubstr("Usage: gltfx " + verb.name)));
     EXPECT_EQ(gltfx({verb.name, "-h"}).out, outcome.out);
   }
-}
-
-// The options that a help text names.
-std::set<std::string> options_in(const std::string& text) {
-  std::set<std::string> found;
-  const std::regex option("(?:^|\n) +(?:-[A-Za-z],)?(--[a-z][a-z-]*)");
-  for (std::sregex_iterator at(text.begin(), text.end(), option), end; at != end; ++at) {
-    found.insert((*at)[1]);
-  }
-  return found;
 }
 
 TEST(Help, EveryOptionIsInTheTableAboveAndInTheReadme) {

@@ -104,6 +104,23 @@ TEST_F(Merge, TheVerdictIsThatOfAllParts) {
   EXPECT_EQ(gltfx({"merge", "r.jsonl", "--fail-on", "never"}, setting_).code, 0);
 }
 
+TEST_F(Merge, WhatFailsIsWhatFailedTheRuns) {
+  folder_.write("a/1.gltf", kWarning);
+  ASSERT_EQ(
+      gltfx({"validate", "a", "--fail-on", "warning", "--format", "jsonl=r.jsonl"}, setting_).code,
+      1);
+  EXPECT_EQ(gltfx({"merge", "r.jsonl"}, setting_).code, 1);
+  EXPECT_EQ(gltfx({"merge", "r.jsonl", "--fail-on", "error"}, setting_).code, 0);
+  for (const std::string format : {"junit", "sarif"}) {
+    const Outcome one =
+        gltfx({"validate", "a", "--fail-on", "warning", "--format", format}, setting_);
+    EXPECT_EQ(gltfx({"merge", "r.jsonl", "--format", format}, setting_).out, one.out);
+  }
+  folder_.write("r.jsonl", R"({"gltfx": "1", "format": 1, "failOn": "loud"})"
+                           "\n");
+  EXPECT_THAT(gltfx({"merge", "r.jsonl"}, setting_).err, HasSubstr("'failOn'"));
+}
+
 class Shards : public Merge {
  protected:
   std::set<std::string> files(const std::string& folder, const std::string& shard) const {

@@ -53,7 +53,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{{"rules", "UNUSED_OBJECT"}, "unexpected argument 'UNUSED_OBJECT'"},
                     Mistake{{"schema", "material", "node"}, "one extension or core type at a time"},
                     Mistake{{"rules", "--format", "github"}, "'github' is none of text, json."},
-                    Mistake{{"explain"}, "name a code"}));
+                    Mistake{{"explain"}, "name a code"},
+                    Mistake{{"hook", "validate", "--shard", "1/2"}, "leave out --files-from"},
+                    Mistake{{"hook", "upgrade", "--files-from", "list"}, "the commit says"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, Usage,

@@ -23,7 +23,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/model/instancing.cpp", "reads what the extension draws: transforms from accessors"},
     {"libgltfx/model/keyframes.cpp",
      "reads which property a channel moves, to move it before it is drawn"},
-    {"libgltfx/model/light.cpp", "reads the lights of the extension as numbers, to draw by them"},
+    {"libgltfx/model/light.cpp",
+     "reads the lights of the extension as numbers, to draw by them; tells that of another"},
     {"libgltfx/model/material.cpp",
      "reads the materials of the extensions as numbers: every one means something else to a "
      "shader"},

@@ -72,6 +72,11 @@ TEST(Names, ListsThatLoseTheirLastNameGo) {
 TEST(Names, AListOfSomethingElseIsLeftAlone) {
   EXPECT_EQ(names_after(R"("extensionsUsed":[1,2],)", kConverted), "[1,2] null ");
   EXPECT_EQ(names_after(R"("extensionsUsed":{},)", kConverted), "{} null ");
+  EXPECT_EQ(names_after(R"("extensionsUsed":["A_a",null],"extensionsRequired":[],)", kConverted),
+            R"(["A_a",null,"KHR_materials_diffuse_transmission"] [] )");
+  EXPECT_EQ(names_after(R"("extensionsUsed":["KHR_materials_translucency",null],)",
+                        R"({"extensions":{"KHR_materials_translucency":{}}})"),
+            "[null] null ");
 }
 
 std::string animated(const std::string& pointer) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include "container/glb_builder.hpp"
 
@@ -79,6 +80,30 @@ TEST(GlbRewrite, ChunksThatAreNotKnownNotInOrderOrNotAlignedStay) {
   const std::string rest = chunk(kOther, "1234") + chunk(container::kChunkBin, "ab") +
                            chunk(container::kChunkBin, "") + chunk(container::kChunkJson, "[3]");
   EXPECT_EQ(rewritten(glb(chunk(container::kChunkJson, "[1,2]") + rest), "[0]"), file("[0]", rest));
+}
+
+TEST(GlbRewrite, PartsOfTheBinChunkAreTakenOut) {
+  const std::string old = file("{}", chunk(container::kChunkBin, "abcdefghijkl"));
+  const Container opened = container::open_bytes(Bytes::from_string(old));
+  BinChange change;
+  change.cut = {{0, 4}, {8, 12}};
+  EXPECT_EQ(*rewrite_glb(opened, "[]", change), file("[]", chunk(container::kChunkBin, "efgh")));
+  change.more = "xyzw";
+  EXPECT_EQ(*rewrite_glb(opened, "[]", change),
+            file("[]", chunk(container::kChunkBin, "efghxyzw")));
+}
+
+// Addresses only: nothing but the end of the text is looked at.
+TEST(GlbRewrite, BeyondFourGibibytesThereIsNoGlb) {
+  constexpr std::size_t kSize = std::size_t{1} << 32U;
+  void* const memory =
+      ::mmap(nullptr, kSize, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  const Container opened = container::open_bytes(Bytes::from_string(file("{}", "")));
+  const auto result = rewrite_glb(opened, {static_cast<const char*>(memory), kSize});
+  ::munmap(memory, kSize);
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("4 GiB"), std::string::npos);
 }
 
 TEST(GlbRewrite, WhereChunksCannotBeToldApartNothingIsWritten) {

@@ -3,10 +3,12 @@
 #include "upgrade/settlement.hpp"
 
 #include <cstring>
+#include <unordered_map>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "container/glb_builder.hpp"
 #include "support.hpp"
 #include "upgrade/content_hash.hpp"
 #include "upgrade/render.hpp"
@@ -21,21 +23,22 @@ using testing::SizeIs;
 struct Settled {
   Settlement settlement;
   Json json;
+  std::string error;
 };
 
-// A .gltf with additions, everything free but for `taken` names.
-Settled settled(const std::string& text, const std::function<void(Additions&)>& add,
-                std::size_t taken = 0) {
+// An asset with additions, everything free but for `taken` names. `images` are the files of its
+// new images, "pixels" where there are none.
+Settled tried(const std::string& content, const std::function<void(Additions&)>& add,
+              std::size_t taken = 0, std::vector<std::shared_ptr<const std::string>> images = {}) {
   const container::Container file =
-      container::open_bytes(container::Bytes::from_string(text), "a.gltf");
+      container::open_bytes(container::Bytes::from_string(content), "a.gltf");
   const json::Parsed parsed = json::parse(file.json);
   const model::Asset asset(parsed.document);
   const container::Resolver resolver;
   const AssetBytes bytes(asset, file, resolver);
   Additions additions(parsed.document);
   add(additions);
-  const std::vector<std::shared_ptr<const std::string>> images(
-      additions.images().size(), std::make_shared<const std::string>("pixels"));
+  images.resize(additions.images().size(), std::make_shared<const std::string>("pixels"));
   auto result = settle(additions, images, file, bytes, [&](const std::string&, std::string_view) {
     if (taken == 0) return true;
     --taken;
@@ -43,11 +46,18 @@ Settled settled(const std::string& text, const std::function<void(Additions&)>& 
   });
   Settled done;
   if (!result) {
-    ADD_FAILURE() << result.error().message;
+    done.error = result.error().message;
     return done;
   }
   done.settlement = *std::move(result);
-  done.json = Json::parse(json::apply_edits(text, done.settlement.edits));
+  done.json = Json::parse(json::apply_edits(*file.json, done.settlement.edits));
+  return done;
+}
+
+Settled settled(const std::string& content, const std::function<void(Additions&)>& add,
+                std::size_t taken = 0) {
+  Settled done = tried(content, add, taken);
+  EXPECT_EQ(done.error, "");
   return done;
 }
 
@@ -114,6 +124,90 @@ TEST(Settlement, ATakenNameIsFollowedByAnother) {
   };
   EXPECT_THAT(name(1), MatchesRegex("a-[0-9a-f]{16}\\.png"));
   EXPECT_THAT(name(3), MatchesRegex("a-[0-9a-f]{16}-3\\.png"));
+}
+
+TEST(Settlement, ANewNameHasTheStemOfTheOldOne) {
+  ImageJob job;
+  job.channels[3] = ChannelSource::of(0, 0);
+  const auto name = [&](const std::string& uri) {
+    return settled(R"({"images":[{"uri":")" + uri + R"("}]})",
+                   [&](Additions& additions) { additions.add_texture(job, std::nullopt); })
+        .settlement.files.at(0)
+        .path;
+  };
+  EXPECT_THAT(name("a"), MatchesRegex("a-[0-9a-f]{8}\\.png"));
+  EXPECT_THAT(name("a.b/c"), MatchesRegex("a\\.b/c-[0-9a-f]{8}\\.png"));
+  EXPECT_THAT(name(".a"), MatchesRegex("\\.a-[0-9a-f]{8}\\.png"));
+}
+
+TEST(Settlement, WhereNoNameIsFreeNothingIsPut) {
+  ImageJob job;
+  job.channels[3] = ChannelSource::of(0, 0);
+  const auto add = [&](Additions& additions) { additions.add_texture(job, std::nullopt); };
+  const std::string none = "there is no free name for a new file";
+  EXPECT_EQ(tried(R"({"images":[{"uri":"a.png"}]})", add, 100).error, none);
+  EXPECT_EQ(tried(R"({"images":[{"uri":"https://example.com/a.png"}]})", add).error, none);
+  const std::string buffers = R"({"buffers":[{"uri":"a.bin"},{"uri":"b.bin"}],"accessors":[{}]})";
+  EXPECT_EQ(tried(buffers, add_vectors, 100).error, none);
+}
+
+TEST(Settlement, ARootArrayOfSomethingElseIsAnError) {
+  const auto add = [](Additions& additions) { additions.add_element("samplers", "{}"); };
+  EXPECT_EQ(tried(R"({"samplers":[1,2]})", add).error,
+            "a root array of the document holds something else");
+}
+
+// Two of these files have hashes that begin alike.
+TEST(Settlement, FilesWhoseShortNamesAreEqualGetLongOnes) {
+  std::unordered_map<std::uint64_t, int> known;
+  std::vector<std::shared_ptr<const std::string>> files;
+  for (int i = 0; files.empty() && i < 2'000'000; ++i) {
+    const auto [twin, fresh] = known.emplace(content_hash(std::to_string(i)) >> 32U, i);
+    if (fresh) continue;
+    for (const int number : {twin->second, i, i + 1}) {
+      files.push_back(std::make_shared<const std::string>(std::to_string(number)));
+    }
+  }
+  ASSERT_THAT(files, SizeIs(3));
+  ImageJob job;
+  const Settled done = tried(R"({"images":[{"uri":"a.png"}]})",
+                             [&](Additions& additions) {
+                               for (const double scale : {1.0, 0.5, 0.25}) {
+                                 job.channels[3] = ChannelSource::of(0, 0, scale);
+                                 additions.add_texture(job, std::nullopt);
+                               }
+                             },
+                             0, files);
+  ASSERT_THAT(done.settlement.files, SizeIs(3));
+  EXPECT_THAT(done.settlement.files[0].path, MatchesRegex("a-[0-9a-f]{8}\\.png"));
+  EXPECT_THAT(done.settlement.files[1].path, MatchesRegex("a-[0-9a-f]{16}\\.png"));
+  EXPECT_THAT(done.settlement.files[2].path, MatchesRegex("a-[0-9a-f]{8}\\.png"));
+}
+
+std::string with_bin(const std::string& json) {
+  std::string text = json;
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  return container::test::glb(container::test::chunk(container::kChunkJson, text) +
+                              container::test::bin_chunk("abcdef  "));
+}
+
+TEST(Settlement, OfAGlbTheBinChunkGrows) {
+  const Settled done =
+      settled(with_bin(R"({"buffers":[{"byteLength":6}],"accessors":[{}]})"), add_vectors);
+  EXPECT_EQ(done.settlement.bin, std::string("abc\0de", 6));
+  EXPECT_EQ(done.json["buffers"].dump(), R"([{"byteLength":14}])");
+  EXPECT_EQ(done.json["bufferViews"].dump(), R"([{"buffer":0,"byteOffset":8,"byteLength":3},)"
+                                             R"({"buffer":0,"byteOffset":12,"byteLength":2}])");
+}
+
+TEST(Settlement, OfAGlbWhoseBufferIsNotItsBinChunkDataUrisAreMade) {
+  for (const char* const buffer :
+       {R"({"byteLength":6,"uri":"a.bin"})", R"({"byteLength":9})", R"({"byteLength":"6"})"}) {
+    const Settled done = settled(
+        with_bin(std::string(R"({"accessors":[{}],"buffers":[)") + buffer + "]}"), add_vectors);
+    EXPECT_EQ(done.settlement.bin, "") << buffer;
+    EXPECT_EQ(done.json["buffers"][1]["uri"], "data:application/octet-stream;base64,YWJjAGRl");
+  }
 }
 
 TEST(ContentHash, StaysTheSameForGood) {

@@ -110,6 +110,36 @@ TEST(AccessorLayout, WhatIsMissingOrWrongElsewhereIsNotMeasured) {
   EXPECT_EQ(of_accessor(R"({"type": "VEC3", "count": 99, "componentType": 5126})"), Lines{});
 }
 
+TEST(AccessorLayout, AnOffsetThatIsNoneIsNotMeasured) {
+  for (const char* const offset : {"-4", "0.5", "\"4\""}) {
+    for (const Profile profile : {Profile::standard, Profile::khronos}) {
+      EXPECT_EQ(of_accessor(std::string(R"({"bufferView": 0, "type": "SCALAR", "count": 99,
+        "componentType": 5126, "byteOffset": )") +
+                                offset + "}",
+                            profile),
+                Lines{})
+          << offset;
+    }
+  }
+}
+
+TEST(AccessorLayout, AStrideTooSmallIsMeasuredWithInTheKhronosProfileOnly) {
+  const std::string accessor =
+      R"({"bufferView": 1, "type": "VEC3", "count": 99, "componentType": 5126})";
+  EXPECT_EQ(of_accessor(accessor), Lines{"ACCESSOR_SMALL_BYTESTRIDE /accessors/0"});
+  EXPECT_EQ(of_accessor(accessor, Profile::khronos),
+            (Lines{"ACCESSOR_SMALL_BYTESTRIDE /accessors/0", "ACCESSOR_TOO_LONG /accessors/0"}));
+}
+
+TEST(AccessorLayout, AViewWithoutALengthHasNothingInTheKhronosProfile) {
+  const std::string asset = asset_with(R"("buffers": [{"byteLength": 9}],
+    "bufferViews": [{"buffer": 0}],
+    "accessors": [{"bufferView": 0, "type": "SCALAR", "count": 1, "componentType": 5121}])");
+  EXPECT_EQ(selected(asset, kCodes), Lines{});
+  EXPECT_EQ(selected(asset, kCodes, Profile::khronos),
+            Lines{"ACCESSOR_TOO_LONG /accessors/0/byteOffset"});
+}
+
 Lines of_sparse(const std::string& sparse, Profile profile = Profile::standard) {
   return of_accessor(
       R"({"type": "VEC3", "count": 3, "componentType": 5126, "sparse": )" + sparse + "}", profile);
@@ -142,6 +172,16 @@ TEST(SparseAccessor, PartsLieSideBySideOnTheirBoundaries) {
               "values": {"bufferView": 2}})"),
       (Lines{"ACCESSOR_TOO_LONG /accessors/0/sparse/indices/byteOffset",
              "ACCESSOR_TOTAL_OFFSET_ALIGNMENT /accessors/0/sparse/values"}));
+}
+
+TEST(SparseAccessor, PartsOfAnUnknownFormatAreNotMeasured) {
+  const std::string sparse = R"("count": 3, "type": "SCALAR", "sparse": {"count": 1,
+    "indices": {"bufferView": 0, "componentType": 7, "byteOffset": 1},
+    "values": {"bufferView": 0, "byteOffset": 1}}})";
+  EXPECT_EQ(of_accessor(R"({"componentType": 7, )" + sparse, Profile::khronos), Lines{});
+  EXPECT_EQ(of_accessor(R"({"componentType": 5123, )" + sparse, Profile::khronos),
+            (Lines{"ACCESSOR_OFFSET_ALIGNMENT /accessors/0/sparse/values/byteOffset",
+                   "ACCESSOR_TOTAL_OFFSET_ALIGNMENT /accessors/0/sparse/values"}));
 }
 
 TEST(SparseAccessor, AnIncompleteOneIsLeftAlone) {

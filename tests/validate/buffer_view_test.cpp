@@ -19,6 +19,11 @@ TEST(BufferView, StrideMustFitTheView) {
   EXPECT_EQ(of_view(R"({"buffer": 0, "byteLength": 12, "byteStride": 12})"), Lines{});
 }
 
+TEST(BufferView, AStrideOfAViewWithoutALengthIsNotMeasured) {
+  EXPECT_EQ(of_view(R"({"buffer": 0, "byteStride": 12})"), Lines{});
+  EXPECT_EQ(of_view(R"({"buffer": 0, "byteLength": "8", "byteStride": 12})"), Lines{});
+}
+
 TEST(BufferView, AStrideOutOfRangeIsReportedOnce) {
   EXPECT_EQ(of_view(R"({"buffer": 0, "byteLength": 8, "byteStride": 256, "target": 34963})"),
             Lines{"VALUE_NOT_IN_RANGE /bufferViews/0/byteStride"});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -10,7 +9,7 @@
 #include "base/text.hpp"
 #include "options.hpp"
 #include "reading.hpp"
-#include "suggestion.hpp"
+#include "value_words.hpp"
 #include "words.hpp"
 
 namespace gltfx::tool {
@@ -59,20 +58,19 @@ Result<std::uint32_t> parse_count(std::string_view option, std::string_view text
 }
 
 Result<std::string> parse_format(const std::string& text) {
-  static constexpr std::array<std::string_view, 5> kNames{"png", "webp", "jpeg", "jpg", "exr"};
-  if (std::find(kNames.begin(), kNames.end(), text) != kNames.end()) return text;
-  return Error{fmt::format("--format: {} is none of {}.{}", quoted(text), fmt::join(kNames, ", "),
-                           suggestion(text, kNames))};
+  const auto known = std::find(kPictureFormats.begin(), kPictureFormats.end(), text);
+  if (known != kPictureFormats.end()) return text;
+  return unknown_word("--format", text, kPictureFormats);
 }
 
 void read_quality(Reading& reading, const BakeWords& words, BakeOptions& bake) {
   reading.set(bake.samples, parse_count("--samples", words.samples, 1, 1U << 20U));
   reading.set(bake.bounces, parse_count("--bounces", words.bounces, 0, 1000));
   reading.set(bake.seed, parse_count("--seed", words.seed, 0, kMost32));
-  reading.set(bake.denoise, parse_either("--denoise", words.denoise, "on", "off"));
+  reading.set(bake.denoise, parse_word<bool>("--denoise", words.denoise, kDenoiseWords));
   reading.set(bake.noise, parse_decimal("--noise", words.noise, 0, 1));
   reading.set(bake.seconds, parse_decimal("--time-budget", words.time_budget, 0, 1e6));
-  reading.set(bake.literal_shader, parse_either("--shader", words.shader, "spec", "conserving"));
+  reading.set(bake.literal_shader, parse_word<bool>("--shader", words.shader, kShaderWords));
 }
 
 void read_scene(Reading& reading, const BakeWords& words, BakeOptions& bake) {
@@ -91,9 +89,7 @@ void read_scene(Reading& reading, const BakeWords& words, BakeOptions& bake) {
 
 void check(Reading& reading, const BakeWords& words) {
   const bool compares = !words.compare.empty();
-  require_files(reading, words.inputs,
-                "bake: standard input has no file beside which anything could be found; name a "
-                "file ('./-' for one that is called '-').");
+  require_files(reading, words.inputs.paths, "bake");
   reading.require(!words.output.empty() || words.embed || compares,
                   "bake: say where the picture goes with --output, or --embed it.");
   reading.require(!compares || words.inputs.paths.size() == 1,
@@ -102,6 +98,12 @@ void check(Reading& reading, const BakeWords& words) {
   reading.require(!words.embed || words.time_budget == "0",
                   "bake: --embed and --time-budget exclude each other: what is in a file should "
                   "not depend on the machine.");
+  reading.require(words.cache.empty() || (!words.embed && !compares && words.time_budget == "0"),
+                  "bake: --cache knows files that the same asset always gives; leave out --embed, "
+                  "--compare and --time-budget.");
+  reading.require(words.sheet.empty() || words.inputs.shard.empty(),
+                  "bake: --shard draws some of the pictures, --sheet needs all; draw it in a run "
+                  "without --shard, for which --cache saves the work of the others.");
   reading.require(words.sheet.empty() || !compares, "bake: --compare draws no --sheet.");
   reading.require(!compares || (words.turntable == "0" && words.layers.empty()),
                   "bake: --compare draws one picture, without --turntable and --layer.");
@@ -126,31 +128,14 @@ Result<double> parse_decimal(std::string_view option, std::string_view text, dou
 }
 
 Result<BakeLights> parse_lights(std::string_view text) {
-  if (text == "asset") return BakeLights::asset;
-  if (text == "studio") return BakeLights::studio;
-  if (text == "both") return BakeLights::both;
-  return Error{fmt::format("--lights: {} is none of asset, studio, both.", quoted(text))};
-}
-
-Result<bool> parse_either(std::string_view option, std::string_view text, std::string_view yes,
-                          std::string_view no) {
-  if (text == yes) return true;
-  if (text == no) return false;
-  return Error{fmt::format("{}: {} is none of {}, {}.", option, quoted(text), yes, no)};
+  return parse_word<BakeLights>("--lights", text, kLightWords);
 }
 
 Result<std::vector<BakeLayer>> parse_layers(const std::vector<std::string>& texts) {
-  static constexpr std::array<BakeLayer, 4> kLayers{BakeLayer::albedo, BakeLayer::normal,
-                                                    BakeLayer::depth, BakeLayer::material};
   std::vector<BakeLayer> layers;
   for (const std::string_view name : comma_parts(texts)) {
-    const auto layer = std::find_if(kLayers.begin(), kLayers.end(), [name](BakeLayer each) {
-      return bake_layer_name(each) == name;
-    });
-    if (layer == kLayers.end()) {
-      return Error{
-          fmt::format("--layer: {} is none of albedo, normal, depth, material.", quoted(name))};
-    }
+    const auto layer = parse_word<BakeLayer>("--layer", name, kLayerWords);
+    if (!layer) return layer.error();
     if (std::find(layers.begin(), layers.end(), *layer) == layers.end()) layers.push_back(*layer);
   }
   return layers;
@@ -187,6 +172,7 @@ Result<BakeRequest> request_of(const BakeWords& words) {
   request.bake.jobs = request.common.jobs;
   request.sheet = words.sheet;
   request.compare = words.compare;
+  request.cache = words.cache;
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;

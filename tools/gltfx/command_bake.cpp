@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
+#include <gltfx/result_cache.hpp>
 
 #include <cmath>
 #include <string>
@@ -53,6 +54,7 @@ class BakeRun {
     const std::string trouble = bake_files(places->inputs, options_, places->sheet,
                                            [this](BakeReport&& report) { take(report); });
     progress_.clear();
+    if (options_.cache) finish_cache();
     if (!trouble.empty()) {
       complain(fmt::format("{}: {}", printable(places->sheet), trouble));
       code_ = worse(code_, ExitCode::internal);
@@ -65,6 +67,13 @@ class BakeRun {
  private:
   void say(const std::string& text) {
     if (!request_.quiet) code_ = worse(code_, print(text));
+  }
+
+  void finish_cache() {
+    const std::string problem = options_.cache->finish();
+    if (problem.empty()) return;
+    complain(problem);
+    code_ = worse(code_, ExitCode::internal);
   }
 
   void take(const BakeReport& report) {
@@ -146,6 +155,14 @@ ExitCode run(const BakeRequest& request) {
     return ExitCode::usage;
   }
   options.schemas = *std::move(schemas);
+  if (!request.cache.empty()) {
+    std::string problem;
+    options.cache = ResultCache::open(request.cache, problem);
+    if (!options.cache) {
+      complain("--cache: " + problem);
+      return ExitCode::usage;
+    }
+  }
   return BakeRun(request, std::move(options)).execute();
 }
 

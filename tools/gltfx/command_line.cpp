@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "command_line_parts.hpp"
+#include "command_table.hpp"
 #include "configuration.hpp"
 #include "help_text.hpp"
 #include "suggestion.hpp"
@@ -46,6 +47,7 @@ class Declaration {
   }
 
   CommandLine read(int argc, const char* const* argv);
+  const CLI::App& app() const { return app_; }
 
  private:
   CLI::App& verb(const char* name, const char* text);
@@ -110,8 +112,7 @@ void Declaration::declare_upgrade() {
                "Take out textures and images that the upgrade left without use");
   add_word(app, "--generation", upgrade_.generation, "NAME",
            "Read legacy objects as v1, v2 or v3 (default: auto, by their members)");
-  add_word(app, "--root", upgrade_.root, "DIR",
-           "Folder that buffers and images may come from (default: the asset's own)");
+  add_root(app, upgrade_.root);
   add_inputs(app, upgrade_.inputs);
   add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);
   app.add_flag("-q,--quiet", upgrade_.quiet, "Problems only: no plan, no summary");
@@ -294,6 +295,8 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
 }
 
 }  // namespace
+
+std::vector<CommandEntry> command_table() { return table_of(Declaration().app()); }
 
 CommandLine read_command_line(int argc, const char* const* argv) {
   try {

@@ -26,7 +26,8 @@ void declare_outputs(CLI::App& app, BakeWords& words) {
 void declare_scene(CLI::App& app, BakeWords& words) {
   add_word(app, "--camera", words.camera, "NAME|N|AZ,EL",
            "A camera of the asset, or degrees around it (default: three quarters)");
-  add_word(app, "--lights", words.lights, "WHICH", "asset, studio or both (default: both)");
+  add_word(app, "--lights", words.lights, "WHICH",
+           "asset, studio or both; its lamps get the studio's brightness (default: both)");
   add_word(app, "--environment", words.environment, "FILE",
            "Light and background: .hdr or .exr, equirectangular");
   add_word(app, "--exposure", words.exposure, "STOPS", "1 doubles the light (default: 0)");
@@ -58,8 +59,9 @@ void declare_bake(CLI::App& app, BakeWords& words) {
   declare_scene(app, words);
   declare_quality(app, words);
   add_inputs(app, words.inputs);
-  add_word(app, "--root", words.root, "DIR",
-           "Folder that buffers and images may come from (default: the asset's own)");
+  add_word(app, "--cache", words.cache, "DIR",
+           "Note there what was drawn, and leave pictures that are there and as they should be");
+  add_root(app, words.root);
   add_schema_sources(app, words.schema_files, words.schema_folders);
   app.add_flag("-q,--quiet", words.quiet, "Problems only: no progress, no list of files");
   add_configuration(app, words.configuration);

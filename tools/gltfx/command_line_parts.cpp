@@ -2,6 +2,7 @@
 #include "command_line_parts.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace gltfx::tool {
 
@@ -31,6 +32,17 @@ void add_inputs(CLI::App& app, InputWords& words) {
            "More paths, one a line or before a NUL each; - is standard input");
   add_word(app, "--shard", words.shard, "I/N",
            "Only the files of part I of N, which their paths decide");
+}
+
+void add_root(CLI::App& app, std::string& root) {
+  add_word(app, "--root", root, "DIR",
+           "Folder that buffers and images may come from (default: the asset's own)");
+}
+
+void add_fail_on(CLI::App& app, std::string& level, const char* otherwise) {
+  const std::string text = fmt::format(
+      "Exit with 1 from here on: error, warning, info or never (default: {})", otherwise);
+  add_word(app, "--fail-on", level, "LEVEL", text.c_str());
 }
 
 void add_common(CLI::App& app, CommonWords& words) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "command_table.hpp"
 #include "words.hpp"
 
 namespace CLI {
@@ -31,6 +32,12 @@ void add_formats(CLI::App& app, std::vector<std::string>& formats);
 /// Which of the inputs a run takes, besides the positional ones.
 void add_inputs(CLI::App& app, InputWords& words);
 
+/// --root of the verbs that open what assets refer to.
+void add_root(CLI::App& app, std::string& root);
+
+/// --fail-on of the verbs that give a verdict.
+void add_fail_on(CLI::App& app, std::string& level, const char* otherwise);
+
 void add_common(CLI::App& app, CommonWords& words);
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders);
@@ -48,5 +55,8 @@ void declare_inspect(CLI::App& app, InspectWords& words);
 void declare_merge(CLI::App& app, MergeWords& words);
 /// The options of `gltfx config`.
 void declare_config(CLI::App& app, ConfigWords& words);
+
+/// What CLI11 was told, the program first, then its verbs.
+std::vector<CommandEntry> table_of(const CLI::App& program);
 
 }  // namespace gltfx::tool

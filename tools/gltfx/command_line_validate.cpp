@@ -36,14 +36,12 @@ void declare_budgets(CLI::App& app, ValidateWords& words) {
 
 // What both verbs ask in the same words.
 void declare_checks(CLI::App& app, ValidateWords& words) {
-  add_word(app, "--fail-on", words.fail_on, "LEVEL",
-           "Exit with 1 from here on: error, warning, info or never (default: error)");
+  add_fail_on(app, words.fail_on, "error");
   declare_filters(app, words);
   add_word(app, "--pixels", words.pixels, "LEVEL",
            "Images to decode: headers (none; khronos: always), needed (strict: default) or all");
   declare_budgets(app, words);
-  add_word(app, "--root", words.root, "DIR",
-           "Folder that buffers and images may come from (default: the asset's own)");
+  add_root(app, words.root);
   add_word(app, "--lfs", words.lfs, "POLICY",
            "Git-LFS pointers instead of files: skip or error (default: skip)");
   add_schema_sources(app, words.schema_files, words.schema_folders);

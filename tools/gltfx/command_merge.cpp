@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <memory>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +19,7 @@
 #include "commands.hpp"
 #include "report/read_line.hpp"
 #include "report_targets.hpp"
+#include "validation_options.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -29,7 +29,7 @@ class ReportFile {
  public:
   static Result<ReportFile> open(const std::string& path) {
     ReportFile file(path);
-    if (!file.stream_) {
+    if (!file.stream_.is_open()) {
       return Error{fmt::format("cannot read {}: {}", quoted(path, 200),
                                std::error_code(errno, std::generic_category()).message())};
     }
@@ -58,12 +58,7 @@ class ReportFile {
   }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
-  };
-
-  explicit ReportFile(const std::string& path)
-      : path_(path), stream_(std::fopen(path.c_str(), "re")) {}
+  explicit ReportFile(const std::string& path) : path_(path), stream_(path, std::ios::binary) {}
 
   Error wrong(std::string_view why) const {
     return {fmt::format("{}, line {}: {}", printable(path_), line_, why)};
@@ -72,11 +67,9 @@ class ReportFile {
   Result<report::ReportLine> read() {
     std::string text;
     ++line_;
-    for (int c = std::getc(stream_.get()); c != '\n'; c = std::getc(stream_.get())) {
-      if (c == EOF) {
-        return wrong("the report ends before its last line: the run was cut off; run it again");
-      }
-      text += static_cast<char>(c);
+    // A last line without a line break was cut as well.
+    if (!std::getline(stream_, text) || stream_.eof()) {
+      return wrong("the report ends before its last line: the run was cut off; run it again");
     }
     auto line = report::read_line(text, rules());
     if (!line) return wrong(line.error().message);
@@ -84,7 +77,7 @@ class ReportFile {
   }
 
   std::string path_;
-  std::unique_ptr<std::FILE, Close> stream_;
+  std::ifstream stream_;
   std::uint64_t line_ = 0;
   report::RunHead head_;
   std::optional<FileReport> next_;
@@ -107,10 +100,10 @@ std::optional<Error> check_parts(const std::vector<ReportFile>& files) {
   for (const ReportFile& file : files) {
     const report::RunHead& head = file.head();
     const bool alike = head.profile == first.profile && head.pixel_level == first.pixel_level &&
-                       head.shard.count == first.shard.count;
+                       head.fail_on == first.fail_on && head.shard.count == first.shard.count;
     if (!alike) {
       return Error{
-          fmt::format("{} was made with another profile, --pixels or number of shards "
+          fmt::format("{} was made with another profile, --pixels, --fail-on or number of shards "
                       "than {}",
                       quoted(file.path(), 200), quoted(files.front().path(), 200))};
     }
@@ -139,13 +132,14 @@ class Merge {
       take(*first->take());
       if (auto trouble = first->advance()) return refuse(*trouble);
     }
-    summary_.exit_code = static_cast<int>(verdict());
+    const ExitCode verdict = verdict_on(summary_, request_);
+    summary_.exit_code = static_cast<int>(verdict);
     targets_.finish(summary_);
     if (const std::string problems = targets_.problems(); !problems.empty()) {
       complain(problems);
       return ExitCode::internal;
     }
-    return verdict();
+    return verdict;
   }
 
  private:
@@ -171,14 +165,6 @@ class Merge {
     targets_.file(report);
   }
 
-  ExitCode verdict() const {
-    ExitCode code = ExitCode::ok;
-    if (request_.fail_on && summary_.counts.at_least(*request_.fail_on) > 0) {
-      code = ExitCode::findings;
-    }
-    return summary_.unreadable > 0 ? worse(code, ExitCode::unreadable) : code;
-  }
-
   const MergeRequest& request_;
   std::vector<ReportFile> files_;
   ReportTargets targets_;
@@ -198,7 +184,9 @@ ExitCode run(const MergeRequest& request) {
     complain(problem->message);
     return ExitCode::unreadable;
   }
-  return Merge(request, *std::move(files)).execute();
+  MergeRequest loud = request;
+  if (request.as_loud_as_runs) loud.fail_on = files->front().head().fail_on;
+  return Merge(loud, *std::move(files)).execute();
 }
 
 }  // namespace gltfx::tool

@@ -22,10 +22,6 @@
 namespace gltfx::tool {
 namespace {
 
-// Files that are handed to the threads together.
-constexpr std::size_t kBatch = 1024;
-constexpr std::size_t kBuffer = std::size_t{1} << 16U;
-
 PageOptions page_options(const PageRequest& request) {
   const ValidateRequest& validate = request.validate;
   PageOptions options;
@@ -78,7 +74,7 @@ class ReportRun {
       return ExitCode::internal;
     }
     tell();
-    return verdict_on(summary_, request_.validate, false);
+    return verdict_on(summary_, request_.validate);
   }
 
  private:
@@ -105,7 +101,7 @@ class ReportRun {
     known_.apply(asset.report);
     summary_.add(asset.report);
     page_.asset(asset, text_);
-    flush(kBuffer);
+    flush(kOutputBuffer);
     progress_.show(summary_.files, files_);
   }
 

@@ -17,6 +17,7 @@
 #include "output_places.hpp"
 #include "schema/compile.hpp"
 #include "schema_sources.hpp"
+#include "schema_words.hpp"
 #include "suggestion.hpp"
 #include "upgrade/choice.hpp"
 #include "upgrade_text.hpp"
@@ -34,23 +35,6 @@ std::string diff_text(std::string_view diff) {
     diff.remove_prefix(std::min(end + 1, diff.size()));
   }
   return text;
-}
-
-// All names by which --generation may call one.
-std::vector<std::string> generation_names(const schema::Set& set) {
-  std::vector<std::string> names{"auto"};
-  for (const schema::Extension& extension : set.extensions()) {
-    if (extension.upgrade.to.empty()) continue;
-    for (const schema::Generation& generation : extension.generations) {
-      std::string_view rest = generation.name;
-      while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('/'), rest.size());
-        names.emplace_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-      }
-    }
-  }
-  return names;
 }
 
 // An Error about the first name that is none of those known.

@@ -22,9 +22,6 @@
 namespace gltfx::tool {
 namespace {
 
-// Files that are handed to the threads together: enough to keep them busy, few enough to be small.
-constexpr std::size_t kBatch = 1024;
-
 // A run of inputs through validation, baseline and formats.
 class Run {
  public:

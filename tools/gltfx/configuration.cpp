@@ -205,14 +205,12 @@ Result<ValidateRequest> configured(const ValidateWords& words) {
 }
 
 Result<PageRequest> configured(const PageWords& words) {
-  InputWords inputs = words.validate.inputs;
+  const InputWords& inputs = words.validate.inputs;
   Reading reading;
   reading.require(!inputs.paths.empty() || !inputs.files_from.empty(),
                   "report: name at least one file, folder or glob.");
-  require_files(reading, inputs,
-                "report: standard input has no file beside which anything could be found; name a "
-                "file ('./-' for one that is called '-').");
-  if (const auto read = reading.finish(inputs); !read) return read.error();
+  require_files(reading, inputs.paths, "report");
+  if (!reading.problem().empty()) return Error{reading.problem()};
   auto validate = configured(words.validate);
   if (!validate) return validate.error();
   return request_of(words, *std::move(validate));

@@ -78,7 +78,7 @@ Examples:
 )";
 
 constexpr std::string_view kMergeExamples = R"(Examples:
-  gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif --format text, once there are
+  gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif      of what these wrote:
   gltfx validate library/ --shard 1/2 --format jsonl=1.jsonl   each part anywhere, also twice
   gltfx validate library/ --shard 2/2 --format jsonl=2.jsonl
 )";
@@ -105,7 +105,9 @@ constexpr std::string_view kConfigExamples = R"(Examples:
   gltfx config import khronos.yaml >gltfx.toml
 )";
 
-std::string_view examples(std::string_view verb) {
+}  // namespace
+
+std::string_view help_examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
   if (verb == "upgrade") return kUpgradeExamples;
   if (verb == "bake") return kBakeExamples;
@@ -120,11 +122,9 @@ std::string_view examples(std::string_view verb) {
   return kProgramExamples;
 }
 
-}  // namespace
-
 std::string help_footer(std::string_view verb) {
   std::string footer = fmt::format("{}\nExit codes (4 before 2 before 3 before 1):\n{}",
-                                   examples(verb), exit_code_table());
+                                   help_examples(verb), exit_code_table());
   footer.pop_back();  // CLI11 ends the help with a line break of its own
   return footer;
 }

@@ -14,7 +14,11 @@ namespace gltfx::tool {
 Inputs expand_paths(const NamedPaths& named, bool quiet) {
   InputWalk walk(named);
   Inputs inputs;
-  while (auto input = walk.next()) {
+  while (auto input = walk.next_of_all()) {
+    if (!input->ours) {
+      inputs.places_of_others.push_back(std::move(input->place));
+      continue;
+    }
     inputs.paths.push_back(std::move(input->path));
     inputs.places.push_back(std::move(input->place));
   }

@@ -43,10 +43,18 @@ bool is_asset_name(const std::string& path) {
 
 InputWalk::InputWalk(const NamedPaths& named)
     : named_(named),
+      between_(named.listed.find('\0') != std::string::npos ? '\0' : '\n'),
       may_repeat_(named.words.size() != 1 || !named.listed.empty() || is_glob(named.words.front())),
       several_(!named.listed.empty()) {}
 
 std::optional<Input> InputWalk::next() {
+  while (auto input = next_of_all()) {
+    if (input->ours) return input;
+  }
+  return std::nullopt;
+}
+
+std::optional<Input> InputWalk::next_of_all() {
   while (auto input = step()) {
     if (!input->path.empty()) return input;
   }
@@ -78,11 +86,10 @@ std::optional<Input> InputWalk::step() {
 std::optional<std::string> InputWalk::next_word() {
   if (word_ < named_.words.size()) return named_.words[word_++];
   while (listed_ < named_.listed.size()) {
-    const char between = named_.listed.find('\0') != std::string::npos ? '\0' : '\n';
-    const std::size_t end = std::min(named_.listed.find(between, listed_), named_.listed.size());
+    const std::size_t end = std::min(named_.listed.find(between_, listed_), named_.listed.size());
     std::string line = named_.listed.substr(listed_, end - listed_);
     listed_ = end + 1;
-    if (between == '\n' && line.ends_with('\r')) line.pop_back();
+    if (between_ == '\n' && line.ends_with('\r')) line.pop_back();
     if (!line.empty()) return line;
   }
   return std::nullopt;
@@ -154,10 +161,8 @@ std::optional<Input> InputWalk::take(std::string path, std::string place, const 
   if (may_repeat_ && !seen_.insert(hash_bytes(plain(path))).second) return Input();
   const std::uint64_t position = met_++;
   const Shard shard = named_.shard;
-  if (shard.count > 1 && hash_bytes(plain(key)).low % shard.count != shard.index - 1) {
-    return Input();
-  }
-  return Input{std::move(path), std::move(place), position};
+  const bool ours = shard.count <= 1 || hash_bytes(plain(key)).low % shard.count == shard.index - 1;
+  return Input{std::move(path), std::move(place), position, ours};
 }
 
 }  // namespace gltfx::tool

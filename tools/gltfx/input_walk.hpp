@@ -19,7 +19,12 @@ struct Input {
   std::string path;            ///< "-" is standard input
   std::string place;           ///< below the folder that was named; of one named itself its name
   std::uint64_t position = 0;  ///< among the inputs of all shards
+  bool ours = true;            ///< belongs to this run's shard
 };
+
+/// Inputs that are handed to the threads together: many enough to keep them busy, few enough for
+/// little memory.
+inline constexpr std::size_t kBatch = 1024;
 
 /// Goes through words, lists and folders in the order of reports: that of the arguments, by bytes
 /// of the path within a folder or glob. Holds the names of the folders it is in, so that memory
@@ -34,6 +39,8 @@ class InputWalk {
 
   /// The next one that belongs to this run's shard, each once; nothing at the end.
   std::optional<Input> next();
+  /// The same with those of other shards.
+  std::optional<Input> next_of_all();
 
   /// Known at the end: folders among the arguments and what globs gave, whether more than one file
   /// may be meant, and sentences about arguments that name nothing to check.
@@ -59,6 +66,7 @@ class InputWalk {
   const NamedPaths& named_;
   std::size_t word_ = 0;              ///< next of the arguments
   std::size_t listed_ = 0;            ///< where the next line of the list begins
+  char between_;                      ///< lines of the list
   std::vector<std::string> matches_;  ///< of a glob, the last one is next
   std::vector<Listing> open_;         ///< from the folder that was named to that of the next file
   std::size_t root_length_ = 0;       ///< of the path of the folder that was named

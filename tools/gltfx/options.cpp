@@ -2,37 +2,17 @@
 #include "options.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
-#include <span>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
 #include "suggestion.hpp"
+#include "value_words.hpp"
 
 namespace gltfx::tool {
 namespace {
-
-// A word of the command line and what it stands for.
-template <class T>
-struct Word {
-  std::string_view name;
-  T value;
-};
-
-template <class T>
-Result<T> parse_word(std::string_view option, std::string_view text,
-                     std::span<const Word<T>> words) {
-  std::vector<std::string_view> names;
-  for (const Word<T>& word : words) {
-    if (word.name == text) return word.value;
-    names.push_back(word.name);
-  }
-  return Error{fmt::format("{}: {} is none of {}.{}", option, quoted(text), fmt::join(names, ", "),
-                           suggestion(text, names))};
-}
 
 std::vector<std::string_view> split_commas(std::string_view text) {
   std::vector<std::string_view> parts;
@@ -61,11 +41,7 @@ Result<FormatTarget> parse_target(std::string_view text) {
   const std::string_view name = text.substr(0, equals);
   FormatTarget target;
   const auto format = report_format_from_name(name);
-  if (!format) {
-    const auto names = report_format_names();
-    return Error{fmt::format("--format: {} is none of {}.{}", quoted(name), fmt::join(names, ", "),
-                             suggestion(name, names))};
-  }
+  if (!format) return unknown_word("--format", name, report_format_names());
   target.format = *format;
   if (equals == std::string_view::npos) return target;
   target.path = text.substr(equals + 1);
@@ -77,6 +53,12 @@ Result<FormatTarget> parse_target(std::string_view text) {
 }
 
 }  // namespace
+
+Error unknown_word(std::string_view option, std::string_view text,
+                   std::span<const std::string_view> names) {
+  return Error{fmt::format("{}: {} is none of {}.{}", option, quoted(text), fmt::join(names, ", "),
+                           suggestion(text, names))};
+}
 
 Result<std::uint64_t> parse_number(std::string_view option, std::string_view text,
                                    std::uint64_t minimum) {
@@ -110,43 +92,27 @@ Result<Shard> parse_shard(std::string_view text) {
 }
 
 Result<ColorMode> parse_color(std::string_view text) {
-  static constexpr std::array<Word<ColorMode>, 3> kWords{
-      {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
-  return parse_word<ColorMode>("--color", text, kWords);
+  return parse_word<ColorMode>("--color", text, kColorWords);
 }
 
 Result<TableFormat> parse_table_format(std::string_view text) {
-  static constexpr std::array<Word<TableFormat>, 2> kWords{
-      {{"text", TableFormat::text}, {"json", TableFormat::json}}};
-  return parse_word<TableFormat>("--format", text, kWords);
+  return parse_word<TableFormat>("--format", text, kTableFormatWords);
 }
 
 Result<Profile> parse_profile(std::string_view text) {
-  static constexpr std::array<Word<Profile>, 3> kWords{
-      {{"default", Profile::standard}, {"khronos", Profile::khronos}, {"strict", Profile::strict}}};
-  return parse_word<Profile>("--profile", text, kWords);
+  return parse_word<Profile>("--profile", text, kProfileWords);
 }
 
 Result<std::optional<PixelLevel>> parse_pixels(std::string_view text) {
-  using Level = std::optional<PixelLevel>;
-  static constexpr std::array<Word<Level>, 3> kWords{
-      {{"headers", PixelLevel::headers}, {"needed", PixelLevel::needed}, {"all", PixelLevel::all}}};
-  return parse_word<Level>("--pixels", text, kWords);
+  return parse_word<std::optional<PixelLevel>>("--pixels", text, kPixelWords);
 }
 
 Result<LfsPolicy> parse_lfs(std::string_view text) {
-  static constexpr std::array<Word<LfsPolicy>, 2> kWords{
-      {{"skip", LfsPolicy::skip}, {"error", LfsPolicy::error}}};
-  return parse_word<LfsPolicy>("--lfs", text, kWords);
+  return parse_word<LfsPolicy>("--lfs", text, kLfsWords);
 }
 
 Result<std::optional<Severity>> parse_fail_on(std::string_view text) {
-  using Loudness = std::optional<Severity>;
-  static constexpr std::array<Word<Loudness>, 4> kWords{{{"error", Severity::error},
-                                                         {"warning", Severity::warning},
-                                                         {"info", Severity::info},
-                                                         {"never", std::nullopt}}};
-  return parse_word<Loudness>("--fail-on", text, kWords);
+  return parse_word<std::optional<Severity>>("--fail-on", text, kFailOnWords);
 }
 
 Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& texts) {

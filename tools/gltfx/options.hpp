@@ -88,6 +88,7 @@ struct PageRequest {
 /// Reports of several runs, put together.
 struct MergeRequest : ReportRequest {
   std::vector<std::string> files;  ///< what --format jsonl wrote
+  bool as_loud_as_runs = true;     ///< `fail_on` is that of the runs
 };
 
 struct UpgradeRequest {
@@ -105,12 +106,13 @@ struct UpgradeRequest {
 struct BakeRequest {
   CommonOptions common;
   NamedPaths paths;
-  /// All but `schemas`, which comes from the files below. `output` is what was named, a file or a
-  /// folder.
+  /// All but `schemas`, which comes from the files below, and `cache`. `output` is what was named,
+  /// a file or a folder.
   BakeOptions bake;
   std::string format = "png";  ///< ending of files in a folder
   std::string sheet;           ///< file for all pictures, may be empty
   std::string compare;         ///< the other asset, may be empty
+  std::string cache;           ///< folder of results of earlier runs, may be empty
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
@@ -195,10 +197,6 @@ Result<BakeLights> parse_lights(std::string_view text);
 Result<std::vector<BakeLayer>> parse_layers(const std::vector<std::string>& texts);
 /// Comma lists of N and WxH; none at all mean 512.
 Result<std::vector<BakeSize>> parse_sizes(const std::vector<std::string>& texts);
-/// One of two words, the first of which means true.
-Result<bool> parse_either(std::string_view option, std::string_view text, std::string_view yes,
-                          std::string_view no);
-
 /// The rule with that code in any case, or null.
 const RuleDescription* rule_from_user(std::string_view code);
 /// " Did you mean 'X'?" for the code nearest to `code`, or empty.

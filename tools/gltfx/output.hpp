@@ -2,6 +2,7 @@
 /// Where text goes: standard output, or a file that appears only when it is complete.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 #include "base/temporary_file.hpp"
 
 namespace gltfx::tool {
+
+/// Bytes that are worth a write.
+inline constexpr std::size_t kOutputBuffer = std::size_t{1} << 16U;
 
 /// One place to write to. Not thread-safe. Failures are kept and told by problem().
 class Output {

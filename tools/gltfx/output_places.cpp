@@ -85,6 +85,16 @@ class Destination {
   bool inside_search_ = false;
 };
 
+// Several shards write into folders only.
+std::set<std::string> taken_by_others(const Inputs& inputs, const std::string& output) {
+  std::set<std::string> taken;
+  if (output.empty()) return taken;
+  for (const std::string& place : inputs.places_of_others) {
+    taken.insert((fs::path(output) / place).native());
+  }
+  return taken;
+}
+
 }  // namespace
 
 Result<std::vector<UpgradeInput>> place_outputs(const Inputs& inputs, const std::string& output) {
@@ -95,7 +105,7 @@ Result<std::vector<UpgradeInput>> place_outputs(const Inputs& inputs, const std:
   }
   std::vector<UpgradeInput> placed;
   std::set<fs::path> seen;
-  std::set<std::string> taken;
+  std::set<std::string> taken = taken_by_others(inputs, output);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     std::error_code fault;
     const fs::path real = fs::canonical(inputs.paths[i], fault);

@@ -16,12 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // "a/b.glb" to "a/b.png"; with both an a/b.glb and an a/b.gltf the whole names stay.
-std::vector<std::string> picture_names(const std::vector<std::string>& places,
-                                       const std::string& format) {
+std::vector<std::string> picture_names(const Inputs& inputs, const std::string& format) {
   std::map<std::string, int> uses;
-  for (const std::string& place : places) ++uses[fs::path(place).replace_extension().native()];
+  for (const auto* places : {&inputs.places, &inputs.places_of_others}) {
+    for (const std::string& place : *places) ++uses[fs::path(place).replace_extension().native()];
+  }
   std::vector<std::string> names;
-  for (const std::string& place : places) {
+  for (const std::string& place : inputs.places) {
     const std::string stem = fs::path(place).replace_extension().native();
     names.push_back(fmt::format("{}.{}", uses[stem] > 1 ? place : stem, format));
   }
@@ -61,7 +62,7 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
     if (const auto wrong = check_name("--output", output, request.format)) return *wrong;
   }
   if (const auto wrong = check_name("--sheet", places.sheet, "png")) return *wrong;
-  const std::vector<std::string> names = picture_names(inputs.places, request.format);
+  const std::vector<std::string> names = picture_names(inputs, request.format);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     const std::string place = folder ? (fs::path(output) / names[i]).native() : output;
     if (!place.empty() && fs::equivalent(place, inputs.paths[i], fault)) {
@@ -69,7 +70,8 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
     }
     places.inputs.push_back({inputs.paths[i], place});
   }
-  if (folder && inputs.several && places.sheet.empty()) {
+  const bool all = request.paths.shard.count <= 1;
+  if (folder && all && inputs.several && places.sheet.empty()) {
     places.sheet = (fs::path(output) / "contact-sheet.png").native();
   }
   return places;

@@ -18,7 +18,8 @@ struct PicturePlaces {
 
 /// `output` is a folder when it is one already, ends in '/', or more than one asset may come: then
 /// pictures are called like the assets, below it as these lie below the folder that was named. Else
-/// it is the file. The Error says what is in the way.
+/// it is the file. A run that draws one shard of them makes no sheet of its own. The Error says
+/// what is in the way.
 Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& request);
 
 }  // namespace gltfx::tool

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/result.hpp"
 #include "options.hpp"
@@ -27,6 +28,8 @@ class Reading {
   void require(bool holds, std::string problem) {
     if (!holds && problem_.empty()) problem_ = std::move(problem);
   }
+  /// The first thing that was wrong, or empty.
+  const std::string& problem() const { return problem_; }
   template <class Wanted>
   Result<Wanted> finish(Wanted& request) {
     if (!problem_.empty()) return Error{problem_};
@@ -40,8 +43,10 @@ class Reading {
 /// `what`: the verb. Whether inputs are named at all is left to the caller.
 void read_inputs(Reading& reading, const InputWords& words, std::string_view what,
                  NamedPaths& paths);
-/// Refuses "-" among the inputs of a verb that needs files.
-void require_files(Reading& reading, const InputWords& words, std::string problem);
+/// Refuses "-" among the paths of a verb that needs files. `what`: as above; `done`: what is done
+/// with those beside the asset.
+void require_files(Reading& reading, const std::vector<std::string>& paths, std::string_view what,
+                   std::string_view done = "found");
 
 void read_common(Reading& reading, const CommonWords& words, CommonOptions& options);
 

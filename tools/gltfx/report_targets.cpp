@@ -12,8 +12,6 @@
 namespace gltfx::tool {
 namespace {
 
-constexpr std::size_t kBuffer = std::size_t{1} << 16U;
-
 FormatOptions format_options(const ReportRequest& request, const ReportTargets::Look& look,
                              const FormatTarget& target) {
   FormatOptions options;
@@ -57,7 +55,7 @@ void ReportTargets::begin() {
 void ReportTargets::file(const FileReport& report) {
   for (Target& target : targets_) {
     target.writer->file(report, target.pending);
-    flush(target, target.immediate ? 0 : kBuffer);
+    flush(target, target.immediate ? 0 : kOutputBuffer);
   }
 }
 

@@ -219,6 +219,22 @@ std::vector<const schema::Extension*> sorted_extensions(const Set& set) {
   return sorted;
 }
 
+std::vector<std::string> generation_names(const Set& set) {
+  std::vector<std::string> names{"auto"};
+  for (const schema::Extension& extension : set.extensions()) {
+    if (extension.upgrade.to.empty()) continue;
+    for (const schema::Generation& generation : extension.generations) {
+      std::string_view rest = generation.name;
+      while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('/'), rest.size());
+        names.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+      }
+    }
+  }
+  return names;
+}
+
 std::string_view must_be_required_name(schema::MustBeRequired must) {
   switch (must) {
     case schema::MustBeRequired::optional:

@@ -32,6 +32,9 @@ std::vector<std::string_view> core_type_names(const schema::Set& set);
 /// Extensions sorted by name.
 std::vector<const schema::Extension*> sorted_extensions(const schema::Set& set);
 
+/// All names by which `upgrade --generation` may call one, "auto" first.
+std::vector<std::string> generation_names(const schema::Set& set);
+
 /// As in the schema files: "always", "without-fallback", "recommended"; empty when optional.
 std::string_view must_be_required_name(schema::MustBeRequired must);
 

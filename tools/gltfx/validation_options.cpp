@@ -47,7 +47,7 @@ void note_useless_options(const ValidateRequest& request) {
   }
 }
 
-ExitCode verdict_on(const RunSummary& summary, const ValidateRequest& request, bool recording) {
+ExitCode verdict_on(const RunSummary& summary, const ReportRequest& request, bool recording) {
   ExitCode code = ExitCode::ok;
   if (request.fail_on && summary.counts.at_least(*request.fail_on) > 0 && !recording) {
     code = ExitCode::findings;

@@ -29,7 +29,8 @@ Result<ValidateOptions> validation_of(const ValidateRequest& request);
 void note_useless_options(const ValidateRequest& request);
 
 /// What a run ends with. `recording`: findings are to be known from now on, and no failure.
-ExitCode verdict_on(const RunSummary& summary, const ValidateRequest& request, bool recording);
+ExitCode verdict_on(const RunSummary& summary, const ReportRequest& request,
+                    bool recording = false);
 
 /// Options of each path: one object for all paths of which the same is asked.
 class OptionsByPath {

@@ -30,25 +30,37 @@ void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets
   read(budgets.file_size, "--max-file-size", words.max_file_size);
 }
 
-}  // namespace
-
-bool names_stdin(const InputWords& words) {
-  return std::find(words.paths.begin(), words.paths.end(), "-") != words.paths.end();
+bool names_stdin(const std::vector<std::string>& paths) {
+  return std::find(paths.begin(), paths.end(), "-") != paths.end();
 }
+
+// Of a hook: the commit names files, and pre-commit may name some.
+void read_hooked_inputs(Reading& reading, const InputWords& words, std::string_view what,
+                        NamedPaths& paths) {
+  reading.require(words.files_from.empty() && words.shard.empty(),
+                  "hook: the commit says which files; leave out --files-from and --shard.");
+  if (!words.paths.empty()) read_inputs(reading, words, what, paths);
+}
+
+}  // namespace
 
 void read_inputs(Reading& reading, const InputWords& words, std::string_view what,
                  NamedPaths& paths) {
   reading.require(!words.paths.empty() || !words.files_from.empty(),
                   fmt::format("{}: name at least one file, folder or glob.", what));
-  reading.require(words.files_from != "-" || !names_stdin(words),
+  reading.require(words.files_from != "-" || !names_stdin(words.paths),
                   "--files-from: standard input is either a list or an asset.");
   paths.words = words.paths;
   reading.set(paths.shard, parse_shard(words.shard));
   reading.set(paths.listed, read_list(words.files_from));
 }
 
-void require_files(Reading& reading, const InputWords& words, std::string problem) {
-  reading.require(!names_stdin(words), std::move(problem));
+void require_files(Reading& reading, const std::vector<std::string>& paths, std::string_view what,
+                   std::string_view done) {
+  reading.require(!names_stdin(paths),
+                  fmt::format("{}: standard input has no file beside which anything could be {}; "
+                              "name a file ('./-' for one that is called '-').",
+                              what, done));
 }
 
 void read_common(Reading& reading, const CommonWords& words, CommonOptions& options) {
@@ -64,9 +76,7 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   Reading reading;
   ValidateRequest request;
   read_common(reading, words.common, request.common);
-  if (!words.hook || !words.inputs.paths.empty()) {
-    read_inputs(reading, words.inputs, "validate", request.paths);
-  }
+  (words.hook ? read_hooked_inputs : read_inputs)(reading, words.inputs, "validate", request.paths);
   reading.set(request.targets, parse_targets(words.formats));
   read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
   read_word(reading, request.validation.profile, words.profile, parse_profile);
@@ -115,6 +125,7 @@ Result<MergeRequest> request_of(const MergeWords& words) {
   request.files = words.files;
   reading.set(request.targets, parse_targets(words.formats));
   read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
+  request.as_loud_as_runs = words.fail_on.empty();
   request.quiet = words.quiet;
   return reading.finish(request);
 }
@@ -123,12 +134,8 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   Reading reading;
   UpgradeRequest request;
   read_common(reading, words.common, request.common);
-  if (!words.hook || !words.inputs.paths.empty()) {
-    read_inputs(reading, words.inputs, "upgrade", request.paths);
-  }
-  require_files(reading, words.inputs,
-                "upgrade: standard input has no file beside which anything could be found or "
-                "written; name a file ('./-' for one that is called '-').");
+  (words.hook ? read_hooked_inputs : read_inputs)(reading, words.inputs, "upgrade", request.paths);
+  require_files(reading, words.inputs.paths, "upgrade", "found or written");
   reading.require(!words.hook || words.output.empty(),
                   "hook: the files of a commit stay where they are; leave out --output.");
   const bool writes = words.in_place || !words.output.empty();
@@ -164,10 +171,7 @@ Result<InspectRequest> request_of(const InspectWords& words) {
   InspectRequest request;
   read_common(reading, words.common, request.common);
   reading.require(!words.paths.empty(), "inspect: name at least one file, folder or glob.");
-  reading.require(
-      std::find(words.paths.begin(), words.paths.end(), "-") == words.paths.end(),
-      "inspect: standard input has no file beside which anything could be found; name a "
-      "file ('./-' for one that is called '-').");
+  require_files(reading, words.paths, "inspect");
   request.paths.words = words.paths;
   reading.set(request.format, parse_table_format(words.format));
   std::uint64_t most = 0;

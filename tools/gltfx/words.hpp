@@ -62,7 +62,7 @@ struct BakeWords {
   ConfigChoice configuration;
   InputWords inputs;
   std::vector<std::string> sizes, layers, schema_files, schema_folders;
-  std::string output, format = "png", sheet, compare, root;
+  std::string output, format = "png", sheet, compare, root, cache;
   std::string turntable = "0", samples = "32", bounces = "6", seed = "0";
   std::string camera, lights = "both", environment, exposure = "0";
   std::string scene, animation, time = "0", variant;

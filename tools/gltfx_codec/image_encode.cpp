@@ -27,6 +27,7 @@ ImageSpec describe(const Job& job) {
                  floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   if (floats) {
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "1970:01:01 00:00:00");  // else it is now, and bytes differ by time
     spec.attribute("oiio:UnassociatedAlpha", 1);
   } else {
     spec.attribute("compression", "jpeg:" + std::to_string(job.quality));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// What a picture of an asset can be asked for, and what became of it. The calls are in
 /// <gltfx/pipeline.hpp>.
 #pragma once
@@ -17,6 +18,7 @@ namespace gltfx {
 namespace schema {
 class Set;
 }
+class ResultCache;
 
 /// Which lamps shine. `studio`: soft boxes that follow the camera. `asset`: what the asset brings;
 /// when it brings nothing that shines, the studio all the same.
@@ -38,9 +40,10 @@ std::string check_picture_name(const std::string& path);
 
 /// Pixels, each side from 1 to 16384, and 2^26 in all at most.
 struct BakeSize {
-  std::uint32_t width = 512, height = 512;
+  std::uint32_t width = 512, height = 512;  ///< of the picture
 };
 
+/// What a picture is asked for.
 struct BakeOptions {
   /// One file each; with several "-WIDTHxHEIGHT" goes before the name's ending.
   std::vector<BakeSize> sizes{BakeSize{}};
@@ -50,8 +53,8 @@ struct BakeOptions {
 
   std::uint32_t samples = 32;  ///< paths through each pixel, at most; at least 1
   std::uint32_t bounces = 6;   ///< surfaces along a path that scatter, at most
-  std::uint32_t seed = 0;
-  bool denoise = true;
+  std::uint32_t seed = 0;      ///< of the noise
+  bool denoise = true;         ///< smooth the noise away
   double seconds = 0;  ///< for each picture; 0: no limit. With one, no two runs need be the same.
   /// Standard error at which parts of a picture have enough samples, as part of the range from
   /// black to white; 0: all samples.
@@ -60,10 +63,10 @@ struct BakeOptions {
   /// they receive.
   bool literal_shader = false;
 
-  BakeLights lights = BakeLights::both;
-  std::string environment;  ///< a Radiance or OpenEXR file that lights the scene; empty: none
-  double exposure = 0;      ///< stops, from -64 to 64; 1 doubles all light
-  bool transparent = false;
+  BakeLights lights = BakeLights::both;  ///< which lamps shine
+  std::string environment;   ///< a Radiance or OpenEXR file that lights the scene; empty: none
+  double exposure = 0;       ///< stops, from -64 to 64; 1 doubles all light
+  bool transparent = false;  ///< no backdrop, and an alpha channel where the format has one
 
   /// A camera of the asset by name or index, or "AZIMUTH,ELEVATION" in degrees around the asset,
   /// "0,0" before its front; empty: three quarters from the front.
@@ -83,6 +86,9 @@ struct BakeOptions {
   unsigned jobs = 0;  ///< threads; 0: one a core. Pictures do not depend on it.
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
+  /// Knows which pictures lie where `output` wants them, as they would be drawn now: those are left
+  /// alone. Null: none. Without effect where there is no `output`, with `embed` and with `seconds`.
+  std::shared_ptr<ResultCache> cache;
   /// Called now and then with the part of all pictures that is done, from 0 to 1, one call at a
   /// time, from any thread; may be empty.
   std::function<void(double)> progress;
@@ -100,26 +106,26 @@ enum class BakeProblem : std::uint8_t {
 
 /// 8 bits a channel, rows from the top, packed RGB or RGBA; alpha not multiplied in.
 struct BakedPixels {
-  std::uint32_t width = 0, height = 0;
-  std::uint32_t channels = 3;
-  std::vector<std::uint8_t> bytes;
+  std::uint32_t width = 0, height = 0;  ///< pixels
+  std::uint32_t channels = 3;           ///< 3 or 4
+  std::vector<std::uint8_t> bytes;      ///< width times height times channels
 };
 
 /// What became of one file. Owns its text.
 struct BakeReport {
-  std::string path;  ///< as the user named it
-  BakeProblem problem = BakeProblem::none;
-  std::string error;               ///< what the problem is, one sentence
-  FileReport validation;           ///< errors only where it is drawn all the same
-  std::vector<std::string> notes;  ///< what is drawn differently or not at all, sentences
-  std::vector<std::string> written;
-  bool embedded = false;
-  BakedPixels pixels;  ///< the first picture
+  std::string path;                         ///< as the user named it
+  BakeProblem problem = BakeProblem::none;  ///< why there is no picture, if so
+  std::string error;                        ///< what the problem is, one sentence
+  FileReport validation;                    ///< errors only where it is drawn all the same
+  std::vector<std::string> notes;           ///< what is drawn differently or not at all, sentences
+  std::vector<std::string> written;         ///< paths of files
+  bool embedded = false;                    ///< the asset has the picture now
+  BakedPixels pixels;                       ///< the first picture
 };
 
 /// How much two pictures of one size differ.
 struct BakeComparison {
-  BakeReport first, second;
+  BakeReport first, second;  ///< of the two assets
   /// Decibels, of the range of 8 bits, over pixels that show either asset; infinite when they are
   /// the same. Not set when either has a problem.
   double psnr = 0;

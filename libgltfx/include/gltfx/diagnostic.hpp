@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// What gltfx says about an asset: severities, rules and diagnostics. Plain data, no behaviour.
 #pragma once
 
@@ -34,22 +35,21 @@ struct RuleDescription {
   std::string_view
       bad;  ///< smallest asset that raises exactly this code, as `example_bytes` reads it
   std::string_view good;  ///< the same asset, mended: raises nothing
-  Fix fix = Fix::none;
-  bool khronos = false;  ///< the Khronos validator has a code of this name and meaning
+  Fix fix = Fix::none;    ///< what `gltfx upgrade` can do about it
+  bool khronos = false;   ///< the Khronos validator has a code of this name and meaning
 };
 
 /// A place in a JSON text. Lines and columns count from 1, columns in UTF-8 characters (code
 /// points) and in UTF-16 code units. In a GLB they count inside the JSON chunk; `offset` is the
 /// byte in the file.
 struct Location {
-  std::uint32_t line = 0;    ///< 0: no place in the text
-  std::uint32_t column = 0;  ///< 1-based, in code points
-  std::uint32_t end_line = 0;
-  std::uint32_t end_column = 0;  ///< one past the last character
-  std::uint32_t utf16_column = 0;
-  std::uint32_t utf16_end_column = 0;
-  std::uint64_t offset = 0;  ///< byte in the file
-  std::uint64_t length = 0;  ///< bytes
+  std::uint32_t line = 0;                                ///< 0: no place in the text
+  std::uint32_t column = 0;                              ///< 1-based, in code points
+  std::uint32_t end_line = 0;                            ///< of the last character
+  std::uint32_t end_column = 0;                          ///< one past the last character
+  std::uint32_t utf16_column = 0, utf16_end_column = 0;  ///< the same in UTF-16 code units
+  std::uint64_t offset = 0;                              ///< byte in the file
+  std::uint64_t length = 0;                              ///< bytes
 };
 
 /// The source line a finding points at, cut to a window that fits a terminal.
@@ -57,34 +57,33 @@ struct Excerpt {
   std::string text;         ///< raw asset text: formatters neutralise it before printing
   std::uint32_t caret = 0;  ///< first marked code point of `text`, 0-based
   std::uint32_t width = 0;  ///< marked code points, at least 1 where there is an excerpt
-  bool cut_left = false;    ///< text was cut on that side
-  bool cut_right = false;
+  bool cut_left = false, cut_right = false;  ///< text was cut on that side
 };
 
 /// New text for a stretch of the old one; an empty stretch inserts.
 struct Replacement {
-  Location place;
-  std::string text;
+  Location place;    ///< what goes
+  std::string text;  ///< what takes its place
 };
 
 /// A change of a text file that mends a finding: all replacements, which are sorted and do not
 /// overlap, or none.
 struct ProposedFix {
-  std::string description;  ///< one sentence
-  std::vector<Replacement> replacements;
+  std::string description;                ///< one sentence
+  std::vector<Replacement> replacements;  ///< in the order of the text
 };
 
 /// One finding. Owns all it says, so it outlives the asset.
 struct Diagnostic {
-  std::string_view code;  ///< static storage: the code of a rule
-  Severity severity = Severity::error;
+  std::string_view code;                ///< static storage: the code of a rule
+  Severity severity = Severity::error;  ///< as it was asked for
   std::string message;                  ///< one sentence, our words
   std::string pointer;                  ///< RFC 6901 pointer to the member or its object
   std::optional<std::uint64_t> offset;  ///< set for findings on the GLB container: byte in file
   std::string help;                     ///< the remedy for this very case, may be empty
   std::string object_name;              ///< `name` of the nearest named object, may be empty
-  Location location;
-  Excerpt excerpt;
+  Location location;                    ///< where in the text
+  Excerpt excerpt;                      ///< that line, for people
   /// Repeats of this code at the same place but for array indices are folded into the first.
   std::uint64_t count = 1;
   std::string last_pointer;                ///< pointer of the last repeat when count > 1

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// What is in an asset: counts, sizes, where the bytes go, what extensions it uses. The calls are
 /// in <gltfx/pipeline.hpp>.
 #pragma once
@@ -31,18 +32,20 @@ enum class ByteUse : std::uint8_t {
   base64,      ///< what data URIs take beyond the bytes that they stand for
   padding,     ///< headers of a GLB, and up to 15 bytes between two objects
 };
-inline constexpr std::size_t kByteUseCount = 9;
+inline constexpr std::size_t kByteUseCount = 9;  ///< how many there are
 /// "json", "meshes" and so on.
 std::string_view byte_use_name(ByteUse use);
 using ByteShares = std::array<std::uint64_t, kByteUseCount>;  ///< by ByteUse
 
+/// A file that belongs to an asset.
 struct FileFacts {
-  std::string uri;  ///< as the asset names it; empty: the asset itself
-  std::uint64_t bytes = 0;
+  std::string uri;          ///< as the asset names it; empty: the asset itself
+  std::uint64_t bytes = 0;  ///< its size
 };
 
+/// An extension that an asset declares or has.
 struct ExtensionFacts {
-  std::string name;
+  std::string name;  ///< as extensionsUsed has it
   /// "ratified", "release-candidate", "draft", "legacy", "archived", "vendor"; "unknown" when there
   /// is no schema of it.
   std::string status;
@@ -54,22 +57,24 @@ struct ExtensionFacts {
 
 /// Of one mesh, drawn once. Triangles and vertices as accessors declare them.
 struct MeshFacts {
-  std::string name;
-  std::uint64_t primitives = 0, triangles = 0, vertices = 0;
-  std::uint64_t bytes = 0;      ///< in files
-  std::uint64_t gpu_bytes = 0;  ///< of its accessors, decompressed
+  std::string name;                                           ///< may be empty, like those below
+  std::uint64_t primitives = 0, triangles = 0, vertices = 0;  ///< how many it has
+  std::uint64_t bytes = 0;                                    ///< in files
+  std::uint64_t gpu_bytes = 0;                                ///< of its accessors, decompressed
 };
 
+/// One material.
 struct MaterialFacts {
-  std::string name;
-  std::string alpha_mode;  ///< "OPAQUE", "MASK", "BLEND"
-  bool double_sided = false;
-  std::uint64_t textures = 0;  ///< slots that are filled
-  std::vector<std::string> extensions;
+  std::string name;                     ///< as it is written
+  std::string alpha_mode;               ///< "OPAQUE", "MASK", "BLEND"
+  bool double_sided = false;            ///< both sides are drawn
+  std::uint64_t textures = 0;           ///< slots that are filled
+  std::vector<std::string> extensions;  ///< names, in the order of the file
 };
 
+/// One image.
 struct ImageFacts {
-  std::string name;
+  std::string name;      ///< as it is written
   std::string uri;       ///< of a file; empty: inside the asset
   std::string format;    ///< media type by its first bytes; empty: unknown
   std::string encoding;  ///< of KTX2: "ETC1S", "UASTC", "ASTC" or "Vulkan format N"
@@ -79,21 +84,23 @@ struct ImageFacts {
   std::vector<std::string> slots;  ///< of materials that show it: "baseColorTexture", sorted
   std::string color_space;         ///< in which they read it: "sRGB", "linear", "both", or empty
   std::uint64_t textures = 0;      ///< that name it
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0;         ///< as it is stored
   /// With all mipmaps: four bytes a texel of what a graphics card cannot keep compressed, one or
   /// half a byte of what it can.
   std::uint64_t gpu_bytes = 0;
 };
 
+/// One animation.
 struct AnimationFacts {
-  std::string name;
+  std::string name;     ///< as it is written
   double duration = 0;  ///< seconds, to the last keyframe
-  std::uint64_t channels = 0, samplers = 0, keyframes = 0, bytes = 0;
+  std::uint64_t channels = 0, samplers = 0, keyframes = 0, bytes = 0;  ///< how many it has
 };
 
+/// One skin.
 struct SkinFacts {
-  std::string name;
-  std::uint64_t joints = 0, bytes = 0;
+  std::string name;                     ///< as it is written
+  std::uint64_t joints = 0, bytes = 0;  ///< how many it has
 };
 
 /// A camera or a light.
@@ -104,41 +111,42 @@ struct NamedFacts {
 /// Of what the default scene shows, in metres; without morph targets, of skinned meshes where their
 /// joints stand in the file.
 struct SceneBounds {
-  std::array<double, 3> least{}, greatest{};
+  std::array<double, 3> least{}, greatest{};  ///< corners: x, y, z
 };
 
 /// Owns its text; independent of the asset.
 struct AssetFacts {
   std::string mime_type;  ///< "model/gltf+json", "model/gltf-binary"
-  std::string version, min_version, generator, copyright;
+  std::string version, min_version, generator, copyright;  ///< of `asset`; may be empty
   std::vector<FileFacts> files;            ///< that are there, each once, the asset first
   ByteShares bytes{};                      ///< add up to the files
   std::vector<ExtensionFacts> extensions;  ///< sorted by name
-  std::uint64_t scenes = 0, nodes = 0, accessors = 0, textures = 0;
-  std::uint64_t primitives = 0, triangles = 0, vertices = 0;  ///< each once
-  std::uint64_t drawn_triangles = 0;  ///< by the default scene, each time a node draws them
-  std::optional<SceneBounds> bounds;  ///< nothing: nothing is shown, or its extent is unknown
-  std::vector<MeshFacts> meshes;      ///< these, like those below, by index
-  std::vector<MaterialFacts> materials;
-  std::vector<ImageFacts> images;
-  std::vector<AnimationFacts> animations;
-  std::vector<SkinFacts> skins;
-  std::vector<NamedFacts> cameras, lights;
-  std::vector<std::string> problems;  ///< what could not be read, a sentence each
+  std::uint64_t scenes = 0, nodes = 0, accessors = 0, textures = 0;  ///< how many there are
+  std::uint64_t primitives = 0, triangles = 0, vertices = 0;         ///< each once
+  std::uint64_t drawn_triangles = 0;        ///< by the default scene, each time a node draws them
+  std::optional<SceneBounds> bounds;        ///< nothing: nothing is shown, or its extent is unknown
+  std::vector<MeshFacts> meshes;            ///< these, like those below, by index
+  std::vector<MaterialFacts> materials;     ///< by index
+  std::vector<ImageFacts> images;           ///< by index
+  std::vector<AnimationFacts> animations;   ///< by index
+  std::vector<SkinFacts> skins;             ///< by index
+  std::vector<NamedFacts> cameras, lights;  ///< by index
+  std::vector<std::string> problems;        ///< what could not be read, a sentence each
 
-  std::uint64_t total_bytes() const;
-  std::uint64_t image_gpu_bytes() const;
-  std::uint64_t mesh_gpu_bytes() const;
+  std::uint64_t total_bytes() const;      ///< of all files
+  std::uint64_t image_gpu_bytes() const;  ///< of all images
+  std::uint64_t mesh_gpu_bytes() const;   ///< of all meshes
 };
 
 /// What an upgrade makes of one object.
 struct UpgradeFact {
-  std::string pointer, from, to;  ///< `to` may be empty
-  std::string outcome;            ///< as upgrade_fate_name() has it; "removed" when it only goes
-  bool done = false;              ///< an upgrade with default options does it
-  std::vector<std::string> notes;
+  std::string pointer, from, to;   ///< `to` may be empty
+  std::string outcome;             ///< as upgrade_fate_name() has it; "removed" when it only goes
+  bool done = false;               ///< an upgrade with default options does it
+  std::vector<std::string> notes;  ///< as UpgradeAction has them
 };
 
+/// What an inspection is asked for.
 struct InspectOptions {
   /// Folder that files may come from; empty: the asset's own.
   std::string root;
@@ -147,20 +155,21 @@ struct InspectOptions {
   std::shared_ptr<const schema::Set> schemas;
 };
 
+/// What was found in one file. Owns its text.
 struct InspectReport {
-  std::string path;                 ///< as the user named it
-  std::string error;                ///< why there is nothing to tell, one sentence; else empty
-  std::optional<AssetFacts> facts;  ///< where there is no error
-  std::vector<UpgradeFact> upgrade;
-  std::string upgrade_problem;  ///< why nothing of it can be done; else empty
+  std::string path;                  ///< as the user named it
+  std::string error;                 ///< why there is nothing to tell, one sentence; else empty
+  std::optional<AssetFacts> facts;   ///< where there is no error
+  std::vector<UpgradeFact> upgrade;  ///< legacy objects, in the order of the document
+  std::string upgrade_problem;       ///< why nothing of it can be done; else empty
 };
 
 /// `gltfx inspect --format json`: one report after the other.
 class InspectWriter {
  public:
-  void begin(std::string& out);
-  void file(const InspectReport& report, std::string& out);
-  void end(std::string& out);
+  void begin(std::string& out);                              ///< before the first report
+  void file(const InspectReport& report, std::string& out);  ///< each report
+  void end(std::string& out);                                ///< after the last one
 
  private:
   bool has_files_ = false;

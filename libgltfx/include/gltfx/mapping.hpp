@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// Files that become shorter while they are read.
 #pragma once
 

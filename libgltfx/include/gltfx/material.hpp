@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// The material of glTF 2.0 and its extensions at one point of a surface, and what it does to
 /// light: evaluate, sample and integrate (specification, Appendix B, and the texts of the material
 /// extensions).
@@ -41,43 +42,44 @@ enum class Scattering : std::uint8_t {
 /// colour), each as its specification has it after the texture is read. Defaults are those of a
 /// material that names neither the property nor its extension.
 struct Material {
-  Rgb base_color{1, 1, 1};
-  double metallic = 1;   ///< 0 to 1
-  double roughness = 1;  ///< 0 to 1; alpha is its square
-  Rgb emissive;          ///< radiance: factor, texture and emissiveStrength multiplied
+  Rgb base_color{1, 1, 1};  ///< 0 to 1
+  double metallic = 1;      ///< 0 to 1
+  double roughness = 1;     ///< 0 to 1; alpha is its square
+  Rgb emissive;             ///< radiance: factor, texture and emissiveStrength multiplied
 
   double ior = 1.5;             ///< >= 1, or 0: infinite, as specular-glossiness needs it
   double outside_ior = 1;       ///< of the medium that the surface lies in, for nested volumes
   double specular = 1;          ///< 0 to 1
   Rgb specular_color{1, 1, 1};  ///< colour of F0; may be above 1
 
-  double transmission = 0;          ///< 0 to 1
-  double diffuse_transmission = 0;  ///< 0 to 1
-  Rgb diffuse_transmission_color{1, 1, 1};
+  double transmission = 0;                  ///< 0 to 1
+  double diffuse_transmission = 0;          ///< 0 to 1
+  Rgb diffuse_transmission_color{1, 1, 1};  ///< 0 to 1
 
   double thickness = 0;  ///< any unit; above 0 the surface bounds a volume, at 0 it is thin-walled
   double attenuation_distance = std::numeric_limits<double>::infinity();  ///< metres
   Rgb attenuation_color{1, 1, 1};                                         ///< 0 to 1
-  Scattering scattering = Scattering::none;
+  Scattering scattering = Scattering::none;                               ///< in the volume
   double scatter_distance = std::numeric_limits<double>::infinity();  ///< metres; `distance` only
   Rgb scatter_color;              ///< `distance`: c of sigma_s; else the multi-scatter colour
   double scatter_strength = 1;    ///< 0 to 1; `unified` only
   double scatter_anisotropy = 0;  ///< -1 to 1; above 0 forwards
   double dispersion = 0;          ///< 20 / Abbe number
 
-  Rgb sheen_color;
-  double sheen_roughness = 0;  ///< 0 to 1
-  double clearcoat = 0;        ///< 0 to 1
-  double clearcoat_roughness = 0;
-  Vec3d clearcoat_normal{0, 0, 1};  ///< in the frame above
-  double anisotropy = 0;            ///< 0 to 1
-  double anisotropy_rotation = 0;   ///< radians, counter-clockwise from the tangent
-  double iridescence = 0;           ///< 0 to 1
-  double iridescence_ior = 1.3;
+  Rgb sheen_color;                     ///< 0 to 1
+  double sheen_roughness = 0;          ///< 0 to 1
+  double clearcoat = 0;                ///< 0 to 1
+  double clearcoat_roughness = 0;      ///< 0 to 1
+  Vec3d clearcoat_normal{0, 0, 1};     ///< in the frame above
+  double anisotropy = 0;               ///< 0 to 1
+  double anisotropy_rotation = 0;      ///< radians, counter-clockwise from the tangent
+  double iridescence = 0;              ///< 0 to 1
+  double iridescence_ior = 1.3;        ///< at least 1
   double iridescence_thickness = 400;  ///< nanometres
 
   bool unlit = false;  ///< emits its base colour and does nothing else
 
+  /// Whether the surface bounds a volume.
   bool volumetric() const { return thickness > 0; }
 };
 
@@ -97,8 +99,9 @@ enum class ShaderMode : std::uint8_t {
   conserving,
 };
 
+/// How a material is read.
 struct ShaderOptions {
-  ShaderMode mode = ShaderMode::conserving;
+  ShaderMode mode = ShaderMode::conserving;  ///< how literally
   /// Colour channel that the path follows through a dispersive volume: 0, 1 or 2 for its own index
   /// of refraction, anything else for that of the middle (green) one.
   int channel = -1;
@@ -106,12 +109,12 @@ struct ShaderOptions {
 
 /// Random numbers, each in [0, 1).
 struct Random3 {
-  double lobe = 0, u = 0, v = 0;
+  double lobe = 0, u = 0, v = 0;  ///< which lobe, and where in it
 };
 
 /// A direction to which a path goes on.
 struct MaterialSample {
-  Vec3d l;
+  Vec3d l;         ///< away from the surface
   Rgb weight;      ///< f |cos| / pdf
   double pdf = 0;  ///< per steradian; of a delta lobe: its probability
   /// Of a mirror or an ideal refraction: nothing else reaches this direction, and evaluate() and
@@ -135,9 +138,9 @@ Rgb emitted(const Material& material, const Vec3d& v);
 
 /// Part of light that comes back from an environment of radiance 1 all around.
 struct Albedo {
-  Rgb diffuse_reflect, diffuse_transmit;
+  Rgb diffuse_reflect, diffuse_transmit;    ///< to this side and to the other
   Rgb specular_reflect, specular_transmit;  ///< clearcoat and sheen count as specular
-  Rgb total;
+  Rgb total;                                ///< of all of them
 };
 
 /// Albedo towards v, by quadrature: `resolution` azimuths for each lobe, and some half of that

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// A report as one web page that needs nothing else: no network, no other file.
 #pragma once
 
@@ -24,14 +25,15 @@ struct PagePicture {
 
 /// Everything that the page says of one asset. Owns its text.
 struct PageAsset {
-  FileReport report;
-  InspectReport inspection;
-  PagePicture picture;
+  FileReport report;                    ///< of the validation
+  InspectReport inspection;             ///< what is in it
+  PagePicture picture;                  ///< what it looks like
   std::optional<PagePicture> upgraded;  ///< where an upgrade changes the asset
 };
 
+/// What stands on a page beside the assets.
 struct PageOptions {
-  std::string title;
+  std::string title;                       ///< plain text
   std::string profile, pixel_level;        ///< of the validation
   std::span<const RuleDescription> rules;  ///< all, sorted by code; static storage
 };
@@ -41,10 +43,11 @@ struct PageOptions {
 /// one block of JSON that no browser takes for markup. Not thread-safe.
 class PageWriter {
  public:
+  /// A writer of one page.
   explicit PageWriter(PageOptions options) : options_(std::move(options)) {}
-  void begin(std::string& out) const;
-  void asset(const PageAsset& asset, std::string& out);
-  void end(const RunSummary& summary, std::string& out) const;
+  void begin(std::string& out) const;                           ///< before the first asset
+  void asset(const PageAsset& asset, std::string& out);         ///< each asset
+  void end(const RunSummary& summary, std::string& out) const;  ///< after the last one
 
  private:
   PageOptions options_;

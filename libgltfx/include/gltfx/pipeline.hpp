@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// Whole verbs as functions: what the command line does, for programs.
 #pragma once
 
@@ -38,8 +39,8 @@ void validate_files(const std::vector<std::string>& paths, const ValidateOptions
 
 /// A file and what is asked of it. The options outlive the call.
 struct ValidateInput {
-  std::string path;
-  const ValidateOptions* options = nullptr;
+  std::string path;                          ///< of the file
+  const ValidateOptions* options = nullptr;  ///< never null in a call
 };
 
 /// The same for files of which not the same is asked.
@@ -54,7 +55,7 @@ UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& option
 
 /// A file and where its upgrade goes; `output` as in UpgradeOptions.
 struct UpgradeInput {
-  std::string path, output;
+  std::string path, output;  ///< of the two files
 };
 
 /// Upgrades many files on `jobs` threads (at least 1) and hands over the reports in the order of
@@ -68,7 +69,7 @@ BakeReport bake_file(const std::string& path, const BakeOptions& options = {});
 
 /// A file and where its picture goes; `output` as in BakeOptions.
 struct BakeInput {
-  std::string path, output;
+  std::string path, output;  ///< of the asset and the picture
 };
 
 /// Draws many files one after the other, each on all threads, and hands over the reports in the

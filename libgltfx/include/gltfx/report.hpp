@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// The verdict on one asset, and the formats it can be written in.
 #pragma once
 
@@ -17,35 +18,39 @@ namespace gltfx {
 
 /// Findings by severity, repeats counted one by one.
 struct Counts {
-  std::uint64_t errors = 0, warnings = 0, infos = 0, hints = 0;
-  void add(Severity severity, std::uint64_t count = 1);
+  std::uint64_t errors = 0, warnings = 0, infos = 0, hints = 0;  ///< of that severity
+  void add(Severity severity, std::uint64_t count = 1);          ///< counts some more
   std::uint64_t at_least(Severity severity) const;  ///< findings as loud as this or louder
-  Counts& operator+=(const Counts& other);
+  Counts& operator+=(const Counts& other);          ///< adds all of the other
 };
 
 /// One entry of the Khronos report's `info.resources`.
 struct ResourceInfo {
-  std::string pointer, mime_type, storage,
-      uri;  ///< storage: "external", "data-uri", "glb", "buffer-view"
-  std::optional<std::uint64_t> byte_length;
+  std::string pointer;                       ///< of the buffer or image (RFC 6901)
+  std::string mime_type;                     ///< of an image; else "application/gltf-buffer"
+  std::string storage;                       ///< "external", "data-uri", "glb", "buffer-view"
+  std::string uri;                           ///< of a file beside the asset; else empty
+  std::optional<std::uint64_t> byte_length;  ///< where the bytes were read
+  /// What the headers of an image say.
   struct Image {
-    std::uint32_t width = 0, height = 0, bits = 0;
-    std::string format, primaries, transfer;
+    std::uint32_t width = 0, height = 0, bits = 0;  ///< pixels, and bits a channel
+    std::string format, primaries, transfer;        ///< as the Khronos report names them
   };
-  std::optional<Image> image;
+  std::optional<Image> image;  ///< of an image that was understood
 };
 
 /// Facts about an asset, as the Khronos report's `info` block has them.
 struct AssetInfo {
-  std::string version, min_version;
-  std::optional<std::string> generator;
-  std::vector<std::string> extensions_used, extensions_required;
-  std::vector<ResourceInfo> resources;
+  std::string version, min_version;      ///< "2.0"; the latter may be empty
+  std::optional<std::string> generator;  ///< of `asset`
+  std::vector<std::string> extensions_used, extensions_required;  ///< as they are declared
+  std::vector<ResourceInfo> resources;                            ///< buffers, then images
+  /// Numbers of objects; a primitive is a draw call.
   std::uint64_t animation_count = 0, material_count = 0, draw_call_count = 0;
-  std::uint64_t total_vertex_count = 0, total_triangle_count = 0;
-  std::uint64_t max_uvs = 0, max_influences = 0, max_attributes = 0;
-  bool has_morph_targets = false, has_skins = false, has_textures = false,
-       has_default_scene = false;
+  std::uint64_t total_vertex_count = 0, total_triangle_count = 0;     ///< of all primitives
+  std::uint64_t max_uvs = 0, max_influences = 0, max_attributes = 0;  ///< of any primitive
+  bool has_morph_targets = false, has_skins = false;                  ///< whether there are any
+  bool has_textures = false, has_default_scene = false;               ///< the same
 };
 
 /// Everything said about one asset. Owns its text; independent of the asset.
@@ -55,40 +60,42 @@ struct FileReport {
   std::string mime_type;                ///< "model/gltf+json", "model/gltf-binary" or empty
   bool readable = true;                 ///< false: the file itself could not be opened
   std::vector<Diagnostic> diagnostics;  ///< in the order they were found
-  Counts counts;
-  bool truncated = false;        ///< --max-issues ended the listing
-  std::uint64_t suppressed = 0;  ///< findings a baseline knew
-  std::uint64_t left_out = 0;    ///< findings that the asset asks to leave out
-  std::uint64_t unverified = 0;  ///< resources not looked into: Git-LFS pointers
-  std::optional<AssetInfo> info;
+  Counts counts;                        ///< of all diagnostics, those not listed included
+  bool truncated = false;               ///< --max-issues ended the listing
+  std::uint64_t suppressed = 0;         ///< findings a baseline knew
+  std::uint64_t left_out = 0;           ///< findings that the asset asks to leave out
+  std::uint64_t unverified = 0;         ///< resources not looked into: Git-LFS pointers
+  std::optional<AssetInfo> info;        ///< where the JSON text could be read
 };
 
 /// What a run of files came to.
 struct RunSummary {
-  std::uint64_t files = 0;
-  std::uint64_t files_with_errors = 0;
-  std::uint64_t unreadable = 0;
-  std::uint64_t unverified = 0;
-  std::uint64_t suppressed = 0;
-  std::uint64_t left_out = 0;
-  Counts counts;
-  std::optional<int> exit_code;  ///< what the program is about to end with, where it is known
-  void add(const FileReport& report);
+  std::uint64_t files = 0;                                     ///< that were named
+  std::uint64_t files_with_errors = 0;                         ///< those with at least one
+  std::uint64_t unreadable = 0;                                ///< that could not be opened
+  std::uint64_t unverified = 0, suppressed = 0, left_out = 0;  ///< sums of those of the files
+  Counts counts;                                               ///< the same
+  std::optional<int> exit_code;        ///< what the program is about to end with, where it is known
+  void add(const FileReport& report);  ///< takes in one more
 };
 
 /// One of several runs that share the inputs among them.
 struct Shard {
   std::uint32_t index = 1;  ///< from 1 to count
-  std::uint32_t count = 1;
+  std::uint32_t count = 1;  ///< of all runs
 };
 
+/// How a report is written.
 enum class ReportFormat : std::uint8_t { text, json, jsonl, khronos, github, sarif, junit, agent };
 
+/// "text", "json" and so on.
 std::string_view report_format_name(ReportFormat format);
+/// The format with that name, or nothing.
 std::optional<ReportFormat> report_format_from_name(std::string_view name);
 /// All names, for help texts.
 std::span<const std::string_view> report_format_names();
 
+/// What formats ask for beside the reports.
 struct FormatOptions {
   bool color = false;   ///< text: ANSI colours
   bool quiet = false;   ///< text: findings only, no summary
@@ -101,7 +108,7 @@ struct FormatOptions {
   /// sarif: the absolute folder that relative paths start from; may be empty.
   std::string folder;
   Shard shard;  ///< named in jsonl
-  /// junit: what is as loud as this, or louder, is a failure; nothing: never.
+  /// junit: what is as loud as this, or louder, is a failure; named in jsonl; nothing: never.
   std::optional<Severity> fail_on = Severity::error;
 };
 
@@ -111,11 +118,12 @@ struct FormatOptions {
 class ReportWriter {
  public:
   virtual ~ReportWriter() = default;
-  virtual void begin(std::string& out) = 0;
-  virtual void file(const FileReport& report, std::string& out) = 0;
-  virtual void end(const RunSummary& summary, std::string& out) = 0;
+  virtual void begin(std::string& out) = 0;                           ///< before the first report
+  virtual void file(const FileReport& report, std::string& out) = 0;  ///< each report
+  virtual void end(const RunSummary& summary, std::string& out) = 0;  ///< after the last one
 };
 
+/// A writer of that format, never null.
 std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format, const FormatOptions& options);
 
 /// The JSON Schema (2020-12) of `--format json`.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reports of earlier runs, so that what did not change is not checked again.
+/// @file
+/// Results of earlier runs, so that what did not change is not checked or drawn again.
 #pragma once
 
 #include <memory>
@@ -9,10 +10,10 @@ namespace gltfx {
 
 class ResultStore;
 
-/// Reports are kept by the bytes of the asset and of the files it refers to, by all options that
-/// bear on them, and by the build of the program. A file whose size, times and inode are as they
-/// were is not read to find that out. A report is not kept when a file that belongs to it could not
-/// be read or changed meanwhile.
+/// Reports, and what pictures were written, are kept by the bytes of the asset and of the files it
+/// refers to, by all options that bear on them, and by the build of the program. A file whose size,
+/// times and inode are as they were is not read to find that out. A result is not kept when a file
+/// that belongs to it could not be read or changed meanwhile.
 ///
 /// Several runs may use one folder at once, on several machines too. Whoever can write into the
 /// folder can make reports say anything. Safe to use from several threads.
@@ -28,6 +29,7 @@ class ResultCache {
   /// an empty text when all were.
   std::string finish();
 
+  /// For the library itself.
   ResultStore& store() { return *store_; }
   /// The working folder, that relative paths start from.
   const std::string& folder() const { return folder_; }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// Assets as models of tinygltf (github.com/syoyo/tinygltf) and back, for programs that use it:
 /// tinygltf never sees bytes that were not validated, and gets what it does not decode itself.
 /// The calls are in the CMake target gltfx::tinygltf, built for the version of tiny_gltf.h that was
@@ -40,8 +41,9 @@ enum class TinygltfImages : std::uint8_t {
   encoded,  ///< the bytes of the image file; `as_is` is set
 };
 
+/// How an asset becomes a model.
 struct ToTinygltfOptions {
-  TinygltfImages images = TinygltfImages::decoded;
+  TinygltfImages images = TinygltfImages::decoded;  ///< what they hold then
   /// Write sparse accessors out in full, for programs that do not look at `sparse`. Those that
   /// would take too much memory stay as they are, and a note says so.
   bool expand_sparse = false;
@@ -52,6 +54,7 @@ struct ToTinygltfOptions {
   std::shared_ptr<const schema::Set> schemas;
 };
 
+/// How a model becomes an asset.
 struct FromTinygltfOptions {
   /// Put bytes of buffers and images into the .gltf itself, as data URIs, whatever their `uri`.
   bool embed = false;
@@ -69,9 +72,9 @@ struct TinygltfNote {
 
 /// What became of a conversion. Owns its text.
 struct TinygltfReport {
-  bool done = false;  ///< else the model, or the asset, is as it was before
-  std::string error;  ///< why it is not, one sentence without stop
-  FileReport validation;
+  bool done = false;                 ///< else the model, or the asset, is as it was before
+  std::string error;                 ///< why it is not, one sentence without stop
+  FileReport validation;             ///< of the asset that was read or was to be written
   std::vector<TinygltfNote> notes;   ///< in no order that means anything
   std::vector<std::string> written;  ///< paths of files
 };
@@ -89,6 +92,7 @@ struct TinygltfReport {
 /// Never throws. Safe to call from several threads for different models.
 TinygltfReport to_tinygltf(const std::string& path, tinygltf::Model& model,
                            const ToTinygltfOptions& options = {});
+/// The same from memory.
 TinygltfReport to_tinygltf(const MemoryAsset& asset, tinygltf::Model& model,
                            const ToTinygltfOptions& options = {});
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// What an upgrade can be asked for, and what it says of each legacy object. The calls are in
 /// <gltfx/pipeline.hpp>.
 #pragma once
@@ -33,7 +34,7 @@ struct UpgradeAction {
   std::string from, to;    ///< names of the extensions
   std::string generation;  ///< as which generation it was read; empty when there is only one
   std::string decision;    ///< why as that one; empty when there is only one
-  UpgradeFate fate = UpgradeFate::safe;
+  UpgradeFate fate = UpgradeFate::safe;  ///< what it comes to
   bool lossy = false;              ///< something is lost that goes with what was asked for by name
   bool removed = false;            ///< it has no effect, so it goes and nothing takes its place
   bool done = false;               ///< part of the new document
@@ -52,6 +53,7 @@ struct UpgradeOrphan {
   bool removed = false;     ///< not part of the new document
 };
 
+/// What an upgrade is asked for.
 struct UpgradeOptions {
   /// "auto", or the name of a generation: every legacy object is read as that one.
   std::string generation = "auto";
@@ -95,11 +97,11 @@ enum class UpgradeProblem : std::uint8_t {
 struct UpgradeReport {
   std::string path;                    ///< as the user named it
   std::vector<UpgradeAction> actions;  ///< in the order of the document; empty: nothing legacy
-  UpgradeProblem problem = UpgradeProblem::none;
-  std::string error;     ///< what the problem is, one sentence
-  bool changes = false;  ///< the new document differs from the old one
-  bool written = false;  ///< the new bytes are durable at `written_to`
-  std::string written_to;
+  UpgradeProblem problem = UpgradeProblem::none;  ///< why it was not dealt with, if so
+  std::string error;                              ///< what the problem is, one sentence
+  bool changes = false;                           ///< the new document differs from the old one
+  bool written = false;                           ///< the new bytes are durable at `written_to`
+  std::string written_to;              ///< path of the file that was written; may be empty
   std::vector<std::string> new_files;  ///< that the new document refers to, from its folder
   std::vector<UpgradeOrphan> orphans;  ///< by root array, in its order
   std::string orphans_kept;            ///< why they stay although they were to go, without stop

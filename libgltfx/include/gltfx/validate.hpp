@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+/// @file
 /// What validation can be asked for, and every rule it knows. The calls are in
 /// <gltfx/pipeline.hpp>.
 #pragma once
@@ -47,17 +48,17 @@ struct Budgets {
 
 /// Lines of a text, counted from 1; `last` belongs to it.
 struct LineRange {
-  std::uint64_t first = 0;
-  std::uint64_t last = 0;
+  std::uint64_t first = 0, last = 0;  ///< numbers of lines
 };
 
+/// What a validation is asked for.
 struct ValidateOptions {
-  Profile profile = Profile::standard;
+  Profile profile = Profile::standard;  ///< what is reported
   /// Nothing: `needed` in the strict profile, otherwise `headers`. The khronos profile never
   /// decodes.
   std::optional<PixelLevel> pixels;
-  Budgets budgets;
-  LfsPolicy lfs = LfsPolicy::skip;
+  Budgets budgets;                  ///< what an asset may cost
+  LfsPolicy lfs = LfsPolicy::skip;  ///< how pointers of Git LFS count
   /// Leave out what an asset asks to leave out, errors too: `{"ignore": [{"code": "UNUSED_OBJECT",
   /// "reason": "..."}]}` in `extras.gltfx` of an object, for findings on it and below it. Only for
   /// assets that somebody vouches for; the khronos profile never does.

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The report on one file in a ResultCache.
+/// What became of one file, in a ResultCache.
 ///
-/// Three values are kept of it. By the path: the states of all files and the key of the report. By
-/// the asset's bytes: the names of the files it refers to. By the bytes of all of them: the report.
+/// Three values are kept of it. By the path: the states of all files and the key of the result. By
+/// the asset's bytes: the names of the files it refers to. By the bytes of all of them: the result.
 #pragma once
 
-#include <gltfx/report.hpp>
 #include <gltfx/result_cache.hpp>
-#include <gltfx/validate.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/file_state.hpp"
@@ -21,21 +21,22 @@
 namespace gltfx {
 
 /// Calls in this order: as_it_was(); with the container opened after it, by_content(); with the
-/// report that was made of it, keep().
-class KeptReport {
+/// result that was made of it, keep().
+class KeptResult {
  public:
-  /// All of them must outlive it.
-  KeptReport(const std::string& path, const ValidateOptions& options);
+  /// `options`: the key of all that the result depends on besides files. Path and cache outlive it.
+  KeptResult(const std::string& path, ResultCache& cache, const Hash128& options);
 
-  /// The report of an earlier run when neither the asset nor a file it refers to changed since, as
+  /// The result of an earlier run when neither the asset nor a file it refers to changed since, as
   /// far as the file system tells. Otherwise waits until a later change of the asset can be seen by
   /// its times (some hundredths of a second for a file that was just written).
-  std::optional<FileReport> as_it_was();
-  /// The report of an earlier run over the same bytes, wherever they lay.
-  std::optional<FileReport> by_content(const container::Container& opened,
-                                       const container::Resolver& resolver);
-  /// `lookups`: of the resolver while the report was made.
-  void keep(const FileReport& report, const container::Resolver& resolver,
+  std::optional<std::string> as_it_was();
+  /// The result of an earlier run over the same bytes, wherever they lay.
+  std::optional<std::string> by_content(const container::Container& opened,
+                                        const container::Resolver& resolver);
+  /// Nothing is kept where a file could not be read or changed meanwhile. `lookups`: of the
+  /// resolver while the result was made.
+  void keep(std::string_view result, const container::Resolver& resolver,
             const container::LookupLog& lookups);
 
  private:
@@ -44,11 +45,10 @@ class KeptReport {
     FileState state;
   };
 
-  std::optional<FileReport> report_of(const Hash128& key) const;
   bool companions_of(const std::vector<std::string>& names, const container::Resolver& resolver,
                      HashParts& content, std::vector<Companion>& companions) const;
   bool settled(const std::vector<Companion>& companions) const;
-  std::string snapshot(const std::vector<Companion>& companions, const Hash128& report) const;
+  std::string snapshot(const std::vector<Companion>& companions, const Hash128& result) const;
 
   const std::string& path_;
   ResultStore& store_;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files are replaced whole or not at all, whichever system call fails.
+#include "base/support/failing_calls.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/replace_file.hpp"
+#include "container/temp_folder.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+using container::test::TempFolder;
+using test::Call;
+using test::FailingCall;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::ptrdiff_t entries(const TempFolder& folder) {
+  return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator());
+}
+
+TEST(FailingCalls, AReplacedFileIsTheOldOneOrTheNewOne) {
+  const TempFolder folder;
+  const fs::path file = folder.path() / "a.gltf";
+  test::fail_each_call([&](Call call, int number) {
+    folder.write("a.gltf", "old");
+    const auto seen = file_state(file);
+    FailingCall failing(call, number, EIO);
+    const auto trouble = replace_file(file, "new", *seen);
+    const bool failed = failing.stop();
+    EXPECT_EQ(trouble.has_value(), failed);
+    EXPECT_THAT(content(file), AnyOf("old", "new"));
+    EXPECT_TRUE(trouble || content(file) == "new");
+    EXPECT_EQ(entries(folder), 1);
+    return failed;
+  });
+}
+
+TEST(FailingCalls, ANewFileIsWholeOrNotThere) {
+  const TempFolder folder;
+  const fs::path file = folder.path() / "a.gltf";
+  test::fail_each_call([&](Call call, int number) {
+    FailingCall failing(call, number, EIO);
+    const auto trouble = write_file(file, "new");
+    const bool failed = failing.stop();
+    EXPECT_EQ(trouble.has_value(), failed);
+    EXPECT_EQ(entries(folder), fs::exists(file) ? 1 : 0);
+    EXPECT_THAT(content(file), AnyOf("", "new"));
+    fs::remove(file);
+    return failed;
+  });
+}
+
+TEST(FailingCalls, WritingGoesOnAfterASignal) {
+  const TempFolder folder;
+  FailingCall failing(Call::write, 1, EINTR);
+  EXPECT_FALSE(write_file(folder.path() / "a.gltf", "new"));
+  EXPECT_TRUE(failing.stop());
+  EXPECT_EQ(content(folder.path() / "a.gltf"), "new");
+}
+
+// Some file systems cannot make anything durable, or cannot rename without replacing.
+TEST(FailingCalls, WhatAFileSystemCannotDoIsDoneWithout) {
+  const TempFolder folder;
+  const fs::path file = folder.path() / "a.gltf";
+  for (const int number : {1, 2}) {
+    FailingCall failing(Call::fsync, number, EINVAL);
+    EXPECT_FALSE(write_file(file, "new"));
+    EXPECT_TRUE(failing.stop());
+    fs::remove(file);
+  }
+  for (const int error : {EINVAL, ENOSYS}) {
+    FailingCall failing(Call::renameat2, 1, error);
+    EXPECT_FALSE(create_file(file, "new"));
+    EXPECT_TRUE(failing.stop());
+    EXPECT_EQ(content(file), "new");
+    fs::remove(file);
+  }
+  folder.write("a.gltf", "old");
+  FailingCall failing(Call::renameat2, 1, EINVAL);
+  const auto trouble = create_file(file, "new");
+  ASSERT_TRUE(trouble);
+  EXPECT_THAT(trouble->message, HasSubstr("cannot create"));
+  EXPECT_EQ(content(file), "old");
+}
+
+TEST(FailingCalls, ADeniedOwnerIsAnError) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root owns files of others";
+  const TempFolder folder;
+  const fs::path file = folder.write("a.gltf", "old");
+  ASSERT_EQ(::chown(file.c_str(), 12345, 12345), 0);
+  const auto seen = file_state(file);
+  ASSERT_TRUE(seen);
+  FailingCall failing(Call::fchown, 1, EPERM);
+  const auto trouble = replace_file(file, "new", *seen);
+  ASSERT_TRUE(trouble);
+  EXPECT_THAT(trouble->message, HasSubstr("keep the owner"));
+  EXPECT_EQ(content(file), "old");
+}
+
+}  // namespace
+}  // namespace gltfx

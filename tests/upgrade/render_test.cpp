@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// New images of pictures that cannot be had, do not go together or cannot be written.
+#include "upgrade/render.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gltfx::upgrade {
+namespace {
+
+using testing::HasSubstr;
+
+// Pictures of one channel of zeros; the last one cannot be read.
+class Zeros : public Pictures {
+ public:
+  explicit Zeros(std::vector<std::uint32_t> widths) : widths_(std::move(widths)) {}
+  const Picture& picture(std::uint64_t image) override {
+    picture_.problem = image < widths_.size() ? "" : "it is gone";
+    return picture_;
+  }
+  std::shared_ptr<const codec::Image> pixels(std::uint64_t image) override {
+    if (image >= widths_.size()) return nullptr;
+    auto made = std::make_shared<codec::Image>();
+    made->width = widths_[image];
+    made->height = 1;
+    made->channels = 1;
+    made->bits = 8;
+    auto owned = std::make_shared<std::vector<std::byte>>(made->width);
+    made->pixels = *owned;
+    made->owner = owned;
+    return made;
+  }
+  std::uint64_t same_as(std::uint64_t image) override { return image; }
+
+ private:
+  std::vector<std::uint32_t> widths_;
+  Picture picture_;
+};
+
+std::string problem_of(std::vector<std::uint32_t> widths, const ImageJob& job) {
+  Zeros pictures(std::move(widths));
+  ImageCache cache;
+  const auto file = render(job, pictures, cache);
+  return file ? "none" : file.error().message;
+}
+
+TEST(Render, SaysWhyThereIsNoImage) {
+  ImageJob job;
+  job.channels.fill(ChannelSource::constant(0.5));
+  EXPECT_EQ(problem_of({2}, job), "a new image is made of nothing");
+  job.channels[0] = ChannelSource::of(1, 0);
+  EXPECT_EQ(problem_of({2}, job), "image 1: it is gone");
+  job.channels[3] = ChannelSource::of(0, 0);
+  EXPECT_EQ(problem_of({2, 3}, job), "image 0 has another size than the one beside it");
+  EXPECT_THAT(problem_of({0, 0}, job), HasSubstr("the new image cannot be encoded: "));
+}
+
+TEST(Render, AnAlphaBelowOneIsKept) {
+  Zeros pictures({1});
+  Recipe recipe;
+  recipe.images[0] = pictures.pixels(0);
+  recipe.job.channels = {ChannelSource::of(0, 0), ChannelSource::constant(0),
+                         ChannelSource::constant(0), ChannelSource::constant(0.5)};
+  const Texels texels = mix(recipe);
+  EXPECT_EQ(texels.raster.channels, 4U);
+  EXPECT_EQ(texels.bytes.at(3), std::byte{128});
+}
+
+}  // namespace
+}  // namespace gltfx::upgrade
