@@ -12,6 +12,7 @@ void expose_layers(const Film& film, std::size_t pixel, Canvas& canvas) {
   const Sights seen = film.sights(pixel);
   const bool something = seen.alpha > 0;
   const double share = something ? 1.0 / std::max(seen.count, 1U) : 0.0;
+  if (!canvas.alpha.empty()) canvas.alpha[pixel] = static_cast<float>(film.alpha(pixel));
   if (!canvas.albedo.empty()) canvas.albedo[pixel] = to_float3(to_vec(seen.albedo) * share);
   if (!canvas.normal.empty()) canvas.normal[pixel] = to_float3(to_vec(seen.normal) * share);
   if (!canvas.depth.empty()) canvas.depth[pixel] = something ? seen.depth / seen.alpha : 0;
@@ -23,7 +24,7 @@ void expose_layers(const Film& film, std::size_t pixel, Canvas& canvas) {
 Canvas::Canvas(std::uint32_t w, std::uint32_t h, const Layers& layers) : width(w), height(h) {
   const std::size_t count = std::size_t{w} * h;
   radiance.resize(count);
-  alpha.resize(count);
+  if (layers.alpha) alpha.resize(count);
   if (layers.albedo) albedo.resize(count);
   if (layers.normal) normal.resize(count);
   if (layers.depth) depth.resize(count);
@@ -34,7 +35,6 @@ void expose(const Film& film, const Rows& rows, Canvas& canvas) {
   const std::size_t last = std::size_t{rows.last} * film.width();
   for (std::size_t pixel = std::size_t{rows.first} * film.width(); pixel < last; ++pixel) {
     canvas.radiance[pixel] = to_float3(film.radiance(pixel));
-    canvas.alpha[pixel] = static_cast<float>(film.alpha(pixel));
     canvas.rays += film.at(pixel).rays;
     expose_layers(film, pixel, canvas);
   }

@@ -9,8 +9,10 @@
 
 namespace gltfx::bake {
 
-/// What of a surface that is seen first is wanted beside its light.
+/// What is wanted beside the light: of a surface that is seen first, and how much of a pixel shows
+/// any.
 struct Layers {
+  bool alpha = false;
   bool albedo = false, normal = false, depth = false, material = false;
 };
 

@@ -88,8 +88,8 @@ Float3 layer_color(const Canvas& canvas, std::size_t i, Layer layer, Numbers num
 Picture develop(const Canvas& canvas, bool alpha, Numbers numbers) {
   Picture picture = blank(canvas, alpha ? 4 : 3, numbers);
   for (std::size_t i = 0; i < canvas.size(); ++i) {
-    const float covered = canvas.alpha[i];
-    const float scale = alpha && covered > 0 ? 1 / covered : 1;
+    const float covered = alpha ? canvas.alpha[i] : 1;
+    const float scale = covered > 0 ? 1 / covered : 1;
     const Float3& from = canvas.radiance[i];
     const Float3 light{from[0] * scale, from[1] * scale, from[2] * scale};
     add_color(picture, numbers == Numbers::bytes ? tone_map(light) : light, false, numbers);

@@ -20,16 +20,16 @@ struct Picture {
 /// What the pixels are to be used for.
 enum class Numbers : std::uint8_t { bytes, floats };
 
-/// The picture itself. With `alpha` there are four channels.
+/// The picture itself. With `alpha` there are four channels, and the canvas has to have it.
 Picture develop(const Canvas& canvas, bool alpha, Numbers numbers);
 
 enum class Layer : std::uint8_t { albedo, normal, depth, material };
 
-/// Of what was seen first. Precondition: the canvas has the layer.
+/// Of what was seen first. Precondition: the canvas has the layer, and alpha.
 Picture develop_layer(const Canvas& canvas, Layer layer, Numbers numbers);
 
 /// The mean square of the difference of bytes, over pixels in which either canvas shows something.
-/// Precondition: pictures and canvases of one size and number of channels.
+/// Precondition: pictures and canvases of one size and number of channels; the canvases have alpha.
 double mean_square_difference(const Picture& a, const Picture& b, const Canvas& canvas_a,
                               const Canvas& canvas_b);
 

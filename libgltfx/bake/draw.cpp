@@ -9,7 +9,7 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kTile = 16;  // pixels along a side that are worked on together
+// What is rendered below rows that are finished: whole tiles.
 constexpr std::uint32_t kMargin = (kDenoiseReach + kTile - 1) / kTile * kTile;
 
 // Some rays tell enough of it.
@@ -54,13 +54,15 @@ Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& opt
   const RenderOptions& render = options.render;
   Canvas canvas(render.width, render.height, options.layers);
   const DepthRange depths = options.denoise ? depth_range(setting, view) : DepthRange();
-  const std::uint32_t margin = options.denoise ? kMargin : 0;
+  const std::uint32_t above = options.denoise ? kDenoiseReach : 0;
+  const std::uint32_t below = options.denoise ? kMargin : 0;
   const std::uint32_t step = rows_at_once(render);
   Film film(render.width, render.height, {});
+  film.reserve(std::min(above + step + below, render.height));
   for (Rows rows{0, 0}; rows.last < render.height;) {
     rows = {rows.last, std::min(rows.last + step, render.height)};
-    const Rows fresh{film.held().last, std::min(rows.last + margin, render.height)};
-    film.hold({rows.first - std::min(rows.first, margin), fresh.last});
+    const Rows fresh{film.held().last, std::min(rows.last + below, render.height)};
+    film.hold({rows.first - std::min(rows.first, above), fresh.last});
     render_rows(setting, view, part_of(render, fresh), fresh, film);
     expose(film, rows, canvas);
     if (options.denoise) denoise(film, rows, depths, render.jobs, canvas);

@@ -47,6 +47,8 @@ void add(Sights& sights, const PathSample& sample) {
   sights.depth += static_cast<float>(sample.depth);
 }
 
+void Film::reserve(std::uint32_t rows) { pixels_.reserve(std::size_t{rows} * width_); }
+
 void Film::hold(const Rows& rows) {
   const std::size_t lost = std::min(std::size_t{rows.first - held_.first} * width_, size());
   pixels_.erase(pixels_.begin(), pixels_.begin() + static_cast<std::ptrdiff_t>(lost));

@@ -56,6 +56,8 @@ class Film {
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
   const Rows& held() const { return held_; }
+  /// Makes room for as many rows as are going to be held at a time.
+  void reserve(std::uint32_t rows);
   /// Rows that are held no longer are lost; new ones are empty. Neither end moves up.
   void hold(const Rows& rows);
 

@@ -163,6 +163,11 @@ Slanted slant(const std::vector<Float3>& points, const View& view, const Vec3d& 
 
 double Subject::size() const { return std::max(length(greatest - least), 1e-12); }
 
+void Subject::forget_faces() {
+  points = std::vector<Float3>();
+  faces = std::vector<Face>();
+}
+
 std::optional<Subject> find_subject(const Scene& scene) {
   Subject subject = surfaces_of(scene);
   if (subject.points.empty()) return std::nullopt;

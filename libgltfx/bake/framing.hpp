@@ -25,6 +25,8 @@ struct Subject {
   std::vector<Face> faces;
   Vec3d least, greatest;
 
+  /// Leaves the box, when nothing is to be framed any more.
+  void forget_faces();
   Vec3d middle() const { return (least + greatest) * 0.5; }
   /// Length of the box's diagonal in the scene's unit; above 0.
   double size() const;

@@ -15,7 +15,6 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kTile = 16;  // pixels along a side
 constexpr std::uint32_t kRound = 8;  // samples between two looks at clock and noise
 
 // A position within a pixel's neighbourhood of two by two, by a tent: edges come out smooth, and

@@ -11,6 +11,9 @@
 
 namespace gltfx::bake {
 
+/// Pixels along a side that are worked on together, and have enough samples together.
+constexpr std::uint32_t kTile = 16;
+
 struct RenderOptions {
   std::uint32_t width = 512, height = 512;
   std::uint32_t samples = 64;  ///< of each pixel, at most

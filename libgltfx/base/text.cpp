@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -94,6 +95,16 @@ std::string join_and(std::span<const std::string> items) {
     text += items[i];
   }
   return text;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+std::string ending_of(std::string_view path) {
+  return lower_case(std::filesystem::path(path).extension().native());
 }
 
 std::string number_text(double value) {

@@ -36,6 +36,12 @@ std::string join_or(std::span<const std::string> items, std::size_t limit = 8);
 /// "a", "a and b", "a, b and c".
 std::string join_and(std::span<const std::string> items);
 
+/// ASCII letters in lower case.
+std::string lower_case(std::string_view text);
+
+/// What the file's name ends with, in lower case and with its dot: ".glb". Empty without a dot.
+std::string ending_of(std::string_view path);
+
 /// A double as a person writes it: the shortest digits that read back equal, no exponent for
 /// whole numbers below 1e15.
 std::string number_text(double value);

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::string_view kBase64 = "base64";
 
-std::string lower_case(std::string_view text) {
-  std::string lowered(text);
-  for (char& c : lowered) c = ascii_lower(c);
-  return lowered;
-}
-
 /// Cuts the part before the next ';' off the front.
 std::string_view next_part(std::string_view& rest) {
   const std::size_t end = rest.find(';');

@@ -14,7 +14,6 @@
 #include "container/container.hpp"
 #include "interop/model_text.hpp"
 #include "interop/stored_bytes.hpp"
-#include "json/token.hpp"
 #include "upgrade/glb_rewrite.hpp"
 #include "validate/validator.hpp"
 
@@ -23,9 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_glb(const std::string& name) {
-  return json::lower_case(fs::path(name).extension().native()) == ".glb";
-}
+bool is_glb(const std::string& name) { return ending_of(name) == ".glb"; }
 
 // A GLB with nothing but "{}": what a rewrite starts from.
 std::string empty_glb() { return std::string("glTF\2\0\0\0\x18\0\0\0\4\0\0\0JSON{}  ", 24); }

@@ -14,16 +14,13 @@ namespace gltfx::json {
 /// comment, a run of letters and digits, or one character. Empty at the end of the text.
 Span token_at(std::string_view text, std::uint32_t at);
 
-/// A token as it follows the word "found": "the word 'foo'". Printable.
+/// A token as it follows the word "found": "the word 'foo'". Printable. Precondition: not empty.
 std::string describe_token(std::string_view token);
 
 /// Whether a token begins like a comment of JavaScript, Python or YAML.
 bool starts_comment(std::string_view token);
 
-/// Whether a token is made of letters and no number.
+/// Whether a token is made of letters and no number. Precondition: not empty.
 bool is_word(std::string_view token);
-
-/// ASCII letters in lower case.
-std::string lower_case(std::string_view text);
 
 }  // namespace gltfx::json

@@ -155,10 +155,15 @@ class GeometryReader {
     for (auto& color : geometry_.colors) {
       for (float& value : color) value = std::clamp(value, 0.0F, 1.0F);
     }
+    finish_triangles();
+  }
+
+  void finish_triangles() {
     std::erase_if(geometry_.triangles, [&](const Triangle& triangle) {
       return !std::all_of(triangle.begin(), triangle.end(),
                           [&](std::uint32_t i) { return is_finite(geometry_.positions[i]); });
     });
+    geometry_.triangles.shrink_to_fit();
   }
 
   const PrimitiveData& data_;

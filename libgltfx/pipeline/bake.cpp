@@ -3,19 +3,20 @@
 #include <gltfx/pipeline.hpp>
 
 #include <cstdint>
-#include <filesystem>
+#include <functional>
 #include <memory>
-#include <new>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "bake/develop.hpp"
 #include "bake/lighting.hpp"
-#include "base/parallel.hpp"
+#include "base/pages.hpp"
 #include "codec/chance.hpp"
 #include "pipeline/bake_asset.hpp"
+#include "pipeline/bake_guard.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/kept_picture.hpp"
@@ -33,9 +34,9 @@ class Baker {
       : options_(options), loaded_(std::move(loaded)), report_(loaded_.report) {}
 
   BakeReport run() {
-    if (!loaded_.ready() || !check_output()) return std::move(report_);
+    if (!loaded_.ready() || !check_output() || !choose_all_views()) return std::move(report_);
     for (std::size_t i = 0; i < options_.sizes.size(); ++i) {
-      if (!draw_size(options_.sizes[i])) return std::move(report_);
+      if (!draw_size(options_.sizes[i], views_[i])) return std::move(report_);
     }
     if (options_.embed) embed();
     return std::move(report_);
@@ -58,13 +59,23 @@ class Baker {
                 "JPEG holds no transparent background; PNG, WebP and OpenEXR do");
   }
 
-  bool draw_size(const BakeSize& size) {
-    const double aspect = static_cast<double>(size.width) / size.height;
-    const auto views = choose_views(*loaded_.scene, *loaded_.subject, options_, aspect);
-    if (!views) return fail(BakeProblem::refused, views.error().message);
-    pictures_ = options_.sizes.size() * views->size();
-    for (std::size_t i = 0; i < views->size(); ++i) {
-      const bake::Canvas drawn = draw_picture(loaded_, (*views)[i], size, options_, part());
+  bool choose_all_views() {
+    for (const BakeSize& size : options_.sizes) {
+      const double aspect = static_cast<double>(size.width) / size.height;
+      auto views = choose_views(*loaded_.scene, *loaded_.subject, options_, aspect);
+      if (!views) return fail(BakeProblem::refused, views.error().message);
+      pictures_ += views->size();
+      views_.push_back(*std::move(views));
+    }
+    loaded_.subject->forget_faces();
+    give_back_memory();
+    return true;
+  }
+
+  bool draw_size(const BakeSize& size, const std::vector<bake::View>& views) {
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const bake::Canvas drawn =
+          draw_picture(loaded_, views[i], size, options_, layers_of(options_), part());
       ++done_;
       std::string suffix;
       if (options_.sizes.size() > 1) suffix = fmt::format("-{}x{}", size.width, size.height);
@@ -120,15 +131,36 @@ class Baker {
   BakeScene loaded_;
   BakeReport report_;
   codec::EncodedFormat format_ = codec::EncodedFormat::png;
-  std::size_t pictures_ = 1, done_ = 0;
+  std::vector<std::vector<bake::View>> views_;  // by size
+  std::size_t pictures_ = 0, done_ = 0;
 };
 
-BakeReport failed(const std::string& path, std::string why) {
-  BakeReport report;
-  report.path = path;
-  report.validation.path = path;
-  report.problem = BakeProblem::unreadable;
-  report.error = std::move(why);
+BakeReport draw(const std::string& path, const BakeOptions& options,
+                const std::function<BakeScene()>& load) {
+  return guarded(path, [&] { return Baker(load(), options).run(); });
+}
+
+std::optional<BakeReport> recalled(const std::optional<std::string>& kept, const std::string& path,
+                                   const BakeOptions& options) {
+  return kept ? recall_pictures(*kept, path, options) : std::nullopt;
+}
+
+BakeReport bake_or_recall(const std::string& path, const BakeOptions& options, const Hash128& key) {
+  KeptResult kept(path, *options.cache, key);
+  codec::Client::shared().prepare_images();
+  if (auto report = recalled(kept.as_it_was(), path, options)) return *std::move(report);
+  auto opened = open_asset(path, options.root);
+  if (!opened) return unreadable(path, opened.error().message);
+  const container::Resolver resolver = opened->resolver;
+  if (auto report = recalled(kept.by_content(opened->container, resolver), path, options)) {
+    return *std::move(report);
+  }
+  const auto lookups = std::make_shared<container::LookupLog>();
+  opened->resolver.record(lookups);
+  const std::uint64_t before = codec::faults_by_chance();
+  BakeReport report = bake_asset(path, *std::move(opened), options);
+  if (codec::faults_by_chance() != before) return report;
+  if (const auto packed = pack_pictures(report, options)) kept.keep(*packed, resolver, *lookups);
   return report;
 }
 
@@ -153,64 +185,18 @@ std::string check_picture_name(const std::string& path) {
   return format ? std::string() : format.error().message;
 }
 
-namespace {
-
-// The library does not throw.
-template <class Work>
-BakeReport guarded(const std::string& path, const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return failed(path, "there is not enough memory to draw this file");
-  } catch (const std::filesystem::filesystem_error&) {
-    return failed(path, "the path cannot be looked up");
-  }
-}
-
-template <class Load>
-BakeReport draw(const std::string& path, const BakeOptions& options, const Load& load) {
-  return guarded(path, [&] { return Baker(load(), options).run(); });
-}
-
-}  // namespace
-
 BakeReport bake_asset(const std::string& path, OpenedAsset asset, const BakeOptions& options) {
   return draw(path, options, [&] { return load_bake_scene(path, std::move(asset), options); });
 }
 
-namespace {
-
-std::optional<BakeReport> recalled(const std::optional<std::string>& kept, const std::string& path,
-                                   const BakeOptions& options) {
-  return kept ? recall_pictures(*kept, path, options) : std::nullopt;
+BakeReport bake_with_key(const std::string& path, const BakeOptions& options,
+                         const std::optional<Hash128>& key) {
+  if (!key) return draw(path, options, [&] { return load_bake_scene(path, options); });
+  return guarded(path, [&] { return bake_or_recall(path, options, *key); });
 }
-
-BakeReport bake_or_recall(const std::string& path, const BakeOptions& options) {
-  KeptResult kept(path, *options.cache, picture_key(options));
-  codec::Client::shared().prepare_images();
-  if (auto report = recalled(kept.as_it_was(), path, options)) return *std::move(report);
-  auto opened = open_asset(path, options.root);
-  if (!opened) return failed(path, opened.error().message);
-  const container::Resolver resolver = opened->resolver;
-  if (auto report = recalled(kept.by_content(opened->container, resolver), path, options)) {
-    return *std::move(report);
-  }
-  const auto lookups = std::make_shared<container::LookupLog>();
-  opened->resolver.record(lookups);
-  const std::uint64_t before = codec::faults_by_chance();
-  BakeReport report = bake_asset(path, *std::move(opened), options);
-  if (codec::faults_by_chance() != before) return report;
-  if (const auto packed = pack_pictures(report, options)) kept.keep(*packed, resolver, *lookups);
-  return report;
-}
-
-}  // namespace
 
 BakeReport bake_file(const std::string& path, const BakeOptions& options) {
-  if (!can_be_kept(options)) {
-    return draw(path, options, [&] { return load_bake_scene(path, options); });
-  }
-  return guarded(path, [&] { return bake_or_recall(path, options); });
+  return guarded(path, [&] { return bake_with_key(path, options, PictureKey().of(options)); });
 }
 
 }  // namespace gltfx

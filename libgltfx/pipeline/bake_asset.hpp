@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A picture of what was opened already, or never stood in a file.
+/// Pictures for callers that know more than the name of a file.
 #pragma once
 
 #include <gltfx/bake.hpp>
 
+#include <optional>
 #include <string>
 
+#include "base/hash.hpp"
 #include "pipeline/opened_asset.hpp"
 
 namespace gltfx {
 
-/// As bake_file(); `path` is the name of the asset.
+/// As bake_file(), of what was opened already or never stood in a file; `path` is its name.
 BakeReport bake_asset(const std::string& path, OpenedAsset asset, const BakeOptions& options);
+
+/// As bake_file(), with the PictureKey of the options; without one nothing is kept.
+BakeReport bake_with_key(const std::string& path, const BakeOptions& options,
+                         const std::optional<Hash128>& key);
 
 }  // namespace gltfx

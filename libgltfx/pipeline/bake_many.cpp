@@ -10,9 +10,12 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/bake_asset.hpp"
+#include "pipeline/bake_guard.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/contact_sheet.hpp"
+#include "pipeline/kept_picture.hpp"
 #include "pipeline/picture_file.hpp"
 
 namespace gltfx {
@@ -57,6 +60,7 @@ class Comparison {
       return;
     }
     const bake::Canvas a = draw(first_, views->front(), 0);
+    first_.subject->forget_faces();
     second_.subject = first_.subject;  // lit and framed alike
     const bake::Canvas b = draw(second_, views->front(), 0.5);
     const bake::Picture left = develop(a, first_.report);
@@ -74,7 +78,7 @@ class Comparison {
     if (options_.progress) {
       progress = [this, before](double part) { options_.progress(before + part / 2); };
     }
-    return draw_picture(loaded, view, options_.sizes.front(), options_, progress);
+    return draw_picture(loaded, view, options_.sizes.front(), options_, {.alpha = true}, progress);
   }
 
   bake::Picture develop(const bake::Canvas& drawn, BakeReport& report) const {
@@ -88,20 +92,6 @@ class Comparison {
   double psnr_ = 0;
   std::string error_;
 };
-
-// The library does not throw.
-BakeReport bake_one(const BakeInput& input, const BakeOptions& options, std::size_t number,
-                    std::size_t count) {
-  try {
-    return bake_file(input.path, options_of(options, input, number, count));
-  } catch (const std::bad_alloc&) {
-    BakeReport failed;
-    failed.path = input.path;
-    failed.problem = BakeProblem::unreadable;
-    failed.error = "there is not enough memory to draw this file";
-    return failed;
-  }
-}
 
 /// The picture of all pictures, if there is to be one and memory for it.
 class SheetOfAll {
@@ -139,8 +129,12 @@ class SheetOfAll {
 std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
   SheetOfAll pictures(sheet.empty() ? 0 : inputs.size(), options);
+  PictureKey key;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    BakeReport report = bake_one(inputs[i], options, i, inputs.size());
+    BakeReport report = guarded(inputs[i].path, [&] {
+      const BakeOptions each = options_of(options, inputs[i], i, inputs.size());
+      return bake_with_key(inputs[i].path, each, key.of(each));
+    });
     pictures.add(report.pixels, inputs[i].path);
     consume(std::move(report));
   }

@@ -26,18 +26,20 @@ bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& opti
   return result;
 }
 
+}  // namespace
+
 bake::Layers layers_of(const BakeOptions& options) {
   const auto wants = [&options](BakeLayer layer) {
     return std::find(options.layers.begin(), options.layers.end(), layer) != options.layers.end();
   };
-  return {wants(BakeLayer::albedo), wants(BakeLayer::normal), wants(BakeLayer::depth),
+  const bool alpha = options.transparent || !options.layers.empty();
+  return {alpha, wants(BakeLayer::albedo), wants(BakeLayer::normal), wants(BakeLayer::depth),
           wants(BakeLayer::material)};
 }
 
-}  // namespace
-
 bake::Canvas draw_picture(const BakeScene& loaded, const bake::View& view, const BakeSize& size,
-                          const BakeOptions& options, std::function<void(double)> progress) {
+                          const BakeOptions& options, const bake::Layers& layers,
+                          std::function<void(double)> progress) {
   bake::LightingOptions lighting;
   lighting.lamps = static_cast<bake::Lamps>(options.lights);
   lighting.transparent = options.transparent;
@@ -50,7 +52,7 @@ bake::Canvas draw_picture(const BakeScene& loaded, const bake::View& view, const
                                 loaded.subject->size(),
                                 options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
                                 options.samples > kFewSamples ? 2U : 4U};
-  bake::DrawOptions drawing{render_options(size, options), layers_of(options), options.denoise};
+  bake::DrawOptions drawing{render_options(size, options), layers, options.denoise};
   drawing.render.progress = std::move(progress);
   return bake::draw(paths, view, drawing);
 }

@@ -12,9 +12,12 @@
 
 namespace gltfx {
 
-/// With the layers that the options ask for. Precondition: the scene is ready. `progress` may be
-/// empty.
+/// What the options ask for beside the picture itself.
+bake::Layers layers_of(const BakeOptions& options);
+
+/// Precondition: the scene is ready. `progress` may be empty.
 bake::Canvas draw_picture(const BakeScene& loaded, const bake::View& view, const BakeSize& size,
-                          const BakeOptions& options, std::function<void(double)> progress);
+                          const BakeOptions& options, const bake::Layers& layers,
+                          std::function<void(double)> progress);
 
 }  // namespace gltfx

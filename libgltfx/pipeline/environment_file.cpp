@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <optional>
 #include <variant>
 
@@ -13,7 +12,6 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "container/container.hpp"
-#include "json/token.hpp"
 
 namespace gltfx {
 namespace {
@@ -21,7 +19,7 @@ namespace {
 constexpr std::uint32_t kWidest = 4096;
 
 std::optional<codec::ImageFormat> format_of(const std::string& path) {
-  const std::string ending = json::lower_case(std::filesystem::path(path).extension().native());
+  const std::string ending = ending_of(path);
   if (ending == ".hdr") return codec::ImageFormat::radiance;
   if (ending == ".exr") return codec::ImageFormat::openexr;
   return std::nullopt;

@@ -17,8 +17,8 @@
 #include <variant>
 
 #include "base/build_id.hpp"
+#include "base/text.hpp"
 #include "container/container.hpp"
-#include "json/token.hpp"
 #include "pipeline/byte_list.hpp"
 #include "pipeline/picture_file.hpp"
 #include "report/packed.hpp"
@@ -29,10 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using codec::EncodedFormat;
-
-std::string ending_of(const std::string& path) {
-  return json::lower_case(fs::path(path).extension().native());
-}
 
 bool holds_exactly(EncodedFormat format) {
   return format == EncodedFormat::png || format == EncodedFormat::webp;
@@ -83,25 +79,25 @@ std::optional<BakeReport> report_without_pictures(ByteCursor& cursor, const std:
   return report;
 }
 
-}  // namespace
-
 bool can_be_kept(const BakeOptions& options) {
   return options.cache && !options.output.empty() && !options.embed && options.seconds == 0;
 }
 
-// Taken apart by name: a member that is added to the options has to be decided upon here.
-Hash128 picture_key(const BakeOptions& options) {
+// Of all but the output. Taken apart by name: a member that is added to the options has to be
+// decided upon here.
+Hash128 key_of(const BakeOptions& options) {
   const auto& [sizes, turntable, layers, samples, bounces, seed, denoise, seconds, noise,
                literal_shader, lights, environment, exposure, transparent, camera, scene, animation,
                time, variant, force, output, embed, root, jobs, schemas, cache, progress] = options;
   // Where pictures lie is no part of them; the same come of any number of threads.
+  static_cast<void>(output);
   static_cast<void>(jobs);
   static_cast<void>(progress);
   static_cast<void>(embed);
   static_cast<void>(seconds);
   HashParts parts;
   for (const std::string& text : {std::string("bake"), std::string(version()), build_id(), camera,
-                                  scene, animation, variant, ending_of(output)}) {
+                                  scene, animation, variant}) {
     parts.add(text);
   }
   for (const double number : {noise, exposure, time}) add(parts, number);
@@ -118,6 +114,17 @@ Hash128 picture_key(const BakeOptions& options) {
   add_environment(parts, environment);
   parts.add(root.empty() ? root : (fs::path(cache->folder()) / root).lexically_normal().native());
   parts.add(schemas ? schemas->sources() : Hash128());
+  return parts.finish();
+}
+
+}  // namespace
+
+std::optional<Hash128> PictureKey::of(const BakeOptions& options) {
+  if (!can_be_kept(options)) return std::nullopt;
+  if (!common_) common_ = key_of(options);
+  HashParts parts;
+  parts.add(*common_);
+  parts.add(ending_of(options.output));
   return parts.finish();
 }
 

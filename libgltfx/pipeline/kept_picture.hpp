@@ -13,12 +13,17 @@
 
 namespace gltfx {
 
-/// Whether pictures that these options ask for can be taken from an earlier run.
-bool can_be_kept(const BakeOptions& options);
+/// The key of all that pictures depend on besides the asset's files. That of options which many
+/// files have in common is made once: it takes all bytes of the environment.
+class PictureKey {
+ public:
+  /// Nothing when no earlier run can have what these options ask for. But for the output, they are
+  /// the same in all calls.
+  std::optional<Hash128> of(const BakeOptions& options);
 
-/// Of everything in the options that bears on the pictures, the environment included, and of the
-/// build of the program. Precondition: there is a cache.
-Hash128 picture_key(const BakeOptions& options);
+ private:
+  std::optional<Hash128> common_;
+};
 
 /// What to keep of a file that was drawn; nothing when there is a problem.
 std::optional<std::string> pack_pictures(const BakeReport& report, const BakeOptions& options);

@@ -11,7 +11,6 @@
 
 #include "base/replace_file.hpp"
 #include "base/text.hpp"
-#include "json/token.hpp"
 #include "pipeline/companions.hpp"
 
 namespace gltfx {
@@ -31,7 +30,7 @@ constexpr std::uint32_t kQuality = 92;  // JPEG; WebP loses nothing
 }  // namespace
 
 Result<EncodedFormat> picture_format(const std::string& path) {
-  const std::string ending = json::lower_case(fs::path(path).extension().native());
+  const std::string ending = ending_of(path);
   for (const auto& [name, format] : kEndings) {
     if (name == ending) return format;
   }

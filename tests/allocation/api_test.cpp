@@ -4,9 +4,12 @@
 #include <gltfx/pipeline.hpp>
 
 #include <filesystem>
+#include <new>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "codec/program_path.hpp"
 #include "container/temp_folder.hpp"
 #include "each_fails.hpp"
 
@@ -66,6 +69,20 @@ INSTANTIATE_TEST_SUITE_P(Fixtures, Upgrade,
                          testing::Values("legacy/awning.gltf", "legacy/chalice.gltf",
                                          "legacy/curtain.gltf", "legacy/lantern.glb",
                                          "legacy/poster.gltf", "legacy/shop.gltf"));
+
+// Not in a test of validation: there workers are looked for once in a process.
+TEST(Workers, AreFoundOrMemoryIsMissing) {
+  let_each_fail([] {
+    try {
+      std::string path = codec::program_path("", "gltfx-codec-image");
+      count_allocations(false);
+      return path;
+    } catch (const std::bad_alloc&) {
+      count_allocations(false);
+      return std::string("not enough memory");
+    }
+  });
+}
 
 TEST(Batches, SayThatMemoryIsMissing) {
   const std::vector<std::string> paths{fixture("good/leaf.gltf"), fixture("good/reed.gltf")};

@@ -10,7 +10,8 @@ namespace gltfx::test {
 
 /// Calls `work` again and again with another allocation failing (std::bad_alloc): it must not
 /// throw, and either give what it always gives or say that there is not enough memory. Before each
-/// call `folder`/out is removed. GLTFX_ALLOCATION_STRIDE (1: all of them) says how many are tried.
+/// call `folder`/out is removed. GLTFX_ALLOCATION_STRIDE (1: all of them) says how many are tried
+/// of those that make many.
 void let_each_fail(const std::function<std::string()>& work,
                    const std::filesystem::path& folder = {});
 

@@ -26,7 +26,7 @@ Canvas two_pixels() {
   film.add(0, PathSample());
   film.add(1, PathSample());
   film.add(1, PathSample());
-  Canvas canvas(2, 1, {true, true, true, true});
+  Canvas canvas(2, 1, {true, true, true, true, true});
   expose(film, {0, 1}, canvas);
   return canvas;
 }

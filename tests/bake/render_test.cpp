@@ -43,7 +43,7 @@ RenderOptions small(std::uint32_t samples) {
 }
 
 Canvas plain(const Film& film) {
-  Canvas canvas(film.width(), film.height());
+  Canvas canvas(film.width(), film.height(), {.alpha = true});
   expose(film, film.held(), canvas);
   return canvas;
 }
@@ -52,6 +52,7 @@ DrawOptions denoised(std::uint32_t samples, unsigned jobs = 1) {
   DrawOptions options;
   options.render = small(samples);
   options.render.jobs = jobs;
+  options.layers.alpha = true;
   options.denoise = true;
   return options;
 }

@@ -4,8 +4,6 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -19,20 +17,12 @@ namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
+using container::test::content_of;
 using container::test::TempFolder;
 using test::Call;
 using test::FailingCall;
 using testing::AnyOf;
 using testing::HasSubstr;
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::ptrdiff_t entries(const TempFolder& folder) {
-  return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator());
-}
 
 TEST(FailingCalls, AReplacedFileIsTheOldOneOrTheNewOne) {
   const TempFolder folder;
@@ -44,9 +34,9 @@ TEST(FailingCalls, AReplacedFileIsTheOldOneOrTheNewOne) {
     const auto trouble = replace_file(file, "new", *seen);
     const bool failed = failing.stop();
     EXPECT_EQ(trouble.has_value(), failed);
-    EXPECT_THAT(content(file), AnyOf("old", "new"));
-    EXPECT_TRUE(trouble || content(file) == "new");
-    EXPECT_EQ(entries(folder), 1);
+    EXPECT_THAT(content_of(file), AnyOf("old", "new"));
+    EXPECT_TRUE(trouble || content_of(file) == "new");
+    EXPECT_EQ(folder.entries(), 1);
     return failed;
   });
 }
@@ -59,8 +49,8 @@ TEST(FailingCalls, ANewFileIsWholeOrNotThere) {
     const auto trouble = write_file(file, "new");
     const bool failed = failing.stop();
     EXPECT_EQ(trouble.has_value(), failed);
-    EXPECT_EQ(entries(folder), fs::exists(file) ? 1 : 0);
-    EXPECT_THAT(content(file), AnyOf("", "new"));
+    EXPECT_EQ(folder.entries(), fs::exists(file) ? 1 : 0);
+    EXPECT_THAT(content_of(file), AnyOf("", "new"));
     fs::remove(file);
     return failed;
   });
@@ -71,7 +61,7 @@ TEST(FailingCalls, WritingGoesOnAfterASignal) {
   FailingCall failing(Call::write, 1, EINTR);
   EXPECT_FALSE(write_file(folder.path() / "a.gltf", "new"));
   EXPECT_TRUE(failing.stop());
-  EXPECT_EQ(content(folder.path() / "a.gltf"), "new");
+  EXPECT_EQ(content_of(folder.path() / "a.gltf"), "new");
 }
 
 // Some file systems cannot make anything durable, or cannot rename without replacing.
@@ -88,7 +78,7 @@ TEST(FailingCalls, WhatAFileSystemCannotDoIsDoneWithout) {
     FailingCall failing(Call::renameat2, 1, error);
     EXPECT_FALSE(create_file(file, "new"));
     EXPECT_TRUE(failing.stop());
-    EXPECT_EQ(content(file), "new");
+    EXPECT_EQ(content_of(file), "new");
     fs::remove(file);
   }
   folder.write("a.gltf", "old");
@@ -96,7 +86,7 @@ TEST(FailingCalls, WhatAFileSystemCannotDoIsDoneWithout) {
   const auto trouble = create_file(file, "new");
   ASSERT_TRUE(trouble);
   EXPECT_THAT(trouble->message, HasSubstr("cannot create"));
-  EXPECT_EQ(content(file), "old");
+  EXPECT_EQ(content_of(file), "old");
 }
 
 TEST(FailingCalls, ADeniedOwnerIsAnError) {
@@ -110,7 +100,7 @@ TEST(FailingCalls, ADeniedOwnerIsAnError) {
   const auto trouble = replace_file(file, "new", *seen);
   ASSERT_TRUE(trouble);
   EXPECT_THAT(trouble->message, HasSubstr("keep the owner"));
-  EXPECT_EQ(content(file), "old");
+  EXPECT_EQ(content_of(file), "old");
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,17 +20,9 @@ namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
+using container::test::content_of;
 using container::test::TempFolder;
 using testing::HasSubstr;
-
-std::string content(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::ptrdiff_t entries(const TempFolder& folder) {
-  return std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator());
-}
 
 struct stat status_of(const fs::path& path) {
   struct stat status {};
@@ -49,10 +39,10 @@ TEST(ReplaceFile, PutsNewBytesInPlaceAndKeepsTheMode) {
   const auto seen = file_state(file);
   ASSERT_TRUE(seen);
   EXPECT_FALSE(replace_file(file, bytes, *seen));
-  EXPECT_EQ(content(file), bytes);
+  EXPECT_EQ(content_of(file), bytes);
   EXPECT_EQ(status_of(file).st_mode & 07777U, 0640U);
   EXPECT_NE(status_of(file).st_ino, before.st_ino);
-  EXPECT_EQ(entries(folder), 1);
+  EXPECT_EQ(folder.entries(), 1);
 }
 
 TEST(ReplaceFile, ASymbolicLinkStaysAndItsTargetIsReplaced) {
@@ -61,18 +51,18 @@ TEST(ReplaceFile, ASymbolicLinkStaysAndItsTargetIsReplaced) {
   folder.link("a.gltf", "real/a.gltf");
   EXPECT_FALSE(write_file(folder.path() / "a.gltf", "new"));
   EXPECT_TRUE(fs::is_symlink(folder.path() / "a.gltf"));
-  EXPECT_EQ(content(folder.path() / "real/a.gltf"), "new");
+  EXPECT_EQ(content_of(folder.path() / "real/a.gltf"), "new");
 }
 
 void expect_refused(const TempFolder& folder, const fs::path& file, const FileState& seen,
                     const std::string& why) {
-  const std::string before = content(file);
-  const auto count = entries(folder);
+  const std::string before = content_of(file);
+  const auto count = folder.entries();
   const auto trouble = replace_file(file, "new", seen);
   ASSERT_TRUE(trouble);
   EXPECT_THAT(trouble->message, HasSubstr(why));
-  EXPECT_EQ(content(file), before);
-  EXPECT_EQ(entries(folder), count);
+  EXPECT_EQ(content_of(file), before);
+  EXPECT_EQ(folder.entries(), count);
 }
 
 TEST(ReplaceFile, RefusesAFileThatSomebodyChanged) {
@@ -144,8 +134,8 @@ TEST(CreateFile, MakesANewFileAndNeverReplacesOne) {
   const auto trouble = create_file(file, "second");
   ASSERT_TRUE(trouble);
   EXPECT_THAT(trouble->message, HasSubstr("cannot create"));
-  EXPECT_EQ(content(file), "first");
-  EXPECT_EQ(entries(folder), 1);
+  EXPECT_EQ(content_of(file), "first");
+  EXPECT_EQ(folder.entries(), 1);
   EXPECT_TRUE(create_file(folder.path() / "missing" / "a.gltf", "x"));
 }
 
@@ -155,7 +145,7 @@ TEST(CreateFile, APathMayBeRelative) {
   fs::current_path(folder.path());
   EXPECT_FALSE(create_file("a.gltf", "new"));
   fs::current_path(before);
-  EXPECT_EQ(content(folder.path() / "a.gltf"), "new");
+  EXPECT_EQ(content_of(folder.path() / "a.gltf"), "new");
 }
 
 TEST(CreateFile, NamesOfTemporaryFilesMayBeTaken) {
@@ -164,8 +154,8 @@ TEST(CreateFile, NamesOfTemporaryFilesMayBeTaken) {
   const fs::path taken = temporary_name(file, 0);
   folder.write(taken.filename(), "theirs");
   EXPECT_FALSE(create_file(file, "new"));
-  EXPECT_EQ(content(file), "new");
-  EXPECT_EQ(content(taken), "theirs");
+  EXPECT_EQ(content_of(file), "new");
+  EXPECT_EQ(content_of(taken), "theirs");
 }
 
 TEST(TemporaryFiles, BeyondTheFirst64AreForgotten) {
@@ -201,8 +191,8 @@ TEST(WriteFile, CreatesOrReplaces) {
   const fs::path file = folder.path() / "a.gltf";
   EXPECT_FALSE(write_file(file, "first"));
   EXPECT_FALSE(write_file(file, "second"));
-  EXPECT_EQ(content(file), "second");
-  EXPECT_EQ(entries(folder), 1);
+  EXPECT_EQ(content_of(file), "second");
+  EXPECT_EQ(folder.entries(), 1);
 }
 
 }  // namespace

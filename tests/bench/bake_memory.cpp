@@ -10,6 +10,7 @@
 
 #include <sys/resource.h>
 
+#include "base/pages.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
 
@@ -51,11 +52,14 @@ int main(int argc, char** argv) {
   const auto size = static_cast<std::uint32_t>(std::atoi(argv[2]));
   options.samples = static_cast<std::uint32_t>(std::atoi(argv[3]));
   options.jobs = static_cast<unsigned>(std::atoi(argv[4]));
-  const BakeScene loaded = load_bake_scene(argv[1], options);
+  BakeScene loaded = load_bake_scene(argv[1], options);
   if (!loaded.ready()) return 1;
   const std::size_t loading = peak() - idle;
   const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
-  const bake::Canvas drawn = draw_picture(loaded, view, {size, size}, options, {});
+  loaded.subject->forget_faces();
+  give_back_memory();
+  const bake::Canvas drawn =
+      draw_picture(loaded, view, {size, size}, options, layers_of(options), {});
   std::printf("%zu %zu %zu\n", bytes_of(*loaded.scene), loading, peak() - idle);
   return 0;
 }

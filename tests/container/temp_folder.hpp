@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -38,6 +39,12 @@ class TempFolder {
     return file;
   }
 
+  /// Files and folders directly in it.
+  std::ptrdiff_t entries() const {
+    return std::distance(std::filesystem::directory_iterator(path_),
+                         std::filesystem::directory_iterator());
+  }
+
   /// Makes `name` a symbolic link that says `target`.
   void link(const std::filesystem::path& name, const std::filesystem::path& target) const {
     std::filesystem::create_directories((path_ / name).parent_path());
@@ -47,5 +54,11 @@ class TempFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// All bytes of a file; none when there is no such file.
+inline std::string content_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 }  // namespace gltfx::container::test

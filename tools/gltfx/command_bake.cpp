@@ -15,6 +15,7 @@
 #include "progress.hpp"
 #include "schema_sources.hpp"
 #include "terminal.hpp"
+#include "validation_options.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -155,14 +156,12 @@ ExitCode run(const BakeRequest& request) {
     return ExitCode::usage;
   }
   options.schemas = *std::move(schemas);
-  if (!request.cache.empty()) {
-    std::string problem;
-    options.cache = ResultCache::open(request.cache, problem);
-    if (!options.cache) {
-      complain("--cache: " + problem);
-      return ExitCode::usage;
-    }
+  auto cache = open_cache(request.cache);
+  if (!cache) {
+    complain(cache.error().message);
+    return ExitCode::usage;
   }
+  options.cache = *std::move(cache);
   return BakeRun(request, std::move(options)).execute();
 }
 

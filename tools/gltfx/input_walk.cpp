@@ -9,7 +9,6 @@
 
 #include "base/text.hpp"
 #include "glob.hpp"
-#include "json/token.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -37,7 +36,7 @@ std::string place_of_listed(const std::string& path) {
 }  // namespace
 
 bool is_asset_name(const std::string& path) {
-  const std::string ending = json::lower_case(fs::path(path).extension().native());
+  const std::string ending = ending_of(path);
   return ending == ".gltf" || ending == ".glb";
 }
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "json/token.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -27,8 +26,6 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end == folder.end() && rest != path.end();
 }
-
-std::string ending(const fs::path& path) { return json::lower_case(path.extension().native()); }
 
 /// What `--output` means for a run.
 class Destination {
@@ -64,14 +61,14 @@ class Destination {
 
   Result<std::string> of(const std::string& path, const std::string& place) const {
     if (is_folder_) return (fs::path(output_) / place).native();
-    const std::string own = ending(path);
+    const std::string own = ending_of(path);
     if (!is_asset_name(output_)) {
       return Error{
           fmt::format("--output: {} is neither a folder nor the name of a .gltf or .glb "
                       "file; write {} for a folder.",
                       quoted(output_, 200), quoted(output_ + "/", 200))};
     }
-    if (!is_asset_name(path) || own == ending(output_)) return output_;
+    if (!is_asset_name(path) || own == ending_of(output_)) return output_;
     return Error{
         fmt::format("--output: {} has to end in {} as {} does: an upgrade changes no container.",
                     quoted(output_, 200), own, quoted(path, 200))};

@@ -13,7 +13,6 @@
 #include "container/container.hpp"
 #include "input_paths.hpp"
 #include "json/parse.hpp"
-#include "json/token.hpp"
 #include "pipeline/companions.hpp"
 
 namespace gltfx::tool {
@@ -28,7 +27,7 @@ constexpr std::array<std::string_view, 12> kCompanions{".bin",  ".png",  ".jpg",
                                                        ".dds",  ".avif", ".tga", ".glbin"};
 
 bool is_companion_name(const RepositoryName& name) {
-  const std::string ending = json::lower_case(fs::path(name).extension().native());
+  const std::string ending = ending_of(name);
   return std::find(kCompanions.begin(), kCompanions.end(), ending) != kCompanions.end();
 }
 

@@ -21,6 +21,14 @@ std::string_view profile_name(Profile profile) {
   return "strict";
 }
 
+Result<std::shared_ptr<ResultCache>> open_cache(const std::string& folder) {
+  if (folder.empty()) return std::shared_ptr<ResultCache>();
+  std::string problem;
+  auto cache = ResultCache::open(folder, problem);
+  if (!cache) return Error{"--cache: " + problem};
+  return cache;
+}
+
 Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   ValidateOptions options = request.validation;
   options.jobs = request.common.jobs;
@@ -33,10 +41,9 @@ Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();
   options.schemas = *std::move(schemas);
-  if (request.cache.empty()) return options;
-  std::string problem;
-  options.cache = ResultCache::open(request.cache, problem);
-  if (!options.cache) return Error{"--cache: " + problem};
+  auto cache = open_cache(request.cache);
+  if (!cache) return cache.error();
+  options.cache = *std::move(cache);
   return options;
 }
 

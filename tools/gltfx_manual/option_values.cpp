@@ -41,7 +41,13 @@ Values comma_list(WordSet words) { return {.words = std::move(words), .commas = 
 Values file(std::vector<std::string> endings) {
   return {.files = true, .endings = std::move(endings)};
 }
+Values picture() { return file({kPictureFormats.begin(), kPictureFormats.end()}); }
 Values folder() { return {.folders = true}; }
+Values picture_or_folder() {
+  Values values = picture();
+  values.folders = true;
+  return values;
+}
 Values assets() { return {.files = true, .folders = true, .endings = {"gltf", "glb"}}; }
 
 Values severities() {
@@ -88,7 +94,7 @@ Table common_values() {
       {"--to", choice(set_of(sorted_once(upgrade::successor_names(set))))},
       {"--ior", choice({{}, {"0", "1000"}})},
       {"--generation", choice(set_of(sorted_once(generation_names(set))))},
-      {"--sheet", file({"png", "webp", "jpg", "jpeg", "exr"})},
+      {"--sheet", picture()},
       {"--layer", comma_list(set_of(kLayerWords))},
       {"--compare", file({"gltf", "glb"})},
       {"--lights", choice(set_of(kLightWords))},
@@ -105,8 +111,7 @@ Table own_values() {
       {"merge --format", report_formats()},
       {"bake --format", choice(set_of(kPictureFormats))},
       {"upgrade --output", assets()},
-      {"bake --output",
-       {.files = true, .folders = true, .endings = {"png", "webp", "jpg", "jpeg", "exr"}}},
+      {"bake --output", picture_or_folder()},
       {"report --output", file({"html"})},
       {"validate ", assets()},
       {"upgrade ", assets()},
