@@ -10,7 +10,7 @@ namespace gltfx::bake {
 namespace {
 
 // What is rendered below rows that are finished: whole tiles.
-constexpr std::uint32_t kMargin = (kDenoiseReach + kTile - 1) / kTile * kTile;
+constexpr std::uint32_t kMargin = (kDenoiseReach + kRenderTile - 1) / kRenderTile * kRenderTile;
 
 // Some rays tell enough of it.
 DepthRange depth_range(const PathSetting& setting, const View& view) {
@@ -34,8 +34,8 @@ std::uint32_t rows_at_once(const RenderOptions& options) {
   if (options.seconds > 0) return options.height;
   const std::uint32_t jobs = options.jobs == 0 ? default_jobs() : options.jobs;
   const std::uint32_t tiles = kTilesPerJob * std::clamp(jobs, 2U, 256U);
-  const std::uint32_t columns = (options.width + kTile - 1) / kTile;
-  return (tiles + columns - 1) / columns * kTile;
+  const std::uint32_t columns = (options.width + kRenderTile - 1) / kRenderTile;
+  return (tiles + columns - 1) / columns * kRenderTile;
 }
 
 // Progress of the whole by that of some rows.

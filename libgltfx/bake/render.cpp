@@ -33,8 +33,9 @@ class Renderer {
         options_(options),
         rows_(rows),
         film_(film),
-        columns_((options.width + kTile - 1) / kTile),
-        done_(std::size_t{columns_} * ((rows.last - rows.first + kTile - 1) / kTile), 0) {}
+        columns_((options.width + kRenderTile - 1) / kRenderTile),
+        done_(std::size_t{columns_} * ((rows.last - rows.first + kRenderTile - 1) / kRenderTile),
+              0) {}
 
   void run() {
     const bool steady = options_.seconds <= 0 && options_.noise <= 0;
@@ -92,10 +93,11 @@ class Renderer {
 
   template <class Visit>
   void for_pixels(std::uint32_t tile, const Visit& visit) const {
-    const std::uint32_t left = tile % columns_ * kTile;
-    const std::uint32_t top = rows_.first + tile / columns_ * kTile;
-    for (std::uint32_t y = top; y < std::min(top + kTile, rows_.last); ++y) {
-      for (std::uint32_t x = left; x < std::min(left + kTile, options_.width); ++x) visit(x, y);
+    const std::uint32_t left = tile % columns_ * kRenderTile;
+    const std::uint32_t top = rows_.first + tile / columns_ * kRenderTile;
+    for (std::uint32_t y = top; y < std::min(top + kRenderTile, rows_.last); ++y) {
+      for (std::uint32_t x = left; x < std::min(left + kRenderTile, options_.width); ++x)
+        visit(x, y);
     }
   }
 
@@ -105,12 +107,12 @@ class Renderer {
 
   // The worst row of a tile tells whether it has enough.
   void render_tile(std::uint32_t tile, std::uint32_t first, std::uint32_t last) {
-    std::array<double, kTile> errors{};
+    std::array<double, kRenderTile> errors{};
     for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
       for (std::uint32_t sample = first; sample < last; ++sample) render_sample(x, y, sample);
-      errors[(y - rows_.first) % kTile] += visible_error(std::size_t{y} * options_.width + x);
+      errors[(y - rows_.first) % kRenderTile] += visible_error(std::size_t{y} * options_.width + x);
     });
-    const double worst = *std::max_element(errors.begin(), errors.end()) / kTile;
+    const double worst = *std::max_element(errors.begin(), errors.end()) / kRenderTile;
     if (options_.noise > 0 && last >= 2 * kRound && worst < options_.noise) done_[tile] = 1;
   }
 

@@ -12,7 +12,7 @@
 namespace gltfx::bake {
 
 /// Pixels along a side that are worked on together, and have enough samples together.
-constexpr std::uint32_t kTile = 16;
+constexpr std::uint32_t kRenderTile = 16;
 
 struct RenderOptions {
   std::uint32_t width = 512, height = 512;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bake/sampler.hpp"
+#include "bake/storage.hpp"
 #include "base/parallel.hpp"
 #include "base/support/two_at_once.hpp"
 #include "shapes.hpp"
@@ -125,6 +127,29 @@ TEST(Bvh, NothingToHitIsNoFault) {
   const Bvh bvh = bvh_of(scene);
   EXPECT_FALSE(bvh.intersect(kTowards, 0));
   EXPECT_EQ(bvh.visibility(kTowards), 1);
+}
+
+// What is inside of a volume is told by counting surfaces: no ray leaves between two of them.
+TEST(Bvh, NothingSlipsOutOfAVolume) {
+  SceneMaterial material;
+  material.double_sided = true;
+  material.factors.thickness = 1;
+  const Scene scene = scene_of(cube(0.7F), material);
+  const Bvh bvh = bvh_of(scene);
+  const Mesh& mesh = scene.meshes[0];
+  int lost = 0;
+  for (std::uint32_t i = 0; i < 1U << 17U; ++i) {
+    const auto random = [i](std::uint32_t number) {
+      return static_cast<double>(unit_float(mix_bits(i, number)));
+    };
+    const Vec3d from = Vec3d(random(0), random(1), random(2)) * 0.6 - Vec3d(0.3, 0.3, 0.3);
+    const auto& t = mesh.triangles[i % mesh.triangles.size()];
+    const double along = random(3);
+    const Vec3d edge =
+        to_vec(mesh.positions[t[0]]) * along + to_vec(mesh.positions[t[1]]) * (1 - along);
+    if (!bvh.intersect({from, normalize(edge - from)}, 0)) ++lost;
+  }
+  EXPECT_EQ(lost, 0);
 }
 
 }  // namespace

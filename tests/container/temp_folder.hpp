@@ -2,6 +2,7 @@
 /// A folder of its own for each test, gone at its end.
 #pragma once
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -37,7 +37,10 @@ struct Route {
 
 }  // namespace
 
-Json CaseGenerator::base() { return Json::parse(kBase); }
+Json CaseGenerator::base() {
+  static const Json kParsed = Json::parse(kBase);
+  return kParsed;
+}
 
 bool CaseGenerator::is_clean(const Json& document) const {
   return find(document.dump(), schema::Scope::all, set_).empty();
