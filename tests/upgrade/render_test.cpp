@@ -10,10 +10,11 @@ namespace {
 
 using testing::HasSubstr;
 
-// Pictures of one channel of zeros; the last one cannot be read.
+// Pictures of one channel of zeros and one row, but for the last one, which may have more.
 class Zeros : public Pictures {
  public:
-  explicit Zeros(std::vector<std::uint32_t> widths) : widths_(std::move(widths)) {}
+  explicit Zeros(std::vector<std::uint32_t> widths, std::uint32_t last_height = 1)
+      : widths_(std::move(widths)), last_height_(last_height) {}
   const Picture& picture(std::uint64_t image) override {
     picture_.problem = image < widths_.size() ? "" : "it is gone";
     return picture_;
@@ -22,10 +23,10 @@ class Zeros : public Pictures {
     if (image >= widths_.size()) return nullptr;
     auto made = std::make_shared<codec::Image>();
     made->width = widths_[image];
-    made->height = 1;
+    made->height = image + 1 == widths_.size() ? last_height_ : 1;
     made->channels = 1;
     made->bits = 8;
-    auto owned = std::make_shared<std::vector<std::byte>>(made->width);
+    auto owned = std::make_shared<std::vector<std::byte>>(std::size_t{made->width} * made->height);
     made->pixels = *owned;
     made->owner = owned;
     return made;
@@ -34,11 +35,13 @@ class Zeros : public Pictures {
 
  private:
   std::vector<std::uint32_t> widths_;
+  std::uint32_t last_height_;
   Picture picture_;
 };
 
-std::string problem_of(std::vector<std::uint32_t> widths, const ImageJob& job) {
-  Zeros pictures(std::move(widths));
+std::string problem_of(std::vector<std::uint32_t> widths, const ImageJob& job,
+                       std::uint32_t last_height = 1) {
+  Zeros pictures(std::move(widths), last_height);
   ImageCache cache;
   const auto file = render(job, pictures, cache);
   return file ? "none" : file.error().message;
@@ -52,6 +55,7 @@ TEST(Render, SaysWhyThereIsNoImage) {
   EXPECT_EQ(problem_of({2}, job), "image 1: it is gone");
   job.channels[3] = ChannelSource::of(0, 0);
   EXPECT_EQ(problem_of({2, 3}, job), "image 0 has another size than the one beside it");
+  EXPECT_EQ(problem_of({2, 2}, job, 5), "image 0 has another size than the one beside it");
   EXPECT_THAT(problem_of({0, 0}, job), HasSubstr("the new image cannot be encoded: "));
 }
 
