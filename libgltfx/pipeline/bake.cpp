@@ -135,11 +135,6 @@ class Baker {
   std::size_t pictures_ = 0, done_ = 0;
 };
 
-BakeReport draw(const std::string& path, const BakeOptions& options,
-                const std::function<BakeScene()>& load) {
-  return guarded(path, [&] { return Baker(load(), options).run(); });
-}
-
 std::optional<BakeReport> recalled(const std::optional<std::string>& kept, const std::string& path,
                                    const BakeOptions& options) {
   return kept ? recall_pictures(*kept, path, options) : std::nullopt;
@@ -186,17 +181,21 @@ std::string check_picture_name(const std::string& path) {
 }
 
 BakeReport bake_asset(const std::string& path, OpenedAsset asset, const BakeOptions& options) {
-  return draw(path, options, [&] { return load_bake_scene(path, std::move(asset), options); });
+  return guarded(
+      path, [&] { return Baker(load_bake_scene(path, std::move(asset), options), options).run(); });
 }
 
-BakeReport bake_with_key(const std::string& path, const BakeOptions& options,
-                         const std::optional<Hash128>& key) {
-  if (!key) return draw(path, options, [&] { return load_bake_scene(path, options); });
-  return guarded(path, [&] { return bake_or_recall(path, options, *key); });
+BakeReport bake_with_key(const std::string& path, const BakeOptions& options, PictureKey& keys) {
+  return guarded(path, [&] {
+    const auto key = keys.of(options);
+    return key ? bake_or_recall(path, options, *key)
+               : Baker(load_bake_scene(path, options), options).run();
+  });
 }
 
 BakeReport bake_file(const std::string& path, const BakeOptions& options) {
-  return guarded(path, [&] { return bake_with_key(path, options, PictureKey().of(options)); });
+  PictureKey keys;
+  return bake_with_key(path, options, keys);
 }
 
 }  // namespace gltfx

@@ -4,10 +4,9 @@
 
 #include <gltfx/bake.hpp>
 
-#include <optional>
 #include <string>
 
-#include "base/hash.hpp"
+#include "pipeline/kept_picture.hpp"
 #include "pipeline/opened_asset.hpp"
 
 namespace gltfx {
@@ -15,8 +14,7 @@ namespace gltfx {
 /// As bake_file(), of what was opened already or never stood in a file; `path` is its name.
 BakeReport bake_asset(const std::string& path, OpenedAsset asset, const BakeOptions& options);
 
-/// As bake_file(), with the PictureKey of the options; without one nothing is kept.
-BakeReport bake_with_key(const std::string& path, const BakeOptions& options,
-                         const std::optional<Hash128>& key);
+/// As bake_file(), with keys that many files have in common.
+BakeReport bake_with_key(const std::string& path, const BakeOptions& options, PictureKey& keys);
 
 }  // namespace gltfx

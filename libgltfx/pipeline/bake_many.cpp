@@ -129,11 +129,11 @@ class SheetOfAll {
 std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
   SheetOfAll pictures(sheet.empty() ? 0 : inputs.size(), options);
-  PictureKey key;
+  PictureKey keys;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     BakeReport report = guarded(inputs[i].path, [&] {
       const BakeOptions each = options_of(options, inputs[i], i, inputs.size());
-      return bake_with_key(inputs[i].path, each, key.of(each));
+      return bake_with_key(inputs[i].path, each, keys);
     });
     pictures.add(report.pixels, inputs[i].path);
     consume(std::move(report));
