@@ -15,7 +15,7 @@ namespace gltfx::bake {
 /// Pixels beyond a tile's own that it depends on: how far neighbours are looked for, half the width
 /// of the patches that are compared, and what their variance depends on.
 constexpr int kNeighbours = 4;
-constexpr int kPatch = 2;
+constexpr int kPatch = 1;
 constexpr std::uint32_t kDenoiseReach = kNeighbours + kPatch + kVarianceReach;
 
 /// Replaces the radiance of rows of the canvas, as expose() gives it, by the same without noise.

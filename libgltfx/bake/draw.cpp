@@ -54,6 +54,8 @@ Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& opt
   const RenderOptions& render = options.render;
   Canvas canvas(render.width, render.height, options.layers);
   const DepthRange depths = options.denoise ? depth_range(setting, view) : DepthRange();
+  const Allotment samples =
+      options.denoise ? Allotment(setting, view, render) : Allotment(render.samples);
   const std::uint32_t above = options.denoise ? kDenoiseReach : 0;
   const std::uint32_t below = options.denoise ? kMargin : 0;
   const std::uint32_t step = rows_at_once(render);
@@ -63,7 +65,7 @@ Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& opt
     rows = {rows.last, std::min(rows.last + step, render.height)};
     const Rows fresh{film.held().last, std::min(rows.last + below, render.height)};
     film.hold({rows.first - std::min(rows.first, above), fresh.last});
-    render_rows(setting, view, part_of(render, fresh), fresh, film);
+    render_rows(setting, view, part_of(render, fresh), samples, fresh, film);
     expose(film, rows, canvas);
     if (options.denoise) denoise(film, rows, depths, render.jobs, canvas);
   }

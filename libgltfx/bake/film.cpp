@@ -23,11 +23,15 @@ Rgb noisy(const PixelSums& sums) {
          to_vec(sums.scattered[1]);
 }
 
-// Of the mean, by the sum of values and of their luminances' squares.
-double standard_error(std::uint32_t samples, const Rgb& sum, float square) {
+double shadow(const PixelSums& sums) {
+  return static_cast<double>(sums.shadow[0]) + static_cast<double>(sums.shadow[1]);
+}
+
+// Of the mean, by the sum of luminances and of their squares.
+double standard_error(std::uint32_t samples, double sum, float square) {
   if (samples < 2) return 0;
   const double count = samples;
-  const double mean = luminance(sum) / count;
+  const double mean = sum / count;
   const double variance = static_cast<double>(square) / count - mean * mean;
   return std::sqrt(std::max(variance, 0.0) / (count - 1));
 }
@@ -45,6 +49,27 @@ void add(Sights& sights, const PathSample& sample) {
   add_to(sights.mirror, sample.mirror);
   add_to(sights.normal, sample.normal);
   sights.depth += static_cast<float>(sample.depth);
+}
+
+void add_sight(PixelSums& sums, const PathSample& sample) {
+  add(sums.sights, sample);
+  sums.albedo_square += static_cast<float>(dot(sample.albedo, sample.albedo));
+  sums.normal_square += static_cast<float>(dot(sample.normal, sample.normal));
+  sums.clear = sums.clear || sample.clear;
+}
+
+bool PixelSums::is_mixed() const {
+  constexpr double kColors = 3e-4;  // variances
+  constexpr double kNormals = 1e-2;
+  if (clear || sights.alpha <= 0) return false;
+  const double count = sights.count;
+  if (static_cast<double>(sights.alpha) < count * (1 - 1e-4)) return true;
+  const auto spread = [count](float squares, const Float3& sum) {
+    const Vec3d mean = to_vec(sum) / count;
+    return static_cast<double>(squares) / count - dot(mean, mean);
+  };
+  return spread(albedo_square, sights.albedo) > kColors ||
+         spread(normal_square, sights.normal) > kNormals;
 }
 
 void Film::reserve(std::uint32_t rows) { pixels_.reserve(std::size_t{rows} * width_); }
@@ -78,32 +103,15 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   }
   add_to(sums.reflected[half], sample.reflected);
   add_to(sums.scattered[half], sample.scattered);
-  sums.shadow[half] += static_cast<float>(luminance(sample.behind) * sample.shadow);
+  const double taken = luminance(sample.behind) * sample.shadow;
+  sums.shadow[half] += static_cast<float>(taken);
   const double reflected = luminance(sample.reflected);
   const double scattered = luminance(sample.scattered);
-  sums.square += squared(reflected + scattered);
+  sums.square += squared(reflected + scattered - taken);
   sums.reflected_square += squared(reflected);
   sums.scattered_square += squared(scattered);
-  bake::add(sums.sights, sample);
-  sums.albedo_square += static_cast<float>(dot(sample.albedo, sample.albedo));
-  sums.normal_square += static_cast<float>(dot(sample.normal, sample.normal));
+  add_sight(sums, sample);
   if (sums.material == kNone) sums.material = sample.material;
-  sums.clear = sums.clear || sample.clear;
-}
-
-bool Film::is_mixed(std::size_t pixel) const {
-  constexpr double kColors = 3e-4;  // variances
-  constexpr double kNormals = 1e-2;
-  const PixelSums& sums = at(pixel);
-  if (sums.clear || sums.samples == 0 || sums.sights.alpha <= 0) return false;
-  const double count = sums.samples;
-  if (alpha(pixel) < 1 - 1e-4) return true;
-  const auto spread = [count](float square, const Float3& sum) {
-    const Vec3d mean = to_vec(sum) / count;
-    return static_cast<double>(square) / count - dot(mean, mean);
-  };
-  return spread(sums.albedo_square, sums.sights.albedo) > kColors ||
-         spread(sums.normal_square, sums.sights.normal) > kNormals;
 }
 
 void Film::add_sights(std::size_t pixel, const Sights& sights) {
@@ -132,8 +140,8 @@ Rgb Film::radiance(std::size_t pixel) const {
   if (sums.samples == 0) return {};
   const Rgb behind = to_vec(sums.sights.behind);
   const double seen = luminance(behind);
-  const double shadow = static_cast<double>(sums.shadow[0]) + static_cast<double>(sums.shadow[1]);
-  return (noisy(sums) + to_vec(sums.sights.direct) + behind * (seen > 0 ? 1 - shadow / seen : 1)) /
+  const double lit = seen > 0 ? 1 - shadow(sums) / seen : 1;
+  return (noisy(sums) + to_vec(sums.sights.direct) + behind * lit) /
          static_cast<double>(sums.samples);
 }
 
@@ -144,14 +152,14 @@ double Film::alpha(std::size_t pixel) const {
 
 double Film::error(std::size_t pixel) const {
   const PixelSums& sums = at(pixel);
-  return standard_error(sums.samples, noisy(sums), sums.square);
+  return standard_error(sums.samples, luminance(noisy(sums)) - shadow(sums), sums.square);
 }
 
 double Film::error(std::size_t pixel, LightPart part) const {
   const PixelSums& sums = at(pixel);
   const bool scattered = part == LightPart::scattered;
   const auto& halves = scattered ? sums.scattered : sums.reflected;
-  return standard_error(sums.samples, to_vec(halves[0]) + to_vec(halves[1]),
+  return standard_error(sums.samples, luminance(to_vec(halves[0]) + to_vec(halves[1])),
                         scattered ? sums.scattered_square : sums.reflected_square);
 }
 

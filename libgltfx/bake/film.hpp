@@ -29,10 +29,13 @@ struct PixelSums {
   // Of two halves, even and odd samples:
   std::array<Float3, 2> reflected{}, scattered{};
   std::array<float, 2> shadow{};                     ///< luminance that it takes away
-  float square = 0;                                  ///< of the luminance of both
+  float square = 0;                                  ///< of the luminance of all that has noise
   float reflected_square = 0, scattered_square = 0;  ///< and of either
   Sights sights;
   float albedo_square = 0, normal_square = 0;  ///< sums of squared lengths
+
+  /// Whether samples saw different things, so that looks tell more.
+  bool is_mixed() const;
 };
 
 /// What noise is in.
@@ -64,8 +67,6 @@ class Film {
   void add(std::size_t pixel, const PathSample& sample);
   const PixelSums& at(std::size_t pixel) const { return pixels_[pixel - first_pixel()]; }
 
-  /// Whether samples of the pixel saw different things, so that more looks tell more.
-  bool is_mixed(std::size_t pixel) const;
   /// More of what the pixel's samples saw.
   void add_sights(std::size_t pixel, const Sights& sights);
   /// What was seen by samples and looks.
@@ -91,7 +92,8 @@ class Film {
   std::vector<Sights> looks_;
 };
 
-/// One more.
+/// One more; of a sample of which only what it saw counts.
 void add(Sights& sights, const PathSample& sample);
+void add_sight(PixelSums& sums, const PathSample& sample);
 
 }  // namespace gltfx::bake

@@ -70,6 +70,7 @@ class Path {
     }
     const Surface surface = surface_at(s_.scene, *hit, ray_);
     describe(*hit, surface);
+    result_.clear = may_be_clear(surface.material);
     note(surface.material, surface.frame.normal, hit->distance);
     result_.direct = emitted(surface.material, surface.frame.to_local(-ray_.direction));
     result_.alpha = 1;

@@ -5,9 +5,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "bake/camera_sample.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 #include "base/parallel.hpp"
@@ -16,21 +18,16 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::uint32_t kRound = 8;  // samples between two looks at clock and noise
-
-// A position within a pixel's neighbourhood of two by two, by a tent: edges come out smooth, and
-// samples of different pixels stay independent.
-double tent(float random) {
-  const double r = static_cast<double>(random) * 2;
-  return r < 1 ? std::sqrt(r) - 1 : 1 - std::sqrt(2 - r);
-}
+constexpr std::uint32_t kSure = 16;  // samples and looks that miss no edge
 
 class Renderer {
  public:
   Renderer(const PathSetting& setting, const View& view, const RenderOptions& options,
-           const Rows& rows, Film& film)
+           const Allotment& samples, const Rows& rows, Film& film)
       : setting_(setting),
         view_(view),
         options_(options),
+        samples_(samples),
         rows_(rows),
         film_(film),
         columns_((options.width + kRenderTile - 1) / kRenderTile),
@@ -39,9 +36,10 @@ class Renderer {
 
   void run() {
     const bool steady = options_.seconds <= 0 && options_.noise <= 0;
-    const std::uint32_t round = steady ? options_.samples : kRound;
-    for (std::uint32_t first = 0; first < options_.samples; first += round) {
-      const std::uint32_t last = std::min(first + round, options_.samples);
+    const std::uint32_t most = samples_.most();
+    const std::uint32_t round = steady ? most : kRound;
+    for (std::uint32_t first = 0; first < most; first += round) {
+      const std::uint32_t last = std::min(first + round, most);
       if (!render_round(first, last) || out_of_time()) break;
     }
     if (options_.looks > 0) look_again();
@@ -60,7 +58,7 @@ class Renderer {
           any = any || done_[tile] == 0;
           report((first + static_cast<double>(last - first) * static_cast<double>(tile + 1) /
                               static_cast<double>(done_.size())) /
-                 options_.samples);
+                 samples_.most());
         });
     return any;
   }
@@ -73,7 +71,7 @@ class Renderer {
         [&](std::size_t tile) {
           for_pixels(static_cast<std::uint32_t>(tile), [&](std::uint32_t x, std::uint32_t y) {
             const std::size_t pixel = std::size_t{y} * options_.width + x;
-            if (film_.is_mixed(pixel)) found[tile].emplace_back(pixel, look_at(x, y));
+            if (auto seen = look_at(x, y)) found[tile].emplace_back(pixel, *seen);
           });
         },
         [&](std::size_t tile) {
@@ -82,13 +80,18 @@ class Renderer {
         });
   }
 
-  Sights look_at(std::uint32_t x, std::uint32_t y) const {
-    Sights sum;
+  // Nothing where all that is seen is alike.
+  std::optional<Sights> look_at(std::uint32_t x, std::uint32_t y) const {
+    PixelSums sums = film_.at(std::size_t{y} * options_.width + x);
+    Sights seen;
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
-      const auto [ray, point, random] = sample_of(x, y, options_.samples + i);
-      add(sum, look_along(setting_, ray, point, random));
+      if (sums.clear || (sums.sights.count >= kSure && !sums.is_mixed())) return {};
+      const auto [ray, point, random] = sample_of(x, y, samples_.samples(x, y) + i);
+      const PathSample sample = look_along(setting_, ray, point, random);
+      add(seen, sample);
+      add_sight(sums, sample);
     }
-    return sum;
+    return seen;
   }
 
   template <class Visit>
@@ -109,7 +112,8 @@ class Renderer {
   void render_tile(std::uint32_t tile, std::uint32_t first, std::uint32_t last) {
     std::array<double, kRenderTile> errors{};
     for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
-      for (std::uint32_t sample = first; sample < last; ++sample) render_sample(x, y, sample);
+      const std::uint32_t end = std::min(last, samples_.samples(x, y));
+      for (std::uint32_t sample = first; sample < end; ++sample) render_sample(x, y, sample);
       errors[(y - rows_.first) % kRenderTile] += visible_error(std::size_t{y} * options_.width + x);
     });
     const double worst = *std::max_element(errors.begin(), errors.end()) / kRenderTile;
@@ -121,27 +125,12 @@ class Renderer {
     if (options_.noise <= 0) return 0;
     const double error = film_.error(pixel);
     const Rgb mean = film_.radiance(pixel);
-    const auto shown = [](double value) {
-      const auto y = static_cast<float>(value);
-      return static_cast<double>(srgb_encode(tone_map({y, y, y})[0]));
-    };
     const double y = luminance(mean);
-    return shown(y + error) - shown(y);
+    return shown_luminance(y + error) - shown_luminance(y);
   }
 
-  struct Sample {
-    Ray ray;
-    Float2 point;
-    SampleStream random;
-  };
-
-  Sample sample_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample) const {
-    const std::size_t pixel = std::size_t{y} * options_.width + x;
-    const SampleStream random(options_.seed, static_cast<std::uint32_t>(pixel), sample);
-    const Float2 jitter = random.pair(0);
-    const double px = (x + 0.5 + tent(jitter[0])) / options_.width;
-    const double py = (y + 0.5 + tent(jitter[1])) / options_.height;
-    return {view_.ray(px, py), {static_cast<float>(px), static_cast<float>(py)}, random};
+  CameraSample sample_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample) const {
+    return camera_sample(view_, options_.width, options_.height, options_.seed, x, y, sample);
   }
 
   void render_sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
@@ -158,6 +147,7 @@ class Renderer {
   const PathSetting& setting_;
   const View& view_;
   const RenderOptions& options_;
+  const Allotment& samples_;
   const Rows rows_;
   Film& film_;
   std::uint32_t columns_;
@@ -168,13 +158,13 @@ class Renderer {
 }  // namespace
 
 void render_rows(const PathSetting& setting, const View& view, const RenderOptions& options,
-                 const Rows& rows, Film& film) {
-  Renderer(setting, view, options, rows, film).run();
+                 const Allotment& samples, const Rows& rows, Film& film) {
+  Renderer(setting, view, options, samples, rows, film).run();
 }
 
 Film render(const PathSetting& setting, const View& view, const RenderOptions& options) {
   Film film(options.width, options.height);
-  render_rows(setting, view, options, film.held(), film);
+  render_rows(setting, view, options, Allotment(options.samples), film.held(), film);
   return film;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "bake/allotment.hpp"
 #include "bake/film.hpp"
 #include "bake/integrator.hpp"
 #include "bake/view.hpp"
@@ -33,7 +34,7 @@ struct RenderOptions {
 /// Renders rows that the film holds and that are new to it: the same numbers for any number of jobs
 /// and whichever rows come at a time, unless there is a limit of time.
 void render_rows(const PathSetting& setting, const View& view, const RenderOptions& options,
-                 const Rows& rows, Film& film);
+                 const Allotment& samples, const Rows& rows, Film& film);
 
 /// All rows.
 Film render(const PathSetting& setting, const View& view, const RenderOptions& options);

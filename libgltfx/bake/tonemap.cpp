@@ -30,6 +30,11 @@ Float3 tone_map(Float3 radiance) {
   return c;
 }
 
+double shown_luminance(double y) {
+  const auto grey = static_cast<float>(y);
+  return static_cast<double>(srgb_encode(tone_map({grey, grey, grey})[0]));
+}
+
 float srgb_encode(float linear) {
   if (linear <= 0.0031308F) return 12.92F * linear;
   return 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;

@@ -14,6 +14,9 @@ namespace gltfx::bake {
 /// compressed towards white. Linear Rec. 709 in and out; negative and non-finite input counts as 0.
 Float3 tone_map(Float3 radiance);
 
+/// What becomes of a luminance in the finished picture, from 0 to 1.
+double shown_luminance(double y);
+
 /// The sRGB transfer function (IEC 61966-2-1) of a number from 0 to 1, and its inverse.
 float srgb_encode(float linear);
 float srgb_decode(float encoded);

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/allotment.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "bake/render.hpp"
+#include "studio_stage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+RenderOptions small(std::uint32_t samples) {
+  RenderOptions options;
+  options.width = 50;  // no multiple of anything
+  options.height = 39;
+  options.samples = samples;
+  return options;
+}
+
+template <class Visit>
+void for_pixels(const RenderOptions& options, const Visit& visit) {
+  for (std::uint32_t y = 0; y < options.height; ++y) {
+    for (std::uint32_t x = 0; x < options.width; ++x) visit(x, y);
+  }
+}
+
+TEST(Allotment, SharesOutWhatThereIs) {
+  const Stage stage = studio_stage();
+  for (const std::uint32_t samples : {16U, 33U, 64U}) {
+    const RenderOptions options = small(samples);
+    const Allotment shares(stage.path_setting(), front(), options);
+    double sum = 0;
+    std::uint32_t least = samples;
+    std::uint32_t most = samples;
+    for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
+      const std::uint32_t count = shares.samples(x, y);
+      sum += count;
+      least = std::min(least, count);
+      most = std::max(most, count);
+    });
+    const double mean = sum / (options.width * options.height);
+    EXPECT_LE(mean, samples);
+    EXPECT_GT(mean, 0.9 * samples);
+    EXPECT_GE(least, samples / 4);
+    EXPECT_LE(most, samples * 4);
+    EXPECT_EQ(most, shares.most());
+    EXPECT_LT(2 * least, most);
+  }
+}
+
+TEST(Allotment, NoiseGetsMore) {
+  const Stage stage = studio_stage();
+  const RenderOptions options = small(32);
+  const Allotment shares(stage.path_setting(), front(), options);
+  EXPECT_EQ(shares.samples(1, 1), 8U) << "the backdrop, which has none";
+  EXPECT_GT(shares.samples(25, 20), 16U) << "the ball";
+}
+
+TEST(Allotment, TheNumberOfThreadsDoesNotShow) {
+  const Stage stage = studio_stage();
+  RenderOptions options = small(16);
+  const Allotment one(stage.path_setting(), front(), options);
+  options.jobs = 2;
+  const Allotment two(stage.path_setting(), front(), options);
+  for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
+    ASSERT_EQ(one.samples(x, y), two.samples(x, y));
+  });
+}
+
+// Nothing but an even backdrop.
+TEST(Allotment, WithoutNoiseFewAreEnough) {
+  Stage stage(scene_of(square(), matte(Rgb(0.5))));
+  View away;
+  away.origin = {0, 0, 4};
+  away.backward = {0, 0, -1};
+  const RenderOptions options = small(16);
+  const Allotment shares(stage.path_setting(), away, options);
+  EXPECT_EQ(shares.most(), 4U);
+}
+
+TEST(Allotment, FewSamplesOrAnEndOfTheirOwnAreTheSameEverywhere) {
+  const Stage stage = studio_stage();
+  const auto expect_even = [&stage](const RenderOptions& options) {
+    const Allotment shares(stage.path_setting(), front(), options);
+    for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
+      ASSERT_EQ(shares.samples(x, y), options.samples);
+    });
+  };
+  expect_even(small(15));
+  RenderOptions options = small(64);
+  options.seconds = 10;
+  expect_even(options);
+  options.seconds = 0;
+  options.noise = 0.01;
+  expect_even(options);
+}
+
+}  // namespace
+}  // namespace gltfx::bake
