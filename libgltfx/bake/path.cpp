@@ -173,10 +173,6 @@ class Path {
     return false;
   }
 
-  static bool may_be_clear(const Material& m) {
-    return m.transmission > 0.05 && m.metallic < 0.5 && m.roughness < 0.25;
-  }
-
   bool goes_on(const Surface& surface) const {
     return !surface.material.unlit && surfaces_ < s_.bounces && surface.flat_normal != Vec3d();
   }
@@ -198,9 +194,7 @@ class Path {
     result_.clear = result_.clear || surfaces_ > 1;
   }
   void note(const Material& m, const Vec3d& normal, double distance) {
-    note(m.base_color * (1 - m.diffuse_transmission) +
-             m.diffuse_transmission_color * m.diffuse_transmission,
-         normal, distance);
+    note(scattering_color(m), normal, distance);
   }
 
   // Colours part in a dispersive volume: from there on the path is of one of them.

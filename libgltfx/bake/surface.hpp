@@ -33,6 +33,17 @@ struct Surface {
   Material material;
 };
 
+/// Whether what is behind it may be seen sharply.
+inline bool may_be_clear(const Material& m) {
+  return m.transmission > 0.05 && m.metallic < 0.5 && m.roughness < 0.25;
+}
+
+/// Of what it scatters to either side.
+inline Rgb scattering_color(const Material& m) {
+  return m.base_color * (1 - m.diffuse_transmission) +
+         m.diffuse_transmission_color * m.diffuse_transmission;
+}
+
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray);
 
 }  // namespace gltfx::bake
