@@ -14,16 +14,19 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr int kTile = 16;  // pixels along a side that are worked on together
+constexpr int kFilterWidth = 16;  // of the pixels that are worked on together
+constexpr int kFilterHeight = 8;
 constexpr int kReach = kNeighbours;
 constexpr int kMargin = kReach + kPatch;
-constexpr int kSide = kTile + 2 * kMargin;
-constexpr int kCompared = kTile + 2 * kPatch;
+constexpr int kWidth = kFilterWidth + 2 * kMargin;
+constexpr int kHeight = kFilterHeight + 2 * kMargin;
+constexpr int kComparedWidth = kFilterWidth + 2 * kPatch;
+constexpr int kComparedHeight = kFilterHeight + 2 * kPatch;
 constexpr int kOffsets = (2 * kReach + 1) * (2 * kReach + 1);
 constexpr float kStrictness = 0.25F;  // squared: standard deviations that are left to noise
 constexpr float kRidge = 1e-4F;
 
-using Row = std::array<float, kTile>;
+using Row = std::array<float, kFilterWidth>;
 
 // As exp(-x), but falling off slower far out: a pixel that is like no other still has neighbours.
 inline float falling(float x) {
@@ -33,10 +36,10 @@ inline float falling(float x) {
   return t * t;
 }
 
-constexpr std::size_t at(int y, int x) { return static_cast<std::size_t>(y * kSide + x); }
+constexpr std::size_t at(int y, int x) { return static_cast<std::size_t>(y * kWidth + x); }
 
 // Part of a plane: a tile and its surroundings, which go on at the edge of the picture as they end.
-using Block = std::array<float, static_cast<std::size_t>(kSide* kSide)>;
+using Block = std::array<float, static_cast<std::size_t>(kHeight* kWidth)>;
 
 // One tile. `Terms`: of the regression: 1, x, y, and the first of the features.
 template <std::size_t Terms>
@@ -54,15 +57,11 @@ class TileFilter {
     leave_out_beyond();
   }
 
-  /// Whether there is something in the tile at all.
+  /// Whether there is something in the tile or around it; else it stays as dark as it is.
   bool matters() const {
-    for (int y = kMargin; y < kMargin + kTile; ++y) {
-      for (int x = kMargin; x < kMargin + kTile; ++x) {
-        const std::size_t i = at(y, x);
-        if (weight_[i] > 0 && (variance_[i] > 0 || y_[i] != 0)) return true;
-      }
-    }
-    return false;
+    const auto is_set = [](float each) { return each != 0; };
+    return std::any_of(y_.begin(), y_.end(), is_set) ||
+           std::any_of(variance_.begin(), variance_.end(), is_set);
   }
 
   void run() {
@@ -75,10 +74,10 @@ class TileFilter {
   }
 
   /// Of each pixel of a row; as it was where nothing can be said.
-  std::array<Float3, kTile> values(int row) const {
+  std::array<Float3, kFilterWidth> values(int row) const {
     const Sums sums = add_up(row);
-    std::array<Float3, kTile> result{};
-    for (std::size_t x = 0; x < kTile; ++x) {
+    std::array<Float3, kFilterWidth> result{};
+    for (std::size_t x = 0; x < kFilterWidth; ++x) {
       for (std::size_t c = 0; c < layer_.values.size(); ++c) {
         result[x][c] = values_[c][at(kMargin + row, kMargin) + x];
       }
@@ -99,21 +98,21 @@ class TileFilter {
     std::array<Row, kProducts> products{};
     std::array<std::array<Row, Terms>, 3> colors{};
   };
-  using Square = std::array<std::array<float, kCompared>, kCompared>;
+  using Compared = std::array<std::array<float, kComparedWidth>, kComparedHeight>;
 
   void copy(const Plane& plane, Block& block) const {
-    for (int y = 0; y < kSide; ++y) {
+    for (int y = 0; y < kHeight; ++y) {
       const int row = std::clamp(top_ + y, 0, static_cast<int>(layer_.height) - 1);
       const float* line = plane.data() + static_cast<std::size_t>(row) * layer_.width;
-      for (int x = 0; x < kSide; ++x) {
+      for (int x = 0; x < kWidth; ++x) {
         block[at(y, x)] = line[std::clamp(left_ + x, 0, static_cast<int>(layer_.width) - 1)];
       }
     }
   }
 
   void leave_out_beyond() {
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
         const bool inside = left_ + x >= 0 && left_ + x < static_cast<int>(layer_.width) &&
                             top_ + y >= 0 && top_ + y < static_cast<int>(layer_.height);
         if (!inside) weight_[at(y, x)] = 0;
@@ -123,15 +122,15 @@ class TileFilter {
 
   // How much neighbours at an offset count: by how far patches around differ, beyond what noise
   // explains.
-  void compare(int dx, int dy, std::array<Row, kTile>& weights) const {
-    Square distance;
-    Square say;
-    for (int y = 0; y < kCompared; ++y) {
+  void compare(int dx, int dy, std::array<Row, kFilterHeight>& weights) const {
+    Compared distance;
+    Compared say;
+    for (int y = 0; y < kComparedHeight; ++y) {
       const std::size_t a = at(y + kReach, kReach);
       const std::size_t b = at(y + kReach + dy, kReach + dx);
       auto& distances = distance[static_cast<std::size_t>(y)];
       auto& says = say[static_cast<std::size_t>(y)];
-      for (std::size_t x = 0; x < kCompared; ++x) {
+      for (std::size_t x = 0; x < kComparedWidth; ++x) {
         const float difference = y_[a + x] - y_[b + x];
         const float expected = variance_[a + x] + std::min(variance_[a + x], variance_[b + x]);
         const float unit = 1e-5F + kStrictness * (variance_[a + x] + variance_[b + x]);
@@ -141,32 +140,33 @@ class TileFilter {
     }
     add_rows(distance);
     add_rows(say);
-    for (int y = 0; y < kTile; ++y) {
+    for (int y = 0; y < kFilterHeight; ++y) {
       const Row distances = add_columns(distance, y);
       const Row says = add_columns(say, y);
       const std::size_t b = at(y + kMargin + dy, kMargin + dx);
       Row& row = weights[static_cast<std::size_t>(y)];
-      for (std::size_t x = 0; x < kTile; ++x) {
+      for (std::size_t x = 0; x < kFilterWidth; ++x) {
         const float alike = falling(std::max(distances[x] / std::max(says[x], 1e-6F), 0.0F));
         row[x] = says[x] > 0 ? alike * weight_[b + x] : 0.0F;
       }
     }
   }
 
-  static void add_rows(Square& square) {
-    for (auto& line : square) {
-      std::array<float, kCompared> sums{};
+  static void add_rows(Compared& compared) {
+    for (auto& line : compared) {
+      std::array<float, kComparedWidth> sums{};
       for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
-        for (std::size_t x = 0; x < kTile; ++x) sums[x] += line[x + k];
+        for (std::size_t x = 0; x < kFilterWidth; ++x) sums[x] += line[x + k];
       }
       line = sums;
     }
   }
 
-  static Row add_columns(const Square& square, int y) {
+  static Row add_columns(const Compared& compared, int y) {
     Row sums{};
     for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
-      for (std::size_t x = 0; x < kTile; ++x) sums[x] += square[static_cast<std::size_t>(y) + k][x];
+      for (std::size_t x = 0; x < kFilterWidth; ++x)
+        sums[x] += compared[static_cast<std::size_t>(y) + k][x];
     }
     return sums;
   }
@@ -179,7 +179,8 @@ class TileFilter {
     const std::size_t b = at(row + kMargin + dy, kMargin + dx);
     for (std::size_t f = 0; f < Terms - 3; ++f) {
       const Block& feature = features_[f];
-      for (std::size_t x = 0; x < kTile; ++x) terms[3 + f][x] = feature[b + x] - feature[a + x];
+      for (std::size_t x = 0; x < kFilterWidth; ++x)
+        terms[3 + f][x] = feature[b + x] - feature[a + x];
     }
   }
 
@@ -203,15 +204,15 @@ class TileFilter {
     std::size_t product = 0;
     for (std::size_t i = 0; i < Terms; ++i) {
       Row weighted;
-      for (std::size_t x = 0; x < kTile; ++x) weighted[x] = weights[x] * terms[i][x];
+      for (std::size_t x = 0; x < kFilterWidth; ++x) weighted[x] = weights[x] * terms[i][x];
       for (std::size_t j = 0; j <= i; ++j, ++product) {
         Row& sum = sums.products[product];
-        for (std::size_t x = 0; x < kTile; ++x) sum[x] += weighted[x] * terms[j][x];
+        for (std::size_t x = 0; x < kFilterWidth; ++x) sum[x] += weighted[x] * terms[j][x];
       }
       for (std::size_t c = 0; c < layer_.values.size(); ++c) {
         const float* value = values_[c].data() + first;
         Row& sum = sums.colors[c][i];
-        for (std::size_t x = 0; x < kTile; ++x) sum[x] += weighted[x] * value[x];
+        for (std::size_t x = 0; x < kFilterWidth; ++x) sum[x] += weighted[x] * value[x];
       }
     }
   }
@@ -222,7 +223,7 @@ class TileFilter {
   Block weight_, variance_, y_;
   std::array<Block, 3> values_{};
   std::array<Block, Terms - 3 == 0 ? 1 : Terms - 3> features_;
-  std::array<std::array<Row, kTile>, static_cast<std::size_t>(kOffsets)> weights_;
+  std::array<std::array<Row, kFilterHeight>, static_cast<std::size_t>(kOffsets)> weights_;
 };
 
 // Layer by layer: there is memory for one of them at a time.
@@ -271,14 +272,14 @@ class Denoiser {
   // light(what is seen, value of the layer): what is added to the radiance.
   template <std::size_t Terms, class Light>
   void smooth(const DenoiseLayer& layer, const Features& features, const Light& light) {
-    const std::uint32_t columns = (film_.width() + kTile - 1) / kTile;
-    const std::uint32_t lines = (rows_.last - rows_.first + kTile - 1) / kTile;
+    const std::uint32_t columns = (film_.width() + kFilterWidth - 1) / kFilterWidth;
+    const std::uint32_t lines = (rows_.last - rows_.first + kFilterHeight - 1) / kFilterHeight;
     parallel_ordered(
         std::size_t{columns} * lines, jobs_,
         [&](std::size_t tile) {
           const auto number = static_cast<std::uint32_t>(tile);
-          const std::uint32_t left = number % columns * kTile;
-          const std::uint32_t top = rows_.first + number / columns * kTile;
+          const std::uint32_t left = number % columns * kFilterWidth;
+          const std::uint32_t top = rows_.first + number / columns * kFilterHeight;
           const auto filter =
               std::make_unique<TileFilter<Terms>>(layer, features, left, top - film_.held().first);
           add_tile(*filter, left, top, light);
@@ -290,10 +291,10 @@ class Denoiser {
   void add_tile(Filter& filter, std::uint32_t left, std::uint32_t top, const Light& light) {
     const bool matters = filter.matters();
     if (matters) filter.run();
-    for (std::uint32_t y = 0; y < kTile && top + y < rows_.last; ++y) {
-      std::array<Float3, kTile> values{};
+    for (std::uint32_t y = 0; y < kFilterHeight && top + y < rows_.last; ++y) {
+      std::array<Float3, kFilterWidth> values{};
       if (matters) values = filter.values(static_cast<int>(y));
-      for (std::uint32_t x = 0; x < kTile && left + x < film_.width(); ++x) {
+      for (std::uint32_t x = 0; x < kFilterWidth && left + x < film_.width(); ++x) {
         const std::size_t i = pixel(left + x, top + y);
         const Rgb more = light(film_.sights(i), to_vec(values[x]));
         canvas_.radiance[i] = to_float3(to_vec(canvas_.radiance[i]) + more);

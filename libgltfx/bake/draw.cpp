@@ -9,9 +9,6 @@
 namespace gltfx::bake {
 namespace {
 
-// What is rendered below rows that are finished: whole tiles.
-constexpr std::uint32_t kMargin = (kDenoiseReach + kRenderTile - 1) / kRenderTile * kRenderTile;
-
 // Some rays tell enough of it.
 DepthRange depth_range(const PathSetting& setting, const View& view) {
   constexpr std::uint32_t kLooks = 96;  // along a side
@@ -34,8 +31,8 @@ std::uint32_t rows_at_once(const RenderOptions& options) {
   if (options.seconds > 0) return options.height;
   const std::uint32_t jobs = options.jobs == 0 ? default_jobs() : options.jobs;
   const std::uint32_t tiles = kTilesPerJob * std::clamp(jobs, 2U, 256U);
-  const std::uint32_t columns = (options.width + kRenderTile - 1) / kRenderTile;
-  return (tiles + columns - 1) / columns * kRenderTile;
+  const std::uint32_t columns = (options.width + kTileWidth - 1) / kTileWidth;
+  return (tiles + columns - 1) / columns * kTileHeight;
 }
 
 // Progress of the whole by that of some rows.
@@ -56,18 +53,20 @@ Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& opt
   const DepthRange depths = options.denoise ? depth_range(setting, view) : DepthRange();
   const Allotment samples =
       options.denoise ? Allotment(setting, view, render) : Allotment(render.samples);
-  const std::uint32_t above = options.denoise ? kDenoiseReach : 0;
-  const std::uint32_t below = options.denoise ? kMargin : 0;
+  const std::uint32_t reach = options.denoise ? kDenoiseReach : 0;
   const std::uint32_t step = rows_at_once(render);
   Film film(render.width, render.height, {});
-  film.reserve(std::min(above + step + below, render.height));
-  for (Rows rows{0, 0}; rows.last < render.height;) {
-    rows = {rows.last, std::min(rows.last + step, render.height)};
-    const Rows fresh{film.held().last, std::min(rows.last + below, render.height)};
-    film.hold({rows.first - std::min(rows.first, above), fresh.last});
+  film.reserve(std::min(step + 2 * reach, render.height));
+  std::uint32_t finished = 0;
+  while (finished < render.height) {
+    const Rows fresh{film.held().last, std::min(film.held().last + step, render.height)};
+    film.hold({finished - std::min(finished, reach), fresh.last});
     render_rows(setting, view, part_of(render, fresh), samples, fresh, film);
-    expose(film, rows, canvas);
-    if (options.denoise) denoise(film, rows, depths, render.jobs, canvas);
+    const bool last = fresh.last == render.height;
+    const Rows ready{finished, last ? fresh.last : fresh.last - std::min(reach, fresh.last)};
+    expose(film, ready, canvas);
+    if (options.denoise) denoise(film, ready, depths, render.jobs, canvas);
+    finished = ready.last;
   }
   return canvas;
 }

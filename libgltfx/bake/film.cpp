@@ -77,19 +77,13 @@ void Film::reserve(std::uint32_t rows) { pixels_.reserve(std::size_t{rows} * wid
 void Film::hold(const Rows& rows) {
   const std::size_t lost = std::min(std::size_t{rows.first - held_.first} * width_, size());
   pixels_.erase(pixels_.begin(), pixels_.begin() + static_cast<std::ptrdiff_t>(lost));
-  std::vector<std::uint32_t> looked(looked_.begin() + static_cast<std::ptrdiff_t>(lost),
-                                    looked_.end());
-  std::vector<Sights> looks;
-  for (std::uint32_t& each : looked) {
-    if (each == kNone) continue;
-    looks.push_back(looks_[each]);
-    each = static_cast<std::uint32_t>(looks.size() - 1);
+  for (std::size_t i = 0; i < lost; ++i) {
+    if (looked_[i] != kNone) unused_.push_back(looked_[i]);
   }
+  looked_.erase(looked_.begin(), looked_.begin() + static_cast<std::ptrdiff_t>(lost));
   held_ = rows;
   pixels_.resize(std::size_t{rows.last - rows.first} * width_);
-  looked.resize(pixels_.size(), kNone);
-  looked_ = std::move(looked);
-  looks_ = std::move(looks);
+  looked_.resize(pixels_.size(), kNone);
 }
 
 void Film::add(std::size_t pixel, const PathSample& sample) {
@@ -115,8 +109,15 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
 }
 
 void Film::add_sights(std::size_t pixel, const Sights& sights) {
-  looked_[pixel - first_pixel()] = static_cast<std::uint32_t>(looks_.size());
-  looks_.push_back(sights);
+  std::uint32_t& place = looked_[pixel - first_pixel()];
+  if (unused_.empty()) {
+    place = static_cast<std::uint32_t>(looks_.size());
+    looks_.push_back(sights);
+  } else {
+    place = unused_.back();
+    unused_.pop_back();
+    looks_[place] = sights;
+  }
 }
 
 Sights Film::sights(std::size_t pixel) const {
@@ -143,11 +144,6 @@ Rgb Film::radiance(std::size_t pixel) const {
   const double lit = seen > 0 ? 1 - shadow(sums) / seen : 1;
   return (noisy(sums) + to_vec(sums.sights.direct) + behind * lit) /
          static_cast<double>(sums.samples);
-}
-
-double Film::alpha(std::size_t pixel) const {
-  const Sights seen = sights(pixel);
-  return seen.count > 0 ? static_cast<double>(seen.alpha) / seen.count : 0.0;
 }
 
 double Film::error(std::size_t pixel) const {

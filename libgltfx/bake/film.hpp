@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "bake/integrator.hpp"
@@ -77,7 +78,6 @@ class Film {
 
   /// Mean radiance, multiplied by alpha where the background is transparent.
   Rgb radiance(std::size_t pixel) const;
-  double alpha(std::size_t pixel) const;
   /// Standard error of the mean's luminance.
   double error(std::size_t pixel) const;
   /// That of one part.
@@ -89,7 +89,8 @@ class Film {
   // Of the rows that are held:
   std::vector<PixelSums> pixels_;
   std::vector<std::uint32_t> looked_;  ///< by pixel, index in looks_ or kNone
-  std::vector<Sights> looks_;
+  std::deque<Sights> looks_;           ///< grows without being copied
+  std::vector<std::uint32_t> unused_;  ///< places in it, of pixels that are held no longer
 };
 
 /// One more; of a sample of which only what it saw counts.

@@ -30,8 +30,8 @@ class Renderer {
         samples_(samples),
         rows_(rows),
         film_(film),
-        columns_((options.width + kRenderTile - 1) / kRenderTile),
-        done_(std::size_t{columns_} * ((rows.last - rows.first + kRenderTile - 1) / kRenderTile),
+        columns_((options.width + kTileWidth - 1) / kTileWidth),
+        done_(std::size_t{columns_} * ((rows.last - rows.first + kTileHeight - 1) / kTileHeight),
               0) {}
 
   void run() {
@@ -96,10 +96,10 @@ class Renderer {
 
   template <class Visit>
   void for_pixels(std::uint32_t tile, const Visit& visit) const {
-    const std::uint32_t left = tile % columns_ * kRenderTile;
-    const std::uint32_t top = rows_.first + tile / columns_ * kRenderTile;
-    for (std::uint32_t y = top; y < std::min(top + kRenderTile, rows_.last); ++y) {
-      for (std::uint32_t x = left; x < std::min(left + kRenderTile, options_.width); ++x)
+    const std::uint32_t left = tile % columns_ * kTileWidth;
+    const std::uint32_t top = rows_.first + tile / columns_ * kTileHeight;
+    for (std::uint32_t y = top; y < std::min(top + kTileHeight, rows_.last); ++y) {
+      for (std::uint32_t x = left; x < std::min(left + kTileWidth, options_.width); ++x)
         visit(x, y);
     }
   }
@@ -110,13 +110,13 @@ class Renderer {
 
   // The worst row of a tile tells whether it has enough.
   void render_tile(std::uint32_t tile, std::uint32_t first, std::uint32_t last) {
-    std::array<double, kRenderTile> errors{};
+    std::array<double, kTileHeight> errors{};
     for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
       const std::uint32_t end = std::min(last, samples_.samples(x, y));
       for (std::uint32_t sample = first; sample < end; ++sample) render_sample(x, y, sample);
-      errors[(y - rows_.first) % kRenderTile] += visible_error(std::size_t{y} * options_.width + x);
+      errors[(y - rows_.first) % kTileHeight] += visible_error(std::size_t{y} * options_.width + x);
     });
-    const double worst = *std::max_element(errors.begin(), errors.end()) / kRenderTile;
+    const double worst = *std::max_element(errors.begin(), errors.end()) / kTileWidth;
     if (options_.noise > 0 && last >= 2 * kRound && worst < options_.noise) done_[tile] = 1;
   }
 

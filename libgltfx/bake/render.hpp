@@ -12,8 +12,9 @@
 
 namespace gltfx::bake {
 
-/// Pixels along a side that are worked on together, and have enough samples together.
-constexpr std::uint32_t kRenderTile = 16;
+/// Pixels that are worked on together, and have enough samples together.
+constexpr std::uint32_t kTileWidth = 16;
+constexpr std::uint32_t kTileHeight = 8;
 
 struct RenderOptions {
   std::uint32_t width = 512, height = 512;

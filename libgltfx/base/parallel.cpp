@@ -2,6 +2,9 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include <tbb/info.h>
@@ -76,6 +79,45 @@ void run_pipeline(std::size_t count, std::size_t ahead,
   order.take();
 }
 
+// Where TBB's workers meet for as long as it lives. It is slow to give back what an arena has held,
+// megabytes after some dozens of them, so each is used again once it is free.
+class Arena {
+ public:
+  explicit Arena(unsigned jobs) {
+    const std::lock_guard lock(mutex());
+    arena_ = idle().extract(jobs);
+    if (arena_.empty()) {
+      Arenas made;
+      arena_ = made.extract(made.emplace(jobs, static_cast<int>(jobs)));
+    }
+  }
+  ~Arena() {
+    const std::lock_guard lock(mutex());
+    idle().insert(std::move(arena_));
+  }
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+
+  template <class Work>
+  void execute(const Work& work) {
+    arena_.mapped().execute(work);
+  }
+
+ private:
+  using Arenas = std::multimap<unsigned, tbb::task_arena>;  // by jobs
+
+  static std::mutex& mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  static Arenas& idle() {
+    static Arenas idle;
+    return idle;
+  }
+
+  Arenas::node_type arena_;
+};
+
 // TBB has no more workers than that, and says so on stderr when asked for more.
 unsigned possible_jobs(unsigned jobs) {
   return jobs == 1 ? 1 : std::min(jobs == 0 ? default_jobs() : jobs, default_jobs());
@@ -98,7 +140,7 @@ void parallel_ordered(std::size_t count, unsigned jobs,
     }
     return;
   }
-  tbb::task_arena arena(static_cast<int>(jobs));
+  Arena arena(jobs);
   arena.execute([&] { run_pipeline(count, jobs * kAheadPerJob, produce, consume); });
 }
 
@@ -116,13 +158,13 @@ void run_both(unsigned jobs, const std::function<void()>& one, const std::functi
     end.give();
   };
   begin.give();
-  tbb::task_arena arena(static_cast<int>(jobs));
+  Arena arena(jobs);
   arena.execute([&] { tbb::parallel_invoke([&] { between(one); }, [&] { between(other); }); });
   end.take();
 }
 
 void run_alone(const std::function<void()>& work) {
-  tbb::task_arena arena(1);
+  Arena arena(1);
   arena.execute(work);
 }
 

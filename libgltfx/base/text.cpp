@@ -99,7 +99,7 @@ std::string join_and(std::span<const std::string> items) {
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (char& c : lower) c = ascii_lower(c);
   return lower;
 }
 

@@ -37,6 +37,9 @@ std::string join_or(std::span<const std::string> items, std::size_t limit = 8);
 std::string join_and(std::span<const std::string> items);
 
 /// ASCII letters in lower case.
+constexpr char ascii_lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 std::string lower_case(std::string_view text);
 
 /// What the file's name ends with, in lower case and with its dot: ".glb". Empty without a dot.

@@ -5,13 +5,12 @@
 #include <cstddef>
 #include <string_view>
 
+#include "base/text.hpp"
+
 namespace gltfx::container {
 
 inline constexpr std::string_view kDataScheme = "data:";
 
-constexpr char ascii_lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 constexpr bool is_alpha(char c) { return ascii_lower(c) >= 'a' && ascii_lower(c) <= 'z'; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// RFC 3986 section 2.3: means the same escaped or not.

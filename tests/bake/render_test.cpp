@@ -53,8 +53,8 @@ TEST(Render, ATriangleBecomesAPicture) {
   view.origin = {0, 0, 4};
   const Film film = render(stage.path_setting(), view, small(4));
   EXPECT_NEAR(film.radiance(20 * 48 + 24).x, 1, 0.05);
-  EXPECT_EQ(film.alpha(20 * 48 + 24), 1);
-  EXPECT_EQ(film.alpha(0), 0);
+  EXPECT_EQ(film.sights(20 * 48 + 24).alpha, 4);
+  EXPECT_EQ(film.sights(0).alpha, 0);
   EXPECT_EQ(film.radiance(0), Rgb());
   EXPECT_EQ(film.at(20 * 48 + 24).material, 0U);
 }
