@@ -82,10 +82,11 @@ class Renderer {
 
   // Nothing where all that is seen is alike.
   std::optional<Sights> look_at(std::uint32_t x, std::uint32_t y) const {
+    const std::uint32_t enough = std::min(kSure, options_.samples);
     PixelSums sums = film_.at(std::size_t{y} * options_.width + x);
     Sights seen;
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
-      if (sums.clear || (sums.sights.count >= kSure && !sums.is_mixed())) return {};
+      if (sums.clear || (sums.sights.count >= enough && !sums.is_mixed())) return {};
       const auto [ray, point, random] = sample_of(x, y, samples_.samples(x, y) + i);
       const PathSample sample = look_along(setting_, ray, point, random);
       add(seen, sample);
