@@ -13,7 +13,7 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kFewest = 16;  // of a pixel, of which some may be spent on finding out
+constexpr std::uint32_t kFewest = 16;  // of a pixel, for which it pays to find out
 constexpr std::uint32_t kRange = 4;    // times more or less than on average
 constexpr double kLoudest = 0.25;      // of the range from black to white: more counts as this
 constexpr double kDark = 0.02;         // colours below it say little of the light on them
@@ -47,22 +47,27 @@ class Spread {
     scattered_.add(sample.scattered, sample.albedo);
     reflected_.add(sample.reflected, sample.mirror);
     shadow_.add(sample.behind * sample.shadow, Rgb(1));
+    steady_.add(sample.direct + sample.behind, Rgb(1));
+    clear_ = clear_ || sample.clear;
   }
 
   /// Variance of a sample as it shows in the finished picture.
   double visible() const {
     constexpr double kShadow = 0.04;  // of its variance: denoised best, since it is smooth
-    const double error = std::sqrt(scattered_.variance(count_) + reflected_.variance(count_) +
-                                   shadow_.variance(count_) * kShadow);
+    const double error =
+        std::sqrt(scattered_.variance(count_) + reflected_.variance(count_) +
+                  shadow_.variance(count_) * kShadow + (clear_ ? steady_.variance(count_) : 0.0));
     const double mean = radiance_ / count_;
     const double shown = shown_luminance(mean + error) - shown_luminance(mean);
-    return std::isfinite(shown) ? std::min(shown * shown, kLoudest * kLoudest) : 0.0;
+    return std::min(shown * shown, kLoudest * kLoudest);
   }
 
  private:
   double count_ = 0;
   double radiance_ = 0;
   PartSpread scattered_, reflected_, shadow_;
+  PartSpread steady_;   // without noise, but for what is seen through glass
+  bool clear_ = false;  // there is such
 };
 
 // Pixels of part of a picture.
@@ -93,11 +98,13 @@ Allotment::Allotment(const PathSetting& setting, const View& view, const RenderO
 std::vector<float> Allotment::find_noise(const PathSetting& setting, const View& view,
                                          const RenderOptions& options) const {
   const std::uint32_t samples = std::clamp(options.samples / kFewest, 2U, 4U);
+  // Others than those of the picture: pixels that were lucky once must not be given more of it.
+  const std::uint32_t seed = mix_bits(options.seed, 1);
   const auto variance_at = [&](std::uint32_t x, std::uint32_t y) {
     Spread spread;
     for (std::uint32_t i = 0; i < samples; ++i) {
       const auto [ray, point, random] =
-          camera_sample(view, options.width, options.height, options.seed, x, y, i);
+          camera_sample(view, options.width, options.height, seed, x, y, i);
       spread.add(trace_path(setting, ray, point, random));
     }
     return spread.visible();
@@ -142,9 +149,10 @@ void Allotment::blur(std::vector<float>& values) const {
 // What is left of a variance v by n samples is v / n. Its sum is least for n in proportion to the
 // root of v; what that has to be multiplied by is found by halving intervals.
 void Allotment::share_out(const std::vector<float>& noise, const RenderOptions& options) {
+  const std::uint32_t least = (options.samples / kRange + 1) / 2 * 2;  // even, for the halves
   const auto count = [&](float each, double scale) {
-    const double even = std::floor(scale * static_cast<double>(each) / 2) * 2;  // for the halves
-    return std::clamp(even, static_cast<double>(options.samples / kRange),
+    const double even = std::floor(scale * static_cast<double>(each) / 2) * 2;
+    return std::clamp(even, static_cast<double>(least),
                       static_cast<double>(options.samples) * kRange);
   };
   const auto sum = [&](double scale) {

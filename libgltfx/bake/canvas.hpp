@@ -27,7 +27,7 @@ struct Canvas {
   std::vector<Float3> albedo, normal;
   std::vector<float> depth;             ///< along the ray
   std::vector<std::uint32_t> material;  ///< of the scene; kNone: the default one, or nothing
-  std::uint64_t rays = 0;               ///< that were traced
+  std::uint64_t rays = 0;               ///< that were traced for its samples
 
   std::size_t size() const { return radiance.size(); }
 };

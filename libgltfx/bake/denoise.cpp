@@ -23,6 +23,7 @@ constexpr int kHeight = kFilterHeight + 2 * kMargin;
 constexpr int kComparedWidth = kFilterWidth + 2 * kPatch;
 constexpr int kComparedHeight = kFilterHeight + 2 * kPatch;
 constexpr int kOffsets = (2 * kReach + 1) * (2 * kReach + 1);
+constexpr std::size_t kPatchWidth = std::size_t{2} * kPatch + 1;
 constexpr float kStrictness = 0.25F;  // squared: standard deviations that are left to noise
 constexpr float kRidge = 1e-4F;
 
@@ -36,10 +37,12 @@ inline float falling(float x) {
   return t * t;
 }
 
-constexpr std::size_t at(int y, int x) { return static_cast<std::size_t>(y * kWidth + x); }
+constexpr std::size_t at(int y, int x) {
+  return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
+}
 
 // Part of a plane: a tile and its surroundings, which go on at the edge of the picture as they end.
-using Block = std::array<float, static_cast<std::size_t>(kHeight* kWidth)>;
+using Block = std::array<float, std::size_t{kHeight} * kWidth>;
 
 // One tile. `Terms`: of the regression: 1, x, y, and the first of the features.
 template <std::size_t Terms>
@@ -155,7 +158,7 @@ class TileFilter {
   static void add_rows(Compared& compared) {
     for (auto& line : compared) {
       std::array<float, kComparedWidth> sums{};
-      for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
+      for (std::size_t k = 0; k < kPatchWidth; ++k) {
         for (std::size_t x = 0; x < kFilterWidth; ++x) sums[x] += line[x + k];
       }
       line = sums;
@@ -164,7 +167,7 @@ class TileFilter {
 
   static Row add_columns(const Compared& compared, int y) {
     Row sums{};
-    for (std::size_t k = 0; k <= 2 * kPatch; ++k) {
+    for (std::size_t k = 0; k < kPatchWidth; ++k) {
       for (std::size_t x = 0; x < kFilterWidth; ++x)
         sums[x] += compared[static_cast<std::size_t>(y) + k][x];
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bake/allotment.hpp"
 #include "bake/denoise.hpp"
 #include "base/parallel.hpp"
 
@@ -14,9 +15,10 @@ DepthRange depth_range(const PathSetting& setting, const View& view) {
   constexpr std::uint32_t kLooks = 96;  // along a side
   DepthRange range;
   for (std::uint32_t i = 0; i < kLooks * kLooks; ++i) {
-    const double x = (i % kLooks + 0.5) / kLooks;
-    const double y = (i / kLooks + 0.5) / kLooks;
-    const auto hit = setting.bvh.first_layer(view.ray(x, y));
+    const std::uint32_t column = i % kLooks;
+    const std::uint32_t row = i / kLooks;
+    const auto hit =
+        setting.bvh.first_layer(view.ray((column + 0.5) / kLooks, (row + 0.5) / kLooks));
     if (!hit) continue;
     const auto z = static_cast<float>(hit->distance);
     range.nearest = range.nearest == 0 ? z : std::min(range.nearest, z);
@@ -64,6 +66,7 @@ Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& opt
     render_rows(setting, view, part_of(render, fresh), samples, fresh, film);
     const bool last = fresh.last == render.height;
     const Rows ready{finished, last ? fresh.last : fresh.last - std::min(reach, fresh.last)};
+    if (ready.first == ready.last) continue;
     expose(film, ready, canvas);
     if (options.denoise) denoise(film, ready, depths, render.jobs, canvas);
     finished = ready.last;

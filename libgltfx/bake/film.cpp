@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "bake/storage.hpp"
 
@@ -56,6 +55,7 @@ void add_sight(PixelSums& sums, const PathSample& sample) {
   sums.albedo_square += static_cast<float>(dot(sample.albedo, sample.albedo));
   sums.normal_square += static_cast<float>(dot(sample.normal, sample.normal));
   sums.clear = sums.clear || sample.clear;
+  if (sums.material == kNone) sums.material = sample.material;
 }
 
 bool PixelSums::is_mixed() const {
@@ -72,7 +72,10 @@ bool PixelSums::is_mixed() const {
          spread(normal_square, sights.normal) > kNormals;
 }
 
-void Film::reserve(std::uint32_t rows) { pixels_.reserve(std::size_t{rows} * width_); }
+void Film::reserve(std::uint32_t rows) {
+  pixels_.reserve(std::size_t{rows} * width_);
+  looked_.reserve(std::size_t{rows} * width_);
+}
 
 void Film::hold(const Rows& rows) {
   const std::size_t lost = std::min(std::size_t{rows.first - held_.first} * width_, size());
@@ -105,10 +108,10 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   sums.reflected_square += squared(reflected);
   sums.scattered_square += squared(scattered);
   add_sight(sums, sample);
-  if (sums.material == kNone) sums.material = sample.material;
 }
 
-void Film::add_sights(std::size_t pixel, const Sights& sights) {
+void Film::add_sights(std::size_t pixel, const Sights& sights, std::uint32_t material) {
+  pixels_[pixel - first_pixel()].material = material;
   std::uint32_t& place = looked_[pixel - first_pixel()];
   if (unused_.empty()) {
     place = static_cast<std::uint32_t>(looks_.size());

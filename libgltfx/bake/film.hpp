@@ -26,7 +26,7 @@ struct PixelSums {
   std::uint32_t samples = 0;
   std::uint32_t rays = 0;
   std::uint32_t material = kNone;  ///< of the first sample that met one
-  bool clear = false;              ///< whether something was seen straight through glass
+  bool clear = false;              ///< whether something is or may be seen through glass
   // Of two halves, even and odd samples:
   std::array<Float3, 2> reflected{}, scattered{};
   std::array<float, 2> shadow{};                     ///< luminance that it takes away
@@ -68,8 +68,8 @@ class Film {
   void add(std::size_t pixel, const PathSample& sample);
   const PixelSums& at(std::size_t pixel) const { return pixels_[pixel - first_pixel()]; }
 
-  /// More of what the pixel's samples saw.
-  void add_sights(std::size_t pixel, const Sights& sights);
+  /// More of what is seen at a pixel, and the first material that was.
+  void add_sights(std::size_t pixel, const Sights& sights, std::uint32_t material);
   /// What was seen by samples and looks.
   Sights sights(std::size_t pixel) const;
   /// Pixels that are held, and the first one of them.
@@ -93,8 +93,9 @@ class Film {
   std::vector<std::uint32_t> unused_;  ///< places in it, of pixels that are held no longer
 };
 
-/// One more; of a sample of which only what it saw counts.
+/// One more.
 void add(Sights& sights, const PathSample& sample);
+/// One more, of which only what it saw counts.
 void add_sight(PixelSums& sums, const PathSample& sample);
 
 }  // namespace gltfx::bake

@@ -29,7 +29,7 @@ struct PathSample {
   Vec3d normal;
   double depth = 0;  ///< along the ray
   std::uint32_t material = kNone;
-  bool clear = false;      ///< something is seen straight through glass
+  bool clear = false;      ///< something is or may be seen straight through glass
   std::uint32_t rays = 0;  ///< that were traced
 
   /// Another one, as part of this one.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,27 +62,35 @@ class Renderer {
     return any;
   }
 
+  struct Found {
+    std::size_t pixel;
+    Sights sights;
+    std::uint32_t material;
+  };
+
   // Edges and textures are finer than samples tell.
   void look_again() {
-    std::vector<std::vector<std::pair<std::size_t, Sights>>> found(done_.size());
+    std::vector<std::vector<Found>> found(done_.size());
     parallel_ordered(
         done_.size(), options_.jobs,
         [&](std::size_t tile) {
           for_pixels(static_cast<std::uint32_t>(tile), [&](std::uint32_t x, std::uint32_t y) {
-            const std::size_t pixel = std::size_t{y} * options_.width + x;
-            if (auto seen = look_at(x, y)) found[tile].emplace_back(pixel, *seen);
+            if (const auto seen = look_at(x, y)) found[tile].push_back(*seen);
           });
         },
         [&](std::size_t tile) {
-          for (const auto& [pixel, sights] : found[tile]) film_.add_sights(pixel, sights);
+          for (const auto& [pixel, sights, material] : found[tile]) {
+            film_.add_sights(pixel, sights, material);
+          }
           found[tile] = {};
         });
   }
 
   // Nothing where all that is seen is alike.
-  std::optional<Sights> look_at(std::uint32_t x, std::uint32_t y) const {
+  std::optional<Found> look_at(std::uint32_t x, std::uint32_t y) const {
+    const std::size_t pixel = std::size_t{y} * options_.width + x;
     const std::uint32_t enough = std::min(kSure, options_.samples);
-    PixelSums sums = film_.at(std::size_t{y} * options_.width + x);
+    PixelSums sums = film_.at(pixel);
     Sights seen;
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
       if (sums.clear || (sums.sights.count >= enough && !sums.is_mixed())) return {};
@@ -92,7 +99,7 @@ class Renderer {
       add(seen, sample);
       add_sight(sums, sample);
     }
-    return seen;
+    return Found{pixel, seen, sums.material};
   }
 
   template <class Visit>

@@ -13,11 +13,9 @@ constexpr std::size_t kEdit = 2;
 // Longer words are no misspelt names; the limit keeps the quadratic distance small.
 constexpr std::size_t kLongestWord = 128;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 std::size_t substitution(char a, char b) {
   if (a == b) return 0;
-  return lower(a) == lower(b) ? kEdit / 2 : kEdit;
+  return ascii_lower(a) == ascii_lower(b) ? kEdit / 2 : kEdit;
 }
 
 // Damerau-Levenshtein distance (optimal string alignment) over three rolling rows.
@@ -43,7 +41,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 bool is_same_but_for_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
+                    [](char x, char y) { return ascii_lower(x) == ascii_lower(y); });
 }
 
 // A third of the letters may be wrong, or the case of all.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
+
 namespace gltfx::container {
 namespace {
 
@@ -13,13 +15,11 @@ constexpr std::string_view kGlbSuffix = ".glb";
 constexpr std::string_view kLfsLine = "version https://git-lfs.github.com/spec/v1";
 constexpr std::size_t kLfsMaximum = 1024;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool named_glb(std::string_view name) {
   if (name.size() < kGlbSuffix.size()) return false;
   const std::string_view end = name.substr(name.size() - kGlbSuffix.size());
   return std::equal(end.begin(), end.end(), kGlbSuffix.begin(),
-                    [](char a, char b) { return lower(a) == b; });
+                    [](char a, char b) { return ascii_lower(a) == b; });
 }
 
 /// A whole magic, or a file that was cut inside it.

@@ -65,7 +65,10 @@ class Loader {
           fmt::format("each size needs sides from 1 to {} pixels, and {} pixels in all at most",
                       kMostPixels, kMostInAll));
     }
-    if (options_.samples == 0) return fail(BakeProblem::refused, "samples: at least one a pixel");
+    if (options_.samples == 0 || options_.samples > kMostBakeSamples) {
+      return fail(BakeProblem::refused,
+                  fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples));
+    }
     if (!(std::fabs(options_.exposure) <= kMostStops)) {
       return fail(BakeProblem::refused,
                   fmt::format("exposure: not from -{0} to {0} stops", kMostStops));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "report/rule_lookup.hpp"
 #include "report/safe_text.hpp"
 #include "report/sarif_parts.hpp"
@@ -34,7 +35,7 @@ std::string friendly_name(std::string_view code) {
   std::string name;
   bool first = true;
   for (const char c : code) {
-    if (c != '_') name += first || c < 'A' || c > 'Z' ? c : static_cast<char>(c - 'A' + 'a');
+    if (c != '_') name += first ? c : ascii_lower(c);
     first = c == '_';
   }
   return name;

@@ -2,6 +2,8 @@
 #include "bake/allotment.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -28,7 +30,7 @@ void for_pixels(const RenderOptions& options, const Visit& visit) {
 
 TEST(Allotment, SharesOutWhatThereIs) {
   const Stage stage = studio_stage();
-  for (const std::uint32_t samples : {16U, 33U, 64U}) {
+  for (const std::uint32_t samples : {16U, 20U, 33U, 64U}) {
     const RenderOptions options = small(samples);
     const Allotment shares(stage.path_setting(), front(), options);
     double sum = 0;
@@ -56,6 +58,25 @@ TEST(Allotment, NoiseGetsMore) {
   const Allotment shares(stage.path_setting(), front(), options);
   EXPECT_EQ(shares.samples(1, 1), 8U) << "the backdrop, which has none";
   EXPECT_GT(shares.samples(25, 20), 16U) << "the ball";
+}
+
+// Looks do not go through glass: what is seen behind it counts as noise.
+TEST(Allotment, EdgesBehindGlassGetMore) {
+  const auto at_edge = [](double transmission) {
+    Scene scene = scene_of(square(), matte(Rgb(1)));
+    scene.materials[0].factors.unlit = true;
+    scene.materials.push_back(matte(Rgb(1)));
+    scene.materials[1].factors.transmission = transmission;
+    scene.materials[1].factors.roughness = 0;
+    scene.meshes.push_back(square());
+    scene.meshes[1].material = 1;
+    scene.instances.push_back({1, moved(0, 0, 1, 8)});
+    const Stage stage(std::move(scene));
+    const RenderOptions options = small(32);
+    return Allotment(stage.path_setting(), front(), options).samples(16, 16);
+  };
+  EXPECT_EQ(at_edge(0), 8U) << "nothing is seen through it";
+  EXPECT_GT(at_edge(1), 32U);
 }
 
 TEST(Allotment, TheNumberOfThreadsDoesNotShow) {

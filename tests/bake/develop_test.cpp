@@ -58,13 +58,14 @@ TEST(Film, HoldsSomeRowsOnly) {
   film.add(1, sample);
   Sights more;
   bake::add(more, sample);
-  film.add_sights(0, more);
-  film.add_sights(1, more);
+  film.add_sights(0, more, 0);
+  film.add_sights(1, more, 3);
   film.hold({1, 4});
   EXPECT_EQ(film.size(), 3U);
   EXPECT_EQ(film.first_pixel(), 1U);
   EXPECT_EQ(film.radiance(1), Rgb(1));
   EXPECT_EQ(film.sights(1).count, 2U);
+  EXPECT_EQ(film.at(1).material, 3U);
   film.add(3, sample);
   EXPECT_EQ(film.at(2).samples, 0U);
   EXPECT_EQ(film.sights(3).count, 1U);

@@ -4,18 +4,33 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "bake/develop.hpp"
 #include "bake/draw.hpp"
-#include "bake/framing.hpp"
 #include "bake/studio.hpp"
 #include "rendering.hpp"
 #include "studio_stage.hpp"
 
 namespace gltfx::bake {
 namespace {
+
+// A square without noise and a ball with some, before nothing.
+Stage square_and_ball() {
+  Scene scene = scene_of(square(), matte(Rgb(1)));
+  scene.materials[0].factors.unlit = true;
+  scene.instances[0].to_world = {{{2, 0.3F, 0, -1.4F}, {-0.3F, 2, 0, 0}, {0, 0, 1, 0}}};  // turned
+  scene.materials.push_back(matte(Rgb(0.8)));
+  scene.meshes.push_back(sphere(0.8F, 16));
+  scene.meshes[1].material = 1;
+  scene.instances.push_back({1, moved(1.2F, 0, 0)});
+  Stage stage(std::move(scene));
+  stage.setting.environment.emplace(studio_environment({0, 0, 1}));
+  stage.setting.background = Background::transparent;
+  return stage;
+}
 
 RenderOptions small(std::uint32_t samples) {
   RenderOptions options;
@@ -72,24 +87,49 @@ TEST(Render, TheNumberOfThreadsDoesNotShow) {
   EXPECT_FALSE(same(one, render(stage.path_setting(), front(), options)));
 }
 
-// Which rows come at a time does not show either.
+// Which rows come at a time does not show either: fewer for two jobs than for eight.
 TEST(Draw, TheNumberOfThreadsDoesNotShow) {
   const Stage stage = studio_stage();
-  DrawOptions options = denoised(8);
+  DrawOptions options = denoised(16);
   options.render.width = 20;
-  options.render.height = 600;  // rows after rows
+  options.render.height = 600;
   options.render.looks = 4;
-  options.layers.normal = true;
+  options.layers = {true, true, true, true, true};
   const Canvas one = draw(stage.path_setting(), front(), options);
-  options.render.jobs = 2;
-  const Canvas two = draw(stage.path_setting(), front(), options);
-  EXPECT_EQ(one.radiance, two.radiance);
-  EXPECT_EQ(one.normal, two.normal);
+  options.render.jobs = 8;
+  const Canvas eight = draw(stage.path_setting(), front(), options);
+  EXPECT_EQ(one.radiance, eight.radiance);
+  EXPECT_EQ(one.alpha, eight.alpha);
+  EXPECT_EQ(one.albedo, eight.albedo);
+  EXPECT_EQ(one.normal, eight.normal);
+  EXPECT_EQ(one.depth, eight.depth);
+  EXPECT_EQ(one.material, eight.material);
+}
+
+// Of a wide picture fewer rows come at a time than the denoiser looks at around a pixel.
+TEST(Draw, RowsAtATimeDoNotShow) {
+  const Stage stage = studio_stage();
+  DrawOptions options = denoised(2);
+  options.render.width = 528;
+  options.render.height = 44;
+  options.render.looks = 4;
+  const Canvas rows = draw(stage.path_setting(), front(), options);
   options.render.seconds = 1e6;  // all rows at once
   const Canvas whole = draw(stage.path_setting(), front(), options);
-  EXPECT_EQ(one.alpha, whole.alpha);
-  EXPECT_EQ(one.normal, whole.normal);
-  EXPECT_EQ(one.radiance, whole.radiance);
+  EXPECT_EQ(rows.alpha, whole.alpha);
+  EXPECT_EQ(rows.radiance, whole.radiance);
+}
+
+// What looks find has its material, also where no sample found it.
+TEST(Draw, WhatIsSeenHasAMaterial) {
+  const Stage stage = square_and_ball();
+  DrawOptions options = denoised(16);
+  options.render.looks = 48;
+  options.layers.material = true;
+  const Canvas canvas = draw(stage.path_setting(), front(), options);
+  for (std::size_t i = 0; i < canvas.size(); ++i) {
+    EXPECT_EQ(canvas.alpha[i] > 0, canvas.material[i] != kNone) << i;
+  }
 }
 
 TEST(Draw, ProgressEndsAtTheEnd) {
@@ -177,16 +217,7 @@ TEST(Denoise, ComesNearer) {
 // Most samples go to the ball, which has noise, but the edges of the square, which has none, are
 // looked for.
 TEST(Denoise, FewSamplesMissNoEdge) {
-  Scene scene = scene_of(square(), matte(Rgb(1)));
-  scene.materials[0].factors.unlit = true;
-  scene.instances[0].to_world = {{{2, 0.3F, 0, -1.4F}, {-0.3F, 2, 0, 0}, {0, 0, 1, 0}}};  // turned
-  scene.materials.push_back(matte(Rgb(0.8)));
-  scene.meshes.push_back(sphere(0.8F, 16));
-  scene.meshes[1].material = 1;
-  scene.instances.push_back({1, moved(1.2F, 0, 0)});
-  Stage stage(std::move(scene));
-  stage.setting.environment.emplace(studio_environment({0, 0, 1}));
-  stage.setting.background = Background::transparent;
+  const Stage stage = square_and_ball();
   DrawOptions options = denoised(16);
   options.render.looks = 48;
   const Canvas few = draw(stage.path_setting(), front(), options);

@@ -95,6 +95,7 @@ TEST_F(BakeLimits, NumbersThatMakeNoPictureAreRefused) {
   refused([](BakeOptions& o) { o.sizes = {{16384, 16384}}; }, "67108864 pixels in all");
   refused([](BakeOptions& o) { o.sizes.clear(); }, "size");
   refused([](BakeOptions& o) { o.samples = 0; }, "samples");
+  refused([](BakeOptions& o) { o.samples = kMostBakeSamples + 1; }, "samples");
   refused([](BakeOptions& o) { o.exposure = NAN; }, "exposure");
   refused([](BakeOptions& o) { o.exposure = 1e9; }, "exposure");
 }

@@ -3,6 +3,8 @@
 #include <gltfx/pipeline.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <ostream>
 #include <string>

@@ -64,7 +64,7 @@ Result<std::string> parse_format(const std::string& text) {
 }
 
 void read_quality(Reading& reading, const BakeWords& words, BakeOptions& bake) {
-  reading.set(bake.samples, parse_count("--samples", words.samples, 1, 1U << 20U));
+  reading.set(bake.samples, parse_count("--samples", words.samples, 1, kMostBakeSamples));
   reading.set(bake.bounces, parse_count("--bounces", words.bounces, 0, 1000));
   reading.set(bake.seed, parse_count("--seed", words.seed, 0, kMost32));
   reading.set(bake.denoise, parse_word<bool>("--denoise", words.denoise, kDenoiseWords));

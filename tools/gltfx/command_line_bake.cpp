@@ -39,7 +39,8 @@ void declare_scene(CLI::App& app, BakeWords& words) {
 }
 
 void declare_quality(CLI::App& app, BakeWords& words) {
-  add_word(app, "--samples", words.samples, "N", "Paths through each pixel, with --denoise on average (default: 32)");
+  add_word(app, "--samples", words.samples, "N",
+           "Paths through each pixel, on average with --denoise on (default: 32)");
   add_word(app, "--bounces", words.bounces, "N", "Surfaces along a path (default: 6)");
   add_word(app, "--seed", words.seed, "N", "Another noise (default: 0)");
   add_word(app, "--denoise", words.denoise, "on|off", "Smooth away the noise (default: on)");

@@ -43,6 +43,9 @@ struct BakeSize {
   std::uint32_t width = 512, height = 512;  ///< of the picture
 };
 
+/// BakeOptions::samples, at most.
+constexpr std::uint32_t kMostBakeSamples = 1U << 20U;
+
 /// What a picture is asked for.
 struct BakeOptions {
   /// One file each; with several "-WIDTHxHEIGHT" goes before the name's ending.
@@ -51,9 +54,9 @@ struct BakeOptions {
   std::uint32_t turntable = 0;
   std::vector<BakeLayer> layers;  ///< beside the picture, with "-NAME" before the name's ending
 
-  /// Paths through each pixel, at most; at least 1. With `denoise`, from 16 on and where neither
-  /// `seconds` nor `noise` ends them, on average: from a quarter to four times as many, more where
-  /// noise is.
+  /// Paths through each pixel, at most; from 1 to kMostBakeSamples. With `denoise`, from 16 on and
+  /// where neither `seconds` nor `noise` ends them, on average: from a quarter to four times as
+  /// many, more where noise is, which two to four others find out.
   std::uint32_t samples = 32;
   std::uint32_t bounces = 6;  ///< surfaces along a path that scatter, at most
   std::uint32_t seed = 0;     ///< of the noise
