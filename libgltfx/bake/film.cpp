@@ -111,8 +111,9 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
 }
 
 void Film::add_sights(std::size_t pixel, const Sights& sights, std::uint32_t material) {
-  pixels_[pixel - first_pixel()].material = material;
-  std::uint32_t& place = looked_[pixel - first_pixel()];
+  const std::size_t held = pixel - first_pixel();
+  pixels_[held].material = material;
+  std::uint32_t& place = looked_[held];
   if (unused_.empty()) {
     place = static_cast<std::uint32_t>(looks_.size());
     looks_.push_back(sights);

@@ -62,6 +62,25 @@ bool same(const Film& a, const Film& b) {
   return a.size() == b.size();
 }
 
+void expect_same(const Canvas& a, const Canvas& b) {
+  EXPECT_EQ(a.radiance, b.radiance);
+  EXPECT_EQ(a.alpha, b.alpha);
+  EXPECT_EQ(a.albedo, b.albedo);
+  EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.depth, b.depth);
+  EXPECT_EQ(a.material, b.material);
+}
+
+// A picture of that size and those samples with all layers, of which few looks are taken.
+DrawOptions with_layers(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+  DrawOptions options = denoised(samples);
+  options.render.width = width;
+  options.render.height = height;
+  options.render.looks = 4;
+  options.layers = {true, true, true, true, true};
+  return options;
+}
+
 TEST(Render, ATriangleBecomesAPicture) {
   Stage stage(scene_of(square(), matte(Rgb(1))));
   stage.setting.environment.emplace(even_light());
@@ -90,34 +109,19 @@ TEST(Render, TheNumberOfThreadsDoesNotShow) {
 // Which rows come at a time does not show either: fewer for two jobs than for eight.
 TEST(Draw, TheNumberOfThreadsDoesNotShow) {
   const Stage stage = studio_stage();
-  DrawOptions options = denoised(16);
-  options.render.width = 20;
-  options.render.height = 600;
-  options.render.looks = 4;
-  options.layers = {true, true, true, true, true};
+  DrawOptions options = with_layers(20, 600, 16);
   const Canvas one = draw(stage.path_setting(), front(), options);
   options.render.jobs = 8;
-  const Canvas eight = draw(stage.path_setting(), front(), options);
-  EXPECT_EQ(one.radiance, eight.radiance);
-  EXPECT_EQ(one.alpha, eight.alpha);
-  EXPECT_EQ(one.albedo, eight.albedo);
-  EXPECT_EQ(one.normal, eight.normal);
-  EXPECT_EQ(one.depth, eight.depth);
-  EXPECT_EQ(one.material, eight.material);
+  expect_same(one, draw(stage.path_setting(), front(), options));
 }
 
 // Of a wide picture fewer rows come at a time than the denoiser looks at around a pixel.
 TEST(Draw, RowsAtATimeDoNotShow) {
   const Stage stage = studio_stage();
-  DrawOptions options = denoised(2);
-  options.render.width = 528;
-  options.render.height = 44;
-  options.render.looks = 4;
+  DrawOptions options = with_layers(528, 44, 2);
   const Canvas rows = draw(stage.path_setting(), front(), options);
   options.render.seconds = 1e6;  // all rows at once
-  const Canvas whole = draw(stage.path_setting(), front(), options);
-  EXPECT_EQ(rows.alpha, whole.alpha);
-  EXPECT_EQ(rows.radiance, whole.radiance);
+  expect_same(rows, draw(stage.path_setting(), front(), options));
 }
 
 // What looks find has its material, also where no sample found it.
