@@ -3,12 +3,12 @@
 
 #include <cerrno>
 #include <string>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file_draft.hpp"
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
 
@@ -18,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Trouble = std::optional<Error>;
 
-constexpr mode_t kPermissions = 07777;
 constexpr mode_t kWritable = 0222;
 
 Error refusal(const fs::path& path, std::string_view why) {
@@ -40,10 +39,10 @@ Trouble objection(const fs::path& path, const struct stat& status, const FileSta
   return std::nullopt;
 }
 
-// The owner first: changing it takes special bits of the mode away.
-Trouble dress_as(TemporaryFile& file, const struct stat& old) {
-  if (auto trouble = file.set_owner(old.st_uid, old.st_gid)) return trouble;
-  return file.set_mode(old.st_mode & kPermissions);
+std::optional<Error> put(FileDraft& draft, std::string_view bytes) {
+  if (auto trouble = draft.write(bytes)) return trouble;
+  if (auto trouble = draft.finish()) return trouble;
+  return draft.publish();
 }
 
 }  // namespace
@@ -56,34 +55,28 @@ std::optional<Error> check_replaceable(const fs::path& path, const FileState& se
 
 std::optional<Error> replace_file(const fs::path& path, std::string_view bytes,
                                   const FileState& seen) {
-  std::error_code fault;
-  const fs::path target = fs::canonical(path, fault);
-  if (fault) return file_error("look at", path, fault.value());
-  struct stat old {};
-  if (::stat(target.c_str(), &old) != 0) return file_error("look at", path, errno);
-  if (auto trouble = objection(target, old, seen)) return trouble;
-  TemporaryFile file(target);
-  if (auto trouble = file.write(bytes)) return trouble;
-  if (auto trouble = dress_as(file, old)) return trouble;
-  if (auto trouble = file.make_durable()) return trouble;
-  // Writing takes time in which somebody else may have saved the file.
-  if (auto trouble = check_replaceable(target, seen)) return trouble;
-  return file.move_over();
+  FileDraft draft(path, seen);
+  return put(draft, bytes);
 }
 
 std::optional<Error> create_file(const fs::path& path, std::string_view bytes) {
-  TemporaryFile file(path);
-  if (auto trouble = file.write(bytes)) return trouble;
-  if (auto trouble = file.make_durable()) return trouble;
-  return file.move_to_free_place();
+  FileDraft draft(path, std::nullopt);
+  return put(draft, bytes);
+}
+
+Result<std::optional<FileState>> state_if_there(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 && errno == ENOENT) return std::optional<FileState>();
+  const auto seen = file_state(path);
+  if (!seen) return seen.error();
+  return std::optional(*seen);
 }
 
 std::optional<Error> write_file(const fs::path& path, std::string_view bytes) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 && errno == ENOENT) return create_file(path, bytes);
-  const auto seen = file_state(path);
+  const auto seen = state_if_there(path);
   if (!seen) return seen.error();
-  return replace_file(path, bytes, *seen);
+  FileDraft draft(path, *seen);
+  return put(draft, bytes);
 }
 
 }  // namespace gltfx

@@ -13,9 +13,10 @@
 namespace gltfx {
 
 /// Puts `bytes` in the place of the file that was `seen`: a temporary file in the same folder gets
-/// them, mode and owner, is made durable and renamed, and so is the folder. A symbolic link stays;
-/// what it leads to is replaced. Refused when the file is not as it was seen, has other hard links
-/// or is read-only. Nothing when the new bytes are durable, else why they are not.
+/// them, then owner, permissions and extended attributes of the old one, is made durable and
+/// renamed; the folder is made durable too. A symbolic link stays; what it leads to is replaced.
+/// Refused when the file is not as it was seen, has other hard links, is read-only, or has an
+/// attribute that cannot be kept. Nothing when the new bytes are durable, else why they are not.
 std::optional<Error> replace_file(const std::filesystem::path& path, std::string_view bytes,
                                   const FileState& seen);
 
@@ -24,6 +25,10 @@ std::optional<Error> check_replaceable(const std::filesystem::path& path, const 
 
 /// The same for a file that must not exist yet.
 std::optional<Error> create_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// What replaces a file or creates one: the state of the file at `path`, nothing where there is
+/// none.
+Result<std::optional<FileState>> state_if_there(const std::filesystem::path& path);
 
 /// Creates the file, or replaces it as it is now.
 std::optional<Error> write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -8,7 +8,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/stale_files.hpp"
@@ -18,8 +17,6 @@ namespace gltfx {
 namespace {
 
 using Trouble = std::optional<Error>;
-
-constexpr mode_t kNewFile = 0666;
 
 }  // namespace
 
@@ -38,13 +35,14 @@ Error file_error(std::string_view action, const std::filesystem::path& path, int
                       std::error_code(error, std::generic_category()).message())};
 }
 
-TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+TemporaryFile::TemporaryFile(std::filesystem::path target, unsigned mode)
+    : target_(std::move(target)) {
   remove_stale_files(target_);
   for (int attempt = 0; attempt < 1000 && !fd_; ++attempt) {
     name_ = temporary_name(target_, attempt);
     kept_.emplace(name_);
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
-    fd_ = UniqueFd(::open(name_.c_str(), kFlags, kNewFile));
+    constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW;
+    fd_ = UniqueFd(::open(name_.c_str(), kFlags, mode));
     error_ = errno;
     if (!fd_ && error_ != EEXIST) break;
   }
@@ -56,21 +54,10 @@ TemporaryFile::~TemporaryFile() {
 
 Trouble TemporaryFile::write(std::string_view bytes) {
   if (!fd_) return file_error("create a file beside", target_, error_);
-  if (!write_all(fd_.get(), bytes)) return file_error("write", target_, errno);
-  return std::nullopt;
-}
-
-Trouble TemporaryFile::set_mode(unsigned mode) {
-  if (::fchmod(fd_.get(), mode) == 0) return std::nullopt;
-  return file_error("keep the mode of", target_, errno);
-}
-
-Trouble TemporaryFile::set_owner(unsigned user, unsigned group) {
-  struct stat own {};
-  if (::fstat(fd_.get(), &own) != 0) return file_error("look at", target_, errno);
-  const bool same = own.st_uid == user && own.st_gid == group;
-  if (same || ::fchown(fd_.get(), user, group) == 0) return std::nullopt;
-  return file_error("keep the owner of", target_, errno);
+  if (write_all(fd_.get(), bytes)) return std::nullopt;
+  if (errno != EFAULT) return file_error("write", target_, errno);
+  return Error{fmt::format("cannot write {}: the file that it copies became shorter; run again",
+                           quoted(target_.native(), 200))};
 }
 
 // EINVAL: a file system that cannot make anything durable.
@@ -78,6 +65,8 @@ Trouble TemporaryFile::make_durable() {
   if (::fsync(fd_.get()) == 0 || errno == EINVAL) return std::nullopt;
   return file_error("write", target_, errno);
 }
+
+UniqueFd TemporaryFile::reader() const { return UniqueFd(::fcntl(fd_.get(), F_DUPFD_CLOEXEC, 0)); }
 
 Trouble TemporaryFile::move_over() {
   if (std::rename(name_.c_str(), target_.c_str()) != 0) {

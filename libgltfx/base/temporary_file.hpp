@@ -19,22 +19,22 @@ class TemporaryFile {
  public:
   /// Creates a file in the target's folder, without those that killed processes have left there for
   /// the same target; the first write() says when that failed. Links are not followed: `target` is
-  /// the place that is taken.
-  explicit TemporaryFile(std::filesystem::path target);
+  /// the place that is taken. `mode` as open() takes it.
+  explicit TemporaryFile(std::filesystem::path target, unsigned mode = 0666);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   std::optional<Error> write(std::string_view bytes);
-  /// Permissions, special bits included.
-  std::optional<Error> set_mode(unsigned mode);
-  std::optional<Error> set_owner(unsigned user, unsigned group);
   /// Makes the bytes durable, where the file system can.
   std::optional<Error> make_durable();
   /// Takes the place of what is at the target, durably.
   std::optional<Error> move_over();
   /// The same where there must be nothing yet.
   std::optional<Error> move_to_free_place();
+  /// The file open for reading.
+  UniqueFd reader() const;
+  int fd() const { return fd_.get(); }
 
  private:
   std::optional<Error> sync_folder() const;

@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include "base/replace_file.hpp"
@@ -29,6 +30,7 @@ TEST(FailingCalls, AReplacedFileIsTheOldOneOrTheNewOne) {
   const fs::path file = folder.path() / "a.gltf";
   test::fail_each_call([&](Call call, int number) {
     folder.write("a.gltf", "old");
+    ::setxattr(file.c_str(), "user.note", "x", 1, 0);  // where the file system has them
     const auto seen = file_state(file);
     FailingCall failing(call, number, EIO);
     const auto trouble = replace_file(file, "new", *seen);
@@ -101,6 +103,22 @@ TEST(FailingCalls, ADeniedOwnerIsAnError) {
   ASSERT_TRUE(trouble);
   EXPECT_THAT(trouble->message, HasSubstr("keep the owner"));
   EXPECT_EQ(content_of(file), "old");
+}
+
+TEST(FailingCalls, AnAttributeThatCannotBeKeptIsSaidBeforeAnythingIsReplaced) {
+  const TempFolder folder;
+  const fs::path file = folder.write("a.gltf", "old");
+  if (::setxattr(file.c_str(), "user.note", "mine", 4, 0) != 0) {
+    GTEST_SKIP() << "the file system has no extended attributes";
+  }
+  const auto seen = file_state(file);
+  ASSERT_TRUE(seen);
+  FailingCall failing(Call::fsetxattr, 1, ENOSPC);
+  const auto trouble = replace_file(file, "new", *seen);
+  ASSERT_TRUE(trouble);
+  EXPECT_THAT(trouble->message, HasSubstr("cannot keep the extended attribute 'user.note' of"));
+  EXPECT_EQ(content_of(file), "old");
+  EXPECT_EQ(folder.entries(), 1);
 }
 
 }  // namespace

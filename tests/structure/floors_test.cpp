@@ -67,7 +67,7 @@ const std::vector<std::string_view> kSystemHeaders{
     "sys/mman.h",    "sys/syscall.h",  "linux/openat2.h", "sys/socket.h",   "sys/types.h",
     "sys/wait.h",    "spawn.h",        "sys/prctl.h",     "sys/resource.h", "sys/time.h",
     "linux/audit.h", "linux/filter.h", "linux/seccomp.h", "malloc.h",       "sys/file.h",
-    "elf.h",         "link.h"};
+    "sys/xattr.h",   "elf.h",          "link.h"};
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 

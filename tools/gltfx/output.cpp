@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/file_attributes.hpp"
 #include "base/text.hpp"
 
 namespace gltfx::tool {
@@ -19,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t kPermissions = 07777;
+constexpr mode_t kOwnerOnly = 0600;
+constexpr mode_t kAnyNewFile = 0666;
 
 // The place a chain of links ends at, which may not exist yet.
 std::string resolved(const std::string& path) {
@@ -43,9 +45,9 @@ void Output::open() {
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
   if (!exists || S_ISREG(status.st_mode)) {
-    file_ = std::make_unique<TemporaryFile>(target);
+    file_ = std::make_unique<TemporaryFile>(target, exists ? kOwnerOnly : kAnyNewFile);
     note(file_->write({}));
-    if (exists && problem_.empty()) note(file_->set_mode(status.st_mode & kPermissions));
+    if (exists && problem_.empty()) note(keep_attributes(file_->fd(), target, status));
     return;
   }
   opened_ = UniqueFd(::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));

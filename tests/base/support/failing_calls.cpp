@@ -9,6 +9,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 namespace gltfx::test {
@@ -127,6 +128,22 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to,
 
 int link(const char* from, const char* to) noexcept {
   return call_system(Call::link, SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0);
+}
+
+ssize_t listxattr(const char* path, char* to, size_t size) noexcept {
+  return transfer(Call::listxattr, SYS_listxattr, path, to, size);
+}
+
+ssize_t getxattr(const char* path, const char* name, void* to, size_t size) noexcept {
+  return transfer(Call::getxattr, SYS_getxattr, path, name, to, size);
+}
+
+int fsetxattr(int fd, const char* name, const void* value, size_t size, int flags) noexcept {
+  return call_system(Call::fsetxattr, SYS_fsetxattr, fd, name, value, size, flags);
+}
+
+int fremovexattr(int fd, const char* name) noexcept {
+  return call_system(Call::fremovexattr, SYS_fremovexattr, fd, name);
 }
 
 }  // extern "C"

@@ -25,11 +25,17 @@ enum class Call {
   rename,
   renameat2,
   link,
+  listxattr,
+  getxattr,
+  fsetxattr,
+  fremovexattr,
 };
-constexpr std::array kCalls{
-    Call::open,   Call::openat, Call::stat,   Call::fstat,     Call::fstatat, Call::readlinkat,
-    Call::read,   Call::pread,  Call::write,  Call::mmap,      Call::access,  Call::fchmod,
-    Call::fchown, Call::fsync,  Call::rename, Call::renameat2, Call::link};
+constexpr std::array kCalls{Call::open,        Call::openat,     Call::stat,     Call::fstat,
+                            Call::fstatat,     Call::readlinkat, Call::read,     Call::pread,
+                            Call::write,       Call::mmap,       Call::access,   Call::fchmod,
+                            Call::fchown,      Call::fsync,      Call::rename,   Call::renameat2,
+                            Call::link,        Call::listxattr,  Call::getxattr, Call::fsetxattr,
+                            Call::fremovexattr};
 
 /// While it lives, the `number`-th `call` (from 1) of this thread fails with `error`; one at a
 /// time.
