@@ -30,6 +30,7 @@ class Bytes {
   }
   std::size_t size() const { return view_.size(); }
   bool empty() const { return view_.empty(); }
+  const std::shared_ptr<const void>& owner() const { return owner_; }
   /// A part of these bytes with the same owner. Precondition: it lies inside.
   Bytes part(std::size_t offset, std::size_t length) const {
     return {view_.subspan(offset, length), owner_};

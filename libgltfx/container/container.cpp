@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "container/file.hpp"
 #include "container/glb.hpp"
+#include "container/open_file.hpp"
 #include "container/sniff.hpp"
 #include "container/source.hpp"
 
@@ -65,7 +66,11 @@ Result<Container> open_mapped(const File& file, const std::filesystem::path& pat
 }  // namespace
 
 Result<Container> open_file(const std::filesystem::path& path, const OpenLimits& limits) {
-  const File file = open_regular(AT_FDCWD, path.c_str());
+  return open_file(open_regular(AT_FDCWD, path.c_str()), path, limits);
+}
+
+Result<Container> open_file(const File& file, const std::filesystem::path& path,
+                            const OpenLimits& limits) {
   if (file.fault != ResolveFault::none) return failure(path, file.fault, file.problem);
   if (file.size > limits.max_bytes) return too_large(path, file.size, limits.max_bytes);
   if (file.size <= kCopyBelow) return copy_whole(file, path);

@@ -8,19 +8,21 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
+#include <mutex>
+#include <vector>
 
 #include <sys/mman.h>
 #include <unistd.h>
 
 namespace gltfx {
 namespace container {
-namespace {
 
 struct Mapping {
   std::atomic<std::uintptr_t> begin{0};  ///< 0: free
   std::atomic<std::uintptr_t> end{0};
   std::atomic<bool> torn{false};
-  Mapping* next = nullptr;  ///< set before it is listed, never changed
+  std::atomic<std::size_t> read{0};  ///< bytes since its pages were let go
+  Mapping* next = nullptr;           ///< set before it is listed, never changed
 
   bool holds(std::uintptr_t address) const {
     return begin != 0 && begin <= address && address < end;
@@ -28,7 +30,9 @@ struct Mapping {
 };
 static_assert(std::atomic<std::uintptr_t>::is_always_lock_free);
 
-constexpr std::uintptr_t kTaken = 1;  // no address of a mapping
+namespace {
+
+constexpr std::size_t kMostResident = std::size_t{16} << 20U;
 
 std::atomic<Mapping*>& first_mapping() {
   static std::atomic<Mapping*> first{nullptr};
@@ -41,17 +45,51 @@ Mapping* find(std::uintptr_t address) {
   return at;
 }
 
-Mapping* take_free() {
-  for (Mapping* at = first_mapping(); at != nullptr; at = at->next) {
-    std::uintptr_t free = 0;
-    if (at->begin.compare_exchange_strong(free, kTaken)) return at;
+/// Entries of the list that hold no mapping now. Never destroyed: mappings may be freed last.
+struct FreeEntries {
+  std::mutex mutex;
+  std::vector<Mapping*> entries;
+  std::size_t listed = 0;  ///< all entries, for which there is room in `entries`
+};
+
+FreeEntries& free_entries() {
+  static auto* const kept = new FreeEntries;
+  return *kept;
+}
+
+Mapping* take_entry() {
+  FreeEntries& free = free_entries();
+  const std::lock_guard lock(free.mutex);
+  if (!free.entries.empty()) {
+    Mapping* const entry = free.entries.back();
+    free.entries.pop_back();
+    return entry;
   }
-  auto* fresh = new Mapping;  // stays listed until the process ends
-  fresh->begin = kTaken;
+  if (free.entries.capacity() <= free.listed) free.entries.reserve(2 * free.listed + 16);
+  auto* const fresh = new Mapping;  // stays listed until the process ends
+  ++free.listed;
   fresh->next = first_mapping();
-  while (!first_mapping().compare_exchange_weak(fresh->next, fresh)) {
-  }
+  first_mapping() = fresh;
   return fresh;
+}
+
+/// Ends a mapping with its last owner.
+struct Unmap {
+  Mapping* mapping;
+  std::size_t length;
+
+  void operator()(const void* mapped) const noexcept {
+    mapping->begin = 0;
+    ::munmap(const_cast<void*>(mapped), length);
+    FreeEntries& free = free_entries();
+    const std::lock_guard lock(free.mutex);
+    free.entries.push_back(mapping);
+  }
+};
+
+Mapping* mapping_of(const Bytes& bytes) {
+  const auto* const unmap = std::get_deleter<Unmap>(bytes.owner());
+  return unmap == nullptr ? nullptr : unmap->mapping;
 }
 
 std::uintptr_t address_of(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory); }
@@ -59,19 +97,27 @@ std::uintptr_t address_of(const void* memory) { return reinterpret_cast<std::uin
 }  // namespace
 
 std::shared_ptr<const void> own_mapping(void* start, std::size_t length) {
-  Mapping* const mapping = take_free();
+  Mapping* const mapping = take_entry();
   mapping->torn = false;
+  mapping->read = 0;
   mapping->end = address_of(start) + length;
   mapping->begin = address_of(start);
-  return {start, [mapping, length](const void* mapped) {
-            mapping->begin = 0;
-            ::munmap(const_cast<void*>(mapped), length);
-          }};
+  return {start, Unmap{mapping, length}};
 }
 
 bool is_torn(const Bytes& bytes) {
-  const Mapping* const mapping = find(address_of(bytes.view().data()));
+  const Mapping* const mapping = mapping_of(bytes);
   return mapping != nullptr && mapping->torn;
+}
+
+ReadMeter::ReadMeter(const Bytes& bytes) : mapping_(mapping_of(bytes)) {}
+
+// The mapping is read-only: its pages can be had again.
+void ReadMeter::add(std::size_t bytes) const {
+  if (mapping_ == nullptr || mapping_->read.fetch_add(bytes) + bytes < kMostResident) return;
+  mapping_->read = 0;
+  const std::uintptr_t begin = mapping_->begin;
+  ::madvise(reinterpret_cast<void*>(begin), mapping_->end - begin, MADV_DONTNEED);
 }
 
 }  // namespace container

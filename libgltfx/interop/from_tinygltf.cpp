@@ -12,6 +12,7 @@
 #include "base/replace_file.hpp"
 #include "base/text.hpp"
 #include "container/container.hpp"
+#include "container/pieces.hpp"
 #include "interop/model_text.hpp"
 #include "interop/stored_bytes.hpp"
 #include "upgrade/glb_rewrite.hpp"
@@ -57,7 +58,7 @@ class Serialization {
         container::open_bytes(container::Bytes::from_string(empty_glb()));
     auto whole = upgrade::rewrite_glb(frame, asset.bytes, {stored.take_bin(), {}});
     if (whole) {
-      asset.bytes = *std::move(whole);
+      asset.bytes = container::join(*whole);
     } else {
       notes_.fail(whole.error().message);
     }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "container/mapping.hpp"
 #include "model/resource_data.hpp"
 #include "model/views.hpp"
 
@@ -115,11 +116,14 @@ class AccessorData {
 template <typename T, typename Visit>
 void AccessorData::visit(Visit&& visit) const {
   const std::size_t block = block_elements();
+  const container::ReadMeter meter(base_);
   if (in_place<T>()) {
     const T* values = reinterpret_cast<const T*>(base_.view().data());
     for (std::uint64_t first = 0; first < count_; first += block) {
-      visit(values + first * components_,
-            static_cast<std::size_t>(std::min<std::uint64_t>(block, count_ - first)), first);
+      const auto elements =
+          static_cast<std::size_t>(std::min<std::uint64_t>(block, count_ - first));
+      visit(values + first * components_, elements, first);
+      meter.add(elements * sizeof(T) * components_);
     }
     return;
   }
@@ -130,6 +134,7 @@ void AccessorData::visit(Visit&& visit) const {
     const auto elements = static_cast<std::size_t>(std::min<std::uint64_t>(block, count_ - first));
     read(to, first, elements, next);
     visit(static_cast<const T*>(buffer.data()), elements, first);
+    if (!implied()) meter.add(elements * static_cast<std::size_t>(stride_));
   }
 }
 

@@ -4,12 +4,14 @@
 #include <string>
 #include <system_error>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
-#include "base/replace_file.hpp"
+#include "base/file_draft.hpp"
 #include "base/stale_files.hpp"
 #include "base/text.hpp"
-#include "container/container.hpp"
+#include "container/file.hpp"
+#include "container/pieces.hpp"
 #include "container/uri.hpp"
 
 namespace gltfx {
@@ -31,22 +33,31 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
   }
   const fs::path target = folder / path;
   if (auto trouble = make_folder(target.parent_path())) return trouble;
-  return put_file(target, resolved.bytes.text());
+  return put_file(target, resolved.bytes);
+}
+
+std::optional<Error> create(const fs::path& target, const container::Bytes& bytes) {
+  FileDraft draft(target, std::nullopt);
+  if (auto trouble = container::write_pieces(draft, {bytes})) return trouble;
+  if (auto trouble = draft.finish()) return trouble;
+  return draft.publish();
 }
 
 }  // namespace
 
-bool has_bytes(const fs::path& file, std::string_view bytes) {
-  const auto present = container::open_file(file);
-  return present && present->bytes.text() == bytes;
+bool has_bytes(const fs::path& file, const container::Bytes& bytes) {
+  const container::Loaded present =
+      container::load_file(container::open_regular(AT_FDCWD, file.c_str()));
+  return present.fault == container::ResolveFault::none &&
+         container::same_bytes(present.bytes, bytes);
 }
 
-std::optional<Error> put_file(const fs::path& target, std::string_view bytes) {
+std::optional<Error> put_file(const fs::path& target, const container::Bytes& bytes) {
   remove_stale_files(target);
   std::error_code fault;
   std::optional<Error> trouble;
   if (!fs::exists(target, fault)) {
-    trouble = create_file(target, bytes);
+    trouble = create(target, bytes);
     if (!trouble) return std::nullopt;
   }
   if (fs::exists(target, fault) && has_bytes(target, bytes)) return std::nullopt;

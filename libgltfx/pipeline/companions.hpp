@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 
 #include "base/result.hpp"
 #include "container/resolver.hpp"
@@ -22,11 +21,11 @@ std::set<std::string> referred_paths(const json::Document& document);
 std::optional<Error> make_folder(const std::filesystem::path& folder);
 
 /// Whether a regular file is there and holds these bytes.
-bool has_bytes(const std::filesystem::path& file, std::string_view bytes);
+bool has_bytes(const std::filesystem::path& file, const container::Bytes& bytes);
 
 /// Creates a file, whole and durable, unless it is there with the same bytes, which another run may
 /// be writing now. One with other bytes is not overwritten.
-std::optional<Error> put_file(const std::filesystem::path& target, std::string_view bytes);
+std::optional<Error> put_file(const std::filesystem::path& target, const container::Bytes& bytes);
 
 /// Copies every file below `folder`, under the name by which the document refers to it. One that is
 /// there with the same bytes stays; one with other bytes is not overwritten. References to files

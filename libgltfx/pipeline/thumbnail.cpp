@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/replace_file.hpp"
 #include "container/base64.hpp"
 #include "container/container.hpp"
+#include "container/pieces.hpp"
 #include "json/edit.hpp"
 #include "json/parse.hpp"
 #include "model/fields.hpp"
@@ -37,10 +39,17 @@ class Embedding {
     const std::string json = json::apply_edits(*container_.json, editor.take());
     if (container_.format == container::Format::gltf) return replace_file(path_, json, state_);
     const auto glb = upgrade::rewrite_glb(container_, json, {more_, {}});
-    return glb ? replace_file(path_, *glb, state_) : std::optional<Error>(glb.error());
+    return glb ? replace(*glb) : glb.error();
   }
 
  private:
+  std::optional<Error> replace(const std::vector<container::Bytes>& pieces) const {
+    FileDraft draft(path_, state_);
+    if (auto trouble = container::write_pieces(draft, pieces)) return trouble;
+    if (auto trouble = draft.finish()) return trouble;
+    return draft.publish();
+  }
+
   std::optional<Error> open() {
     const auto state = file_state(path_);
     if (!state) return state.error();

@@ -12,15 +12,16 @@
 
 #include <fmt/format.h>
 
-#include "base/replace_file.hpp"
 #include "base/text.hpp"
 #include "container/container.hpp"
+#include "container/pieces.hpp"
 #include "json/parse.hpp"
 #include "pipeline/companions.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_error.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "pipeline/upgraded_asset.hpp"
+#include "pipeline/write_upgrade.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/ambiguity.hpp"
 #include "upgrade/asset_pictures.hpp"
@@ -37,6 +38,7 @@ namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
+using Pieces = std::vector<container::Bytes>;
 
 /// One file on its way: read, planned, checked, written.
 class Upgrade {
@@ -57,11 +59,11 @@ class Upgrade {
   // The new bytes, checked as if they were to be written; nothing when there are none.
   std::optional<OpenedAsset> run_in_memory() {
     in_memory_ = true;
-    container::Bytes bytes;
-    if (!read() || !plan() || !report_.changes || !rebuild(bytes) || !is_no_worse(bytes)) {
-      return std::nullopt;
-    }
-    OpenedAsset asset{container::open_bytes(bytes, path_), with_new_files(), {}};
+    Pieces pieces;
+    if (!read() || !plan() || !report_.changes || !rebuild(pieces)) return std::nullopt;
+    OpenedAsset asset{
+        container::open_bytes(joined(std::move(pieces)), path_), with_new_files(), {}};
+    if (new_fault(asset.container)) return std::nullopt;
     asset.parsed = json::parse(asset.container.json);
     return asset;
   }
@@ -213,15 +215,10 @@ class Upgrade {
             : here.fault != container::ResolveFault::not_found) {
       return false;
     }
-    const fs::path there = target_folder() / path;
+    const fs::path there = target_folder(path_, options_) / path;
     std::error_code fault;
-    return !fs::exists(fs::symlink_status(there, fault)) || has_bytes(there, content);
-  }
-
-  fs::path target_folder() const {
-    const fs::path folder =
-        fs::path(options_.output.empty() ? path_ : options_.output).parent_path();
-    return folder.empty() ? fs::path(".") : folder;
+    return !fs::exists(fs::symlink_status(there, fault)) ||
+           has_bytes(there, {std::as_bytes(std::span(content)), nullptr});
   }
 
   bool wants_to_write() const {
@@ -229,82 +226,54 @@ class Upgrade {
   }
 
   void write() {
-    container::Bytes bytes = container_.bytes;
-    if (report_.changes && !(rebuild(bytes) && is_no_worse(bytes))) return;
-    const auto trouble =
-        options_.in_place ? write_in_place(bytes.text()) : write_elsewhere(bytes.text());
-    if (trouble) {
-      fail(UpgradeProblem::not_written, trouble->message);
+    Pieces pieces{container_.bytes};
+    if (report_.changes && !rebuild(pieces)) return;
+    const UpgradeSource source{path_, state_, container_, parsed_.document, resolver_};
+    const auto check = [this](const container::Container& written) { return new_fault(written); };
+    const auto failure = write_upgrade(source, options_, files_, pieces,
+                                       report_.changes ? UpgradeCheck(check) : nullptr);
+    if (failure) {
+      fail(failure->problem, failure->error);
       return;
     }
     report_.written = true;
     report_.written_to = options_.in_place ? path_ : options_.output;
   }
 
-  bool rebuild(container::Bytes& bytes) {
+  static container::Bytes joined(Pieces pieces) {
+    if (pieces.size() == 1) return std::move(pieces.front());
+    return container::Bytes::from_string(container::join(pieces));
+  }
+
+  bool rebuild(Pieces& pieces) {
     std::string json = json::apply_edits(*container_.json, edits_);
     if (container_.format == container::Format::gltf) {
-      bytes = container::Bytes::from_string(std::move(json));
+      pieces = {container::Bytes::from_string(std::move(json))};
       return true;
     }
     auto glb = upgrade::rewrite_glb(container_, json, bin_);
     if (!glb) return fail(UpgradeProblem::refused, glb.error().message);
-    bytes = container::Bytes::from_string(*std::move(glb));
+    pieces = *std::move(glb);
     return true;
   }
 
   container::Resolver with_new_files() const {
     container::Resolver resolver = resolver_;
     for (const upgrade::NewFile& file : files_) {
-      resolver.add(file.path, container::Bytes(std::as_bytes(std::span(*file.bytes)), file.bytes));
+      resolver.add(file.path, content_of(file));
     }
     return resolver;
   }
 
   // The new bytes may have no error that the old ones had not.
-  bool is_no_worse(const container::Bytes& bytes) {
+  std::optional<std::string> new_fault(const container::Container& changed) const {
     const container::Resolver with_files = with_new_files();
-    const auto code = new_error({container_, resolver_},
-                                {container::open_bytes(bytes, path_), with_files}, path_, schemas_);
-    if (!code) return true;
-    return fail(UpgradeProblem::refused,
-                fmt::format("the new file would have an error {} that the old one has not; mend "
-                            "what 'gltfx validate' reports first",
-                            *code));
-  }
-
-  // Before the asset that refers to them.
-  std::optional<Error> write_files() const {
-    for (const upgrade::NewFile& file : files_) {
-      if (auto trouble = put_file(target_folder() / file.path, *file.bytes)) return trouble;
-    }
-    return std::nullopt;
-  }
-
-  std::optional<Error> write_in_place(std::string_view bytes) {
-    if (auto trouble = check_replaceable(path_, state_)) return trouble;
-    if (auto trouble = write_files()) return trouble;
-    if (!options_.backup) return replace_file(path_, bytes, state_);
-    const fs::path copy = path_ + ".bak";
-    if (auto trouble = create_file(copy, container_.bytes.text())) return trouble;
-    auto trouble = replace_file(path_, bytes, state_);
-    std::error_code ignored;
-    if (trouble) fs::remove(copy, ignored);
-    return trouble;
-  }
-
-  std::optional<Error> write_elsewhere(std::string_view bytes) {
-    const fs::path target = options_.output;
-    std::error_code fault;
-    if (fs::equivalent(target, path_, fault)) return write_in_place(bytes);
-    const fs::path folder = target_folder();
-    const fs::path own = fs::path(path_).parent_path();
-    if (auto trouble = make_folder(folder)) return trouble;
-    if (!fs::equivalent(folder, own.empty() ? fs::path(".") : own, fault)) {
-      if (auto trouble = copy_companions(parsed_.document, resolver_, folder)) return trouble;
-    }
-    if (auto trouble = write_files()) return trouble;
-    return write_file(target, bytes);
+    const auto code = new_error({container_, resolver_}, {changed, with_files}, path_, schemas_);
+    if (!code) return std::nullopt;
+    return fmt::format(
+        "the new file would have an error {} that the old one has not; mend what 'gltfx validate' "
+        "reports first",
+        *code);
   }
 
   const std::string& path_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace gltfx::upgrade {
 namespace {
@@ -36,37 +37,50 @@ bool is_harmless(const container::ContainerFault& fault) {
 
 std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 
-void append_chunk(std::string& out, std::uint32_t type, std::string_view data, char filler) {
-  append_little_endian(out, padded(data.size()));
-  append_little_endian(out, type);
-  out += data;
-  out.append(padded(data.size()) - data.size(), filler);
+using container::Bytes;
+using Pieces = std::vector<Bytes>;
+
+std::string chunk_header(std::uint32_t type, std::uint64_t length) {
+  std::string header;
+  append_little_endian(header, length);
+  append_little_endian(header, type);
+  return header;
 }
 
-std::string changed(std::string_view bin, const BinChange& change) {
-  std::string data;
+std::size_t size_of(const Pieces& pieces) {
+  std::size_t size = 0;
+  for (const Bytes& piece : pieces) size += piece.size();
+  return size;
+}
+
+Pieces changed(const Bytes& bin, const BinChange& change) {
+  Pieces data;
   std::size_t at = 0;
   for (const ByteRange& range : change.cut) {
-    data += bin.substr(at, range.begin - at);
+    data.push_back(bin.part(at, range.begin - at));
     at = range.end;
   }
-  data += bin.substr(at);
-  return data += change.more;
+  data.push_back(bin.part(at, bin.size() - at));
+  data.push_back(Bytes::from_string(change.more));
+  return data;
 }
 
 /// What follows the JSON chunk: the BIN chunk's data, and all before and behind that chunk.
 struct Rest {
-  std::string_view before, bin, behind;
+  Bytes before, bin, behind;
 };
 
 Rest rest_of(const container::Container& container, bool bin_changes) {
+  const Bytes& old = container.bytes;
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    return old.part(begin, end - begin);
+  };
   const container::Chunk& chunk = container.chunks.front();
   const std::size_t begin = chunk.offset + chunk.length;
-  const std::string_view old = container.bytes.text();
-  if (!bin_changes || !container.bin) return {{}, {}, old.substr(begin)};
+  if (!bin_changes || !container.bin) return {{}, {}, part(begin, old.size())};
   const container::Chunk& bin = *container.bin;
-  return {old.substr(begin, bin.header_offset - begin), old.substr(bin.offset, bin.length),
-          old.substr(bin.offset + bin.length)};
+  const std::size_t end = bin.offset + bin.length;
+  return {part(begin, bin.header_offset), part(bin.offset, end), part(end, old.size())};
 }
 
 }  // namespace
@@ -80,26 +94,31 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
   return std::nullopt;
 }
 
-Result<std::string> rewrite_glb(const container::Container& container, std::string_view json,
-                                const BinChange& change) {
+Result<Pieces> rewrite_glb(const container::Container& container, std::string_view json,
+                           const BinChange& change) {
   const Rest rest = rest_of(container, !change.empty());
-  const std::string bin = changed(rest.bin, change);
+  const Pieces bin = changed(rest.bin, change);
+  const std::size_t bin_size = size_of(bin);
   json = without_padding(json);
-  const std::uint64_t added = change.empty() ? 0 : kChunkHeader + std::uint64_t{padded(bin.size())};
+  const std::uint64_t added = change.empty() ? 0 : kChunkHeader + std::uint64_t{padded(bin_size)};
   // What lies behind the last chunk is none of the asset and not counted.
   const std::size_t end = container.chunks.back().offset + container.chunks.back().length;
   const std::size_t uncounted = container.bytes.size() - end;
   const std::uint64_t total = kHeader + kChunkHeader + std::uint64_t{padded(json.size())} +
                               rest.before.size() + added + rest.behind.size() - uncounted;
   if (total > UINT32_MAX) return Error{"the new file would be longer than a GLB can be (4 GiB)"};
-  std::string bytes(container.bytes.text().substr(0, kHeader - 4));  // magic and version
-  bytes.reserve(total + uncounted);
-  append_little_endian(bytes, total);
-  append_chunk(bytes, container::kChunkJson, json, ' ');
-  bytes += rest.before;
-  if (!change.empty()) append_chunk(bytes, container::kChunkBin, bin, '\0');
-  bytes += rest.behind;
-  return bytes;
+  std::string head(container.bytes.text().substr(0, kHeader - 4));  // magic and version
+  append_little_endian(head, total);
+  head += chunk_header(container::kChunkJson, padded(json.size()));
+  head.append(json).append(padded(json.size()) - json.size(), ' ');
+  Pieces pieces{Bytes::from_string(std::move(head)), rest.before};
+  if (!change.empty()) {
+    pieces.push_back(Bytes::from_string(chunk_header(container::kChunkBin, padded(bin_size))));
+    pieces.insert(pieces.end(), bin.begin(), bin.end());
+    pieces.push_back(Bytes::from_string(std::string(padded(bin_size) - bin_size, '\0')));
+  }
+  pieces.push_back(rest.behind);
+  return pieces;
 }
 
 }  // namespace gltfx::upgrade

@@ -32,8 +32,9 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 
 /// The file with `json` in place of its JSON and a changed BIN chunk: header and lengths follow,
 /// all else stays byte for byte, as does what may follow the last chunk uncounted. An Error when
-/// the new file would be too long for its header. Precondition: a GLB without obstacle.
-Result<std::string> rewrite_glb(const container::Container& container, std::string_view json,
-                                const BinChange& bin = {});
+/// the new file would be too long for its header. Precondition: a GLB without obstacle. The pieces,
+/// in order, are the file; what stays is shown where it is, not copied.
+Result<std::vector<container::Bytes>> rewrite_glb(const container::Container& container,
+                                                  std::string_view json, const BinChange& bin = {});
 
 }  // namespace gltfx::upgrade

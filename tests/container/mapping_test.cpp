@@ -3,10 +3,13 @@
 
 #include <gltfx/mapping.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <string_view>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -89,6 +92,50 @@ TEST(Mapping, AMappingThatIsGoneIsForgotten) {
   EXPECT_FALSE(repair_mapping(address));
   const Loaded again = load_file(open_regular(AT_FDCWD, path.c_str()));
   EXPECT_FALSE(is_torn(again.bytes));
+}
+
+long resident_kib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("RssFile:")) return std::stol(line.substr(8));
+  }
+  return 0;
+}
+
+TEST(Mapping, AReaderWithAMeterKeepsFewPagesResident) {
+  const TempFolder folder;
+  const auto path = folder.write("big", "x");
+  std::filesystem::resize_file(path, std::size_t{96} << 20U);
+  const Loaded loaded = load_file(open_regular(AT_FDCWD, path.c_str()));
+  const ReadMeter meter(loaded.bytes.part(4096, 4096));
+  constexpr std::size_t kStep = 65536;
+  const long before = resident_kib();
+  long most = 0;
+  std::size_t zeros = 0;
+  for (std::size_t at = 0; at < loaded.bytes.size(); at += kStep) {
+    const std::string_view step = loaded.bytes.text().substr(at, kStep);
+    zeros += static_cast<std::size_t>(std::count(step.begin(), step.end(), '\0'));
+    meter.add(step.size());
+    if (at % (kStep * 64) == 0) most = std::max(most, resident_kib() - before);
+  }
+  EXPECT_EQ(zeros, loaded.bytes.size() - 1);
+  EXPECT_LT(most, 32 << 10);
+  EXPECT_EQ(loaded.bytes.text().front(), 'x');
+  const std::string text(100, 'y');
+  const Bytes own = Bytes::from_string(text);
+  ReadMeter(own).add(std::size_t{1} << 30U);
+  EXPECT_EQ(own.text(), text);
+}
+
+TEST(Mapping, MetersCountPerFile) {
+  const TempFolder folder;
+  const auto path = folder.write("big", std::string(1U << 20U, 'x'));
+  const Loaded loaded = load_file(open_regular(AT_FDCWD, path.c_str()));
+  const Loaded other = load_file(open_regular(AT_FDCWD, path.c_str()));
+  ReadMeter(loaded.bytes).add(std::size_t{1} << 30U);
+  ReadMeter(other.bytes).add(1);
+  EXPECT_EQ(loaded.bytes.text(), other.bytes.text());
+  EXPECT_FALSE(is_torn(loaded.bytes));
 }
 
 }  // namespace
