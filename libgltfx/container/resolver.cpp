@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/resolver.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 
 #include "container/sniff.hpp"
 
@@ -36,6 +39,47 @@ std::string relative_base(const std::filesystem::path& root, const std::filesyst
   return relative.native() + '/';
 }
 
+/// The components of a path, without those that name nothing.
+std::vector<std::string_view> components(std::string_view path) {
+  std::vector<std::string_view> names;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    const std::string_view name = path.substr(begin, end - begin);
+    if (!name.empty() && name != ".") names.push_back(name);
+    begin = end + 1;
+  }
+  return names;
+}
+
+// Where an open folder lies now; empty where the system does not tell.
+std::string path_of(int folder) {
+  std::error_code error;
+  return std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", folder), error).native();
+}
+
+// `path` seen from the root. One that leaves the root and names the root's own folders on the way
+// back is shortened by that; whatever it then passes is still opened beneath the root.
+std::string from_root(int root, const std::string& base, std::string_view path) {
+  std::string whole = base + std::string(path);
+  std::size_t up = 0;
+  const std::vector<std::string_view> names = components(path);
+  while (up < names.size() && names[up] == "..") ++up;
+  const std::size_t depth = components(base).size();
+  if (up <= depth) return whole;
+  const std::size_t above = up - depth;
+  const std::string own_path = path_of(root);
+  const std::vector<std::string_view> own = components(own_path);
+  if (above > own.size() || above > names.size() - up) return whole;
+  const auto back = names.begin() + static_cast<std::ptrdiff_t>(up);
+  if (!std::equal(own.end() - static_cast<std::ptrdiff_t>(above), own.end(), back)) return whole;
+  std::string inside;
+  for (auto name = back + static_cast<std::ptrdiff_t>(above); name != names.end(); ++name) {
+    inside.append(inside.empty() ? "" : "/").append(*name);
+  }
+  if (inside.empty()) return ".";
+  return path.ends_with('/') ? inside + '/' : inside;
+}
+
 }  // namespace
 
 Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
@@ -60,7 +104,7 @@ ResolveFault Resolver::open_at(std::string_view path, File& file) const {
   } else if (path.starts_with('/')) {
     file = file_fault(EXDEV);
   } else {
-    file = open_beneath(root_->get(), base_ + std::string(path), confinement_);
+    file = open_beneath(root_->get(), from_root(root_->get(), base_, path), confinement_);
   }
   if (log_) log_->add({std::string(path), file.fault});
   return file.fault;

@@ -54,7 +54,8 @@ class Resolver {
   Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
            Confinement confinement = Confinement::automatic);
 
-  /// Opens `path` (percent-decoded, '/' separated). Symbolic links are followed while they stay
+  /// Opens `path` (percent-decoded, '/' separated). A path may leave the root as far as it names
+  /// the folders on the way back in ("../A/x" in "A"). Symbolic links are followed while they stay
   /// inside the root; only regular files are opened, without blocking.
   Resolved open(std::string_view path) const;
   /// From now on open() gives these bytes for a path, spelled as container::Uri has it, whatever is

@@ -2,6 +2,7 @@
 #include "container/uri.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -70,6 +71,21 @@ std::string remove_dot_segments(std::string_view path) {
   for (const std::string_view segment : segments) out.append(segment).push_back('/');
   if (!folder) out.pop_back();
   return out;
+}
+
+bool leads_up(std::string_view path) { return path == ".." || path.starts_with("../"); }
+
+/// Where readers end up that take a decoded path for one of the file system: doubled slashes are
+/// one, and '\\' may be a slash. Only told where it leads out of the folder; empty otherwise.
+std::string way_out(std::string_view decoded) {
+  std::string path;
+  for (const char c : decoded) {
+    const char next = c == '\\' ? '/' : c;
+    if (next != '/' || !path.ends_with('/')) path += next;
+  }
+  if (path.starts_with('/')) return path;
+  path = remove_dot_segments(path);
+  return leads_up(path) ? path : std::string();
 }
 
 /// A ':' in the first segment would read as the end of a scheme.
@@ -172,10 +188,12 @@ Uri classify_uri(std::string_view uri) {
   const std::size_t scheme = scheme_end(uri);
   if (scheme != npos) return absolute(uri, scheme);
   const bool rooted = !uri.empty() && (uri.front() == '/' || uri.front() == '\\');
-  if (rooted || uri.find_first_of("?#") != npos) {
+  const std::size_t path_end = std::min(uri.find_first_of("?#"), uri.size());
+  if (rooted || path_end < uri.size()) {
     out.kind = UriKind::non_relative;
     out.normalized = normalize_escapes(uri, "?#");
-    out.local = rooted && !uri.starts_with("//");
+    const bool host = uri.starts_with("//") && !uri.starts_with("///");
+    out.local = rooted ? !host : leads_up(classify_uri(uri.substr(0, path_end)).path);
     return out;
   }
   out.problem = find_problem(uri);
@@ -184,6 +202,10 @@ Uri classify_uri(std::string_view uri) {
   out.normalized = hide_colons(normalized);
   // Again, because an escaped slash may have hidden a dot segment.
   out.path = remove_dot_segments(percent_decode(normalized));
+  if (!leads_up(out.path)) {
+    if (std::string out_of = way_out(percent_decode(normalize_escapes(uri))); !out_of.empty())
+      out.path = std::move(out_of);
+  }
   if (out.path.find('\0') != npos) out.path.clear();
   out.lenient_path = out.kind == UriKind::invalid && !out.path.empty();
   return out;

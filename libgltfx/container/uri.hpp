@@ -22,14 +22,15 @@ enum class UriKind : std::uint8_t {
 struct Uri {
   UriKind kind = UriKind::invalid;
   /// relative_path: percent-decoded, '/' separated, "." and ".." segments removed (RFC 3986 section
-  /// 5.2.4) but for ".." at the front. It never holds a NUL.
+  /// 5.2.4) but for ".." at the front. Where readers differ, as about "a//../../b", it is the way
+  /// that leads out of the folder. It never holds a NUL.
   std::string path;
   /// As reports print it: what may not stand in a URI is percent-encoded, escapes of letters and
   /// digits are undone, hexadecimal digits are upper case.
   std::string normalized;
   std::string problem;  ///< invalid: why, as the printable end of a sentence ("it ... at byte 3")
-  /// non_relative: names a place of this machine or its network, such as "/etc", "C:\\a" or
-  /// "file:".
+  /// non_relative: names a place of this machine or its network, such as "/etc", "C:\\a", "file:"
+  /// or "../a?b".
   bool local = false;
   /// invalid: a lenient reader still takes it for a relative path, which `path` and `normalized`
   /// then hold ('\\' read as '/', a stray '%' as itself). False where nobody can.

@@ -97,8 +97,28 @@ TEST_P(ResolverTest, ParentFoldersNeverLeadOut) {
   EXPECT_EQ(read("../outside/secret"), outside_);
   EXPECT_EQ(read("sub/../../outside/secret"), outside_);
   EXPECT_EQ(read("../../outside/secret", "inside/sub"), outside_);
-  EXPECT_EQ(read("../inside/a.bin"), outside_);
   EXPECT_EQ(read(".."), outside_);
+}
+
+TEST_P(ResolverTest, AWayOutThatNamesTheWayBackInStaysInside) {
+  EXPECT_EQ(read("../inside/a.bin"), "content of a");
+  EXPECT_EQ(read("..//inside/./sub/../a.bin"), "content of a");
+  EXPECT_EQ(read("../../inside/a.bin", "inside/sub"), "content of a");
+  const std::string parent = folder_.path().filename().native();
+  EXPECT_EQ(read("../../" + parent + "/inside/a.bin"), "content of a");
+  EXPECT_EQ(read("../../" + parent + "/outside/secret"), outside_);
+  EXPECT_EQ(read("../inside/../outside/secret"), outside_);
+  EXPECT_EQ(read("../inside/"), fault(ResolveFault::not_regular));
+  EXPECT_EQ(read("../insid/a.bin"), outside_);
+  EXPECT_EQ(read("../insidee/a.bin"), outside_);
+}
+
+TEST_P(ResolverTest, LinksOnTheWayBackInStillLeadNowhereElse) {
+  folder_.link("inside/out", "../outside/secret");
+  EXPECT_EQ(read("../inside/out"), outside_);
+  // The names of links to the root are not those of the root.
+  folder_.link("alias", "inside");
+  EXPECT_EQ(read("../alias/a.bin"), outside_);
 }
 
 TEST_P(ResolverTest, AbsolutePathsAreOutside) {

@@ -69,6 +69,30 @@ TEST(Uri, WhatLeadsElsewhereIsNonRelative) {
   }
 }
 
+// Readers decode, merge slashes and follow dots in different orders: none may be led out unseen.
+TEST(Uri, WaysOutOfTheFolderAreSeenInAnySpelling) {
+  for (const char* uri : {"../x", "%2e%2e/x", "%2E./x", "..%2fx", "..%2Fx", "a/../../x", "./../x",
+                          "a//../../x", "a/%2e%2e//../x", "..%5cx", "a%5c..%5c..%5cx", ".//..//x",
+                          "a/..%2f..%2fx", "..\\x", "a%2f..%2f../x", "../"}) {
+    const Uri found = classify_uri(uri);
+    EXPECT_EQ(found.path.substr(0, 3), "../") << uri << " " << found.path;
+  }
+  for (const char* uri : {"/x", "%2fx", "%2Fetc/passwd", "%5cetc%5cpasswd"}) {
+    const Uri found = classify_uri(uri);
+    EXPECT_TRUE(found.local || found.path.substr(0, 1) == "/") << uri << " " << found.path;
+  }
+  for (const char* uri :
+       {"///x", "\\\\host\\x", "../x?y", "a/../../x#y", "%2e%2e/x?", "C:/x", "FILE:///x"}) {
+    EXPECT_TRUE(classify_uri(uri).local) << uri;
+  }
+  for (const char* uri : {"x?y", "a/../x#y", "https://h/../x", "//h/x"}) {
+    EXPECT_FALSE(classify_uri(uri).local) << uri;
+  }
+  for (const char* uri : {"a/../x", "a//x", "...", ".../x", "..x", "a..", "a%5cx"}) {
+    EXPECT_NE(classify_uri(uri).path.substr(0, 3), "../") << uri;
+  }
+}
+
 TEST(Uri, NonRelativeOnesArePrintedNormalizedToo) {
   EXPECT_EQ(classify_uri("HTTP://h/a b?c#d").normalized, "http://h/a%20b?c#d");
   EXPECT_EQ(classify_uri("C:\\x").normalized, "c:/x");

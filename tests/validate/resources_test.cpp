@@ -86,6 +86,27 @@ TEST(Files, ThatCannotBeRead) {
   EXPECT_EQ(folder.found(outside, Profile::khronos), (Lines{"IO_ERROR /buffers/0/uri"}));
 }
 
+TEST(Files, OutsideOfTheFolderAreErrorsInAnySpelling) {
+  Folder folder;
+  folder.files().write("outside.bin", "12345678");
+  folder.files().write("asset/in.bin", "12345678");
+  const Lines outside{"URI_OUTSIDE_ROOT /buffers/0/uri"};
+  for (const char* const uri :
+       {"../outside.bin", "%2e%2e/outside.bin", "..%2foutside.bin", "x//../../outside.bin",
+        "..%5coutside.bin", "./.././outside.bin", "../outside.bin?a=b", "../outside.bin#x",
+        "/etc/hostname", "///etc/hostname", "%2fetc/hostname", "file:///etc/hostname", "C:/x.bin",
+        "../asset/../outside.bin"}) {
+    EXPECT_EQ(folder.found(R"({"byteLength": 8, "uri": ")" + std::string(uri) + "\"}"), outside)
+        << uri;
+  }
+  for (const char* const uri :
+       {"in.bin", "../asset/in.bin", "%2E%2e/asset/in.bin", "..//asset//in.bin",
+        "..%2fasset%2fin.bin", "./../asset/./in.bin", "x/../../asset/in.bin"}) {
+    EXPECT_EQ(folder.found(R"({"byteLength": 8, "uri": ")" + std::string(uri) + "\"}"), Lines{})
+        << uri;
+  }
+}
+
 TEST(Files, ThatStandForThemselvesInGitLfsAreCountedAsNotVerified) {
   Folder folder;
   folder.files().write("asset/a.bin",
