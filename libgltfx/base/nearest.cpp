@@ -39,33 +39,35 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-bool is_same_but_for_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return ascii_lower(x) == ascii_lower(y); });
+// What is left where neither case nor '_' count: "base_color_factor" is "baseColorFactor".
+std::string letters_of(std::string_view word) {
+  std::string letters = lower_case(word);
+  letters.erase(std::remove(letters.begin(), letters.end(), '_'), letters.end());
+  return letters;
 }
 
-// A third of the letters may be wrong, or the case of all.
-std::size_t tolerance(std::string_view a, std::string_view b) {
-  const std::size_t length = std::min(a.size(), b.size());
-  return is_same_but_for_case(a, b) ? length * (kEdit / 2) : length / 3 * kEdit;
-}
+// Farther words are a guess.
+constexpr std::size_t kMostEdits = 2;
 
-// Shorter words begin too many others.
-constexpr std::size_t kShortestBeginning = 3;
-
-// Whether one of the words is the other one's beginning: "MASKED", "CUBIC".
+// Whether one of the words is the other one's beginning, as of "MASKED".
 bool begins(std::string_view a, std::string_view b) {
   const std::size_t length = std::min(a.size(), b.size());
-  return length >= kShortestBeginning &&
-         is_same_but_for_case(a.substr(0, length), b.substr(0, length));
+  return length >= 3 && lower_case(a.substr(0, length)) == lower_case(b.substr(0, length));
 }
 
-// The only candidate that begins like the word, or empty.
-std::string_view only_one_that_begins(std::string_view word,
-                                      std::span<const std::string_view> candidates) {
+// A third of the letters may be wrong, but no more than two; an ending may have two in any word.
+std::size_t tolerance(std::string_view a, std::string_view b) {
+  const std::size_t edits = begins(a, b) ? kMostEdits : std::min(a.size(), b.size()) / 3;
+  return std::min(edits, kMostEdits) * kEdit;
+}
+
+// The only candidate of which the word is another spelling, or empty.
+std::string_view only_other_spelling(std::string_view word,
+                                     std::span<const std::string_view> candidates) {
+  const std::string letters = letters_of(word);
   std::string_view found;
   for (const std::string_view candidate : candidates) {
-    if (!begins(word, candidate) || candidate == found) continue;
+    if (letters.empty() || candidate == found || letters_of(candidate) != letters) continue;
     if (!found.empty()) return {};
     found = candidate;
   }
@@ -89,7 +91,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
       best_distance = found;
     }
   }
-  return best.empty() ? only_one_that_begins(word, candidates) : best;
+  return best.empty() ? only_other_spelling(word, candidates) : best;
 }
 
 }  // namespace gltfx

@@ -25,9 +25,8 @@ std::size_t count_code_points(std::string_view text);
 /// the inverse: bytes taken by the first `code_points` code points of `text`.
 std::size_t bytes_of_code_points(std::string_view text, std::size_t code_points);
 
-/// The candidate nearest to `word` by Damerau-Levenshtein distance (case counts half); if none is
-/// near, the only one of which the word is the beginning or the other way round ("MASKED" for
-/// "MASK"); or empty when nothing is likely to be what the author meant.
+/// The candidate nearest to `word` by Damerau-Levenshtein distance (case counts half) and at most
+/// two edits away; if there is none, the only one that differs in case and '_' alone; or empty.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// "a", "a or b", "a, b or c"; more than `limit` items end in "or N others".

@@ -59,14 +59,21 @@ TEST(Nearest, VeryLongWordsAreNotCompared) {
   EXPECT_EQ(nearest(std::string_view(name).substr(1), names), name);
 }
 
-TEST(Nearest, FallsBackToTheOnlyNameThatBeginsTheSame) {
-  constexpr std::string_view kModes[]{"OPAQUE", "MASK", "BLEND"};
+TEST(Nearest, IsAtMostTwoEditsAway) {
+  EXPECT_EQ(nearest_name("roughnessFctr"), "roughnessFactor");
+  EXPECT_EQ(nearest_name("roughnesFctr"), "");
+  constexpr std::string_view kModes[]{"OPAQUE", "MASK", "LINEAR", "CUBICSPLINE"};
+  EXPECT_EQ(nearest("CUBIC", kModes), "");
   EXPECT_EQ(nearest("MASKED", kModes), "MASK");
-  EXPECT_EQ(nearest("blended", kModes), "BLEND");
-  constexpr std::string_view kFactors[]{"baseColorFactor", "baseColorTexture", "strength"};
-  EXPECT_EQ(nearest("str", kFactors), "strength");
-  EXPECT_EQ(nearest("st", kFactors), "");
-  EXPECT_EQ(nearest("base", kFactors), "");
+  EXPECT_EQ(nearest("OPAK", kModes), "");
+}
+
+TEST(Nearest, IsAlsoWhatDiffersOnlyInCaseAndUnderscores) {
+  constexpr std::string_view kSpelled[]{"KHR_materials_unlit", "doubleSided"};
+  EXPECT_EQ(nearest("khrMaterialsUnlit", kSpelled), "KHR_materials_unlit");
+  EXPECT_EQ(nearest("DOUBLE_SIDED", kSpelled), "doubleSided");
+  constexpr std::string_view kTwins[]{"base_color", "BASEcOLOR"};
+  EXPECT_EQ(nearest("bASE_Color_", kTwins), "");
 }
 
 }  // namespace
