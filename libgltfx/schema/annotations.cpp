@@ -77,4 +77,19 @@ Literal read_literal(const json::Document& document, json::NodeId node) {
   return literal;
 }
 
+std::vector<Literal> read_literals(const Build& build, Site list) {
+  const json::Document& document = build.document(list);
+  std::vector<Literal> all;
+  if (document.kind(list.node) == json::Kind::number_array) {
+    for (json::NumberCursor at(document, list.node); at.valid(); at.advance()) {
+      all.emplace_back().kind = Literal::Kind::number;
+      all.back().number = at.number().value;
+    }
+    return all;
+  }
+  for (const json::NodeId item : document.elements(list.node))
+    all.push_back(read_literal(document, item));
+  return all;
+}
+
 }  // namespace gltfx::schema

@@ -125,8 +125,12 @@ class ExtensionBuilder {
     const Site map = word("enumAdditions");
     if (!map.exists()) return all;
     for (const auto& member : build_.document(map).members(map.node)) {
-      all.emplace_back(build_.document(map).key(member.key_id),
-                       read_names(build_, {source_, member.value}));
+      std::vector<std::string> values;
+      for (const Literal& literal : read_literals(build_, {source_, member.value})) {
+        const bool number = literal.kind == Literal::Kind::number;
+        values.push_back(number ? number_text(literal.number) : literal.string);
+      }
+      all.emplace_back(build_.document(map).key(member.key_id), std::move(values));
     }
     return all;
   }

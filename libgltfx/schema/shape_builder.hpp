@@ -54,7 +54,6 @@ class ShapeBuilder {
   std::vector<Property> read_properties(const Members& members, const Where& where);
   Property read_property(Site schema, std::string_view name, const Where& where);
   std::uint32_t pattern(std::string_view expression);
-  std::vector<Literal> literals(Site list) const;
   void fault_misspelt_required(const Members& members, const ObjectType& type);
 
   Build& build_;
@@ -70,5 +69,6 @@ Target read_target(const Build& build, Site text);
 Upgrade read_upgrade(const Build& build, Site upgrade);
 std::vector<std::string> read_names(const Build& build, Site list);
 Literal read_literal(const json::Document& document, json::NodeId node);
+std::vector<Literal> read_literals(const Build& build, Site list);
 
 }  // namespace gltfx::schema

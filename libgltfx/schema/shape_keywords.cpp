@@ -39,7 +39,7 @@ void ShapeBuilder::read_keyword(Keyword keyword, Site value, const Where& where,
       for (const std::string& name : read_names(build_, value)) shape.types |= type_bit(name);
       return;
     case Keyword::enumeration:
-      shape.literals = literals(value);
+      shape.literals = read_literals(build_, value);
       return;
     case Keyword::constant:
       shape.literals = {read_literal(build_.document(value), value.node)};
@@ -194,21 +194,6 @@ void ShapeBuilder::read_annotation(Site annotation, Shape& shape) {
       }
     }
   }
-}
-
-std::vector<Literal> ShapeBuilder::literals(Site list) const {
-  const json::Document& document = build_.document(list);
-  std::vector<Literal> all;
-  if (document.kind(list.node) == json::Kind::number_array) {
-    for (json::NumberCursor at(document, list.node); at.valid(); at.advance()) {
-      all.emplace_back().kind = Literal::Kind::number;
-      all.back().number = at.number().value;
-    }
-    return all;
-  }
-  for (const json::NodeId item : document.elements(list.node))
-    all.push_back(read_literal(document, item));
-  return all;
 }
 
 std::uint32_t ShapeBuilder::pattern(std::string_view expression) {

@@ -102,12 +102,13 @@ Path Walker::path_of(json::NodeId node, Step step) const {
 }
 
 void Walker::report(const Path& path, std::string_view code, Span span, std::string message,
-                    std::string help) {
+                    std::string help, std::optional<Severity> severity) {
   Finding finding;
   finding.code = code;
   finding.message = std::move(message);
   finding.help = std::move(help);
   finding.span = span;
+  finding.severity = severity;
   schema_sink_.report(path, std::move(finding));
 }
 

@@ -91,11 +91,11 @@ void Walker::no_alternative(const std::vector<ShapeId>& branches, bool exactly_o
   const bool number = kind == json::Kind::number;
   const auto listed = [&](ShapeId b) { return b != kNone && !set_.shape(b).literals.empty(); };
   const bool list = std::all_of(branches.begin(), branches.end(), listed);
-  const std::string_view code = list     ? "VALUE_NOT_IN_LIST"
-                                : number ? "VALUE_NOT_IN_RANGE"
-                                         : "CONDITION_MISMATCH";
-  report(path, code, kind == json::Kind::object ? opening(value.node) : values_.span(value),
-         name_of(path) + " is " + shown(values_, value) + "; it must be " + join_or(forms) + ".");
+  const Span span = kind == json::Kind::object ? opening(value.node) : values_.span(value);
+  std::string message =
+      name_of(path) + " is " + shown(values_, value) + "; it must be " + join_or(forms) + ".";
+  if (list) return report_unlisted(path, span, std::move(message), {});
+  report(path, number ? "VALUE_NOT_IN_RANGE" : "CONDITION_MISMATCH", span, std::move(message));
 }
 
 void Walker::forbidden(const Shape& shape, Value value, const Path& path) {

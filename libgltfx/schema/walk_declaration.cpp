@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // extensionsUsed and extensionsRequired.
+#include <algorithm>
+
 #include "base/text.hpp"
 #include "schema/form_check.hpp"
 #include "schema/walker.hpp"
@@ -23,6 +25,10 @@ void Walker::read_declarations() {
   };
   read("extensionsUsed", used_, result_.extensions_used);
   read("extensionsRequired", required_, result_.extensions_required);
+  const auto unknown =
+      std::find_if(result_.extensions_used.begin(), result_.extensions_used.end(),
+                   [&](const std::string& name) { return set_.find_extension(name) == kNone; });
+  if (unknown != result_.extensions_used.end()) unknown_extension_ = *unknown;
 }
 
 bool Walker::is_declared(json::KeyId key) {
@@ -46,12 +52,13 @@ void Walker::declarations() {
     }
   };
   each("extensionsUsed", [&](const Path& path, const std::string& name, Span span) {
-    if (!is_extension_name(name)) {
+    // In the default profile rules behind the walk say so: they know what names are in use, and
+    // what is used.
+    if (khronos() && !is_extension_name(name)) {
       report(path, "INVALID_EXTENSION_NAME_FORMAT", span,
              quoted(name) + " is no name of an extension; names look like VENDOR_what_it_does.");
     }
     const ExtensionId id = set_.find_extension(name);
-    // In the default profile a rule behind the walk says so, and knows whether it is used.
     if (khronos() && !looks_into(id, name)) {
       report(path, "UNSUPPORTED_EXTENSION", span,
              quoted(name) + " is not supported: what it says was not checked.");

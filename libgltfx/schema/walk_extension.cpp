@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "schema/extension_names.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
 
@@ -55,6 +56,13 @@ bool Walker::looks_into(ExtensionId id, std::string_view name) const {
   return !khronos() || (set_.extensions()[id].khronos_validator && is_declared(name));
 }
 
+std::string Walker::undeclared_help(std::string_view name) {
+  std::string_view meant;
+  if (!khronos() && suggestions_left_-- > 0) meant = misspelt_extension(set_, name);
+  if (!meant.empty()) return "did you mean " + quoted(meant) + "?";
+  return "add \"" + printable(name) + "\" to \"extensionsUsed\"";
+}
+
 bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) {
   const std::string_view name = document_.key(key);
   const Path path(frame.path, name);
@@ -73,8 +81,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
   const ExtensionId id = names_.extension(key);
   if (!is_declared(key)) {
     report(path, "UNDECLARED_EXTENSION", document_.span(node - 1),
-           quoted(name) + " is used here but not declared.",
-           "add \"" + printable(name) + "\" to \"extensionsUsed\"");
+           quoted(name) + " is used here but not declared.", undeclared_help(name));
   }
   if (!looks_into(id, name)) return false;
   const ShapeId shape = home(frame, id, path, node);

@@ -303,9 +303,10 @@ void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId va
                std::string(set_.pattern_text(shape.pattern)) + ".");
   } else if (!shape.literals.empty() &&
              std::none_of(shape.literals.begin(), shape.literals.end(), equal)) {
-    report(path, "VALUE_NOT_IN_LIST", span,
-           "The name " + quoted(name) + " is not allowed here; it must be " + list_phrase(shape) +
-               ".");
+    report_unlisted(
+        path, span,
+        "The name " + quoted(name) + " is not allowed here; it must be " + list_phrase(shape) + ".",
+        {});
   }
   const std::size_t length = count_code_points(name);
   if (length >= shape.min_length && length <= shape.max_length) return;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace gltfx::schema {
 namespace {
@@ -192,6 +193,17 @@ class Maker {
     return homes;
   }
 
+  // A value as the list that it is added to has them: numbers are kept as their text.
+  static Literal literal_of(const Shape& list, const std::string& text) {
+    Literal literal;
+    const bool number =
+        !list.literals.empty() && list.literals.front().kind == Literal::Kind::number;
+    literal.kind = number ? Literal::Kind::number : Literal::Kind::string;
+    if (number) literal.number = std::strtod(text.c_str(), nullptr);
+    literal.string = text;
+    return literal;
+  }
+
   // "TYPE/property" to its shape.
   void additions(const Extension& extension) {
     const ExtensionId id = set_.find_extension(extension.name);
@@ -199,7 +211,12 @@ class Maker {
       const std::size_t slash = std::min(place.find('/'), place.size() - 1);
       const TypeId type = set_.find_type(place.substr(0, slash));
       const Property* property = set_.find_property(type, place.substr(slash + 1));
-      if (property != nullptr) tables_->additions.push_back({property->shape, id, values});
+      if (property == nullptr) return;
+      std::vector<Literal> literals;
+      for (const std::string& value : values) {
+        literals.push_back(literal_of(set_.shape(property->shape), value));
+      }
+      tables_->additions.push_back({property->shape, id, std::move(literals)});
     };
     for (const auto& [place, values] : extension.enum_additions) add(place, values);
     if (!extension.image_mime_types.empty()) add("image/mimeType", extension.image_mime_types);

@@ -120,7 +120,7 @@ struct Set::WalkTables {
   struct Addition {
     ShapeId shape;
     ExtensionId extension;
-    std::vector<std::string> values;
+    std::vector<Literal> values;
   };
   std::vector<Addition> additions;
   TypeId root = kNone;

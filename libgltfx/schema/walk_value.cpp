@@ -157,29 +157,43 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   const auto equal = [&](const Literal& literal) { return values_.equals(value, literal); };
   if (std::any_of(shape.literals.begin(), shape.literals.end(), equal)) return;
+  if (is_added(id, value)) return;
   std::string help;
   if (values_.kind(value) == json::Kind::string) {
     const std::string text = document_.string(value.node);
-    if (is_added(id, text)) return;
     std::vector<std::string_view> known;
     for (const Literal& literal : shape.literals) known.push_back(literal.string);
     help = did_you_mean(text, known);
   } else {
     unset_ = true;
   }
-  report(
-      path, shape.is_const && !khronos() ? "CONDITION_MISMATCH" : "VALUE_NOT_IN_LIST",
-      values_.span(value),
-      name_of(path) + " is " + shown(values_, value) + "; it must be " + list_phrase(shape) + ".",
-      std::move(help));
+  std::string message =
+      name_of(path) + " is " + shown(values_, value) + "; it must be " + list_phrase(shape) + ".";
+  if (shape.is_const && !khronos()) {
+    report(path, "CONDITION_MISMATCH", values_.span(value), std::move(message), std::move(help));
+  } else {
+    report_unlisted(path, values_.span(value), std::move(message), std::move(help));
+  }
+}
+
+// An extension without a schema may add the value, unless it is a misspelt one of the list.
+void Walker::report_unlisted(const Path& path, Span span, std::string message, std::string help) {
+  const bool perhaps_added = !unknown_extension_.empty() && help.empty();
+  if (perhaps_added && !khronos()) {
+    help = "unless " + quoted(unknown_extension_) +
+           ", of which nothing is known here, adds the value, use one of the list";
+  }
+  const bool warning = khronos() || perhaps_added;
+  report(path, "VALUE_NOT_IN_LIST", span, std::move(message), std::move(help),
+         warning ? Severity::warning : std::optional<Severity>());
 }
 
 // Extensions that are in force may add values to a list of core.
-bool Walker::is_added(ShapeId shape, std::string_view text) const {
+bool Walker::is_added(ShapeId shape, Value value) const {
   return std::any_of(tables_.additions.begin(), tables_.additions.end(), [&](const auto& addition) {
     if (addition.shape != shape) return false;
-    if (std::find(addition.values.begin(), addition.values.end(), text) == addition.values.end())
-      return false;
+    const auto equal = [&](const Literal& literal) { return values_.equals(value, literal); };
+    if (std::none_of(addition.values.begin(), addition.values.end(), equal)) return false;
     const Extension& extension = set_.extensions()[addition.extension];
     return khronos() ? looks_into(addition.extension, extension.name) : is_declared(extension.name);
   });

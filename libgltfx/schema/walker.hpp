@@ -7,6 +7,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -102,7 +103,7 @@ class Walker {
   void judge_literals(ShapeId id, Value value, const Path& path);
   void judge_number(ShapeId id, Value value, const Path& path);
   void judge_text(ShapeId id, Value value, const Path& path);
-  bool is_added(ShapeId shape, std::string_view text) const;
+  bool is_added(ShapeId shape, Value value) const;
   bool is_small_index(json::NodeId node, std::uint64_t& index) const;
   bool is_choice(const Shape& shape, json::NodeId node, json::Kind kind) const;
 
@@ -145,6 +146,7 @@ class Walker {
   bool push_extensions(Frame& host);
   void extensions_step(Frame& frame);
   bool extension_member(Frame& frame, json::KeyId key, json::NodeId value);
+  std::string undeclared_help(std::string_view name);
   ShapeId home(const Frame& host, ExtensionId extension, const Path& path, json::NodeId value);
   void neighbours(Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
   void exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
@@ -169,7 +171,9 @@ class Walker {
   void drop(json::NodeId value);
   void lose(const Frame& frame);
   void report(const Path& path, std::string_view code, Span span, std::string message,
-              std::string help = {});
+              std::string help = {}, std::optional<Severity> severity = {});
+  /// A value outside a list.
+  void report_unlisted(const Path& path, Span span, std::string message, std::string help);
   Span opening(json::NodeId object) const;
   std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& known);
 
@@ -190,6 +194,7 @@ class Walker {
   std::vector<json::NodeId> members_;  ///< of all open objects, by property; see Frame::scratch
   std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
   std::unordered_set<std::string> used_, required_;
+  std::string unknown_extension_;      ///< one that is declared, but has no schema; or empty
   std::vector<bool> seen_;             ///< by KeyId: an extension object of that name was met
   std::vector<std::uint32_t> stamps_;  ///< by index: the last long list of indices that had it
   std::uint32_t stamp_ = 0;

@@ -15,8 +15,8 @@ using schema::kNone;
 using schema::Shape;
 using schema::ShapeId;
 
-constexpr std::array<const char*, 10> kWords{"POSITION", "a",  "TRANSLATION", "2.0", "_A",
-                                             "KHR_x",    "/a", "a/b",         "ab",  "1"};
+constexpr std::array<const char*, 11> kWords{
+    "POSITION", "a", "TRANSLATION", "2.0", "_A", "KHR_x", "/a", "a/b", "ab", "1", "video/mp4"};
 
 Json from_literal(const schema::Literal& literal) {
   switch (literal.kind) {

@@ -32,6 +32,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/model/pose.cpp", "asks the extension whether a node is to be seen"},
     {"libgltfx/model/texture.cpp", "reads how a slot moves its texture coordinates"},
     {"libgltfx/model/variants.cpp", "chooses the material of a primitive by what was asked for"},
+    {"libgltfx/schema/extension_names.cpp",
+     "names that have no schema, so that none is taken for a misspelt one"},
     {"libgltfx/upgrade/convert_scattering.cpp",
      "computes the values of one extension from those of two, and from which successor is chosen"},
     {"libgltfx/upgrade/convert_specular_glossiness.cpp",

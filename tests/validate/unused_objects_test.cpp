@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "selected.hpp"
@@ -76,6 +78,50 @@ TEST(MeshWeights, AreUnusedWhenEveryNodeHasItsOwn) {
   EXPECT_EQ(of_nodes(R"({"mesh": 0, "weights": [0]})"), Lines{"/meshes/0/weights"});
   EXPECT_EQ(of_nodes(R"({"mesh": 0, "weights": [0]}, {"mesh": 0})"), Lines{});
   EXPECT_EQ(of_nodes(R"({})"), Lines{});
+}
+
+// An asset with something of every kind that nothing is seen to use.
+std::string loose(const std::string& extensions) {
+  return asset_with(
+      R"("extensionsUsed": ["ACME_table", "KHR_texture_transform"], "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "weights": [1], "children": [1])" +
+      extensions + R"(}, {"name": "mark"}],
+    "meshes": [{"weights": [0], "primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0, "TANGENT": 1,
+      "TEXCOORD_0": 2}, "targets": [{"POSITION": 0}], "material": 0}]}],
+    "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+      {"componentType": 5126, "type": "VEC4", "count": 1}, {"componentType": 5126, "type": "VEC2", "count": 1},
+      {"componentType": 5126, "type": "SCALAR", "count": 1}, {"componentType": 5126, "type": "SCALAR", "count": 1}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 1]}}, {}], "textures": [{}],
+    "bufferViews": [{"buffer": 0, "byteLength": 4}], "buffers": [{"byteLength": 4, "uri": "data:application/octet-stream;base64,AAAAAA=="}],
+    "animations": [{"samplers": [{"input": 3, "output": 4}, {"input": 3, "output": 4}],
+      "channels": [{"sampler": 0, "target": {"node": 0, "path": "weights"}}]}])");
+}
+
+const std::set<std::string, std::less<>>& unused_codes() {
+  static const std::set<std::string, std::less<>> codes{"UNUSED_OBJECT", "UNUSED_MESH_TANGENT",
+                                                        "UNUSED_MESH_WEIGHTS", "EXTENSION_UNUSED",
+                                                        "NODE_EMPTY"};
+  return codes;
+}
+
+TEST(UnusedObjects, NothingIsCalledUnusedBesideObjectsOfUnknownExtensions) {
+  const Lines plain = selected(loose(""), unused_codes());
+  for (const std::string& code : unused_codes()) {
+    EXPECT_TRUE(std::any_of(plain.begin(), plain.end(), [&](const std::string& line) {
+      return line.starts_with(code);
+    })) << code;
+  }
+  const std::string unknown = R"(, "extensions": {"ACME_table": {"rows": 0}})";
+  EXPECT_EQ(selected(loose(unknown), unused_codes()), Lines{});
+  EXPECT_EQ(selected(loose(unknown), unused_codes(), Profile::strict), Lines{});
+  EXPECT_EQ(selected(loose(unknown), unused_codes(), Profile::khronos),
+            selected(loose(""), unused_codes(), Profile::khronos));
+}
+
+TEST(UnusedObjects, ADeclarationAloneUsesNothing) {
+  EXPECT_EQ(
+      places(asset_with(R"("extensionsUsed": ["ACME_table"], "materials": [{}])"), "UNUSED_OBJECT"),
+      Lines{"/materials/0"});
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/same_targets.hpp"
+#include "validate/rules/unseen_use.hpp"
 #include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
@@ -73,7 +74,7 @@ class AnimationCheck {
 
   void report_unused(const model::Animation& animation, const std::vector<std::uint8_t>& used,
                      const Path& samplers) {
-    for (std::size_t i = 0; i < used.size(); ++i) {
+    for (std::size_t i = 0; i < used.size() && unseen_.empty(); ++i) {
       if (used[i] != 0) continue;
       report_link(context_, Path(samplers, i), animation.samplers[i].object, "UNUSED_OBJECT",
                   "No channel uses this sampler.");
@@ -201,6 +202,7 @@ class AnimationCheck {
   }
 
   const Context& context_;
+  std::string_view unseen_ = unseen_user(context_);
   std::vector<model::Deformation> deformations_;
 };
 

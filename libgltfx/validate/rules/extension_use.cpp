@@ -2,6 +2,7 @@
 // What the lists of extensions promise, held against what the asset really uses.
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -9,9 +10,12 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "schema/extension_names.hpp"
+#include "schema/form_check.hpp"
 #include "schema/phrases.hpp"
 #include "validate/rules/attribute_formats.hpp"
 #include "validate/rules/families.hpp"
+#include "validate/rules/unseen_use.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -60,6 +64,22 @@ constexpr RuleDescription kRules[] = {
  "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
  "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.5}}}]})",
      Fix::safe, false},
+    {"EXTENSION_NAME_MISSPELT", Severity::warning,
+     "The name of an extension is nearly that of another one",
+     "Programs look extensions up by their exact name, capitals included: what the asset says by "
+     "this one is ignored.",
+     "Write the name that is meant.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_material_unlit"],
+"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {"KHR_material_unlit": {}}}]})",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_unlit"],
+"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {"KHR_materials_unlit": {}}}]})",
+     Fix::none, false},
     {"EXTENSION_REQUIRED_WITH_FALLBACK", Severity::warning,
      "An extension is required although everything has a fallback",
      "Programs that do not know the extension refuse the asset, which they could show as well.",
@@ -121,24 +141,32 @@ using NameSet = std::unordered_set<std::string_view>;
 
 NameSet as_set(const std::vector<std::string>& names) { return {names.begin(), names.end()}; }
 
+// So many extensions are told apart; what says the same of more is folded.
+constexpr std::uint64_t kMostTold = 50;
+
 // The three lists, to look names up in.
 struct Names {
   NameSet used, required, seen, without_fallback;
+  std::string_view unseen;                                          ///< see unseen_user()
+  std::unordered_map<std::string_view, std::string_view> misspelt;  ///< to what is meant
   std::vector<std::string> required_unknown;  ///< in the order of extensionsUsed
   explicit Names(const Context& context)
       : used(as_set(context.checked.extensions_used)),
         required(as_set(context.checked.extensions_required)),
         seen(as_set(context.checked.extensions_seen)),
-        without_fallback(as_set(context.checked.without_fallback)) {
+        without_fallback(as_set(context.checked.without_fallback)),
+        unseen(unseen_user(context)) {
+    std::uint64_t compared = 0;
     for (const std::string& name : context.checked.extensions_used) {
-      const bool known = context.schemas.find_extension(name) != schema::kNone;
-      if (!known && required.count(name) != 0) required_unknown.push_back(name);
+      if (context.schemas.find_extension(name) != schema::kNone) continue;
+      const std::string_view meant = compared++ < kMostTold
+                                         ? schema::misspelt_extension(context.schemas, name)
+                                         : std::string_view();
+      if (!meant.empty()) misspelt.emplace(name, meant);
+      if (meant.empty() && required.count(name) != 0) required_unknown.push_back(name);
     }
   }
 };
-
-// So many extensions are told apart; what says the same of more is folded.
-constexpr std::uint64_t kMostTold = 50;
 
 // One entry of extensionsUsed, or an extension that is used without being declared.
 struct Entry {
@@ -172,6 +200,18 @@ std::string names_text(std::vector<std::string> names) {
 
 // What is required and unknown is one finding, whatever the number: nothing more can be said.
 void report_unknown(const Entry& entry) {
+  const auto misspelt = entry.names.misspelt.find(entry.name);
+  if (misspelt != entry.names.misspelt.end()) {
+    entry.report("EXTENSION_NAME_MISSPELT",
+                 fmt::format("{} is no extension that is known here.", gltfx::quoted(entry.name)),
+                 fmt::format("did you mean {}?", gltfx::quoted(misspelt->second)));
+    return;
+  }
+  if (!schema::is_extension_name(entry.name) && !schema::is_known_without_schema(entry.name)) {
+    entry.report("INVALID_EXTENSION_NAME_FORMAT",
+                 fmt::format("{} is no name of an extension; names look like VENDOR_what_it_does.",
+                             gltfx::quoted(entry.name)));
+  }
   if (entry.names.required.count(entry.name) != 0) {
     if (entry.name != entry.names.required_unknown.front()) return;
     entry.report("UNSUPPORTED_EXTENSION_REQUIRED",
@@ -224,6 +264,8 @@ bool is_unused(const Entry& entry, const schema::Extension& extension) {
 
 void report_use(const Entry& entry, const schema::Extension& extension) {
   if (is_unused(entry, extension)) {
+    // It may be used inside of one that is not looked into, such as a transform of its textures.
+    if (!entry.names.unseen.empty()) return;
     entry.report("EXTENSION_UNUSED",
                  fmt::format("{} is declared but used nowhere.", extension.name));
   } else if (extension.must_be_required == schema::MustBeRequired::recommended &&

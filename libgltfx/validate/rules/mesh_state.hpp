@@ -2,6 +2,7 @@
 /// What the rules on primitives carry from one to the next.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "model/mesh.hpp"
@@ -10,6 +11,7 @@
 #include "validate/rules/attribute_formats.hpp"
 #include "validate/rules/material_needs.hpp"
 #include "validate/rules/texcoord_sets.hpp"
+#include "validate/rules/unseen_use.hpp"
 
 namespace gltfx::validate {
 
@@ -19,6 +21,7 @@ struct MeshState {
         active(checked),
         formats(checked),
         materials(checked, active),
+        unseen(unseen_user(checked)),
         seen_accessors(checked.views.accessors.size()),
         views_in_use(checked.views.buffer_views.size()) {}
 
@@ -26,6 +29,7 @@ struct MeshState {
   ActiveExtensions active;
   AttributeFormats formats;
   MaterialNeeds materials;
+  std::string_view unseen;           ///< see unseen_user()
   std::vector<bool> seen_accessors;  ///< those that some attribute has used
   std::vector<bool> views_in_use;    ///< those without a stride that some attribute has used
 };

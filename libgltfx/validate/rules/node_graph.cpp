@@ -9,6 +9,7 @@
 #include "validate/rules/finding.hpp"
 #include "validate/rules/node_graph_table.hpp"
 #include "validate/rules/skin_scenes.hpp"
+#include "validate/rules/unseen_use.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -83,7 +84,7 @@ class GraphCheck {
   }
 
   void check_empty(const model::Node& node, NodeIndex index, const Path& path) {
-    if (is_joint_[index] != 0 || node.mesh || node.camera || has_extras(node) ||
+    if (!unseen_.empty() || is_joint_[index] != 0 || node.mesh || node.camera || has_extras(node) ||
         has_children(node) || has_extension(node)) {
       return;
     }
@@ -162,6 +163,7 @@ class GraphCheck {
   }
 
   const Context& context_;
+  std::string_view unseen_ = unseen_user(context_);
   const model::SceneGraph& graph_;
   const std::vector<model::Node>& nodes_;
   std::vector<NodeIndex> skins_;  ///< root above all joints, by skin

@@ -117,6 +117,7 @@ void MaterialCheck::check_material() {
     check_texcoords(wearing, need, texcoords_);
     tangent_space_ = tangent_space_ || need.tangent_space;
   }
+  if (!state_.unseen.empty()) return;
   const Path attributes(path_, "attributes");
   if (!tangent_space_) check_unused_tangent(context, primitive_, attributes);
   check_unused_texcoords(context, texcoords_, attributes);

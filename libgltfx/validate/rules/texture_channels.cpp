@@ -11,6 +11,7 @@
 #include "model/fields.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/texture_phase.hpp"
+#include "validate/rules/unseen_use.hpp"
 #include "validate/rules/vertex_alpha.hpp"
 
 namespace gltfx::validate {
@@ -118,13 +119,14 @@ std::string why_hidden(const TexturePhase& phase, const TextureSlot& slot) {
 // One finding for each factor, on the first of the textures that it hides.
 void check_factors(const TexturePhase& phase) {
   std::set<std::pair<json::NodeId, std::string_view>> told;
+  const bool removable = unseen_user(phase.context).empty();
   for (const TextureSlot& slot : phase.slots) {
     if (slot.channels.empty() || !slot.effective.empty()) continue;
     if (!told.emplace(factor_owner(slot), slot.hidden_by).second) continue;
     report_slot(phase.context, phase.sink, slot, "TEXTURE_FACTOR_ZERO",
                 fmt::format("{} has no effect: {}.", slot.property, why_hidden(phase, slot)),
-                fmt::format("set {}, or remove the texture",
-                            slot.hidden_by.empty() ? "the factors" : slot.hidden_by));
+                fmt::format("set {}{}", slot.hidden_by.empty() ? "the factors" : slot.hidden_by,
+                            removable ? ", or remove the texture" : ""));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "validate/rules/active_extensions.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/unseen_use.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -152,6 +153,7 @@ void check_extension_array(const Context& context, const ActiveExtensions& activ
 }
 
 void check_objects(const Context& context) {
+  if (!unseen_user(context).empty()) return;
   for (const RootArray array : kArrays) check_array(context, array);
   const ActiveExtensions active(context);
   std::vector<const schema::TargetArray*> arrays;
@@ -166,6 +168,7 @@ void check_objects(const Context& context) {
 // --- Weights of meshes ---
 
 void check_mesh_weights(const Context& context) {
+  if (!unseen_user(context).empty()) return;
   struct Uses {
     bool any = false, with_own_weights = true;
   };

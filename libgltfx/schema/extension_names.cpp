@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/extension_names.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/text.hpp"
+
+namespace gltfx::schema {
+namespace {
+
+// From the registry of Khronos, its open proposals and the lists of the vendors.
+constexpr std::string_view kWithoutSchema[]{
+    "BENTLEY_materials_line_style",
+    "CESIUM_RTC",
+    "CESIUM_tile_edges",
+    "EXT_feature_metadata",
+    "EXT_instance_features",
+    "EXT_mesh_bmesh",
+    "EXT_mesh_features",
+    "EXT_primitive_voxels",
+    "EXT_implicit_ellipsoid_region",
+    "EXT_structural_metadata",
+    "EXT_texture_avif",
+    "EXT_texture_procedurals_mx_1_39",
+    "EXT_texture_video",
+    "FB_ngon_encoding",
+    "GOOGLE_backgrounds",
+    "GOOGLE_camera_settings",
+    "GOOGLE_tilt_brush_material",
+    "KHR_accessor_float16",
+    "KHR_audio_emitter",
+    "KHR_audio_graph",
+    "KHR_binary_glTF",
+    "KHR_environment_map",
+    "KHR_gaussian_splatting_compression_spz",
+    "KHR_gaussian_splatting_compression_spz_2",
+    "KHR_implicit_shapes",
+    "KHR_lights_environment",
+    "KHR_materials_clearcoat_anisotropy",
+    "KHR_materials_clearcoat_color",
+    "KHR_materials_clearcoat_darkening",
+    "KHR_materials_clearcoat_ior",
+    "KHR_materials_coat",
+    "KHR_materials_common",
+    "KHR_materials_diffuse_roughness",
+    "KHR_materials_fuzz",
+    "KHR_physics_rigid_bodies",
+    "KHR_quantized_geometry",
+    "KHR_texture_procedurals",
+    "MAXAR_image_ortho",
+    "MAXAR_nonvisual_geometry",
+    "MAXAR_temporal_light_traits",
+    "MOZ_hubs_components",
+    "MOZ_lightmap",
+    "MSFT_audio_emitter",
+    "NEEDLE_components",
+    "NEEDLE_lightmaps",
+    "NEEDLE_persistent_assets",
+    "NEEDLE_progressive",
+    "NGA_gpm_local",
+    "OMI_audio_emitter",
+    "OMI_audio_ogg_vorbis",
+    "OMI_audio_opus",
+    "OMI_environment_sky",
+    "OMI_link",
+    "OMI_personality",
+    "OMI_physics_body",
+    "OMI_physics_gravity",
+    "OMI_physics_joint",
+    "OMI_physics_shape",
+    "OMI_seat",
+    "OMI_spawn_point",
+    "OMI_vehicle_body",
+    "OMI_vehicle_hover_thruster",
+    "OMI_vehicle_thruster",
+    "OMI_vehicle_wheel",
+    "VRM",
+    "VRMC_materials_hdr_emissiveMultiplier",
+    "VRMC_materials_mtoon",
+    "VRMC_node_constraint",
+    "VRMC_springBone",
+    "VRMC_springBone_extended_collider",
+    "VRMC_vrm",
+    "VRMC_vrm_animation",
+    "WEB3D_quantized_attributes",
+};
+
+}  // namespace
+
+bool is_known_without_schema(std::string_view name) {
+  return std::find(std::begin(kWithoutSchema), std::end(kWithoutSchema), name) !=
+         std::end(kWithoutSchema);
+}
+
+std::string_view misspelt_extension(const Set& set, std::string_view name) {
+  if (set.find_extension(name) != kNone || is_known_without_schema(name)) return {};
+  std::vector<std::string_view> known(std::begin(kWithoutSchema), std::end(kWithoutSchema));
+  for (const Extension& extension : set.extensions()) known.push_back(extension.name);
+  return nearest(name, known);
+}
+
+}  // namespace gltfx::schema
