@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "base/checked.hpp"
+#include "container/content.hpp"
 #include "container/glb_faults.hpp"
+#include "container/sniff.hpp"
 
 namespace gltfx::container {
 namespace {
@@ -66,7 +68,10 @@ class GlbReader {
     const std::uint32_t version = little_endian(*header, 4);
     declared_ = little_endian(*header, 8);
     if (magic != kMagic) {
-      early(glb_fault::invalid_magic(magic));
+      SharedText head;
+      if (!copy(0, std::min(source_.size(), std::uint64_t{kSniffBytes}), head)) return false;
+      const Content found = name_content(*head);
+      early(glb_fault::invalid_magic(magic, found.image ? std::string_view() : found.name));
       return false;
     }
     out_.glb_version = version;

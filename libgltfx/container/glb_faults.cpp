@@ -32,11 +32,13 @@ std::string bytes_text(std::uint64_t count) {
 
 }  // namespace
 
-ContainerFault invalid_magic(std::uint32_t magic) {
+ContainerFault invalid_magic(std::uint32_t magic, std::string_view found) {
   return {
       "GLB_INVALID_MAGIC", 0,
       fmt::format("The file begins with {} where a GLB has 0x46546c67 ('glTF').", type_text(magic)),
-      "Check that this is a GLB: the name ends in .glb, the content is something else."};
+      found.empty()
+          ? "Check that this is a GLB: the name ends in .glb, the content is something else."
+          : fmt::format("This is {}.", found)};
 }
 
 ContainerFault invalid_version(std::uint32_t version) {

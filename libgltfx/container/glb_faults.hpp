@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "container/container.hpp"
 
 namespace gltfx::container::glb_fault {
 
-ContainerFault invalid_magic(std::uint32_t magic);
+/// `found`: what the file is instead, or empty.
+ContainerFault invalid_magic(std::uint32_t magic, std::string_view found);
 ContainerFault invalid_version(std::uint32_t version);
 ContainerFault length_too_small(std::uint32_t declared);
 ContainerFault length_mismatch(std::uint32_t declared, std::uint64_t actual);

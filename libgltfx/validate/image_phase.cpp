@@ -2,16 +2,19 @@
 #include "validate/image_phase.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "container/content.hpp"
 #include "model/fields.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/active_extensions.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/unseen_use.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -19,6 +22,7 @@ namespace {
 using image::Header;
 using image::HeaderFault;
 using MediaTypes = std::vector<std::string_view>;
+using namespace std::literals;
 
 // What images may be: the formats of the specification and those that declared extensions bring.
 MediaTypes enabled_media_types(const Context& context) {
@@ -46,9 +50,12 @@ bool is_extended(const Context& context, json::NodeId image) {
 
 class ImageCheck {
  public:
-  ImageCheck(const Resource& resource, const MediaTypes& enabled)
+  /// `user`: what may show the image and is not known here; empty where there is nothing of the
+  /// kind.
+  ImageCheck(const Resource& resource, const MediaTypes& enabled, std::string_view user)
       : resource_(resource),
         enabled_(enabled),
+        user_(user),
         declared_(model::string_member(resource.context.document, resource.object, "mimeType")) {}
 
   void check(model::ImageData& data) const {
@@ -78,7 +85,7 @@ class ImageCheck {
     }
     switch (fault.kind) {
       case HeaderFault::Kind::unrecognized:
-        report_unrecognized();
+        report_unrecognized(*data.bytes);
         break;
       case HeaderFault::Kind::unexpected_end:
         resource_.find("IMAGE_UNEXPECTED_EOS", "",
@@ -102,12 +109,40 @@ class ImageCheck {
     describe(*data.header);
   }
 
-  void report_unrecognized() const {
-    const bool foreign = contains(enabled_, declared_) && !declared_.ends_with("/jpeg") &&
-                         !declared_.ends_with("/png") && !declared_.ends_with("/webp");
-    if (foreign && !khronos()) return;  // an extension's own format
-    resource_.find("IMAGE_UNRECOGNIZED_FORMAT", "",
-                   "The first bytes are those of no image format known here.");
+  void report_unrecognized(const container::Bytes& bytes) const {
+    constexpr std::string_view kCode = "IMAGE_UNRECOGNIZED_FORMAT";
+    if (khronos()) {
+      resource_.find(kCode, "", "The first bytes are those of no image format known here.", {},
+                     Severity::warning);
+      return;
+    }
+    const container::Content found = container::name_content(bytes.text());
+    if (is_of_an_extension(found)) return;
+    const std::string message =
+        fmt::format("The bytes are {}; an image here is {}.",
+                    found.name.empty() ? "those of no format known here" : found.name,
+                    join_or(std::vector<std::string>(enabled_.begin(), enabled_.end())));
+    if (!user_.empty() && (found.image || found.name.empty())) {
+      resource_.find(kCode, "", message,
+                     fmt::format("unless {}, of which nothing is known here, allows the format, "
+                                 "convert the image",
+                                 gltfx::quoted(user_)),
+                     Severity::warning);
+      return;
+    }
+    resource_.find(kCode, "", message,
+                   found.image || found.name.empty() ? "" : "fetch or export the image again");
+  }
+
+  // Formats that no reader here knows, but a declared extension does: told by the type that the
+  // image says it has, where its bytes do not belie that.
+  bool is_of_an_extension(const container::Content& found) const {
+    if (!found.name.empty()) return contains(enabled_, found.media_type);
+    constexpr std::array kTold{"image/jpeg"sv,      "image/png"sv,   "image/webp"sv,
+                               "image/ktx2"sv,      "image/x-exr"sv, "application/x-vdb"sv,
+                               "image/vnd-ms.dds"sv};
+    return contains(enabled_, declared_) &&
+           std::find(kTold.begin(), kTold.end(), declared_) == kTold.end();
   }
 
   void check_format(image::Format format) const {
@@ -197,8 +232,19 @@ class ImageCheck {
 
   const Resource& resource_;
   const MediaTypes& enabled_;
+  std::string_view user_;
   std::string declared_;
 };
+
+// By image: whether a texture shows it without an extension.
+std::vector<bool> plain_images(const Context& context, std::size_t count) {
+  std::vector<bool> plain(count);
+  for (const json::NodeId texture : context.asset.elements(model::RootArray::textures)) {
+    const auto source = context.asset.index(texture, "source", model::RootArray::images);
+    if (source) plain[*source] = true;
+  }
+  return plain;
+}
 
 // The type an image says it has, else the one it has.
 std::string image_type(const Context& context, const model::ResourceData& data,
@@ -238,6 +284,8 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
   const Path array(root, "images");
   const auto& objects = context.asset.elements(model::RootArray::images);
   const MediaTypes enabled = enabled_media_types(context);
+  const std::string_view user = unseen_user(context);
+  const std::vector<bool> plain = plain_images(context, objects.size());
   resources.data.images.resize(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == json::kNoNode) continue;
@@ -247,7 +295,7 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
     const Resource resource{context, sink, report, path, objects[i], info};
     model::ImageData& data = resources.data.images[i];
     if (!is_extended(context, objects[i])) data.bytes = fetch_uri_or_view(resource, resources.data);
-    if (data.bytes) ImageCheck(resource, enabled).check(data);
+    if (data.bytes) ImageCheck(resource, enabled, plain[i] ? std::string_view() : user).check(data);
     resources.listed.push_back(std::move(info));
   }
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "container/content.hpp"
 #include "container/mapping.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
@@ -64,6 +65,10 @@ std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uin
   finding.message =
       fmt::format("The buffer declares {} bytes, but only {} are there.", declared, bytes.size());
   finding.span = resource.context.document.span(member);
+  if (const auto found = container::name_content(bytes.text()).name;
+      !found.empty() && !resource.context.khronos() && resource.info.storage == "external") {
+    finding.help = fmt::format("the file is {}", found);
+  }
   resource.sink.report(resource.path, std::move(finding));
   // The Khronos validator goes on with what a data URI holds.
   const bool kept = resource.context.khronos() && resource.info.storage == "data-uri";

@@ -119,8 +119,10 @@ constexpr RuleDescription kRules[] = {
  "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
  "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6"}]})",
      kGood, Fix::none, true},
-    {"IMAGE_UNRECOGNIZED_FORMAT", Severity::warning, "An image has a format that is not known",
-     "Readers know PNG and JPEG, and what declared extensions bring.",
+    {"IMAGE_UNRECOGNIZED_FORMAT", Severity::error,
+     "The bytes of an image are of no format that it may have",
+     "Readers know PNG and JPEG, and what declared extensions bring. The model shows without the "
+     "texture, or does not load.",
      "Convert the image to PNG or JPEG.",
      R"({"asset": {"version": "2.0"},
  "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "container/content.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "base/text.hpp"
+#include "container/sniff.hpp"
+
+namespace gltfx::container {
+namespace {
+
+using namespace std::literals;
+
+struct Magic {
+  std::string_view bytes;
+  Content content;
+  std::size_t offset = 0;
+};
+
+constexpr Content image(std::string_view name, std::string_view media_type = {}) {
+  return {name, media_type, true};
+}
+constexpr Content other(std::string_view name) { return {name, {}, false}; }
+
+constexpr std::array kMagics{
+    Magic{"GIF87a"sv, image("a GIF image", "image/gif")},
+    Magic{"GIF89a"sv, image("a GIF image", "image/gif")},
+    Magic{"II*\0"sv, image("a TIFF image", "image/tiff")},
+    Magic{"MM\0*"sv, image("a TIFF image", "image/tiff")},
+    Magic{"II+\0"sv, image("a BigTIFF image", "image/tiff")},
+    Magic{"MM\0+"sv, image("a BigTIFF image", "image/tiff")},
+    Magic{"\x76\x2f\x31\x01"sv, image("an OpenEXR image", "image/x-exr")},
+    Magic{"\x20\x42\x44\x56\0\0\0\0"sv, image("an OpenVDB volume", "application/x-vdb")},
+    Magic{"DDS "sv, image("a DDS texture", "image/vnd-ms.dds")},
+    Magic{"\xabKTX 11\xbb\r\n\x1a\n"sv, image("KTX 1, not KTX 2", "image/ktx")},
+    Magic{"\x13\xab\xa1\x5c"sv, image("a bare ASTC texture")},
+    Magic{"sB\x13\0"sv, image("a .basis texture, not KTX 2")},
+    Magic{"PVR\x03"sv, image("a PVR texture")},
+    Magic{"#?RADIANCE"sv, image("a Radiance HDR image", "image/vnd.radiance")},
+    Magic{"#?RGBE"sv, image("a Radiance HDR image", "image/vnd.radiance")},
+    Magic{"8BPS"sv, image("a Photoshop document")},
+    Magic{"\0\0\x01\0"sv, image("a Windows icon")},
+    Magic{"\0\0\0\x0cjP  \r\n\x87\n"sv, image("a JPEG 2000 image", "image/jp2")},
+    Magic{"\0\0\0\x0cJXL \r\n\x87\n"sv, image("a JPEG XL image", "image/jxl")},
+    Magic{"\xff\x0a"sv, image("a JPEG XL image", "image/jxl")},
+    Magic{"ftypavif"sv, image("an AVIF image", "image/avif"), 4},
+    Magic{"ftypavis"sv, image("an AVIF image", "image/avif"), 4},
+    Magic{"ftypheic"sv, image("an HEIC image", "image/heic"), 4},
+    Magic{"ftypheix"sv, image("an HEIC image", "image/heic"), 4},
+    Magic{"ftypmif1"sv, image("an HEIF image", "image/heif"), 4},
+    Magic{"ftyp"sv, image("a video or another MP4 file"), 4},
+    Magic{"\x89PNG\r\n\x1a\n"sv, image("a PNG that is cut short")},
+    Magic{"\xff\xd8\xff"sv, image("a JPEG that is cut short")},
+    Magic{"\xabKTX 20\xbb\r\n\x1a\n"sv, image("a KTX 2 file that is cut short")},
+    Magic{"RIFF"sv, image("a RIFF file, but no WebP image")},
+    Magic{"glTF"sv, other("a GLB file")},
+    Magic{"PK\x03\x04"sv, other("a ZIP archive")},
+    Magic{"\x1f\x8b"sv, other("a gzip archive")},
+    Magic{"%PDF-"sv, other("a PDF document")},
+};
+
+bool begins_with(std::string_view text, std::string_view lower) {
+  return text.size() >= lower.size() &&
+         std::equal(lower.begin(), lower.end(), text.begin(),
+                    [](char a, char b) { return a == ascii_lower(b); });
+}
+
+bool is_bmp(std::string_view bytes) {
+  // Behind the size of the file are four reserved bytes, always 0.
+  return bytes.size() >= 10 && bytes.starts_with("BM") && bytes.substr(6, 4) == "\0\0\0\0"sv;
+}
+
+// Of text that may be an answer of a server instead of a file.
+Content name_text(std::string_view head) {
+  if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
+  head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
+  for (const std::string_view tag : {"<!doctype html"sv, "<html"sv, "<head"sv, "<body"sv}) {
+    if (begins_with(head, tag)) return other("an HTML page (a failed download?)");
+  }
+  if (head.starts_with("<svg") || (head.starts_with("<?xml") && head.find("<svg") != head.npos)) {
+    return image("an SVG drawing", "image/svg+xml");
+  }
+  if (head.starts_with("<?xml") || head.starts_with("<Error>")) {
+    return other("an XML document (a failed download?)");
+  }
+  if (head.starts_with('{')) return other("JSON text (a failed download?)");
+  if (head.starts_with("data:")) return other("the text of a data URI");
+  return {};
+}
+
+}  // namespace
+
+Content name_content(std::string_view bytes) {
+  if (bytes.empty()) return other("an empty file");
+  for (const Magic& magic : kMagics) {
+    if (bytes.size() >= magic.offset && bytes.substr(magic.offset).starts_with(magic.bytes)) {
+      return magic.content;
+    }
+  }
+  if (is_bmp(bytes)) return image("a BMP image", "image/bmp");
+  if (is_git_lfs_pointer(bytes, bytes.size())) return other("a Git-LFS pointer");
+  const std::string_view head = bytes.substr(0, kSniffBytes);
+  if (head.find_first_not_of('\0') == head.npos) return other("zeros from the first byte on");
+  return name_text(head);
+}
+
+}  // namespace gltfx::container
