@@ -215,6 +215,40 @@ TEST(Draco, BoundsOfExactValuesMayBeALittleTooWide) {
                                  "ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND /accessors/0/max/1"}));
 }
 
+// Severity and message of the first finding with that code.
+std::pair<Severity, std::string> first(const Compressed& asset, const std::string& code) {
+  ValidateOptions options;
+  options.select = {code};
+  const FileReport report = validate_bytes(asset.text(), "test", options);
+  if (report.diagnostics.empty()) return {Severity::hint, "nothing found"};
+  return {report.diagnostics.front().severity, report.diagnostics.front().message};
+}
+
+TEST(Draco, WhatTheEncoderMayHaveChangedIsAWarning) {
+  Compressed exact = square();
+  exact.accessors =
+      R"({"componentType": 5126, "type": "VEC3", "count": 4, "min": [0, 0, 0], "max": [1, 1, 2]})";
+  const auto bound = first(exact, "ACCESSOR_MAX_MISMATCH");
+  EXPECT_EQ(bound.first, Severity::error);
+  EXPECT_THAT(bound.second, HasSubstr("after Draco decoding"));
+
+  Compressed indices = square();
+  indices.indices =
+      R"({"componentType": 5123, "type": "SCALAR", "count": 6, "min": [1], "max": [7]})";
+  for (const char* const code :
+       {"ACCESSOR_MIN_MISMATCH", "ACCESSOR_MAX_MISMATCH", "ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND"}) {
+    const auto found = first(indices, code);
+    EXPECT_EQ(found.first, Severity::warning) << code;
+    EXPECT_THAT(found.second, HasSubstr("after Draco decoding")) << code;
+  }
+
+  DracoSource source = draco_square();
+  source.attributes[0].bits = 6;
+  Compressed lossy{draco_bytes(source)};
+  lossy.accessors = exact.accessors;
+  EXPECT_EQ(first(lossy, "ACCESSOR_MAX_MISMATCH").first, Severity::warning);
+}
+
 TEST(Draco, BoundsMayBeAStepOfQuantisationOff) {
   DracoSource source = draco_grid(20);
   source.attributes[0].bits = 6;  // a step is 1/63

@@ -170,12 +170,27 @@ TEST(Influences, NameJointsOfTheSkin) {
 
 TEST(Influences, TheSmallestSkinDecides) {
   EXPECT_EQ(Vertex().set({1, 0, 0, 0}, {1, 0, 0, 0}).found(Profile::standard, "0"),
+            (Lines{"JOINTS_INDEX_OOB JOINTS_0"}));
+}
+
+TEST(Influences, OfJointsThatAreReportedCountInTheSum) {
+  const Lines outside{"JOINTS_INDEX_OOB JOINTS_0"};
+  EXPECT_EQ(Vertex().set({3, 0, 0, 0}, {1, 0, 0, 0}).found(), outside);
+  EXPECT_EQ(Vertex().set({3, 1, 0, 0}, {0.5F, 0.5F, 0, 0}).found(), outside);
+  EXPECT_EQ(Vertex().set({3, 1, 0, 0}, {0.5F, 0.25F, 0, 0}).found(),
             (Lines{"JOINTS_INDEX_OOB JOINTS_0", "WEIGHTS_NON_NORMALIZED WEIGHTS_0"}));
+  EXPECT_EQ(Vertex().set({1, 1, 0, 0}, {0.5F, 0.5F, 0, 0}).found(),
+            (Lines{"JOINTS_INDEX_DUPLICATE JOINTS_0"}));
+  // Where a weight is negative that is the fault.
+  EXPECT_EQ(Vertex().set({0, 1, 0, 0}, {1.25F, -0.25F, 0, 0}).found(),
+            (Lines{"WEIGHTS_NEGATIVE WEIGHTS_0"}));
+  EXPECT_EQ(Vertex().set({3, 0, 0, 0}, {1, 0, 0, 0}).found(Profile::khronos).size(), 2U);
 }
 
 TEST(Influences, NameAJointOnceOverAllSets) {
-  EXPECT_EQ(Vertex().set({1, 0, 0, 0}, {1, 0, 0, 0}).set({1, 0, 0, 0}, {0.25F, 0, 0, 0}).found(),
-            (Lines{"JOINTS_INDEX_DUPLICATE JOINTS_1"}));
+  EXPECT_EQ(
+      Vertex().set({1, 0, 0, 0}, {0.75F, 0, 0, 0}).set({1, 0, 0, 0}, {0.25F, 0, 0, 0}).found(),
+      (Lines{"JOINTS_INDEX_DUPLICATE JOINTS_1"}));
 }
 
 TEST(Influences, AreNotNegative) {
@@ -201,7 +216,6 @@ TEST(Influences, TheToleranceGrowsWithTheNumberOfWeights) {
   EXPECT_EQ(Vertex().set({0, 0, 0, 0}, {above, 0, 0, 0}).found(),
             (Lines{"WEIGHTS_NON_NORMALIZED WEIGHTS_0"}));
   EXPECT_EQ(Vertex().set({0, 1, 0, 0}, {above - 0.5F, 0.5F, 0, 0}).found(), Lines());
-  // A weight of a joint that the vertex has already is not summed, nor counted.
   EXPECT_EQ(Vertex().set({0, 0, 0, 0}, {above, 0.5F, 0, 0}).found(),
             (Lines{"JOINTS_INDEX_DUPLICATE JOINTS_0", "WEIGHTS_NON_NORMALIZED WEIGHTS_0"}));
 }

@@ -94,11 +94,34 @@ bool has_fewer_bits(model::ComponentType type, double length) {
   return false;
 }
 
+// Whether a fault may come of values that were rounded.
+bool is_of_values(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::not_unit:
+    case FaultKind::bad_sign:
+    case FaultKind::not_clamped:
+    case FaultKind::not_unit_splat:
+    case FaultKind::negative_scale:
+    case FaultKind::bad_opacity:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// What an encoder may have changed is no fault of the asset's author, and no reader minds.
+void soften(const Looked& looked, Finding& finding) {
+  if (!looked.draco) return;
+  if (looked.lossy) finding.severity = Severity::warning;
+  finding.message += looked.lossy ? kAfterDraco : " This is so after Draco decoding.";
+}
+
 Finding finding_at_bound(const Looked& looked, const Check& check, const BoundFault& fault,
                          std::string_view code, std::string message) {
   Finding finding;
   finding.code = code;
   finding.message = std::move(message);
+  soften(looked, finding);
   finding.span = element_span(looked.context.document, check.place.node, fault.component);
   return finding;
 }
@@ -128,6 +151,7 @@ Finding describe(const Looked& looked, const Check& check, const Fault& fault,
   if (fault.kind == FaultKind::not_unit && has_fewer_bits(looked.decoded, fault.value)) {
     finding.severity = Severity::warning;
   }
+  if (is_of_values(fault.kind)) soften(looked, finding);
   return finding;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "model/accessor_data.hpp"
 #include "validate/data/scan.hpp"
@@ -17,7 +18,15 @@ struct Looked {
   std::uint64_t count = 0;  ///< elements
   /// Type of the components where they were decoded; none for plain ones.
   model::ComponentType decoded = model::ComponentType::none;
+  bool draco = false;  ///< the elements come out of a Draco bitstream
+  /// And are not those that went in: values were quantised, indices and their order are the
+  /// encoder's.
+  bool lossy = false;
 };
+
+/// The sentence that ends messages about what Draco has decoded.
+inline constexpr std::string_view kAfterDraco =
+    " These are the values after Draco decoding, which is not exact.";
 
 /// One fault, or `count` of them of which `fault` is the first.
 Finding describe(const Looked& looked, const Check& check, const Fault& fault, std::uint64_t count);

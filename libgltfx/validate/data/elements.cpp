@@ -22,7 +22,13 @@ class ElementReport {
         data_(data),
         looked_{phase.context, schedule, data.components(), data.count(),
                 decoded_view(phase, schedule) == nullptr ? model::ComponentType::none
-                                                         : data.format().component} {}
+                                                         : data.format().component} {
+    if (!data.step()) return;
+    looked_.draco = true;
+    looked_.lossy = *data.step() != 0 ||
+                    std::any_of(schedule.checks.begin(), schedule.checks.end(),
+                                [](const Check& each) { return each.kind == CheckKind::index; });
+  }
 
   void report(const std::vector<Outcome>& outcomes) const {
     if (phase_.context.khronos()) {

@@ -47,9 +47,9 @@ class Vertex {
 
 class InfluenceCheck {
  public:
-  InfluenceCheck(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,
+  InfluenceCheck(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count, bool all_weights,
                  const std::function<void(const Influence&)>& emit)
-      : joint_count_(joint_count), emit_(emit), vertex_(joint_count) {
+      : joint_count_(joint_count), all_weights_(all_weights), emit_(emit), vertex_(joint_count) {
     for (const InfluenceSet& set : sets) {
       joints_.push_back(reader(set.joints, false));
       weights_.push_back(reader(set.weights, true));
@@ -80,6 +80,7 @@ class InfluenceCheck {
     const double joint = joints_[set]->next();
     const bool weighted = has_more(weights_[set]);
     const double weight = weighted ? weights_[set]->next() : 0;
+    if (all_weights_ && weight > 0) vertex_.add_weight(weight);
     if (joint >= static_cast<double>(joint_count_) || joint < 0) {
       emit_({InfluenceFault::joint_out_of_range, set, index, joint});
       return true;
@@ -96,22 +97,26 @@ class InfluenceCheck {
     const bool fresh = vertex_.add_joint(static_cast<std::uint64_t>(joint));
     if (!fresh) emit_({InfluenceFault::joint_repeated, set, index, joint});
     if (weight < 0) {
+      judged_ = judged_ && !all_weights_;  // its own fault makes the sum wrong
       emit_({InfluenceFault::negative_weight, set, index, weight});
-    } else if (fresh) {
+    } else if (fresh && !all_weights_) {
       vertex_.add_weight(weight);
     }
   }
 
   void finish_vertex(std::uint64_t index) {
-    if (!vertex_.is_normalized()) {
+    if (judged_ && !vertex_.is_normalized()) {
       for (std::uint32_t set = 0; set < weights_.size(); ++set) {
         emit_({InfluenceFault::wrong_sum, set, index, vertex_.sum()});
       }
     }
     vertex_.begin();
+    judged_ = true;
   }
 
   std::uint64_t joint_count_;
+  bool all_weights_;
+  bool judged_ = true;  ///< the sum of this vertex's weights
   const std::function<void(const Influence&)>& emit_;
   std::vector<Reader> joints_, weights_;
   Vertex vertex_;
@@ -147,8 +152,8 @@ void NumberReader::fill() {
 }
 
 void check_influences_of(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,
-                         const std::function<void(const Influence&)>& emit) {
-  InfluenceCheck(sets, joint_count, emit).run();
+                         bool all_weights, const std::function<void(const Influence&)>& emit) {
+  InfluenceCheck(sets, joint_count, all_weights, emit).run();
 }
 
 }  // namespace gltfx::validate

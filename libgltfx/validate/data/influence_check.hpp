@@ -59,8 +59,8 @@ struct InfluenceSet {
 
 /// Calls `emit` for each fault, up to the first joint or weight that cannot be read, in the order
 /// of the components and, for one of them, of the sets. `joint_count` is that of the smallest skin,
-/// at least 1.
+/// at least 1. `all_weights`: weights of joints that are reported count in the sum of the vertex.
 void check_influences_of(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,
-                         const std::function<void(const Influence&)>& emit);
+                         bool all_weights, const std::function<void(const Influence&)>& emit);
 
 }  // namespace gltfx::validate

@@ -48,6 +48,7 @@ struct Skinned {
   std::uint32_t primitive = 0;
   Limit limit;
   json::NodeId attributes = json::kNoNode;
+  bool lossy = false;  ///< the weights were quantised
 };
 
 // Faults of all primitives; for the khronos profile one by one while that is few enough, otherwise
@@ -125,10 +126,12 @@ class InfluenceReport {
     const std::string name = fmt::format("{}_{}", weights ? "WEIGHTS" : "JOINTS", influence.set);
     std::string message = sentence(influence, skinned.limit);
     if (found.count > 1) message += fmt::format(" It is the first of {}.", found.count);
+    if (weights && skinned.lossy) message += kAfterDraco;
     Finding finding =
         finding_on(phase_.context, phase_.context.document.find(skinned.attributes, name),
                    code(influence.fault), std::move(message));
     finding.count = found.count;
+    if (weights && skinned.lossy) finding.severity = Severity::warning;
     with_path({Place::Kind::attribute, skinned.mesh, skinned.primitive, name, json::kNoNode},
               [&](const Path& path) { phase_.sink.report(path, std::move(finding)); });
   }
@@ -182,11 +185,15 @@ class InfluencePhase {
                          data[set * 2 + 1] ? &*data[set * 2 + 1] : nullptr};
     }
     skinned.attributes = primitive.attributes_node;
-    report_.begin(skinned);
     const double step = weight_step(influences);
-    check_influences_of(influences, skinned.limit.joints, [&](const Influence& influence) {
-      if (!is_rounding(influence, step, sets)) report_.note(influence);
-    });
+    skinned.lossy = step != 0;
+    report_.begin(skinned);
+    // The Khronos validator sums up the weights of joints that it has not reported.
+    const bool all_weights = !phase_.context.khronos();
+    check_influences_of(influences, skinned.limit.joints, all_weights,
+                        [&](const Influence& influence) {
+                          if (!is_rounding(influence, step, sets)) report_.note(influence);
+                        });
   }
 
   // How far apart quantised weights are; 0 when they are exact.

@@ -61,7 +61,7 @@ constexpr RuleDescription kRules[] = {
   {"bufferView": 1, "componentType": 5126, "type": "VEC4", "count": 1}],
  "bufferViews": [{"buffer": 0, "byteLength": 4, "target": 34962},
   {"buffer": 0, "byteOffset": 4, "byteLength": 16, "target": 34962}],
- "buffers": [{"byteLength": 20, "uri": "data:application/octet-stream;base64,AAAAAAAAgD8AAAA/AAAAAAAAAAA="}]})",
+ "buffers": [{"byteLength": 20, "uri": "data:application/octet-stream;base64,AAAAAAAAAD8AAAA/AAAAAAAAAAA="}]})",
      kGood, Fix::none, true},
     {"ACCESSOR_JOINTS_INDEX_OOB", Severity::error,
      "A vertex is bound to a joint that its skin does not have",
