@@ -18,6 +18,7 @@
 #include "validate/phases.hpp"
 #include "validate/rules/budget.hpp"
 #include "validate/rules/image_based_light.hpp"
+#include "validate/rules/interactivity_draft.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -122,8 +123,13 @@ FileReport validate(const container::Container& container, const std::string& na
   if (has_text && parse_document(container, options, collector, document)) {
     const auto set = options.schemas ? options.schemas : schema::builtin_set();
     const model::Asset asset(document);
+    Sink& forms = collector.sink(Phase::schema);
     Sink& links = collector.sink(Phase::reference);
     const bool khronos = options.profile == Profile::khronos;
+    const bool earlier = !khronos && !earlier_interactivity(document).empty();
+    OutsideInteractivity outside_forms(forms);
+    OutsideInteractivity outside_links(links);
+    Sink& heard_links = earlier ? static_cast<Sink&>(outside_links) : links;
     std::optional<LinkOrder> order;
     if (khronos) order.emplace(links);
     Context context{container,
@@ -133,8 +139,8 @@ FileReport validate(const container::Container& container, const std::string& na
                     asset,
                     options,
                     {},
-                    collector.sink(Phase::schema),
-                    khronos ? *order : links};
+                    earlier ? static_cast<Sink&>(outside_forms) : forms,
+                    khronos ? static_cast<Sink&>(*order) : heard_links};
     if (khronos) context.order = &*order;
     DataUris data_uris;
     context.data_uris = &data_uris;

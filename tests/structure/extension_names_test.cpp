@@ -54,6 +54,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "of what"},
     {"libgltfx/validate/rules/interactivity.cpp",
      "order of a graph's nodes, lengths of values, indices inside configurations"},
+    {"libgltfx/validate/rules/interactivity_draft.cpp",
+     "tells graphs of earlier drafts by their form"},
     {"libgltfx/validate/data/edge_visibility.cpp", "edges are coded in the bits of an accessor"},
     {"libgltfx/validate/data/manifolds.cpp", "whether a surface is closed is told by its indices"},
     {"libgltfx/validate/data/outlines.cpp", "whether two vertices have an edge is told by indices"},

@@ -64,6 +64,85 @@ Lines interactive(const std::string& graph) {
 }
 const std::string kGraph = " /extensions/KHR_interactivity/graphs/0";
 
+// All that is found in a graph, whatever the code.
+Lines in_graph(const std::string& graph, Profile profile = Profile::standard) {
+  return findings(R"("extensionsUsed": ["KHR_interactivity"],
+    "extensions": {"KHR_interactivity": )" +
+                      graph + "}",
+                  {""}, profile);
+}
+
+TEST(Interactivity, AnEarlierDraftIsToldOnceAndNotChecked) {
+  const Lines once{"INTERACTIVITY_EARLIER_DRAFT /extensions/KHR_interactivity"};
+  const std::vector<std::string> drafts{
+      R"({"graphs": [{"types": [{"signature": "float"}], "variables": [{"id": "v", "type": 0}], "events": []}]})",
+      R"({"graph": 0, "graphs": [{"types": [{"signature": "float"}], "declarations": [{"op": "a/b",
+          "inputValueSockets": {}}], "nodes": [{"declaration": 0, "configuration": {}, "flows": {}},
+          {"declaration": 0, "flows": {"out": {"node": 0}}, "values": {"a": {"node": 9}}}]}]})",
+      R"({"graphs": [{"customEvents": [{"id": "e"}]}]})",
+      R"({"graphs": [{"nodes": [{"type": "event/onStart", "flows": {"out": {"node": 1}}}]}]})",
+      R"({"graphs": [{"declarations": [{"op": "a/b"}], "nodes": [{"declaration": 0, "values": [{"id": "a", "value": 1}]}]}]})",
+      R"({"nodes": [{"id": "0", "type": "event/onStart"}], "variables": [], "types": []})",
+  };
+  for (const std::string& draft : drafts) {
+    EXPECT_EQ(in_graph(draft), once) << draft;
+    EXPECT_EQ(in_graph(draft, Profile::strict), once) << draft;
+  }
+}
+
+TEST(Interactivity, ASingleSlipIsNoEarlierDraft) {
+  const std::string graph =
+      R"({"graph": 0, "graphs": [{"declarations": [{"op": "a/b"}], "nodes": [{"declaration": 0, "flows": {}}]}]})";
+  EXPECT_EQ(in_graph(graph),
+            Lines{"EMPTY_ENTITY /extensions/KHR_interactivity/graphs/0/nodes/0/flows"});
+  EXPECT_EQ(in_graph("{}"), Lines{"UNDEFINED_PROPERTY /extensions/KHR_interactivity"});
+}
+
+TEST(ExtensionName, ASlipIsAWarningWithTheRightName) {
+  const std::vector<std::pair<std::string, std::string>> slips{
+      {"KHR_material_unlit", "KHR_materials_unlit"},
+      {"khr_materials_unlit", "KHR_materials_unlit"},
+      {"KHR_MATERIALS_UNLIT", "KHR_materials_unlit"},
+      {"KHR_materials_transmision", "KHR_materials_transmission"},
+      {"KHR_texture_transfrom", "KHR_texture_transform"},
+      {"EXT_mesh_feature", "EXT_mesh_features"},
+      {"vrm", "VRM"}};
+  for (const auto& [name, meant] : slips) {
+    for (const bool required : {false, true}) {
+      const std::string list = "[\"" + name + "\"]";
+      const std::string members =
+          "\"extensionsUsed\": " + list + (required ? ", \"extensionsRequired\": " + list : "");
+      EXPECT_EQ(findings(members, {""}), Lines{"EXTENSION_NAME_MISSPELT /extensionsUsed/0"})
+          << name;
+      ValidateOptions options;
+      const FileReport report = validate_bytes(asset(members), "test", options);
+      ASSERT_EQ(report.diagnostics.size(), 1U);
+      EXPECT_EQ(report.diagnostics[0].severity, Severity::warning);
+      EXPECT_EQ(report.diagnostics[0].help, "did you mean '" + meant + "'?");
+    }
+  }
+}
+
+TEST(ExtensionName, OfAnUndeclaredObjectIsGuessedToo) {
+  const FileReport report = validate_bytes(
+      asset(R"("materials": [{"extensions": {"KHR_material_unlit": {}}}])"), "test", {});
+  ASSERT_FALSE(report.diagnostics.empty());
+  EXPECT_EQ(report.diagnostics[0].code, "UNDECLARED_EXTENSION");
+  EXPECT_EQ(report.diagnostics[0].help, "did you mean 'KHR_materials_unlit'?");
+}
+
+TEST(ExtensionName, ThatIsInUseIsNeverToBeRenamed) {
+  for (const char* const name :
+       {"VRM", "VRMC_vrm", "EXT_mesh_features", "KHR_accessor_float16", "KHR_materials_fuzz",
+        "OMI_physics_body", "MOZ_hubs_components", "ACME_sparkle"}) {
+    EXPECT_EQ(findings("\"extensionsUsed\": [\"" + std::string(name) + "\"]", {""}),
+              Lines{"UNSUPPORTED_EXTENSION /extensionsUsed/0"})
+        << name;
+  }
+  EXPECT_EQ(findings(R"("extensionsUsed": ["sparkle"])", {"INVALID_EXT", "EXTENSION_NAME"}),
+            Lines{"INVALID_EXTENSION_NAME_FORMAT /extensionsUsed/0"});
+}
+
 TEST(Interactivity, ValuesAreOfTheirType) {
   const auto value = [](const std::string& signature, const std::string& elements) {
     return interactive(R"("types": [{"signature": ")" + signature +

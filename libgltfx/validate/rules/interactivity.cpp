@@ -11,6 +11,7 @@
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/interactivity_draft.hpp"
 #include "validate/rules/interactivity_table.hpp"
 
 namespace gltfx::validate {
@@ -239,6 +240,14 @@ void check_graphs(const Context& context) {
   const Path root;
   const Path extensions(root, "extensions");
   const Path extension(extensions, kExtension);
+  const std::string_view earlier = earlier_interactivity(context.document);
+  if (!earlier.empty()) {
+    report_link(context, extension, object, kEarlierInteractivity,
+                fmt::format("The behaviour graphs follow an earlier draft of {} ({}); they are not "
+                            "checked.",
+                            kExtension, earlier));
+    return;
+  }
   const Path list(extension, "graphs");
   const auto graphs = object_list(context.document, object, "graphs");
   for (std::size_t i = 0; i < graphs.size(); ++i) {

@@ -19,6 +19,17 @@ constexpr std::string_view kGoodNodes =
    {"declaration": 0, "values": {"a": {"node": 0}, "b": {"type": 0, "value": [2]}}}]}]}}})";
 
 constexpr RuleDescription kRules[] = {
+    {"INTERACTIVITY_EARLIER_DRAFT", Severity::info,
+     "The behaviour graphs follow an earlier draft of the extension",
+     "The drafts differ in the form of nodes, sockets and variables; programs that follow the "
+     "released text reject such graphs.",
+     "Export the asset again with a program that follows the released text.",
+     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_interactivity"],
+ "extensions": {"KHR_interactivity": {"graph": 0, "graphs": [{"types": [{"signature": "float"}],
+  "variables": [{"id": "speed", "type": 0, "value": [1]}],
+  "declarations": [{"op": "event/onStart"}],
+  "nodes": [{"declaration": 0, "configuration": {}, "values": {}, "flows": {}}]}]}}})",
+     kGoodNodes, Fix::none, false},
     {"INTERACTIVITY_EVENT_REPEATED", Severity::error, "Two events of a graph have one id",
      "The application knows events by their id: graphs with two of a kind are rejected.",
      "Give each event its own id, or merge the two.",

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Behaviour graphs of earlier drafts, whose form differs at every turn: one finding says so.
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+#include "base/sink.hpp"
+#include "json/document.hpp"
+
+namespace gltfx::validate {
+
+inline constexpr std::string_view kEarlierInteractivity = "INTERACTIVITY_EARLIER_DRAFT";
+
+/// What tells that the graphs of an asset follow an earlier draft, as the end of a sentence. Empty:
+/// nothing does, or there are none.
+std::string_view earlier_interactivity(const json::Document& document);
+
+/// Passes on what is found outside of the graphs of an asset, and that they are earlier ones.
+class OutsideInteractivity final : public Sink {
+ public:
+  explicit OutsideInteractivity(Sink& next) : next_(next) {}
+  void report(const Path& path, Finding finding) override {
+    if (finding.code == kEarlierInteractivity || !is_inside(path)) {
+      next_.report(path, std::move(finding));
+    }
+  }
+
+ private:
+  static bool is_inside(const Path& path);
+  Sink& next_;
+};
+
+}  // namespace gltfx::validate
