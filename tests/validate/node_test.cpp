@@ -28,6 +28,27 @@ TEST(NodeTransform, MalformedRotationIsReportedOnce) {
   EXPECT_EQ(transforms(R"("rotation": [0, 0, 0, "1"])"), Lines{});
 }
 
+TEST(NodeTransform, AZeroInTheScaleIsAnInfoUnlessItIsAnimated) {
+  const std::string code = "NODE_SCALE_ZERO";
+  const auto zeros = [&](const std::string& scale, const std::string& more = {}) {
+    return findings(R"("nodes": [{"scale": )" + scale + "}]" + more, {code});
+  };
+  const Lines found{code + " /nodes/0/scale"};
+  EXPECT_EQ(zeros("[1, 0, 1]"), found);
+  EXPECT_EQ(zeros("[-0.0, 2, 3]"), found);
+  EXPECT_EQ(zeros("[0, 0, 0]"), found);
+  EXPECT_EQ(zeros("[1e-9, 1, 1]"), Lines{});
+  EXPECT_EQ(zeros("[0, 1]"), Lines{}) << "reported as malformed";
+  EXPECT_EQ(zeros("[0, 0, 0]", R"(, "animations": [{"samplers": [{"input": 0, "output": 1}],
+      "channels": [{"sampler": 0, "target": {"node": 0, "path": "scale"}}]}])"),
+            Lines{});
+  EXPECT_EQ(zeros("[0, 0, 0]", R"(, "animations": [{"samplers": [{"input": 0, "output": 1}],
+      "channels": [{"sampler": 0, "target": {"path": "pointer",
+      "extensions": {"KHR_animation_pointer": {"pointer": "/nodes/0/scale"}}}}]}])"),
+            Lines{});
+  EXPECT_EQ(findings(R"("nodes": [{"scale": [0, 0, 0]}])", {code}, Profile::khronos), Lines{});
+}
+
 TEST(NodeTransform, MatrixStandsAlone) {
   const std::string matrix = R"("matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 5,0,0,1])";
   EXPECT_EQ(transforms(matrix), Lines{});

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The local transform of a node: one form of it, and one that can be taken apart (specification
 // section 3.5.3).
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
 #include "model/node.hpp"
+#include "validate/rules/animated.hpp"
 #include "validate/rules/decompose.hpp"
 #include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
@@ -45,6 +48,15 @@ constexpr RuleDescription kRules[] = {
  "nodes": [{"camera": 0, "translation": [0, 1, 5], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 5, 1]}],
  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
      kGood, Fix::none, true},
+    {"NODE_SCALE_ZERO", Severity::info, "The scale of a node has a zero",
+     "What is flattened has no normals and no inverse matrix: shading, picking and skins go wrong "
+     "there. With three zeros the node and all below it are not seen.",
+     "Use a small number to flatten, and KHR_node_visibility to hide; or let an animation begin "
+     "with it.",
+     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "nodes": [{"camera": 0, "scale": [1, 0, 1]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
+     kGood, Fix::none, false},
     {"ROTATION_NON_UNIT", Severity::error, "A rotation is no unit quaternion",
      "Only quaternions of length 1 are rotations; others also scale, and viewers normalise them "
      "or do not.",
@@ -115,6 +127,41 @@ void check_node(const Context& context, json::NodeId object, const Path& path) {
   check_matrix(context, model::read_node(context.asset, object), path);
 }
 
+// By node: whether an animation writes its scale.
+std::vector<bool> animated_scales(const Context& context) {
+  std::vector<bool> animated(context.views.nodes.size());
+  for (const model::Animation& animation : context.views.animations) {
+    for (const model::AnimationChannel& channel : animation.channels) {
+      if (channel.node && channel.path == model::AnimationPath::scale)
+        animated[*channel.node] = true;
+    }
+  }
+  return animated;
+}
+
+// A scale that an animation begins or ends with is how glTF hides parts for a while.
+void check_scales(const Context& context) {
+  if (context.khronos()) return;
+  const std::vector<bool> animated = animated_scales(context);
+  const Animated by_pointer(context);
+  const auto& nodes = context.views.nodes;
+  const Path root;
+  const Path list(root, "nodes");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].scale == json::kNoNode || animated[i]) continue;
+    const auto scale = model::float_array<3>(context.document, nodes[i].scale);
+    if (!scale) continue;
+    const auto zeros = std::count(scale->begin(), scale->end(), 0.0F);
+    if (zeros == 0 || by_pointer.contains(fmt::format("/nodes/{}/scale", i))) continue;
+    const Path node(list, std::uint64_t{i});
+    report_link(context, Path(node, "scale"), nodes[i].scale, "NODE_SCALE_ZERO",
+                zeros == 3 ? "The scale is zero: the node and all below it are not seen."
+                           : "The scale has a zero: the node is flattened.");
+  }
+}
+
+constexpr LinkRule kLinkRules[] = {check_scales};
+
 constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_rotation, "rotation"},
                                             {"node", check_node},
                                             {"EXT_lights_image_based.light", check_rotation}};
@@ -122,7 +169,7 @@ constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_rotation, "rotation"}
 }  // namespace
 
 const Family& node_transform_family() {
-  static const Family family{"node_transform", kRules, kObjectRules, {}};
+  static const Family family{"node_transform", kRules, kObjectRules, kLinkRules};
   return family;
 }
 
