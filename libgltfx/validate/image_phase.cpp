@@ -119,8 +119,8 @@ class ImageCheck {
     const container::Content found = container::name_content(bytes.text());
     if (is_of_an_extension(found)) return;
     const std::string message =
-        fmt::format("The bytes are {}; an image here is {}.",
-                    found.name.empty() ? "those of no format known here" : found.name,
+        fmt::format("The image is {}; it must be {}.",
+                    found.name.empty() ? "of no format known here" : found.name,
                     join_or(std::vector<std::string>(enabled_.begin(), enabled_.end())));
     if (!user_.empty() && (found.image || found.name.empty())) {
       resource_.find(kCode, "", message,

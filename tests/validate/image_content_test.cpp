@@ -62,14 +62,13 @@ TEST(ImageContent, IsNamedWhereItIsNoImageForTextures) {
       {"\xff\xd8\xff", "a JPEG that is cut short"},
       {"RIFF\x10\0\0\0WAVEfmt "s, "a RIFF file, but no WebP image"},
       {"PK\x03\x04" + kTail, "a ZIP archive"},
-      {"once upon a time", "those of no format known here"},
+      {"once upon a time", "of no format known here"},
   };
   for (const auto& [bytes, name] : cases) {
     const Diagnostic found = finding(shown(bytes, R"(, "mimeType": "image/png")"));
     EXPECT_EQ(found.severity, Severity::error) << name;
     EXPECT_EQ(found.pointer, "/images/0") << name;
-    EXPECT_EQ(found.message,
-              "The bytes are " + name + "; an image here is image/jpeg or image/png.");
+    EXPECT_EQ(found.message, "The image is " + name + "; it must be image/jpeg or image/png.");
   }
 }
 
@@ -88,7 +87,7 @@ TEST(ImageContent, FilesAreToldTheSameWay) {
   const FileReport report = validate_file((folder.path() / "a.gltf").native(), options);
   ASSERT_EQ(report.diagnostics.size(), 1U);
   EXPECT_EQ(report.diagnostics[0].severity, Severity::error);
-  EXPECT_THAT(report.diagnostics[0].message, HasSubstr("The bytes are an empty file;"));
+  EXPECT_THAT(report.diagnostics[0].message, HasSubstr("The image is an empty file;"));
   EXPECT_EQ(report.diagnostics[0].help, "fetch or export the image again");
 }
 
