@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "image/header.hpp"
 
@@ -15,6 +16,17 @@ HeaderResult read_webp(std::span<const std::byte> bytes);
 inline HeaderFault unexpected_end() { return {HeaderFault::Kind::unexpected_end, {}}; }
 inline HeaderFault invalid(std::string problem) {
   return {HeaderFault::Kind::invalid, std::move(problem)};
+}
+
+/// Keeps the first problem that makes readers refuse an image.
+inline void doubt(Header& header, std::string problem) {
+  if (header.doubt.empty()) header.doubt = std::move(problem);
+}
+/// Keeps the first problem that readers pass over, or over which they differ.
+inline void remark(Header& header, std::string problem, bool readers_differ) {
+  if (!header.remark.empty() && header.readers_differ >= readers_differ) return;
+  header.remark = std::move(problem);
+  header.readers_differ = readers_differ;
 }
 
 }  // namespace gltfx::image

@@ -54,8 +54,13 @@ struct Header {
       false;  ///< no channel can hold anything but 0 and 1: the same in sRGB and linear
   bool icc_profile = false;
   bool exif = false;  ///< WebP: metadata of a camera
-  /// What the format forbids in a header that could be read all the same, one sentence; else empty.
+  /// What the format forbids in a header that could be read all the same: readers refuse such an
+  /// image. One sentence; else empty.
   std::string doubt;
+  /// What readers pass over although the format forbids it, or what few of them know. One sentence;
+  /// else empty. `doubt` says more where both are there.
+  std::string remark;
+  bool readers_differ = false;  ///< over the remark: some show another picture, or none
 };
 
 /// Why there is no header.
@@ -86,8 +91,24 @@ constexpr bool can_be_transparent(const Header& header) {
   return has_alpha(header.channels) && !header.opaque;
 }
 
-/// Reads the header of a PNG (to the first IDAT), JPEG (to the first SOF) or WebP. KTX2 is told,
-/// not read: see image/ktx2.hpp.
+/// Reads the header of a PNG (to the first IDAT, and whether its end is there), JPEG (to the first
+/// scan) or WebP (to the image data). KTX2 is told, not read: see image/ktx2.hpp.
+///
+/// What is checked stands at the head of each format's file. What the formats demand and is not
+/// checked, with the reason:
+/// - All: compressed data and their checksums; they must be decoded, which `--pixels` does.
+/// - PNG: chunks about colour, text and time, and their order; glTF ignores them.
+/// - PNG: checksums of ancillary chunks; only that of tRNS matters, and few readers skip it for
+/// that.
+/// - PNG: tRNS values beyond the bit depth, the reserved letter of names; readers cope alike.
+/// - PNG: frames of an animation; they are ignored.
+/// - JPEG: EOI; data behind it, as cameras append them, make it costly to find. Decoders tell.
+/// - JPEG: 16-bit quantisation tables, steps of 0, table numbers of baseline, component ids that
+///   repeat, restart intervals, JFIF and Adobe segments; readers cope alike.
+/// - JPEG: scans behind the first; they lie behind compressed data.
+/// - WebP: flags of metadata, padding bytes, unknown chunks; readers skip them.
+/// - WebP: frames of an animation; that there is one is reported.
+/// - KTX2: see image/ktx2.hpp.
 HeaderResult read_header(std::span<const std::byte> bytes);
 
 }  // namespace gltfx::image

@@ -49,7 +49,8 @@ void check_fields(Ktx2Reading& reading) {
   }
   if (file.vk_format == 0 && file.type_size != 1) bad("typeSize must be 1 without a vkFormat.");
   constexpr std::uint32_t kFirstVendor = 0x10000;
-  if (file.scheme > 3 && file.scheme < kFirstVendor) {
+  constexpr std::uint32_t kLastVendor = 0x1FFFF;
+  if (file.scheme > 3 && (file.scheme < kFirstVendor || file.scheme > kLastVendor)) {
     bad("supercompressionScheme " + std::to_string(file.scheme) + " does not exist.");
   }
 }
@@ -71,6 +72,28 @@ Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
   return range;
 }
 
+// The descriptor is padded on neither side, the global data to 8 bytes. Readers that go by the
+// index do not notice. After other faults nobody knows where the parts begin.
+void check_gaps(Ktx2Reading& reading, std::uint64_t index_end) {
+  const auto bad = [&](std::string problem) {
+    reading.tolerated_fault("KTX2_INDEX_INVALID", std::move(problem));
+  };
+  if (reading.descriptor.length == 0 || !reading.file.faults.empty()) return;
+  if (reading.descriptor.offset != index_end) {
+    bad("The data format descriptor does not follow the level index at once.");
+  }
+  std::uint64_t end = reading.descriptor.end();
+  if (reading.metadata.length != 0) {
+    if (reading.metadata.offset != end) {
+      bad("The metadata do not follow the data format descriptor at once.");
+    }
+    end = reading.metadata.end();
+  }
+  if (reading.global.length != 0 && reading.global.offset != (end + 7) / 8 * 8) {
+    bad("The supercompression global data do not follow the metadata at once.");
+  }
+}
+
 // Each part follows the one before it (section 3.11).
 void check_order(Ktx2Reading& reading, std::uint64_t index_end) {
   std::uint64_t end = index_end;
@@ -82,6 +105,7 @@ void check_order(Ktx2Reading& reading, std::uint64_t index_end) {
     }
     end = range.end();
   }
+  check_gaps(reading, index_end);
 }
 
 void read_index(Cursor& at, Ktx2Reading& reading) {
@@ -127,9 +151,14 @@ std::uint32_t Ktx2::full_pyramid() const {
   return static_cast<std::uint32_t>(std::bit_width(greatest));
 }
 
+bool Ktx2::is_sound() const {
+  return described && std::all_of(faults.begin(), faults.end(),
+                                  [](const Ktx2Fault& fault) { return fault.tolerated; });
+}
+
 Ktx2 read_ktx2(std::span<const std::byte> bytes) {
   Ktx2 file;
-  Ktx2Reading reading{bytes, file, {}, {}, {}};
+  Ktx2Reading reading{bytes, file, {}, {}, {}, 0, {}, {}};
   Cursor at(bytes);
   at.skip(kIdentifierBytes);
   if (bytes.size() < kKtx2HeaderBytes) {
@@ -146,6 +175,7 @@ Ktx2 read_ktx2(std::span<const std::byte> bytes) {
   }
   check_order(reading, kKtx2HeaderBytes + kKtx2LevelBytes * file.levels.size());
   read_ktx2_descriptor(reading);
+  check_ktx2_format(reading);
   read_ktx2_metadata(reading);
   check_ktx2_levels(reading);
   check_ktx2_global(reading);

@@ -3,6 +3,22 @@
 /// far as they can be told without decoding texels.
 ///
 /// Sources: KTX File Format Specification 2.0, Khronos Data Format Specification 1.3.
+///
+/// What they demand and is not checked:
+/// - the compressed data of a level, of Zstandard, ZLIB and BasisLZ: they must be decoded;
+/// - formats of 4:2:2 texels and combined depth and stencil beyond typeSize, and samples of block
+///   formats other than ASTC: no extension of glTF brings them;
+/// - the linear flag of alpha samples in sRGB: the common encoder leaves it out, readers do not
+/// look;
+/// - sample positions and ranges, further flags, descriptor blocks behind the first: likewise;
+/// - numbers of primaries and transfer functions: the slot of a material asks for one of them;
+/// - unknown keys that begin with KTX: later versions of the format may add some;
+/// - KTXcubemapIncomplete, KTXanimData: images for materials are flat, which a rule checks;
+/// - KTXwriter and its parameters, UTF-8 and closing NULs of values: nobody reads them;
+/// - the offset of an alpha slice that has no bytes, padding bytes that are not 0, bytes behind the
+///   last level: readers skip them;
+/// - vkFormat values and vendors' supercompression schemes that are not in the table: there may be
+///   new ones.
 #pragma once
 
 #include <array>
@@ -29,8 +45,9 @@ struct Ktx2Level {
 };
 
 struct Ktx2Fault {
-  std::string_view code;  ///< static storage: the code of a rule
-  std::string problem;    ///< one sentence
+  std::string_view code;   ///< static storage: the code of a rule
+  std::string problem;     ///< one sentence
+  bool tolerated = false;  ///< readers show the image all the same, though not always as meant
 };
 
 struct Ktx2 {
@@ -56,6 +73,8 @@ struct Ktx2 {
   /// Whether the image is flat, one layer of one face (specification section 4.1).
   bool is_2d() const { return height != 0 && depth == 0 && layers == 0 && faces == 1; }
   std::uint32_t full_pyramid() const;  ///< levels down to one texel
+  /// Whether readers can show it: there is a descriptor, and no fault but tolerated ones.
+  bool is_sound() const;
 };
 
 inline constexpr std::uint8_t kKtx2PrimariesBt709 = 1;

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "image/ktx2_parts.hpp"
 
 namespace gltfx::image {
@@ -54,11 +56,19 @@ std::optional<Channels> contents_of_uastc(const std::vector<std::uint8_t>& ids) 
   }
 }
 
-void read_samples(Cursor& at, std::uint64_t count, Ktx2& file) {
+void read_samples(Cursor& at, std::uint64_t count, Ktx2Reading& reading) {
+  Ktx2& file = reading.file;
   for (std::uint64_t i = 0; i < count && at.ok(); ++i) {
-    at.skip(3);  // where its bits lie
-    file.channels.push_back(at.u8() & 0x0FU);
+    Ktx2Sample sample;
+    sample.offset = at.le16();
+    sample.bits = at.u8() + 1U;
+    const std::uint8_t type = at.u8();
+    sample.channel = type & 0x0FU;
+    sample.is_signed = (type & 0x40U) != 0;
+    sample.is_float = (type & 0x80U) != 0;
     at.skip(12);  // position, least and greatest value
+    file.channels.push_back(sample.channel);
+    reading.samples.push_back(sample);
   }
   if (file.model == Ktx2Model::etc1s) file.contents = contents_of_etc1s(file.channels);
   if (file.model == Ktx2Model::uastc) file.contents = contents_of_uastc(file.channels);
@@ -73,11 +83,30 @@ bool is_basic_block(Cursor& at, std::uint64_t room, std::uint64_t& size) {
          (size - kBlockHeaderBytes) % kSampleBytes == 0;
 }
 
-void check_block_extent(Ktx2Reading& reading) {
+// ETC1S and UASTC: blocks of 4 by 4 texels, and samples of whole blocks. Former editions wrote no
+// bytes of planes where data are supercompressed.
+void check_universal_blocks(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
-  const bool basis = file.model == Ktx2Model::etc1s || file.model == Ktx2Model::uastc;
-  if (basis && file.block != std::array<std::uint8_t, 4>{3, 3, 0, 0}) {
+  const bool etc1s = file.model == Ktx2Model::etc1s;
+  if (!etc1s && file.model != Ktx2Model::uastc) return;
+  if (file.block != std::array<std::uint8_t, 4>{3, 3, 0, 0}) {
     reading.fault("KTX2_DESCRIPTOR_INVALID", "The texel blocks are not 4 by 4.");
+  }
+  const std::uint32_t bytes = etc1s ? 8 : 16;
+  std::uint32_t offset = 0;
+  for (const Ktx2Sample& sample : reading.samples) {
+    if (sample.offset != offset || sample.bits != bytes * 8) {
+      return reading.tolerated_fault(
+          "KTX2_DESCRIPTOR_INVALID",
+          fmt::format("The samples are not of {} bits one after the other.", bytes * 8));
+    }
+    offset += sample.bits;
+  }
+  const std::uint32_t plane = reading.plane_bytes[0];
+  if (plane != bytes && (plane != 0 || reading.has_scheme(Ktx2Scheme::none))) {
+    reading.tolerated_fault(
+        "KTX2_DESCRIPTOR_INVALID",
+        fmt::format("bytesPlane0 is {}; a texel block has {} bytes.", plane, bytes));
   }
 }
 
@@ -92,6 +121,22 @@ void keep_value(std::string_view key, std::string_view value, Ktx2& file) {
   if (!value.empty() && value.back() == '\0') value.remove_suffix(1);
   if (key == "KTXorientation") file.orientation = std::string(value);
   if (key == "KTXswizzle") file.swizzle = std::string(value);
+}
+
+// Keys whose presence or value the format restricts, and that no rule of glTF looks at. Each can
+// stand once at most, since keys that repeat end the metadata.
+void check_value(std::string_view key, std::string_view value, Ktx2Reading& reading) {
+  if (!value.empty() && value.back() == '\0') value.remove_suffix(1);
+  const bool mapping =
+      key == "KTXglFormat" || key == "KTXdxgiFormat__" || key == "KTXmetalPixelFormat";
+  if (mapping && reading.file.vk_format != 0) {
+    reading.tolerated_fault("KTX2_METADATA_INVALID",
+                            fmt::format("{} is only allowed where vkFormat is 0.", key));
+  }
+  if (key == "KTXastcDecodeMode" && value != "rgb9e5" && value != "unorm8") {
+    reading.tolerated_fault("KTX2_METADATA_INVALID",
+                            "KTXastcDecodeMode is neither rgb9e5 nor unorm8.");
+  }
 }
 
 }  // namespace
@@ -118,16 +163,18 @@ void read_ktx2_descriptor(Ktx2Reading& reading) {
     bad("The data format descriptor does not begin with a basic block.");
     return;
   }
-  file.model = model_of(at.u8());
+  reading.color_model = at.u8();
+  file.model = model_of(reading.color_model);
   file.primaries = at.u8();
   file.transfer = at.u8();
   file.premultiplied = (at.u8() & 1U) != 0;
   file.block = {at.u8(), at.u8(), at.u8(), at.u8()};
-  at.skip(8);  // bytes of each plane
-  read_samples(at, (size - kBlockHeaderBytes) / kSampleBytes, file);
+  reading.plane_bytes = {at.u8(), at.u8()};
+  at.skip(6);  // further planes
+  read_samples(at, (size - kBlockHeaderBytes) / kSampleBytes, reading);
   file.described = true;
   if (file.channels.empty()) bad("The data format descriptor has no samples.");
-  check_block_extent(reading);
+  check_universal_blocks(reading);
 }
 
 void read_ktx2_metadata(Ktx2Reading& reading) {
@@ -144,11 +191,19 @@ void read_ktx2_metadata(Ktx2Reading& reading) {
     const std::size_t end = entry.find('\0');
     if (end == std::string_view::npos || end == 0) return bad("An entry has no key.");
     const std::string_view key = entry.substr(0, end);
-    if (!before.empty() && key <= before) bad("The keys are not sorted, or one is repeated.");
+    if (!before.empty() && key <= before) {
+      return bad("The keys are not sorted, or one is repeated.");
+    }
     before = key;
-    keep_value(key, entry.substr(end + 1), reading.file);
+    const std::string_view value = entry.substr(end + 1);
+    keep_value(key, value, reading.file);
+    check_value(key, value, reading);
     at.skip(length);
     at.skip(std::min<std::uint64_t>((4 - length % 4) % 4, at.left()));
+  }
+  if (reading.metadata.length % 4 != 0) {
+    reading.tolerated_fault("KTX2_METADATA_INVALID",
+                            "The metadata do not end with the padding of their last entry.");
   }
 }
 

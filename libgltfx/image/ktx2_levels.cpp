@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The levels of a KTX2 file, and the global data of BasisLZ (KTX 2.0 sections 3.9, 3.12 and 6.2).
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -9,21 +10,35 @@
 namespace gltfx::image {
 namespace {
 
-constexpr std::uint64_t kUastcBlockBytes = 16;
 constexpr std::uint32_t kZstdMagic = 0xFD2FB528;
+constexpr std::uint8_t kRgbsda = 1, kFirstBlockModel = 128;
 
-bool is_scheme(const Ktx2& file, Ktx2Scheme scheme) {
-  return file.scheme == static_cast<std::uint32_t>(scheme);
+bool is_block_model(const Ktx2Reading& reading) { return reading.color_model >= kFirstBlockModel; }
+
+// Bytes of a texel block, or 0 where nobody knows: PVRTC has extents of its own, and 4:2:2 texels
+// several planes.
+std::uint64_t block_size(const Ktx2Reading& reading) {
+  constexpr std::uint8_t kPvrtc = 164, kPvrtc2 = 165;
+  const std::uint8_t model = reading.color_model;
+  if (reading.file.model == Ktx2Model::uastc || reading.file.model == Ktx2Model::astc) return 16;
+  const bool regular =
+      model == kRgbsda || (is_block_model(reading) && model != kPvrtc && model != kPvrtc2);
+  return regular && reading.plane_bytes[1] == 0 ? reading.plane_bytes[0] : 0;
 }
 
-// Images of one level: layers times faces times slices.
+// Layers times faces.
+std::uint64_t elements_of(const Ktx2& file) {
+  return std::uint64_t{std::max(file.layers, 1U)} * std::max(file.faces, 1U);
+}
+
+// Images of one level: elements times slices.
 Checked images_of_level(const Ktx2& file, std::size_t level) {
-  const Checked layers = checked_mul(std::max(file.layers, 1U), std::max(file.faces, 1U));
-  return layers ? checked_mul(*layers, level_extent(file.depth, level)) : std::nullopt;
+  return checked_mul(elements_of(file), level_extent(file.depth, level));
 }
 
-// Bytes of a level of UASTC or 8-bit ASTC blocks before supercompression.
-Checked block_bytes(const Ktx2& file, std::size_t level) {
+// Bytes of a level before supercompression.
+Checked level_bytes(const Ktx2Reading& reading, std::size_t level) {
+  const Ktx2& file = reading.file;
   const auto blocks = [&](std::uint32_t extent, std::size_t axis) {
     const std::uint64_t size = std::uint64_t{file.block[axis]} + 1;
     return (level_extent(extent, level) + size - 1) / size;
@@ -31,8 +46,11 @@ Checked block_bytes(const Ktx2& file, std::size_t level) {
   const Checked images = images_of_level(file, level);
   const Checked flat = checked_mul(blocks(file.width, 0), blocks(file.height, 1));
   const Checked all = images && flat ? checked_mul(*flat, *images) : std::nullopt;
-  return all ? checked_mul(*all, kUastcBlockBytes) : std::nullopt;
+  return all ? checked_mul(*all, block_size(reading)) : std::nullopt;
 }
+
+// The first two bytes of a ZLIB stream (RFC 1950).
+bool is_zlib(std::uint32_t begin) { return (begin >> 8U & 0x0FU) == 8 && begin % 31 == 0; }
 
 class LevelCheck {
  public:
@@ -63,9 +81,8 @@ class LevelCheck {
 
   // Only bytes that are not supercompressed are aligned, to texel blocks and to 4.
   void check_alignment(std::size_t index, const Ktx2Level& level) {
-    const bool blocks = file_.model == Ktx2Model::uastc || file_.model == Ktx2Model::astc;
-    const std::uint64_t alignment = blocks ? kUastcBlockBytes : 4;
-    if (is_scheme(file_, Ktx2Scheme::none) && level.offset % alignment != 0) {
+    const std::uint64_t alignment = std::lcm(std::max<std::uint64_t>(block_size(reading_), 1), 4);
+    if (reading_.has_scheme(Ktx2Scheme::none) && level.offset % alignment != 0) {
       bad(index, "does not begin at a multiple of " + std::to_string(alignment) + '.');
     }
   }
@@ -81,21 +98,26 @@ class LevelCheck {
   }
 
   void check_length(std::size_t index, const Ktx2Level& level) {
-    if (is_scheme(file_, Ktx2Scheme::basis_lz)) {
+    if (reading_.has_scheme(Ktx2Scheme::basis_lz)) {
       if (level.uncompressed != 0) bad(index, "has an uncompressed length; BasisLZ has none.");
       return;
     }
-    if (is_scheme(file_, Ktx2Scheme::none) && level.uncompressed != level.length) {
+    if (reading_.has_scheme(Ktx2Scheme::none) && level.uncompressed != level.length) {
       return bad(index, "has two lengths, but is not supercompressed.");
     }
-    const bool blocks = file_.model == Ktx2Model::uastc || file_.model == Ktx2Model::astc;
-    if (blocks && block_bytes(file_, index) != level.uncompressed) {
+    const bool right = block_size(reading_) != 0
+                           ? level_bytes(reading_, index) == level.uncompressed
+                           : level.uncompressed % elements_of(file_) == 0;
+    if (!right) {
       return bad(index, "has " + std::to_string(level.uncompressed) +
                             " bytes, which its extents do not make.");
     }
     Cursor at = reading_.at(level.offset);
-    if (is_scheme(file_, Ktx2Scheme::zstd) && at.le32() != kZstdMagic) {
+    if (reading_.has_scheme(Ktx2Scheme::zstd) && at.le32() != kZstdMagic) {
       bad(index, "is no Zstandard frame.");
+    }
+    if (reading_.has_scheme(Ktx2Scheme::zlib) && !is_zlib(at.be16())) {
+      bad(index, "is no ZLIB stream.");
     }
   }
 
@@ -120,7 +142,6 @@ Checked all_images(const Ktx2& file) {
 
 // An image of one or two slices inside its level.
 bool is_image_sound(Cursor& at, const Ktx2Level& level, bool alpha) {
-  at.skip(4);  // flags
   const std::uint64_t offset = at.le32(), length = at.le32();
   const std::uint64_t alpha_offset = at.le32(), alpha_length = at.le32();
   const bool second = alpha ? alpha_length != 0 && fits(alpha_offset, alpha_length, level.length)
@@ -129,11 +150,19 @@ bool is_image_sound(Cursor& at, const Ktx2Level& level, bool alpha) {
 }
 
 void check_images(Ktx2Reading& reading, Cursor at) {
+  constexpr std::uint32_t kInterFrame = 2;
   const Ktx2& file = reading.file;
   const bool alpha = file.channels.size() == 2;
   for (std::size_t index = 0; index < file.levels.size(); ++index) {
     const std::uint64_t images = images_of_level(file, index).value_or(0);
     for (std::uint64_t i = 0; i < images; ++i) {
+      const std::uint32_t flags = at.le32();
+      if ((flags & ~kInterFrame) != 0 || (flags != 0 && i == 0)) {
+        return reading.tolerated_fault("KTX2_GLOBAL_DATA_INVALID",
+                                       "The flags of image " + std::to_string(i) + " of level " +
+                                           std::to_string(index) + " are " + std::to_string(flags) +
+                                           ", which is not possible.");
+      }
       if (is_image_sound(at, file.levels[index], alpha)) continue;
       reading.fault("KTX2_GLOBAL_DATA_INVALID",
                     "The slices of level " + std::to_string(index) + " do not lie inside it.");
@@ -146,8 +175,11 @@ void check_images(Ktx2Reading& reading, Cursor at) {
 
 void check_ktx2_levels(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
-  if (file.level_count == 0 && file.model != Ktx2Model::other) {
+  if (file.level_count == 0 && is_block_model(reading)) {
     reading.fault("KTX2_HEADER_INVALID", "levelCount is 0, but blocks cannot be scaled down.");
+  }
+  if (file.height == 0 && is_block_model(reading)) {
+    reading.fault("KTX2_HEADER_INVALID", "pixelHeight is 0, but blocks have a height.");
   }
   LevelCheck check(reading);
   for (std::size_t i = 0; i < file.levels.size(); ++i) check.check(i);
@@ -158,21 +190,27 @@ void check_ktx2_global(Ktx2Reading& reading) {
     reading.fault("KTX2_GLOBAL_DATA_INVALID", std::move(problem));
   };
   const Ktx2& file = reading.file;
-  if (!is_scheme(file, Ktx2Scheme::basis_lz)) {
-    if (reading.global.length != 0) bad("Only BasisLZ has global data.");
+  if (!reading.has_scheme(Ktx2Scheme::basis_lz)) {
+    const bool vendor = file.scheme > static_cast<std::uint32_t>(Ktx2Scheme::zlib);
+    if (reading.global.length != 0 && !vendor) bad("Only BasisLZ has global data.");
     return;
   }
   if (reading.global.length < kGlobalHeaderBytes) return bad("BasisLZ needs its global data.");
   Cursor at = reading.within(reading.global);
-  at.skip(4);  // how many endpoints and selectors
-  std::uint64_t tables = kGlobalHeaderBytes;
-  for (int i = 0; i < 4; ++i) tables += at.le32();
+  const std::uint32_t endpoints = at.le16(), selectors = at.le16();
+  std::array<std::uint64_t, 4> lengths{};  // of endpoints, selectors, tables and extended data
+  for (std::uint64_t& length : lengths) length = at.le32();
+  const std::uint64_t tables = std::accumulate(lengths.begin(), lengths.end(), kGlobalHeaderBytes);
   const Checked images = all_images(file);
   const Checked described = checked_mul(images.value_or(UINT64_MAX), kImageDescriptionBytes);
   const Checked total = described ? checked_add(*described, tables) : described;
   if (!total || *total != reading.global.length) {
     return bad("The global data is not as long as its tables and images.");
   }
+  if (endpoints == 0 || selectors == 0 || lengths[0] == 0 || lengths[1] == 0 || lengths[2] == 0) {
+    return bad("A codebook or the tables of the global data are empty.");
+  }
+  if (lengths[3] != 0) bad("The global data have extended data, which ETC1S does not know.");
   check_images(reading, at);
 }
 

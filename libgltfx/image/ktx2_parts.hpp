@@ -2,8 +2,10 @@
 /// The parts of a KTX2 file, one after the other. Each reads what it can and names what is wrong.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/checked.hpp"
 #include "image/cursor.hpp"
@@ -20,14 +22,31 @@ struct Ktx2Range {
   std::uint64_t end() const { return offset + length; }
 };
 
+/// A sample of the basic descriptor block.
+struct Ktx2Sample {
+  std::uint32_t offset = 0, bits = 0;
+  std::uint8_t channel = 0;
+  bool is_float = false, is_signed = false;
+};
+
 /// A file while it is read. Ranges lie inside the bytes, or are empty.
 struct Ktx2Reading {
   std::span<const std::byte> bytes;
   Ktx2& file;
   Ktx2Range descriptor, metadata, global;
+  /// Of the basic descriptor block.
+  std::uint8_t color_model = 0;
+  std::array<std::uint8_t, 2> plane_bytes{};  ///< of a texel block in the first two planes
+  std::vector<Ktx2Sample> samples;
 
   void fault(std::string_view code, std::string problem) {
-    file.faults.push_back({code, std::move(problem)});
+    file.faults.push_back({code, std::move(problem), false});
+  }
+  void tolerated_fault(std::string_view code, std::string problem) {
+    file.faults.push_back({code, std::move(problem), true});
+  }
+  bool has_scheme(Ktx2Scheme scheme) const {
+    return file.scheme == static_cast<std::uint32_t>(scheme);
   }
   Cursor at(std::uint64_t offset) const {
     return Cursor(bytes.subspan(static_cast<std::size_t>(offset)));
@@ -40,6 +59,8 @@ struct Ktx2Reading {
 
 void read_ktx2_descriptor(Ktx2Reading& reading);
 void read_ktx2_metadata(Ktx2Reading& reading);
+/// vkFormat and typeSize against each other and against the descriptor, which has been read.
+void check_ktx2_format(Ktx2Reading& reading);
 /// Levels against extents, model and scheme. Header and descriptor have been read.
 void check_ktx2_levels(Ktx2Reading& reading);
 /// The global data of BasisLZ. Levels have been read.

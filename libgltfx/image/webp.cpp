@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// WebP container (RFC 9649), its first chunk: lossy, lossless or extended.
+// WebP container (RFC 9649), to its image data: lossy, lossless or extended. Checked are the sizes
+// of the file and of its chunks, the headers of both bitstreams, and canvas and alpha of the
+// extended form against the image in it.
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "image/cursor.hpp"
 #include "image/formats.hpp"
 
@@ -8,36 +14,96 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 30;
 constexpr std::size_t kLosslessBytes = 25;
+constexpr std::uint64_t kChunkHeaderBytes = 8;
 
-// Section 2.7.1.1 with the frame header of RFC 6386 section 9.1.
-HeaderResult read_lossy(Cursor at, Header header) {
-  at.skip(4);  // chunk size
-  at.skip(3);  // frame tag
-  if (!at.at("\x9d\x01\x2a")) header.doubt = "The WebP has no key frame where one must be.";
+// Section 2.7.1.1 with the frame header of RFC 6386 section 9.1. `at` is behind the name.
+void read_lossy(Cursor at, Header& header) {
+  const std::uint32_t size = at.le32();
+  const std::uint32_t frame = at.le24();
+  const bool inter_frame = (frame & 1U) != 0, shown = (frame & 0x10U) != 0;
+  if (inter_frame || !shown || !at.at("\x9d\x01\x2a")) {
+    doubt(header, "The WebP has no key frame where one must be.");
+  }
+  if ((frame >> 1U & 7U) > 3) doubt(header, "The version of the lossy WebP is above 3.");
+  if (frame >> 5U >= size)
+    doubt(header, "The first partition of the WebP is larger than the image.");
   at.skip(3);
   header.width = at.le16() & 0x3FFFU;  // the upper bits are a scale for display
   header.height = at.le16() & 0x3FFFU;
   header.channels = Channels::rgb;
-  if (header.width == 0 || header.height == 0) header.doubt = "The WebP has no pixels.";
-  return header;
+  if (header.width == 0 || header.height == 0) doubt(header, "The WebP has no pixels.");
 }
 
-// Section 3.4: one signature byte, then 14 bits each of width - 1 and height - 1, one bit of alpha.
-HeaderResult read_lossless(Cursor at, Header header) {
+// Section 3.4: a signature byte, 14 bits each of width - 1 and height - 1, one bit of alpha, three
+// of a version.
+void read_lossless(Cursor at, Header& header) {
   at.skip(4);
-  if (at.u8() != 0x2F) header.doubt = "The lossless WebP does not begin with its signature.";
+  if (at.u8() != 0x2F) doubt(header, "The lossless WebP does not begin with its signature.");
   const std::uint32_t fields = at.le32();
   header.width = (fields & 0x3FFFU) + 1;
   header.height = (fields >> 14 & 0x3FFFU) + 1;
   header.channels = (fields >> 28 & 1U) != 0 ? Channels::rgba : Channels::rgb;
-  return header;
+  if (fields >> 29U != 0) doubt(header, "The version of the lossless WebP is not 0.");
 }
 
-// Section 2.7.1: a byte of flags, three reserved, 24 bits each of width - 1 and height - 1.
-HeaderResult read_extended(Cursor at, Header header) {
+// --- The extended form (section 2.7.1) ---
+
+// What is checked against the image behind it.
+struct Found {
+  bool image = false;
+  bool whole = false;  // its chunk ends inside the file
+  bool alpha_chunk = false;
+  Header header;  // of the image
+};
+
+// Whether a chunk at `at`, which is moved behind it, lies inside the file.
+bool skip_chunk(Cursor& at) {
   at.skip(4);
+  const std::uint64_t size = at.le32();
+  at.skip(size + (size & 1U));  // chunks are padded
+  return at.ok();
+}
+
+// The image data: a still image, or the first frame of an animation, whose header is not read.
+Found find_image(Cursor at, bool animated) {
+  Found found;
+  for (Cursor chunk = at; at.left() >= kChunkHeaderBytes; chunk = at) {
+    Cursor content = chunk;
+    content.skip(4);
+    found.alpha_chunk = found.alpha_chunk || chunk.at("ALPH");
+    found.image = animated ? chunk.at("ANMF") : chunk.at("VP8 ") || chunk.at("VP8L");
+    if (found.image && chunk.at("VP8 ")) read_lossy(content, found.header);
+    if (found.image && chunk.at("VP8L")) read_lossless(content, found.header);
+    found.whole = skip_chunk(at);
+    if (found.image || !found.whole) break;
+  }
+  return found;
+}
+
+void check_image(const Found& found, Header& header) {
+  if (!found.image) {
+    return doubt(header, header.animated ? "The WebP is said to be animated, but has no frame."
+                                         : "The WebP has no image data.");
+  }
+  if (!found.whole) return doubt(header, "The image in the WebP is larger than the file.");
+  if (header.animated) return;
+  const Header& image = found.header;
+  if (!image.doubt.empty()) return doubt(header, image.doubt);
+  if (image.width != header.width || image.height != header.height) {
+    return doubt(header,
+                 fmt::format("The canvas of the WebP has {} by {} pixels, its image {} by {}.",
+                             header.width, header.height, image.width, image.height));
+  }
+  if (!has_alpha(header.channels) && (found.alpha_chunk || has_alpha(image.channels))) {
+    remark(header, "The image in the WebP has alpha, which the flags of the file deny.", true);
+  }
+}
+
+// Flags, three reserved bytes, 24 bits each of width - 1 and height - 1.
+void read_extended(Cursor at, Header& header) {
+  const std::uint32_t size = at.le32();
   const std::uint8_t flags = at.u8();
-  at.skip(3);
+  const std::uint32_t reserved = at.le24();
   header.width = at.le24() + 1;
   header.height = at.le24() + 1;
   header.channels = (flags & 0x10U) != 0 ? Channels::rgba : Channels::rgb;
@@ -45,7 +111,41 @@ HeaderResult read_extended(Cursor at, Header header) {
   header.icc_profile = (flags & 0x20U) != 0;
   header.exif = (flags & 0x08U) != 0;
   if (header.icc_profile) header.primaries = header.transfer = Tag::custom;
-  return header;
+  constexpr std::uint32_t kBytes = 10;
+  if (size != kBytes) {
+    return doubt(header,
+                 fmt::format("The VP8X chunk of the WebP has {} bytes instead of 10.", size));
+  }
+  if (std::uint64_t{header.width} * header.height > UINT32_MAX) {
+    doubt(header, "The canvas of the WebP has more than 4294967295 pixels.");
+  }
+  if ((flags & 0xC1U) != 0 || reserved != 0) {
+    remark(header, "Reserved bits of the WebP are set.", false);
+  }
+}
+
+// --- The file (sections 2.3 and 2.4) ---
+
+std::uint64_t file_size(std::span<const std::byte> bytes) {
+  Cursor at(bytes);
+  at.skip(4);
+  return kChunkHeaderBytes + at.le32();
+}
+
+// Whether the bytes go as far as the file and its first chunk say.
+void check_sizes(std::span<const std::byte> bytes, Header& header) {
+  const std::uint64_t file = file_size(bytes);
+  Cursor at(bytes);
+  at.skip(16);
+  const std::uint64_t chunk = 12 + kChunkHeaderBytes + at.le32();
+  if (file > bytes.size()) {
+    doubt(header,
+          fmt::format("The WebP is cut off: {} of {} bytes are there.", bytes.size(), file));
+  } else if (chunk > file) {
+    doubt(header, "The first chunk of the WebP is larger than the file says it is.");
+  } else if (file % 2 != 0) {
+    remark(header, "The size of the WebP is odd, although chunks are padded.", false);
+  }
 }
 
 }  // namespace
@@ -60,10 +160,22 @@ HeaderResult read_webp(std::span<const std::byte> bytes) {
   content.skip(4);
   const bool lossless = at.at("VP8L");
   if (bytes.size() < (lossless ? kLosslessBytes : kHeaderBytes)) return unexpected_end();
-  if (lossless) return read_lossless(content, header);
-  if (at.at("VP8 ")) return read_lossy(content, header);
-  if (at.at("VP8X")) return read_extended(content, header);
-  return invalid("The WebP does not begin with a chunk that holds an image.");
+  check_sizes(bytes, header);
+  if (lossless) {
+    read_lossless(content, header);
+  } else if (at.at("VP8 ")) {
+    read_lossy(content, header);
+  } else if (at.at("VP8X")) {
+    read_extended(content, header);
+    const std::uint64_t end =
+        std::clamp<std::uint64_t>(file_size(bytes), kHeaderBytes, bytes.size());
+    Cursor behind(bytes.first(static_cast<std::size_t>(end)));
+    behind.skip(kHeaderBytes);
+    check_image(find_image(behind, header.animated), header);
+  } else {
+    return invalid("The WebP does not begin with a chunk that holds an image.");
+  }
+  return header;
 }
 
 }  // namespace gltfx::image

@@ -102,9 +102,10 @@ class ImageCheck {
   void check_ktx2(model::ImageData& data) const {
     data.ktx2 = image::read_ktx2(data.bytes->view());
     for (const image::Ktx2Fault& fault : data.ktx2->faults) {
-      resource_.find(fault.code, "", fault.problem);
+      resource_.find(fault.code, "", fault.problem, {},
+                     fault.tolerated ? std::optional(Severity::warning) : std::nullopt);
     }
-    if (!data.ktx2->described || !data.ktx2->faults.empty()) return;
+    if (!data.ktx2->is_sound()) return;
     data.header = image::header_of(*data.ktx2);
     describe(*data.header);
   }
@@ -186,6 +187,10 @@ class ImageCheck {
       resource_.find("IMAGE_DATA_INVALID", "", header.doubt);
       return;
     }
+    if (!header.remark.empty() && !khronos()) {
+      resource_.find("IMAGE_DATA_INVALID", "", header.remark, {},
+                     header.readers_differ ? Severity::warning : Severity::info);
+    }
     const auto power_of_two = [](std::uint32_t size) {
       return size != 0 && (size & (size - 1)) == 0;
     };
@@ -206,14 +211,13 @@ class ImageCheck {
     check_features(header);
   }
 
-  // What is ignored when the image is shown is only worth an info; an animation is not shown.
+  // What is ignored when the image is shown is only worth an info.
   void check_features(const Header& header) const {
     const bool webp = header.format == image::Format::webp;
     std::string features;
     const auto add = [&](bool there, std::string_view text) {
       if (there) features.append(features.empty() ? "" : ", ").append(text);
     };
-    const bool animated = header.animated && (webp || !khronos());
     const bool profile = header.icc_profile && !khronos();
     const bool own = header.primaries == image::Tag::custom ||
                      header.transfer == image::Tag::custom ||
@@ -222,12 +226,20 @@ class ImageCheck {
     add(own && !profile, "a colour space of its own");
     add(!header.square_pixels, "pixels that are not square");
     add(header.exif && !khronos(), "EXIF metadata");
-    add(animated, "an animation");
-    if (features.empty()) return;
-    const bool quiet = !khronos() && !animated;
+    add(header.animated && webp && khronos(), "an animation");
+    if (!features.empty()) {
+      resource_.find("IMAGE_FEATURES_UNSUPPORTED", "",
+                     fmt::format("The image has {}; glTF ignores it.", features), {},
+                     khronos() ? std::nullopt : std::optional(Severity::info));
+    }
+    if (header.animated && !khronos()) check_animation(webp);
+  }
+
+  // A PNG has a still image beside its frames, a WebP has frames only.
+  void check_animation(bool webp) const {
     resource_.find("IMAGE_FEATURES_UNSUPPORTED", "",
-                   fmt::format("The image has {}; glTF ignores it.", features), {},
-                   quiet ? std::optional(Severity::info) : std::nullopt);
+                   webp ? "The image is animated: some readers show its first frame, others fail."
+                        : "The image is animated; glTF shows its still image only.");
   }
 
   const Resource& resource_;

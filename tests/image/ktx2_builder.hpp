@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ struct Ktx2Builder {
   std::uint8_t model = 166, primaries = 1, transfer = 2, flags = 0;
   std::string block{"\3\3\0\0", 4};
   std::vector<std::uint8_t> channels{0};
+  std::vector<std::uint32_t> bits;  ///< of each sample; empty: one texel block each
+  std::uint8_t type = 0;            ///< of all samples: 0x40 signed, 0x80 floats
   std::vector<std::pair<std::string, std::string>> metadata;
 
   /// ETC1S with BasisLZ.
@@ -35,6 +38,25 @@ struct Ktx2Builder {
     builder.channels = std::move(channels);
     return builder;
   }
+  /// Texels that are not compressed, of a format of Vulkan: each channel has that many bits.
+  static Ktx2Builder texels(std::uint32_t format, std::uint32_t type_size,
+                            std::vector<std::uint8_t> channels, std::vector<std::uint32_t> bits) {
+    Ktx2Builder builder;
+    builder.vk_format = format;
+    builder.type_size = type_size;
+    builder.model = 1;
+    builder.block = std::string(4, '\0');
+    builder.channels = std::move(channels);
+    builder.bits = std::move(bits);
+    return builder.linear();
+  }
+  /// ASTC of 4 by 4 texels in sRGB.
+  static Ktx2Builder astc() {
+    Ktx2Builder builder;
+    builder.vk_format = 158;
+    builder.model = 162;
+    return builder;
+  }
   /// Linear data without primaries.
   Ktx2Builder& linear() {
     primaries = 0;
@@ -42,13 +64,28 @@ struct Ktx2Builder {
     return *this;
   }
 
+  std::uint32_t sample_bits(std::size_t index) const {
+    return !bits.empty() ? bits[index] : model == 163 ? 64 : 128;
+  }
+  /// Of a texel block, all samples together.
+  std::size_t block_bytes() const {
+    if (channels.empty()) return 16;
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < channels.size(); ++i) sum += sample_bits(i);
+    return std::max<std::size_t>(sum / 8, 1);
+  }
+
   std::string descriptor() const {
     const auto size = 24 + 16 * channels.size();
     std::string text = le(size + 4, 4) + le(0, 4) + le(2, 2) + le(size, 2);
     for (const std::uint8_t field : {model, primaries, transfer, flags}) text += le(field, 1);
-    text += block + le(16, 8);
+    text += block +
+            (model == 163 ? le(8, 1) + le(channels.size() == 2 ? 8 : 0, 7) : le(block_bytes(), 8));
+    std::size_t offset = 0;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-      text += le(64 * i, 2) + le(63, 1) + le(channels[i], 1) + le(0, 8) + le(0xFFFFFFFF, 4);
+      text += le(offset, 2) + le(sample_bits(i) - 1, 1) + le(channels[i] | type, 1) + le(0, 8) +
+              le(0xFFFFFFFF, 4);
+      offset += sample_bits(i);
     }
     return text;
   }
@@ -81,11 +118,13 @@ struct Ktx2Builder {
 
   std::string level(std::size_t index) const {
     if (scheme == 1) return std::string(4 * channels.size(), 's');
-    const auto blocks = [&](std::uint32_t extent) {
-      return (std::max(extent >> index, 1U) + 3) / 4;
+    const auto blocks = [&](std::uint32_t extent, std::size_t axis) {
+      const auto size = static_cast<std::uint32_t>(block[axis]) + 1;
+      return (std::max(extent >> index, 1U) + size - 1) / size;
     };
-    std::string text(std::size_t{16} * blocks(width) * blocks(height), 'u');
+    std::string text(block_bytes() * blocks(width, 0) * blocks(height, 1), 'u');
     if (scheme == 2) text.replace(0, 4, "\x28\xb5\x2f\xfd");
+    if (scheme == 3) text.replace(0, 2, "\x78\x9c");
     return text;
   }
 
@@ -101,7 +140,11 @@ struct Ktx2Builder {
     parts += global_bytes;
     std::vector<std::string> index(level_count());
     for (std::size_t i = level_count(); i-- > 0;) {
-      if (scheme == 0) parts.resize((index_end + parts.size() + 15) / 16 * 16 - index_end);
+      const std::size_t alignment = std::lcm(block_bytes(), std::size_t{4});
+      if (scheme == 0) {
+        parts.resize((index_end + parts.size() + alignment - 1) / alignment * alignment -
+                     index_end);
+      }
       const std::string bytes = level(i);
       index[i] = le(index_end + parts.size(), 8) + le(bytes.size(), 8) +
                  le(scheme == 1 ? 0 : bytes.size(), 8);

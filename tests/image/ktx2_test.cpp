@@ -217,6 +217,242 @@ TEST(Ktx2, GlobalDataDescribesEverySlice) {
   EXPECT_EQ(codes(patched(Ktx2Builder::etc1s({0}).file(), kBlock + 4 + 24 + 3, le(0, 1))), Codes{});
 }
 
+// --- vkFormat ---
+
+// The sentences about a file, with '!' in front of those that readers pass over.
+std::vector<std::string> problems(const std::string& bytes, std::string_view code) {
+  std::vector<std::string> found;
+  for (const Ktx2Fault& fault : read(bytes).faults) {
+    if (fault.code == code) found.push_back((fault.tolerated ? "!" : "") + fault.problem);
+  }
+  return found;
+}
+std::vector<std::string> mismatches(const Ktx2Builder& builder) {
+  return problems(builder.file(), "KTX2_FORMAT_MISMATCH");
+}
+const std::vector<std::string> kNone;
+
+TEST(Ktx2Format, OfUastcAndEtc1sIsZero) {
+  Ktx2Builder uastc;
+  uastc.vk_format = 37;
+  EXPECT_EQ(mismatches(uastc),
+            std::vector<std::string>{"vkFormat is 37 (R8G8B8A8_UNORM), but colorModel of the "
+                                     "descriptor is 166 (UASTC), for which it must be 0."});
+  Ktx2Builder etc1s = Ktx2Builder::etc1s();
+  etc1s.vk_format = 147;
+  EXPECT_EQ(codes(etc1s.file()), Codes{"KTX2_FORMAT_MISMATCH"});
+}
+
+TEST(Ktx2Format, OfAstcIsThatOfItsBlocks) {
+  EXPECT_EQ(codes(Ktx2Builder::astc().file()), Codes{});
+  Ktx2Builder astc = Ktx2Builder::astc();
+  astc.vk_format = 0;
+  EXPECT_EQ(mismatches(astc).size(), 1U) << "Vulkan has formats";
+  astc.vk_format = 166;
+  EXPECT_EQ(mismatches(astc),
+            std::vector<std::string>{"vkFormat is 166 (ASTC_6x6_SRGB_BLOCK), but the texel blocks "
+                                     "of the descriptor are 4 by 4."});
+  astc.block = std::string("\5\5\0\0", 4);
+  EXPECT_EQ(mismatches(astc), kNone);
+  astc.vk_format = 145;
+  EXPECT_EQ(mismatches(astc),
+            std::vector<std::string>{"vkFormat is 145 (BC7_UNORM_BLOCK), but colorModel of the "
+                                     "descriptor is 162 (ASTC) instead of 134."});
+  Ktx2Builder two = Ktx2Builder::astc();
+  two.channels = {0, 15};
+  two.bits = {64, 64};
+  EXPECT_EQ(mismatches(two).size(), 1U) << "samples";
+  Ktx2Builder hdr = Ktx2Builder::astc().linear();
+  hdr.vk_format = 1000066000;
+  EXPECT_EQ(mismatches(hdr).size(), 1U) << "no floats";
+  hdr.type = 0xC0;
+  EXPECT_EQ(mismatches(hdr), kNone);
+}
+
+TEST(Ktx2Format, OfSrgbNeedsItsTransferFunction) {
+  Ktx2Builder srgb = Ktx2Builder::astc().linear();
+  EXPECT_EQ(mismatches(srgb),
+            std::vector<std::string>{"vkFormat is 158 (ASTC_4x4_SRGB_BLOCK), but the transfer "
+                                     "function of the descriptor is 1, not that of sRGB."});
+  Ktx2Builder linear = Ktx2Builder::astc();
+  linear.vk_format = 157;
+  const auto found = mismatches(linear);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0][0], '!') << "should not, and readers differ";
+  EXPECT_TRUE(read(linear.file()).is_sound());
+  Ktx2Builder packed = Ktx2Builder::texels(64, 4, {0, 1, 2, 15}, {10, 10, 10, 2});
+  packed.transfer = 2;
+  EXPECT_EQ(mismatches(packed), kNone) << "there is no format of sRGB like it";
+}
+
+TEST(Ktx2Format, TexelsAreThoseOfItsName) {
+  struct Case {
+    std::uint32_t format, type_size;
+    std::vector<std::uint8_t> channels;
+    std::vector<std::uint32_t> bits;
+    std::uint8_t type = 0;
+  };
+  const std::vector<Case> cases{
+      {4, 2, {2, 1, 0}, {5, 6, 5}},                    // R5G6B5_UNORM_PACK16
+      {9, 1, {0}, {8}},                                // R8_UNORM
+      {24, 1, {0, 1, 2}, {8, 8, 8}, 0x40},             // R8G8B8_SNORM
+      {44, 1, {2, 1, 0, 15}, {8, 8, 8, 8}},            // B8G8R8A8_UNORM
+      {97, 2, {0, 1, 2, 15}, {16, 16, 16, 16}, 0xC0},  // R16G16B16A16_SFLOAT
+      {122, 4, {0, 1, 2}, {11, 11, 10}, 0x80},         // B10G11R11_UFLOAT_PACK32
+      {124, 2, {14}, {16}},                            // D16_UNORM
+  };
+  for (const Case& each : cases) {
+    Ktx2Builder builder =
+        Ktx2Builder::texels(each.format, each.type_size, each.channels, each.bits);
+    builder.type = each.type;
+    if (each.format == 124) builder.transfer = 0;
+    EXPECT_EQ(codes(builder.file()), Codes{}) << each.format;
+    Ktx2Builder wrong = builder;
+    wrong.type ^= 0x80;
+    EXPECT_EQ(mismatches(wrong).size(), 1U) << each.format;
+    wrong = builder;
+    wrong.channels.back() = 13;
+    EXPECT_EQ(mismatches(wrong).size(), 1U) << each.format;
+    wrong = builder;
+    wrong.type_size = 3;
+    EXPECT_EQ(codes(wrong.file()), Codes{"KTX2_HEADER_INVALID"}) << each.format;
+    wrong = builder;
+    wrong.vk_format = 107;
+    EXPECT_FALSE(mismatches(wrong).empty()) << each.format;
+  }
+  const Ktx2Builder few = Ktx2Builder::texels(37, 1, {0, 1, 2}, {8, 8, 16});
+  EXPECT_EQ(mismatches(few),
+            std::vector<std::string>{"vkFormat is 37 (R8G8B8A8_UNORM), but the samples of the "
+                                     "descriptor are R8G8B16."});
+}
+
+TEST(Ktx2Format, OfIntegersHasNoColourSpace) {
+  Ktx2Builder builder = Ktx2Builder::texels(13, 1, {0}, {8});
+  EXPECT_EQ(mismatches(builder).size(), 1U);
+  EXPECT_TRUE(read(builder.file()).is_sound());
+  builder.transfer = 0;
+  EXPECT_EQ(mismatches(builder), kNone);
+}
+
+TEST(Ktx2Format, OfScaledNumbersOrPlanesIsProhibited) {
+  for (const std::uint32_t format : {11U, 12U, 67U, 94U, 1000156002U, 1000156033U, 1000330003U}) {
+    EXPECT_EQ(codes(Ktx2Builder::texels(format, 1, {0}, {8}).file()), Codes{"KTX2_HEADER_INVALID"})
+        << format;
+  }
+  for (const std::uint32_t format : {185U, 1000156000U, 1000156034U, 1000400000U}) {
+    EXPECT_EQ(codes(Ktx2Builder::texels(format, 1, {0}, {8}).file()), Codes{}) << format;
+  }
+}
+
+TEST(Ktx2Format, SchemesGoWithTheirModel) {
+  const Codes bad{"KTX2_HEADER_INVALID"};
+  Ktx2Builder etc1s = Ktx2Builder::etc1s();
+  etc1s.scheme = 2;
+  EXPECT_EQ(codes(etc1s.file()), bad);
+  Ktx2Builder uastc;
+  uastc.scheme = 1;
+  EXPECT_EQ(codes(uastc.file()), bad);
+  EXPECT_EQ(codes(patched(Ktx2Builder().file(), kScheme, le(0x20000, 4))), bad) << "reserved";
+}
+
+// --- What readers pass over ---
+
+TEST(Ktx2, TexelBlocksHaveTheirBytes) {
+  constexpr std::size_t kPlanes = kBlock + 4 + 16, kSample = kBlock + 4 + 24;
+  const auto found = [](const std::string& bytes) {
+    return problems(bytes, "KTX2_DESCRIPTOR_INVALID");
+  };
+  const std::string uastc = Ktx2Builder().file();
+  EXPECT_EQ(found(patched(uastc, kPlanes, le(8, 1))),
+            std::vector<std::string>{"!bytesPlane0 is 8; a texel block has 16 bytes."});
+  EXPECT_EQ(found(patched(uastc, kPlanes, le(0, 1))).size(), 1U);
+  EXPECT_EQ(found(patched(Ktx2Builder::etc1s().file(), kPlanes, le(0, 1))), kNone)
+      << "as former editions wanted it";
+  EXPECT_EQ(found(patched(uastc, kSample + 2, le(63, 1))),
+            std::vector<std::string>{"!The samples are not of 128 bits one after the other."});
+  EXPECT_EQ(found(patched(uastc, kSample, le(8, 2))).size(), 1U);
+}
+
+TEST(Ktx2, PartsFollowEachOther) {
+  const auto gap = [](const Ktx2Builder& builder, std::size_t at) {
+    std::string bytes = builder.file();
+    bytes.insert(at, std::string(16, '\0'));
+    for (std::size_t field : {kDescriptor, kMetadata, kGlobal, kLevel0}) {
+      const auto old = static_cast<unsigned char>(bytes[field]);
+      if (old >= at) bytes[field] = static_cast<char>(old + 16);
+    }
+    return problems(bytes, "KTX2_INDEX_INVALID");
+  };
+  Ktx2Builder builder = Ktx2Builder::etc1s();
+  builder.metadata = {{"KTXwriter", "t"}};
+  EXPECT_EQ(problems(builder.file(), "KTX2_INDEX_INVALID"), kNone);
+  EXPECT_EQ(gap(builder, kBlock),
+            std::vector<std::string>{
+                "!The data format descriptor does not follow the level index at once."});
+  EXPECT_EQ(
+      gap(builder, kEntries),
+      std::vector<std::string>{"!The metadata do not follow the data format descriptor at once."});
+  EXPECT_EQ(gap(builder, kEntries + 16),
+            std::vector<std::string>{
+                "!The supercompression global data do not follow the metadata at once."});
+}
+
+TEST(Ktx2, MetadataHaveTheirValues) {
+  const auto found = [](const std::string& key, const std::string& value, Ktx2Builder builder) {
+    builder.metadata = {{key, value}};
+    return problems(builder.file(), "KTX2_METADATA_INVALID");
+  };
+  const std::string number(3, 'n');
+  EXPECT_EQ(found("KTXglFormat", number, Ktx2Builder()), kNone);
+  EXPECT_EQ(found("KTXglFormat", number, Ktx2Builder::astc()),
+            std::vector<std::string>{"!KTXglFormat is only allowed where vkFormat is 0."});
+  EXPECT_EQ(found("KTXastcDecodeMode", "unorm8", Ktx2Builder::astc()), kNone);
+  EXPECT_EQ(found("KTXastcDecodeMode", "unorm16", Ktx2Builder::astc()).size(), 1U);
+  Ktx2Builder builder;
+  builder.metadata = {{"a", "12"}};
+  EXPECT_EQ(
+      problems(patched(builder.file(), kMetadata + 4, le(9, 4)), "KTX2_METADATA_INVALID"),
+      std::vector<std::string>{"!The metadata do not end with the padding of their last entry."});
+  builder.metadata.clear();
+  for (int i = 0; i < 1000; ++i) builder.metadata.push_back({"same", ""});
+  EXPECT_EQ(codes(builder.file()), Codes{"KTX2_METADATA_INVALID"}) << "said once";
+}
+
+TEST(Ktx2, LevelsOfEveryFormatHaveTheirBytes) {
+  Ktx2Builder rgb = Ktx2Builder::texels(23, 1, {0, 1, 2}, {8, 8, 8});
+  rgb.width = 5;
+  rgb.levels = 3;
+  const std::string whole = rgb.file();
+  EXPECT_EQ(codes(whole), Codes{});
+  const Codes bad{"KTX2_LEVEL_INVALID"};
+  const std::uint64_t offset = read(whole).levels[0].offset;
+  EXPECT_EQ(codes(patched(whole, kLevel0, le(offset - 4, 8))).front(), bad.front()) << "12 bytes";
+  EXPECT_EQ(codes(patched(whole, kLevel0 + 8, le(57, 8) + le(57, 8))), bad);
+  Ktx2Builder zlib;
+  zlib.scheme = 3;
+  const std::string packed = zlib.file();
+  EXPECT_EQ(codes(packed), Codes{});
+  EXPECT_EQ(codes(patched(packed, packed.size() - 16, "zz")), bad);
+  Ktx2Builder line = Ktx2Builder::texels(9, 1, {0}, {8});
+  EXPECT_EQ(codes(patched(line.file(), kHeight, le(0, 4))).front(), "KTX2_LEVEL_INVALID");
+  EXPECT_EQ(codes(patched(Ktx2Builder().file(), kHeight, le(0, 4))).front(), "KTX2_HEADER_INVALID")
+      << "blocks have a height";
+}
+
+TEST(Ktx2, GlobalDataHaveNoEmptyTables) {
+  constexpr std::size_t kTables = 152;  // behind a descriptor of one sample, aligned to 8
+  const std::string whole = Ktx2Builder::etc1s().file();
+  const Codes bad{"KTX2_GLOBAL_DATA_INVALID"};
+  EXPECT_EQ(codes(patched(whole, kTables, le(0, 2))), bad) << "endpoints";
+  EXPECT_EQ(codes(patched(whole, kTables + 2, le(0, 2))), bad) << "selectors";
+  EXPECT_EQ(codes(patched(whole, kTables + 4, le(0, 4) + le(2, 4))), bad) << "their bytes";
+  EXPECT_EQ(codes(patched(whole, kTables + 12, le(0, 4) + le(1, 4))).front(), bad.front())
+      << "tables, and data that ETC1S does not know";
+  for (const std::uint64_t flags : {1U, 2U, 4U}) {
+    EXPECT_EQ(problems(patched(whole, kTables + 20, le(flags, 4)), bad.front()).size(), 1U);
+  }
+}
+
 TEST(Ktx2, OnlyOneFlatImageIsOfTwoDimensions) {
   const std::string whole = Ktx2Builder().file();
   EXPECT_FALSE(read(patched(whole, kHeight, le(0, 4))).is_2d());

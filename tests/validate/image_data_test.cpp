@@ -42,7 +42,7 @@ std::string small_webp() { return webp("VP8L", std::string("\x2f\xff\xc0\x1f\x00
 
 TEST(Images, ThatAreRightAreSilent) {
   EXPECT_EQ(about(with_image("image/png", png())), Lines());
-  EXPECT_EQ(about(with_image("image/jpeg", jpeg(jpeg_frame(3)))), Lines());
+  EXPECT_EQ(about(with_image("image/jpeg", whole_jpeg())), Lines());
   EXPECT_EQ(about(with_image("image/png", png(), R"(, "mimeType": "image/png")")), Lines());
 }
 
@@ -119,9 +119,8 @@ TEST(Images, ColourSpacesOfTheirOwnAreAnInfoAndForKhronosAWarning) {
 
 TEST(Images, MetadataOfCamerasIsAnInfoInWebp) {
   const auto flagged = [](char flags) {
-    const std::string bytes =
-        webp("VP8X", std::string(1, flags) + std::string("\0\0\0\3\0\0\3\0\0", 9));
-    return with_image("image/webp", bytes, {}, R"(, "extensionsUsed": ["EXT_texture_webp"])");
+    return with_image("image/webp", extended_webp(flags), {},
+                      R"(, "extensionsUsed": ["EXT_texture_webp"])");
   };
   EXPECT_EQ(about(flagged('\x08')), Lines{"IMAGE_FEATURES_UNSUPPORTED /images/0"});
   EXPECT_EQ(feature_severity(flagged('\x08'), Profile::standard), Severity::info);
@@ -130,13 +129,47 @@ TEST(Images, MetadataOfCamerasIsAnInfoInWebp) {
 }
 
 TEST(Images, ColourProfilesAreAnInfoInEveryFormat) {
-  const std::string icc = jpeg_segment(0xE2, "ICC_PROFILE.....") + jpeg_frame(3);
-  const std::string photo = with_image("image/jpeg", jpeg(icc));
+  const std::string icc = jpeg_segment(0xE2, "ICC_PROFILE.....");
+  const std::string photo = with_image("image/jpeg", whole_jpeg(icc));
   EXPECT_EQ(feature_severity(photo, Profile::standard), Severity::info);
   EXPECT_EQ(about(photo, Profile::khronos), Lines());
   const std::string png_icc = with_image("image/png", png(png_chunk("iCCP", "profile")));
   EXPECT_EQ(feature_severity(png_icc, Profile::standard), Severity::info);
   EXPECT_EQ(feature_severity(png_icc, Profile::khronos), Severity::warning);
+}
+
+TEST(Images, AnimatedWebpIsAWarning) {
+  const std::string bytes =
+      webp_file(webp_chunk("VP8X", le(2, 4) + le(3, 3) + le(3, 3)) +
+                webp_chunk("ANIM", std::string(6, 'x')) + webp_chunk("ANMF", std::string(16, 'x')));
+  const std::string animated =
+      with_image("image/webp", bytes, {}, R"(, "extensionsUsed": ["EXT_texture_webp"])");
+  EXPECT_EQ(about(animated), (Lines{"IMAGE_FEATURES_UNSUPPORTED /images/0"}));
+  EXPECT_EQ(feature_severity(animated, Profile::standard), Severity::warning);
+  EXPECT_EQ(message(animated, "IMAGE_FEATURES_UNSUPPORTED"),
+            "The image is animated: some readers show its first frame, others fail.");
+  EXPECT_EQ(message(animated, "IMAGE_FEATURES_UNSUPPORTED", Profile::khronos),
+            "The image has an animation; glTF ignores it.");
+}
+
+Severity data_severity(const std::string& asset) {
+  ValidateOptions options;
+  options.select = {"IMAGE_DATA_INVALID"};
+  const FileReport report = validate_bytes(asset, "test", options);
+  return report.diagnostics.empty() ? Severity::hint : report.diagnostics[0].severity;
+}
+
+TEST(Images, FaultsOfTheirHeaderAreAsLoudAsReadersTakeThem) {
+  const auto png_with = [](const std::string& chunks, const PngHeader& header) {
+    return with_image("image/png", png(chunks, header));
+  };
+  EXPECT_EQ(data_severity(png_with({}, {})), Severity::hint) << "nothing is said";
+  EXPECT_EQ(data_severity(png_with({}, {4, 4, 4, 2})), Severity::error);
+  EXPECT_EQ(data_severity(png_with(png_chunk("tRNS", "a"), {})), Severity::warning);
+  EXPECT_EQ(data_severity(png_with(png_chunk("PLTE", "abc"), {4, 4, 8, 0})), Severity::info);
+  EXPECT_EQ(about(png_with(png_chunk("tRNS", "a"), {}), Profile::khronos), Lines());
+  EXPECT_EQ(about(png_with({}, {4, 4, 4, 2}), Profile::khronos), Lines());
+  EXPECT_EQ(about(with_image("image/jpeg", jpeg(jpeg_frame(3, 0xC3))), Profile::khronos), Lines());
 }
 
 TEST(Images, AnimationsAreAWarningInPngOnlyForUs) {

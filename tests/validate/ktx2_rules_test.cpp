@@ -54,6 +54,30 @@ TEST(Ktx2Images, FaultsOfTheFileAreAtTheImage) {
   EXPECT_EQ(with(64, le(104, 8) + le(8, 8)).front(), "KTX2_INDEX_INVALID" + kImage);
 }
 
+TEST(Ktx2Images, HaveAFormatThatTheirDescriptorDescribes) {
+  Ktx2Builder uastc;
+  uastc.vk_format = 37;
+  EXPECT_EQ(about(uastc), Lines{"KTX2_FORMAT_MISMATCH" + kImage});
+  Ktx2Builder linear = Ktx2Builder::astc();
+  linear.vk_format = 157;
+  EXPECT_EQ(about_textures(shown(linear, base_color(), "EXT_texture_astc")),
+            Lines{"KTX2_FORMAT_MISMATCH" + kImage});
+}
+
+TEST(Ktx2Images, ThatReadersShowAllTheSameAreCheckedFurther) {
+  Ktx2Builder linear = Ktx2Builder::astc();
+  linear.vk_format = 157;
+  const Textured textured = shown(linear, kOcclusion, "EXT_texture_astc");
+  EXPECT_EQ(about_textures(textured),
+            (Lines{"KTX2_FORMAT_MISMATCH" + kImage,
+                   "KTX2_COLOR_SPACE_INVALID /materials/0/occlusionTexture"}));
+  ValidateOptions options;
+  options.select = {"KTX2_FORMAT_MISMATCH"};
+  const FileReport report = validate_bytes(textured.text(), "test", options);
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].severity, Severity::warning);
+}
+
 TEST(Ktx2Images, AreFlat) {
   Ktx2Builder layered;
   layered.layers = 1;
@@ -84,8 +108,7 @@ TEST(Ktx2Images, HaveStraightAlpha) {
 
 TEST(Ktx2Images, HoldWhatTheirExtensionAllows) {
   const Lines bad{"KTX2_PAYLOAD_INVALID" + kImage};
-  Ktx2Builder astc;
-  astc.model = 162;
+  const Ktx2Builder astc = Ktx2Builder::astc();
   EXPECT_EQ(about(astc), bad);
   EXPECT_EQ(about_textures(shown(astc, base_color(), "EXT_texture_astc")), Lines{});
   EXPECT_EQ(about_textures(shown(Ktx2Builder(), base_color(), "EXT_texture_astc")), bad);

@@ -27,7 +27,7 @@ Lines hints(const Textured& textured, const std::string& code) {
 
 std::string broken_png() {
   std::string bytes = rgb_png("\1\2\3\4\5\6");
-  return bytes.replace(bytes.find("IDAT") + 4, 4, "....");
+  return bytes.replace(bytes.find("IDAT") + 6, 4, "....");  // behind what the header checks read
 }
 
 const std::string kBase = "/materials/0/pbrMetallicRoughness/baseColorTexture";
@@ -214,8 +214,75 @@ TEST(NormalMaps, GapsBetweenChartsDoNotCount) {
   EXPECT_EQ(normals(texels + "\x80\x80\xFF\xBC\x80\xEF"), Lines{});
 }
 
-TEST(NormalMaps, OfTwoChannelsAreSkipped) {
-  EXPECT_EQ(normals(std::string("\x20\x80\x00\xBC\x10\x00", 6)), Lines{}) << "B is constant";
+std::string normal_message(const std::string& texels) {
+  ValidateOptions options;
+  options.pixels = PixelLevel::needed;
+  options.select = {"NORMAL_MAP_INWARD", "NORMAL_MAP_NOT_UNIT", "TEXTURE_CHANNELS_EQUAL"};
+  const Textured textured{R"("normalTexture": {"index": 0})", {rgb_png(texels)}};
+  const FileReport report = validate_bytes(textured.text(), "test", options);
+  return report.diagnostics.empty() ? std::string() : report.diagnostics[0].message;
+}
+
+TEST(NormalMaps, OfTwoChannelsWithoutBluePointInward) {
+  const std::string empty("\x20\x80\x00\xBC\x10\x00", 6);
+  EXPECT_EQ(normals(empty), Lines{"NORMAL_MAP_INWARD" + kSlot});
+  EXPECT_NE(normal_message(empty).find("B of image 0 is 0 in every texel"), std::string::npos);
+  EXPECT_EQ(normals(std::string("\x80\x80\x00\x7F\x80\x00", 6)), Lines{"NORMAL_MAP_INWARD" + kSlot})
+      << "not even when they are flat";
+}
+
+TEST(NormalMaps, OfTwoChannelsWithFullBlueAreNotUnit) {
+  const std::string full = "\x20\x80\xFF\xBC\x10\xFF";
+  EXPECT_EQ(normals(full), Lines{"NORMAL_MAP_NOT_UNIT" + kSlot});
+  EXPECT_NE(normal_message(full).find("B of image 0 is 255 in every texel"), std::string::npos);
+  EXPECT_NE(normal_message("\x20\x80\xFA\xBC\x10\xFF").find("is 250 or more"), std::string::npos)
+      << "as lossy coding leaves it";
+  EXPECT_EQ(normals("\x88\x80\xFF\x78\x84\xFF"), Lines{}) << "gentle slopes round to that";
+  EXPECT_EQ(normals("\x20\x80\x80\xBC\x10\x80"), Lines{}) << "of unit length, without Z";
+  EXPECT_EQ(normals("\x60\x80\x80\x9C\x70\x80"), Lines{"NORMAL_MAP_NOT_UNIT" + kSlot})
+      << "B of 128 everywhere";
+}
+
+TEST(NormalMaps, ThatAreHeightMapsInRgbAreFound) {
+  EXPECT_EQ(normals("\x20\x20\x20\x90\x90\x90"), Lines{"TEXTURE_CHANNELS_EQUAL" + kSlot});
+  EXPECT_NE(normal_message("\x20\x20\x20\x90\x90\x90").find("as in a height map"),
+            std::string::npos);
+  EXPECT_EQ(normals("\x80\x80\x80"), Lines{"TEXTURE_CHANNELS_EQUAL" + kSlot}) << "no vector";
+  EXPECT_EQ(normals("\x20\x20\x20\x90\x90\x91"), Lines{"NORMAL_MAP_NOT_UNIT" + kSlot})
+      << "one texel has a colour";
+  EXPECT_EQ(
+      about_textures({R"("normalTexture": {"index": 0})", {rgb_png("\x20\x20\x20\x90\x90\x90")}}),
+      Lines{})
+      << "headers";
+}
+
+// --- Grey maps in RGB ---
+
+const std::string kRough = R"("pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}%})";
+
+Lines grey_data(const std::string& texels, const std::string& factors = {}) {
+  std::string material = kRough;
+  material.replace(material.find('%'), 1, factors);
+  return needed({material, {rgb_png(texels)}});
+}
+
+TEST(GreyMaps, OfSeveralValuesAreFoundInData) {
+  const Lines equal{
+      "TEXTURE_CHANNELS_EQUAL /materials/0/pbrMetallicRoughness/metallicRoughnessTexture"};
+  EXPECT_EQ(grey_data("\x20\x20\x20\x90\x90\x90"), equal);
+  EXPECT_EQ(grey_data("\x20\x20\x20\x90\x91\x90"), Lines{});
+  EXPECT_EQ(grey_data("\xFF\xFF\xFF\xFF\xFF\xFF"), Lines{}) << "factors alone";
+  EXPECT_EQ(grey_data("\x20\x20\x20\x90\x90\x90", R"(, "metallicFactor": 0)"), Lines{})
+      << "only roughness is read";
+  EXPECT_EQ(needed({extension("KHR_materials_anisotropy",
+                              R"("anisotropyStrength": 1, "anisotropyTexture": {"index": 0})"),
+                    {rgb_png("\x20\x20\x20\x90\x90\x90")},
+                    {},
+                    R"("KHR_materials_anisotropy")"}),
+            Lines{"TEXTURE_CHANNELS_EQUAL "
+                  "/materials/0/extensions/KHR_materials_anisotropy/anisotropyTexture"});
+  EXPECT_EQ(needed({base_color(), {rgb_png("\x20\x20\x20\x90\x90\x90")}}), Lines{})
+      << "a grey picture";
 }
 
 TEST(NormalMaps, ThatAreFlatAreAHint) {

@@ -36,11 +36,9 @@ inline std::string palette_png(const std::string& colors, const std::string& alp
   return encode_png({1, 1, PngColor::palette, 8, std::string(1, '\0'), chunks});
 }
 /// The header of a JPEG of 32 by 16 pixels.
-inline std::string jpeg_header(char components = 3) { return jpeg(jpeg_frame(components)); }
+inline std::string jpeg_header(char components = 3) { return whole_jpeg({}, components); }
 /// The header of a WebP of 4 by 4 pixels, with or without alpha.
-inline std::string webp_header(bool alpha) {
-  return webp("VP8X", std::string(1, alpha ? '\x10' : '\0') + std::string("\0\0\0\3\0\0\3\0\0", 9));
-}
+inline std::string webp_header(bool alpha) { return extended_webp(alpha ? '\x10' : '\0'); }
 
 /// One material, its images, and what else stands in the asset.
 struct Textured {

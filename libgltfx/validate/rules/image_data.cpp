@@ -33,7 +33,9 @@ constexpr RuleDescription kRules[] = {
  "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mNoaPgPAAODAgA+WCglAAAAAElFTkSuQmCC"}]})",
      Fix::unsafe, false},
     {"IMAGE_DATA_INVALID", Severity::error, "The header of an image contradicts its format",
-     "No reader can decode it; the model shows without the texture.", "Export the image again.",
+     "Readers refuse the image, and the model shows without the texture. Where readers are known "
+     "to differ it is a warning, and where all of them pass over it an info.",
+     "Export the image again.",
      R"({"asset": {"version": "2.0"},
  "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],

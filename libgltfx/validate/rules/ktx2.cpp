@@ -121,7 +121,7 @@ class TextureCheck {
           phase_.context.asset.index(member.value, "source", model::RootArray::images);
       if (!image) continue;
       const auto& file = phase_.resources.images[*image].ktx2;
-      if (!file || !file->faults.empty()) continue;
+      if (!file || !file->is_sound()) continue;
       const std::string_view name = document.key(member.key_id);
       const ImageUse use{phase_, *image, *file};
       check_levels(use, texture, member.value, Path(list, name));
@@ -187,7 +187,7 @@ void check_ktx2_slots(const TexturePhase& phase) {
   for (const TextureSlot& slot : phase.slots) {
     for (const std::uint32_t image : slot.images) {
       const auto& file = phase.resources.images[image].ktx2;
-      if (!file || !file->faults.empty()) continue;
+      if (!file || !file->is_sound()) continue;
       check_contents(phase, slot, image, *file);
       check_color_space(phase, slot, image, *file);
     }

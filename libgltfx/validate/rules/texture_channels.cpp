@@ -87,16 +87,32 @@ void check_alpha(const TexturePhase& phase, const TextureSlot& slot) {
 
 // --- Colours that are data ---
 
+// Why R, G and B of an image are equal, as the end of a sentence; empty where they differ or nobody
+// knows.
+std::string why_equal(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image) {
+  const Header* header = phase.header(image);
+  if (header == nullptr || header->channels == image::Channels::red) return {};
+  const std::string_view height_map = slot.normal_map ? ", as in a height map" : "";
+  if (header->grey) return fmt::format("is grey: they are equal{}", height_map);
+  const codec::Image* pixels = phase.pixels.of(image);
+  if (pixels == nullptr || !pixels->grey) return {};
+  if (!pixels->statistics[0].constant()) {
+    return fmt::format("holds the same in all of them{}", height_map);
+  }
+  // One value everywhere does no harm where it is multiplied by factors.
+  return slot.normal_map ? "is grey in every texel: they are equal" : "";
+}
+
 void check_equal_channels(const TexturePhase& phase, const TextureSlot& slot) {
   if (slot.srgb || slot.effective.colors() < 2) return;
   for (const std::uint32_t image : slot.images) {
-    const Header* header = phase.header(image);
-    if (header == nullptr || !header->grey || header->channels == image::Channels::red) continue;
+    const std::string why = why_equal(phase, slot, image);
+    if (why.empty()) continue;
     ChannelSet colors = slot.effective;
     colors.remove('a');
     report_slot(phase.context, phase.sink, slot, "TEXTURE_CHANNELS_EQUAL",
-                fmt::format("{} reads {} as different things, but {} is grey: they are equal.",
-                            slot.property, colors.text(), image_label(phase.context, image)));
+                fmt::format("{} reads {} as different things, but {} {}.", slot.property,
+                            colors.text(), image_label(phase.context, image), why));
     return;
   }
 }

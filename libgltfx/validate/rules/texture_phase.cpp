@@ -23,7 +23,8 @@ class PixelNeeds {
         normal_maps_(heard("NORMAL_MAP_NOT_UNIT") || heard("NORMAL_MAP_INWARD") ||
                      heard("NORMAL_MAP_FLAT")),
         coverage_(heard("MATERIAL_ALPHA_MISSING")),
-        alpha_(heard("TEXTURE_ALPHA_CONSTANT")) {}
+        alpha_(heard("TEXTURE_ALPHA_CONSTANT")),
+        equal_(heard("TEXTURE_CHANNELS_EQUAL")) {}
 
   std::vector<PixelSource::Request> find() {
     const PixelLevel level = pixel_level(context_.options);
@@ -48,11 +49,13 @@ class PixelNeeds {
     const bool alpha = slot.effective.has('a') && (slot.coverage ? coverage_ : alpha_);
     // Only pixels tell a grey map from a coloured one.
     const bool red = slot.property == "diffuseTransmissionTexture" && alpha;
+    const bool data = equal_ && !slot.srgb && slot.effective.colors() >= 2;
     for (const std::uint32_t image : slot.images) {
       const auto& header = resources_.images[image].header;
       if (!header) continue;
       const bool transparent = image::can_be_transparent(*header);
-      if (hints_ || normal || red || (alpha && transparent)) normals_[image];
+      const bool grey = data && !header->grey;
+      if (hints_ || normal || red || grey || (alpha && transparent)) normals_[image];
       if (normal) normals_[image] = true;
     }
   }
@@ -76,7 +79,7 @@ class PixelNeeds {
   const model::ResourceData& resources_;
   const std::vector<TextureSlot>& slots_;
   // Whether somebody wants to know what the pixels would tell.
-  const bool hints_, normal_maps_, coverage_, alpha_;
+  const bool hints_, normal_maps_, coverage_, alpha_, equal_;
   std::map<std::uint32_t, bool> normals_;  // by image: whether as a normal map
 };
 

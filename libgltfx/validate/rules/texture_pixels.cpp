@@ -125,29 +125,55 @@ void report_normals(const TexturePhase& phase, const TextureSlot& slot, std::str
   report_slot(phase.context, phase.sink, slot, code, std::move(message));
 }
 
-// A third channel that is constant is not Z: readers of such maps make it from X and Y.
+// Texels of vectors that are too long, of all, above which a map whose B is full has no Z: one of
+// unit vectors has none of them.
+constexpr double kTwoChannels = 0.01;
+
+// Whether B, but not the others, is never below 250 of 255.
+bool is_full_blue(const codec::Image& image) {
+  const auto& [red, green, blue, alpha] = image.statistics;
+  return !(red.constant() && green.constant()) &&
+         std::uint64_t{blue.least} * 255 >= std::uint64_t{image.full()} * 250;
+}
+
+void check_lengths(const TexturePhase& phase, const TextureSlot& slot, const codec::Image& image,
+                   const std::string& label) {
+  const codec::NormalStatistics& normals = image.normals;
+  const double far_off = share(normals.far_off, normals);
+  if (is_full_blue(image) && share(normals.not_unit, normals) > kTwoChannels) {
+    report_normals(phase, slot, "NORMAL_MAP_NOT_UNIT",
+                   fmt::format("B of {} is {}{} in every texel, though the normals are tilted: a "
+                               "map of two channels, while glTF reads Z from B.",
+                               label, image.statistics[2].least,
+                               image.statistics[2].constant() ? "" : " or more"));
+  } else if (far_off > kStrayShare) {
+    report_normals(phase, slot, "NORMAL_MAP_NOT_UNIT",
+                   fmt::format("{:.0f} % of the normals of {} are not of unit length; their mean "
+                               "is {:.2f}.",
+                               far_off * 100, label, normals.mean_length));
+  }
+}
+
 void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t index,
                       const codec::Image& image) {
   const bool whole = slot.effective.has('r') && slot.effective.has('g') && slot.effective.has('b');
   if (!slot.normal_map || !whole || image.channels < 3 || image.normals.vectors == 0) return;
   const codec::NormalStatistics& normals = image.normals;
   const std::string label = image_label(phase.context, index);
-  if (normals.steepest <= kFlat && image.texels() > 1) {
-    report_normals(phase, slot, "NORMAL_MAP_FLAT", fmt::format("{} is flat.", label));
-    return;
-  }
-  if (image.statistics[2].constant()) return;
   const double inward = share(normals.inward, normals);
-  const double far_off = share(normals.far_off, normals);
-  if (inward > kStrayShare) {
+  if (image.statistics[2].greatest == 0) {
+    report_normals(phase, slot, "NORMAL_MAP_INWARD",
+                   fmt::format("B of {} is 0 in every texel, so all normals point into the "
+                               "surface: a map of two channels, while glTF reads Z from B.",
+                               label));
+  } else if (inward > kStrayShare) {
     report_normals(
         phase, slot, "NORMAL_MAP_INWARD",
         fmt::format("{:.0f} % of the normals of {} point into the surface.", inward * 100, label));
-  } else if (far_off > kStrayShare) {
-    report_normals(phase, slot, "NORMAL_MAP_NOT_UNIT",
-                   fmt::format("{:.0f} % of the normals of {} are not of unit length; their mean "
-                               "is {:.2f}.",
-                               far_off * 100, label, normals.mean_length));
+  } else if (normals.steepest <= kFlat && image.texels() > 1) {
+    report_normals(phase, slot, "NORMAL_MAP_FLAT", fmt::format("{} is flat.", label));
+  } else {
+    check_lengths(phase, slot, image, label);
   }
 }
 

@@ -63,7 +63,7 @@ constexpr RuleDescription kRules[] = {
      Fix::none, false},
     {"NORMAL_MAP_INWARD", Severity::warning, "Normals of a normal map point into the surface",
      "Z of a tangent-space normal is positive, so B is above 127. Maps with other axes, in "
-     "object space or of another kind altogether light the surface from behind.",
+     "object space, of two channels or of another kind altogether light the surface from behind.",
      "Bake the map in tangent space, with +Z in B.",
      R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TANGENT": 2, "TEXCOORD_0": 3}, "mode": 0, "material": 0}]}],
@@ -83,8 +83,9 @@ constexpr RuleDescription kRules[] = {
  "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAIAAAB7QOjdAAAAD0lEQVR42mNoaPi/p+E9AA2mBCs4tldTAAAAAElFTkSuQmCC"}]})",
      Fix::none, false},
     {"NORMAL_MAP_NOT_UNIT", Severity::warning, "Normals of a normal map are not of unit length",
-     "Readers need not normalise them. Maps that were scaled, blended, or saved as sRGB "
-     "colours have shorter or longer normals, and the surface looks too flat or too bumpy.",
+     "Readers need not normalise them. Maps that were scaled, blended, saved as sRGB colours, or "
+     "made of two channels have shorter or longer normals, and the surface looks too flat or too "
+     "bumpy.",
      "Bake the map again, as linear data, and normalise it after every change of size.",
      R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TANGENT": 2, "TEXCOORD_0": 3}, "mode": 0, "material": 0}]}],
