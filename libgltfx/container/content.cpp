@@ -25,31 +25,31 @@ constexpr Content image(std::string_view name, std::string_view media_type = {})
 constexpr Content other(std::string_view name) { return {name, {}, false}; }
 
 constexpr std::array kMagics{
-    Magic{"GIF87a"sv, image("a GIF image", "image/gif")},
-    Magic{"GIF89a"sv, image("a GIF image", "image/gif")},
-    Magic{"II*\0"sv, image("a TIFF image", "image/tiff")},
-    Magic{"MM\0*"sv, image("a TIFF image", "image/tiff")},
-    Magic{"II+\0"sv, image("a BigTIFF image", "image/tiff")},
-    Magic{"MM\0+"sv, image("a BigTIFF image", "image/tiff")},
-    Magic{"\x76\x2f\x31\x01"sv, image("an OpenEXR image", "image/x-exr")},
+    Magic{"GIF87a"sv, image("a GIF", "image/gif")},
+    Magic{"GIF89a"sv, image("a GIF", "image/gif")},
+    Magic{"II*\0"sv, image("a TIFF", "image/tiff")},
+    Magic{"MM\0*"sv, image("a TIFF", "image/tiff")},
+    Magic{"II+\0"sv, image("a BigTIFF", "image/tiff")},
+    Magic{"MM\0+"sv, image("a BigTIFF", "image/tiff")},
+    Magic{"\x76\x2f\x31\x01"sv, image("an OpenEXR file", "image/x-exr")},
     Magic{"\x20\x42\x44\x56\0\0\0\0"sv, image("an OpenVDB volume", "application/x-vdb")},
     Magic{"DDS "sv, image("a DDS texture", "image/vnd-ms.dds")},
     Magic{"\xabKTX 11\xbb\r\n\x1a\n"sv, image("KTX 1, not KTX 2", "image/ktx")},
     Magic{"\x13\xab\xa1\x5c"sv, image("a bare ASTC texture")},
     Magic{"sB\x13\0"sv, image("a .basis texture, not KTX 2")},
     Magic{"PVR\x03"sv, image("a PVR texture")},
-    Magic{"#?RADIANCE"sv, image("a Radiance HDR image", "image/vnd.radiance")},
-    Magic{"#?RGBE"sv, image("a Radiance HDR image", "image/vnd.radiance")},
+    Magic{"#?RADIANCE"sv, image("a Radiance HDR file", "image/vnd.radiance")},
+    Magic{"#?RGBE"sv, image("a Radiance HDR file", "image/vnd.radiance")},
     Magic{"8BPS"sv, image("a Photoshop document")},
     Magic{"\0\0\x01\0"sv, image("a Windows icon")},
-    Magic{"\0\0\0\x0cjP  \r\n\x87\n"sv, image("a JPEG 2000 image", "image/jp2")},
-    Magic{"\0\0\0\x0cJXL \r\n\x87\n"sv, image("a JPEG XL image", "image/jxl")},
-    Magic{"\xff\x0a"sv, image("a JPEG XL image", "image/jxl")},
-    Magic{"ftypavif"sv, image("an AVIF image", "image/avif"), 4},
-    Magic{"ftypavis"sv, image("an AVIF image", "image/avif"), 4},
-    Magic{"ftypheic"sv, image("an HEIC image", "image/heic"), 4},
-    Magic{"ftypheix"sv, image("an HEIC image", "image/heic"), 4},
-    Magic{"ftypmif1"sv, image("an HEIF image", "image/heif"), 4},
+    Magic{"\0\0\0\x0cjP  \r\n\x87\n"sv, image("a JPEG 2000 file", "image/jp2")},
+    Magic{"\0\0\0\x0cJXL \r\n\x87\n"sv, image("a JPEG XL file", "image/jxl")},
+    Magic{"\xff\x0a"sv, image("a JPEG XL file", "image/jxl")},
+    Magic{"ftypavif"sv, image("an AVIF", "image/avif"), 4},
+    Magic{"ftypavis"sv, image("an AVIF", "image/avif"), 4},
+    Magic{"ftypheic"sv, image("a HEIC", "image/heic"), 4},
+    Magic{"ftypheix"sv, image("a HEIC", "image/heic"), 4},
+    Magic{"ftypmif1"sv, image("a HEIF", "image/heif"), 4},
     Magic{"ftyp"sv, image("a video or another MP4 file"), 4},
     Magic{"\x89PNG\r\n\x1a\n"sv, image("a PNG that is cut short")},
     Magic{"\xff\xd8\xff"sv, image("a JPEG that is cut short")},
@@ -99,7 +99,7 @@ Content name_content(std::string_view bytes) {
       return magic.content;
     }
   }
-  if (is_bmp(bytes)) return image("a BMP image", "image/bmp");
+  if (is_bmp(bytes)) return image("a BMP", "image/bmp");
   if (is_git_lfs_pointer(bytes, bytes.size())) return other("a Git-LFS pointer");
   const std::string_view head = bytes.substr(0, kSniffBytes);
   if (head.find_first_not_of('\0') == head.npos) return other("zeros from the first byte on");

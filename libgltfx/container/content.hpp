@@ -7,7 +7,7 @@
 namespace gltfx::container {
 
 struct Content {
-  std::string_view name;        ///< "a GIF image", "an HTML page (a failed download?)"; or empty
+  std::string_view name;        ///< "a GIF", "an HTML page (a failed download?)"; or empty
   std::string_view media_type;  ///< of an image that no part of glTF itself knows; or empty
   bool image = false;           ///< some reader may take it for an image
 };

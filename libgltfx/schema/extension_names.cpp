@@ -93,6 +93,14 @@ bool is_known_without_schema(std::string_view name) {
          std::end(kWithoutSchema);
 }
 
+bool may_add_values(const Set& set, std::string_view name) {
+  if (set.find_extension(name) != kNone) return false;
+  if (!is_known_without_schema(name)) return misspelt_extension(set, name).empty();
+  // A type of components, and media types of images.
+  return name == "KHR_accessor_float16" || name == "EXT_texture_avif" ||
+         name == "EXT_texture_video";
+}
+
 std::string_view misspelt_extension(const Set& set, std::string_view name) {
   if (set.find_extension(name) != kNone || is_known_without_schema(name)) return {};
   std::vector<std::string_view> known(std::begin(kWithoutSchema), std::end(kWithoutSchema));

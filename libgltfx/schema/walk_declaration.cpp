@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // extensionsUsed and extensionsRequired.
-#include <algorithm>
+#include <cstddef>
 
 #include "base/text.hpp"
+#include "schema/extension_names.hpp"
 #include "schema/form_check.hpp"
 #include "schema/walker.hpp"
 
@@ -25,10 +26,14 @@ void Walker::read_declarations() {
   };
   read("extensionsUsed", used_, result_.extensions_used);
   read("extensionsRequired", required_, result_.extensions_required);
-  const auto unknown =
-      std::find_if(result_.extensions_used.begin(), result_.extensions_used.end(),
-                   [&](const std::string& name) { return set_.find_extension(name) == kNone; });
-  if (unknown != result_.extensions_used.end()) unknown_extension_ = *unknown;
+  // Names are compared with all known ones: that many of them are.
+  constexpr std::size_t kMostCompared = 50;
+  const std::vector<std::string>& names = result_.extensions_used;
+  for (std::size_t i = 0; i < names.size() && adding_extension_.empty(); ++i) {
+    const bool adds =
+        i < kMostCompared ? may_add_values(set_, names[i]) : set_.find_extension(names[i]) == kNone;
+    if (adds) adding_extension_ = names[i];
+  }
 }
 
 bool Walker::is_declared(json::KeyId key) {

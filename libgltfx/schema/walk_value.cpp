@@ -178,9 +178,9 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
 
 // An extension without a schema may add the value, unless it is a misspelt one of the list.
 void Walker::report_unlisted(const Path& path, Span span, std::string message, std::string help) {
-  const bool perhaps_added = !unknown_extension_.empty() && help.empty();
+  const bool perhaps_added = !adding_extension_.empty() && help.empty();
   if (perhaps_added && !khronos()) {
-    help = "unless " + quoted(unknown_extension_) +
+    help = "unless " + quoted(adding_extension_) +
            ", of which nothing is known here, adds the value, use one of the list";
   }
   const bool warning = khronos() || perhaps_added;

@@ -194,7 +194,7 @@ class Walker {
   std::vector<json::NodeId> members_;  ///< of all open objects, by property; see Frame::scratch
   std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
   std::unordered_set<std::string> used_, required_;
-  std::string unknown_extension_;      ///< one that is declared, but has no schema; or empty
+  std::string adding_extension_;       ///< one that is declared and may add values; or empty
   std::vector<bool> seen_;             ///< by KeyId: an extension object of that name was met
   std::vector<std::uint32_t> stamps_;  ///< by index: the last long list of indices that had it
   std::uint32_t stamp_ = 0;

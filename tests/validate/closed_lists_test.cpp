@@ -140,8 +140,9 @@ TEST(ClosedLists, WhatADeclaredExtensionAddsIsListed) {
 }
 
 TEST(ClosedLists, AnExtensionOfWhichNothingIsKnownMayAddAValueButNoMisspeltOne) {
-  const auto found = [](const std::string& mode) {
-    return at({R"("extensionsUsed": ["ACME_glass"], "materials": [{"alphaMode": ")" + mode + "\"}]",
+  const auto found = [](const std::string& mode, const std::string& extension = "ACME_glass") {
+    return at({R"("extensionsUsed": [")" + extension + R"("], "materials": [{"alphaMode": ")" +
+                   mode + "\"}]",
                "/materials/0/alphaMode"},
               Profile::standard);
   };
@@ -153,6 +154,11 @@ TEST(ClosedLists, AnExtensionOfWhichNothingIsKnownMayAddAValueButNoMisspeltOne) 
   ASSERT_TRUE(misspelt);
   EXPECT_EQ(misspelt->severity, Severity::error);
   EXPECT_EQ(misspelt->help, "did you mean 'BLEND'?");
+  for (const char* const name : {"VRM", "EXT_mesh_features", "KHR_Texture_Transform"}) {
+    const auto known = found("REFRACT", name);
+    ASSERT_TRUE(known) << name;
+    EXPECT_EQ(known->severity, Severity::error) << name << " adds no values";
+  }
 }
 
 }  // namespace
