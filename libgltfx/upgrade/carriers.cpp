@@ -15,7 +15,11 @@ class Search {
   std::vector<Carrier> run() {
     const schema::TypeId root = set_.find_type("glTF");
     if (root == schema::kNone) return {};
-    if (is_home(root)) add({}, document_.root());
+    if (is_home(root)) {
+      Carrier carrier;
+      carrier.type = root;
+      add(std::move(carrier), document_.root());
+    }
     for (const schema::Property& property : set_.type(root).properties) {
       if (property.shape == schema::kNone) continue;
       const schema::Shape& shape = set_.shape(property.shape);
@@ -25,8 +29,10 @@ class Search {
       if (value == json::kNoNode) continue;
       if (is_home(shape.type)) {
         carrier.single = true;
+        carrier.type = shape.type;
         add(std::move(carrier), value);
       } else if (shape.items != schema::kNone && is_home(set_.shape(shape.items).type)) {
+        carrier.type = set_.shape(shape.items).type;
         add_elements(std::move(carrier), value);
       }
     }

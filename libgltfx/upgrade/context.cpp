@@ -19,6 +19,21 @@ std::string Carrier::pointer() const {
   return single ? fmt::format("/{}", array) : fmt::format("/{}/{}", array, index);
 }
 
+std::uint64_t Context::size_of(json::NodeId array) {
+  const auto [known, is_new] = sizes.emplace(array, 0);
+  if (is_new) known->second = document.array_size(array);
+  return known->second;
+}
+
+bool Context::is_pointed_at(const Carrier& carrier, std::span<const std::string> path) const {
+  std::vector<std::string> steps;
+  if (!carrier.array.empty()) steps.push_back(carrier.array);
+  if (!carrier.array.empty() && !carrier.single) steps.push_back(std::to_string(carrier.index));
+  steps.insert(steps.end(), path.begin(), path.end());
+  if (steps.size() < 2) return false;
+  return pointers.lead_below(steps[0], steps[1], std::span(steps).subspan(2));
+}
+
 bool Context::has_beside(const Carrier& carrier, const std::string& extension) const {
   if (given.count({carrier.host, extension}) > 0) return true;
   const json::NodeId value = document.find(carrier.extensions, extension);

@@ -4,10 +4,10 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -27,6 +27,7 @@ struct Carrier {
   std::string array;        ///< member of the root it stands in: "materials", "asset"; empty: root
   std::uint64_t index = 0;  ///< there
   bool single = false;      ///< it is that member itself, which is no array
+  schema::TypeId type = schema::kNone;  ///< of the host
   json::NodeId host = json::kNoNode;
   json::NodeId extensions = json::kNoNode;  ///< its member of that name
   json::NodeId object = json::kNoNode;      ///< the legacy extension's value there
@@ -71,11 +72,15 @@ struct Context {
   std::map<json::NodeId, std::vector<json::NodeId>> dropped;
   /// Values of legacy objects that are extensions of their carriers no more.
   std::unordered_set<json::NodeId> gone;
-  /// Extensions that carriers have got, by the carrier's object.
-  std::set<std::pair<json::NodeId, std::string>> given;
+  /// Extensions that carriers have got, by the carrier's object: of each the legacy object that
+  /// became it, or kNoNode.
+  std::map<std::pair<json::NodeId, std::string>, json::NodeId> given;
+  /// Values that are in the document no more, each with the pointer of the action that took it out.
+  std::map<json::NodeId, std::string> taken_out;
   /// Members of carriers that have got another value, by the carrier's object and their path.
   std::map<std::pair<json::NodeId, std::string>, Origin> moved;
-  std::optional<MaterialUses> uses;  ///< once somebody asked
+  std::unordered_map<json::NodeId, std::uint64_t> sizes;  ///< of arrays that somebody asked for
+  std::optional<MaterialUses> uses;                       ///< once somebody asked
   std::vector<MaterialSplit> splits;
   // What animated copies have got: accessors by what they are cut from, samplers by the old one and
   // the new accessor, and how many samplers a list has got.
@@ -83,10 +88,14 @@ struct Context {
   std::map<std::pair<json::NodeId, std::uint64_t>, std::uint64_t> cut_samplers;
   std::map<json::NodeId, std::uint64_t> added_samplers;
 
+  /// Whether an animation or graph points to what lies at `path` from a carrier, or below it.
+  bool is_pointed_at(const Carrier& carrier, std::span<const std::string> path) const;
   /// Whether a carrier has an extension, as far as this run has come.
   bool has_beside(const Carrier& carrier, const std::string& extension) const;
   /// The value of a member of a carrier ("pbrMetallicRoughness/baseColorFactor"), likewise.
   Origin origin_of(const Carrier& carrier, const std::string& path) const;
+  /// Number of elements of an array, which is counted once.
+  std::uint64_t size_of(json::NodeId array);
   /// Number of textures in the document.
   std::uint64_t texture_count() const { return asset.count(model::RootArray::textures); }
   /// Who uses a material.

@@ -4,13 +4,12 @@
 namespace gltfx::upgrade {
 
 bool Workbench::is_pointed_at(std::string_view path) const {
-  return context.pointers.lead_below(carrier.array, std::to_string(carrier.index),
-                                     split_path(path));
+  return context.is_pointed_at(carrier, split_path(path));
 }
 
 bool Workbench::is_own_pointed_at(std::string_view member) const {
   const std::vector<std::string> path{"extensions", extension.name, std::string(member)};
-  return context.pointers.lead_below(carrier.array, std::to_string(carrier.index), path);
+  return context.is_pointed_at(carrier, path);
 }
 
 void Workbench::drop(std::string_view name) const {

@@ -38,6 +38,9 @@ class Conversion {
  public:
   using Problem = std::optional<std::string>;
   virtual ~Conversion() = default;
+  /// Whether the object becomes part of the successor that stands beside it, which then keeps its
+  /// name: judge() and apply() put it there, and the object itself goes.
+  virtual bool joins(const Workbench&) { return false; }
   /// Why the object has no effect and can go, if so.
   virtual Problem reason_to_go(const Workbench&) { return std::nullopt; }
   /// Why it cannot be done, if so; otherwise fills placements and notes.

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "json/writer.hpp"
 #include "model/fields.hpp"
+#include "upgrade/carriers.hpp"
 #include "upgrade/conversion.hpp"
 
 namespace gltfx::upgrade {
@@ -60,6 +61,8 @@ class Packet {
   }
 
   bool has_languages() const { return !languages_.empty(); }
+
+  json::NodeId node() const { return node_; }
 
   void apply(json::Editor& editor, const std::string& context, std::string_view rdf) const {
     for (const auto& [place, keyword] : arrays_) {
@@ -126,15 +129,37 @@ class Packet {
   std::vector<Place> languages_;
 };
 
+// Packets of the root's object of an extension; kNoNode: there are none.
+json::NodeId packets_of(const json::Document& document, const schema::Extension& extension) {
+  const json::NodeId root = model::extension_object(document, document.root(), extension.name);
+  const json::NodeId packets = document.find(root, "packets");
+  return packets != json::kNoNode && document.is_array(packets) ? packets : json::kNoNode;
+}
+
+std::uint64_t packet_count(Context& context, const schema::Extension& extension) {
+  const json::NodeId packets = packets_of(context.document, extension);
+  return packets == json::kNoNode ? 0 : context.size_of(packets);
+}
+
+/// The root's object, whose packets go behind those that its successor has already, or an object
+/// that refers to one of them.
 class Xmp : public Conversion {
  public:
+  bool joins(const Workbench& bench) override {
+    const json::Document& document = bench.context.document;
+    return bench.carrier.array.empty() &&
+           document.find(bench.carrier.extensions, bench.successor.name) != json::kNoNode;
+  }
+
   Problem judge(const Workbench& bench) override {
     if (!bench.carrier.array.empty()) return judge_reference(bench);
     const json::Document& document = bench.context.document;
     const json::NodeId packets = bench.member("packets");
+    if (bench.member("xmps") != json::kNoNode) return kFirstDraft;
     if (packets == json::kNoNode || document.kind(packets) != json::Kind::array) {
       return "its packets are not valid; 'gltfx validate' says why";
     }
+    if (Problem problem = judge_successor(bench)) return problem;
     if (Problem problem = judge_context(document, bench.member("@context"))) return problem;
     for (const json::NodeId node : document.elements(packets)) {
       packets_.emplace_back(document, node);
@@ -146,26 +171,80 @@ class Xmp : public Conversion {
   }
 
   void apply(const Workbench& bench) override {
-    if (!bench.carrier.array.empty()) return;
-    const json::NodeId context = bench.member("@context");
-    const std::string plain(bench.context.document.raw(context));
-    const std::string with_rdf = add_rdf_ ? rdf_added(bench.context.document, context) : plain;
-    bench.drop("@context");
-    for (const Packet& packet : packets_) {
-      packet.apply(bench.context.editor, packet.has_languages() ? with_rdf : plain, rdf_);
+    if (!bench.carrier.array.empty()) return apply_reference(bench);
+    if (!joins(bench)) {
+      bench.drop("@context");
+      return apply_packets(bench, bench.context.editor);
     }
+    json::Editor aside(bench.context.document);
+    apply_packets(bench, aside);
+    append_packets(bench, aside.take());
   }
 
  private:
+  static constexpr const char* kFirstDraft =
+      "it has the form of the first draft (2019), which states no namespaces of its prefixes";
+
   static Problem judge_reference(const Workbench& bench) {
     const json::Document& document = bench.context.document;
-    const json::NodeId root =
-        model::extension_object(document, document.root(), bench.extension.name);
-    const json::NodeId packets = document.find(root, "packets");
+    if (bench.member("xmp") != json::kNoNode) return kFirstDraft;
     const auto index = model::unsigned_member(document, bench.carrier.object, "packet");
-    const bool there = packets != json::kNoNode && document.is_array(packets) && index &&
-                       *index < document.array_size(packets);
+    const bool there = index && *index < packet_count(bench.context, bench.extension);
     return there ? std::nullopt : Problem("it leads to no packet");
+  }
+
+  // An object that leads behind the packets of the successor would lead to one that comes there.
+  static Problem judge_successor(const Workbench& bench) {
+    const json::Document& document = bench.context.document;
+    const std::string& name = bench.successor.name;
+    const auto carriers = carriers_of(document, bench.context.set, bench.successor);
+    const std::uint64_t count = packet_count(bench.context, bench.successor);
+    for (const Carrier& carrier : carriers) {
+      const bool valid = bench.context.holds(bench.successor.home(carrier.type), {carrier.object});
+      if (valid && carrier.array.empty()) continue;
+      const auto index = model::unsigned_member(document, carrier.object, "packet");
+      if (valid && index && *index < count) continue;
+      return fmt::format("{}/extensions/{} is not valid; 'gltfx validate' says why",
+                         carrier.pointer(), name);
+    }
+    if (count > 0) {
+      bench.action.notes.push_back(fmt::format(
+          "{} has packets already: these follow them, and their indices grow by {}", name, count));
+    }
+    return std::nullopt;
+  }
+
+  static void apply_reference(const Workbench& bench) {
+    const std::uint64_t before = packet_count(bench.context, bench.successor);
+    const json::NodeId index = bench.member("packet");
+    const std::uint64_t old = bench.context.document.unsigned_integer(index).value_or(0);
+    if (before > 0) bench.context.editor.replace_scalar(index, std::to_string(before + old));
+  }
+
+  void apply_packets(const Workbench& bench, json::Editor& editor) const {
+    const json::NodeId context = bench.member("@context");
+    const std::string plain(bench.context.document.raw(context));
+    const std::string with_rdf = add_rdf_ ? rdf_added(bench.context.document, context) : plain;
+    for (const Packet& packet : packets_) {
+      packet.apply(editor, packet.has_languages() ? with_rdf : plain, rdf_);
+    }
+  }
+
+  // The edits are those of the packets, in their order.
+  void append_packets(const Workbench& bench, const std::vector<json::Edit>& edits) const {
+    const json::Document& document = bench.context.document;
+    const json::NodeId list = packets_of(document, bench.successor);
+    auto edit = edits.begin();
+    for (const Packet& packet : packets_) {
+      const Span whole = document.span(packet.node());
+      std::vector<json::Edit> inside;
+      for (; edit != edits.end() && edit->span.begin < whole.end; ++edit) {
+        inside.push_back(
+            {{edit->span.begin - whole.begin, edit->span.end - whole.begin}, edit->text});
+      }
+      bench.context.editor.append_element(list,
+                                          json::apply_edits(document.raw(packet.node()), inside));
+    }
   }
 
   static Problem judge_context(const json::Document& document, json::NodeId context) {

@@ -141,12 +141,44 @@ class Differ {
   std::string out_;
 };
 
+// A byte of a name in a string of C, as git writes it; empty when it stands for itself.
+std::string escaped(char c) {
+  constexpr std::string_view kBytes = "\a\b\t\n\v\f\r\"\\";
+  constexpr std::string_view kLetters = "abtnvfr\"\\";
+  const std::size_t known = kBytes.find(c);
+  if (known != std::string_view::npos) return {'\\', kLetters[known]};
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x20 && byte < 0x7F ? std::string() : fmt::format("\\{:03o}", byte);
+}
+
+// A tab ends a name with blanks, which would otherwise be taken for what follows a name.
+std::string header_name(std::string_view side, std::string_view name) {
+  std::string text(side);
+  bool quoted = false;
+  for (const char c : name) {
+    const std::string special = escaped(c);
+    quoted = quoted || !special.empty();
+    special.empty() ? text += c : text += special;
+  }
+  if (quoted) return fmt::format("\"{}\"", text);
+  return name.find(' ') == std::string_view::npos ? text : text + '\t';
+}
+
+std::string marked(std::string_view text, std::string_view mark) {
+  if (mark.empty()) return std::string(text);
+  std::string out;
+  for (const std::string_view line : lines_of(text)) out.append(mark).append(line);
+  return out;
+}
+
 }  // namespace
 
 std::string unified_diff(std::string_view text, std::span<const json::Edit> edits,
-                         std::string_view name) {
+                         std::string_view name, std::string_view mark) {
   if (edits.empty()) return {};
-  return fmt::format("--- a/{0}\n+++ b/{0}\n{1}", name, Differ(text, edits).run());
+  return marked(fmt::format("--- {}\n+++ {}\n{}", header_name("a/", name), header_name("b/", name),
+                            Differ(text, edits).run()),
+                mark);
 }
 
 }  // namespace gltfx::upgrade

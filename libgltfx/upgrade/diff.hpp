@@ -11,8 +11,9 @@
 namespace gltfx::upgrade {
 
 /// What `edits` (as for json::apply_edits()) do to `text`, with three lines of context, as patch
-/// and git read it. `name` stands in the header as it is. Empty when there are no edits.
+/// and git read it. `name` is the file's, quoted as git does where it has to be; `mark` stands
+/// before every line. Empty when there are no edits.
 std::string unified_diff(std::string_view text, std::span<const json::Edit> edits,
-                         std::string_view name);
+                         std::string_view name, std::string_view mark = {});
 
 }  // namespace gltfx::upgrade

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "json/writer.hpp"
 
 namespace gltfx::upgrade {
@@ -32,6 +34,15 @@ bool NameList::has(std::string_view name) const {
                      [&](const Entry& entry) { return entry.is == name; });
 }
 
+std::vector<std::string> NameList::places(std::string_view name) const {
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const bool old = entries_[i].node != json::kNoNode;
+    if (old && entries_[i].was == name) found.push_back(fmt::format("/{}/{}", member_, i));
+  }
+  return found;
+}
+
 void NameList::replace(std::string_view from, std::string_view to) {
   for (Entry& entry : entries_) {
     if (entry.is != from) continue;
@@ -43,6 +54,16 @@ void NameList::remove(std::string_view name) {
   for (Entry& entry : entries_) {
     if (entry.is == name) entry.is.clear();
   }
+}
+
+std::set<std::string> NameList::remove_all(const std::map<std::string, json::NodeId>& names) {
+  std::set<std::string> removed;
+  for (Entry& entry : entries_) {
+    if (names.count(entry.is) == 0) continue;
+    removed.insert(entry.is);
+    entry.is.clear();
+  }
+  return removed;
 }
 
 void NameList::add(std::string_view name) {

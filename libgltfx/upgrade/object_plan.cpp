@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "json/parse.hpp"
 #include "upgrade/generation.hpp"
+#include "upgrade/removal.hpp"
 
 namespace gltfx::upgrade {
 
@@ -42,15 +43,11 @@ UpgradeAction ObjectPlan::judge() {
   action_.from = extension_.name;
   action_.to = successor_.name;
   if (!document_.is_object(carrier_.object)) return refuse("it is no object");
+  const bool in_array = !carrier_.array.empty() && !carrier_.single;
+  if (!in_array && is_own_pointed_at()) return refuse("an animation or graph points into it");
+  if (const schema::Extension* other = replacement()) return judge_duplicate(*other);
+  if (const Problem why = reason_to_go()) return judge_removal(*why);
   if (Problem problem = blocker()) return refuse(*std::move(problem));
-  if (const Problem why = reason_to_go()) {
-    if (is_pointed_at({"extensions", extension_.name})) {
-      return refuse(*why + ", but an animation or graph points into it");
-    }
-    action_.removed = true;
-    action_.notes.push_back(*why);
-    return action_;
-  }
   const Decision decision =
       decide_generation(document_, extension_, carrier_.object, context_.options.generation);
   if (!decision.problem.empty()) return refuse(decision.problem);
@@ -62,7 +59,9 @@ UpgradeAction ObjectPlan::judge() {
   if (conversion_ != nullptr) {
     if (Problem problem = conversion_->judge(bench())) return refuse(*std::move(problem));
   }
-  if (action_.removed) return action_;
+  if (joins()) note_lost_members();
+  if (action_.removed && placements_.empty()) return action_;
+  action_.removed = false;
   if (context_.options.pack) pack();
   note_overwritten();
   note_losses();
@@ -70,7 +69,11 @@ UpgradeAction ObjectPlan::judge() {
 }
 
 bool ObjectPlan::is_pointed_at(const std::vector<std::string>& steps) const {
-  return context_.pointers.lead_below(carrier_.array, std::to_string(carrier_.index), steps);
+  return context_.is_pointed_at(carrier_, steps);
+}
+
+bool ObjectPlan::is_own_pointed_at() const {
+  return is_pointed_at({"extensions", extension_.name});
 }
 
 bool ObjectPlan::has_beside(const std::string& extension) const {
@@ -121,9 +124,23 @@ ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
   return placements_.put(step.to, std::string(document_.raw(value)));
 }
 
+// Of an object whose values become part of another.
+void ObjectPlan::note_lost_members() {
+  const std::vector<std::string> others =
+      foreign_members(document_, context_.set, carrier_.object, own_type());
+  if (!others.empty()) lose(fmt::format("it also has {}, lost with it", join_and(others)));
+}
+
 void ObjectPlan::note_overwritten() {
-  for (const std::string& path : placements_.overwritten()) {
-    action_.notes.push_back(fmt::format("{} is overwritten", path));
+  for (std::size_t i = 0; i < placements_.overwritten().size(); ++i) {
+    const std::string note = fmt::format("{} is overwritten", placements_.overwritten()[i]);
+    const std::vector<std::string> others =
+        foreign_below(document_, context_.set, placements_.taken_out()[i]);
+    if (others.empty()) {
+      action_.notes.push_back(note);
+    } else {
+      lose(fmt::format("{}, and its {} lost", note, join_and(others)));
+    }
   }
 }
 
@@ -220,13 +237,21 @@ bool ObjectPlan::is_default(const std::string& property,
 void ObjectPlan::apply() {
   const json::NodeId key = carrier_.object - 1;
   context_.gone.insert(carrier_.object);
+  for (const json::NodeId value : placements_.taken_out()) take_out(value);
   if (action_.removed) {
     context_.dropped[carrier_.host].push_back(key);
-    return;
+    take_out_members();
+    return placements_.apply();
+  }
+  if (joins()) {
+    context_.dropped[carrier_.host].push_back(key);
+    const json::NodeId extensions = document_.find(carrier_.object, "extensions");
+    if (extensions != json::kNoNode) take_out(extensions);
+    return conversion_->apply(bench());
   }
   for (const Follower& follower : followers_) follow(context_, follower, tint_);
   for (MaterialSplit& split : splits_) split_material(context_, std::move(split));
-  context_.given.insert({carrier_.host, successor_.name});
+  context_.given[{carrier_.host, successor_.name}] = carrier_.object;
   context_.editor.rename(key, successor_.name);
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
     if (step.kind != schema::UpgradeStep::Kind::place || !applies(step.generations)) continue;
@@ -238,11 +263,28 @@ void ObjectPlan::apply() {
   placements_.apply();
 }
 
+void ObjectPlan::take_out(json::NodeId value) {
+  context_.taken_out.emplace(value, action_.pointer);
+}
+
+// All but what is placed elsewhere.
+void ObjectPlan::take_out_members() {
+  for (const auto member : document_.members(carrier_.object)) {
+    const bool moved = std::any_of(found_.begin(), found_.end(), [&](const Found& found) {
+      return found.value == member.value && found.step->kind == schema::UpgradeStep::Kind::place;
+    });
+    if (!moved) take_out(member.value);
+  }
+}
+
 void ObjectPlan::apply(const Found& found) {
   const schema::UpgradeStep& step = *found.step;
   json::Editor& editor = context_.editor;
   if (found.image || found.gone) release(found);
-  if (found.gone) return editor.remove(carrier_.object, found.value - 1);
+  if (found.gone) {
+    take_out(found.value);
+    return editor.remove(carrier_.object, found.value - 1);
+  }
   if (step.kind == schema::UpgradeStep::Kind::place) {
     return editor.remove(carrier_.object, found.value - 1);
   }

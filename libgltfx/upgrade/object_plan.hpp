@@ -43,10 +43,23 @@ class ObjectPlan {
   using Problem = std::optional<std::string>;
 
   bool is_pointed_at(const std::vector<std::string>& steps) const;
+  bool is_own_pointed_at() const;
   bool has_beside(const std::string& extension) const;
   Workbench bench() { return {context_, carrier_, extension_, successor_, placements_, action_}; }
+  bool joins() { return conversion_ != nullptr && conversion_->joins(bench()); }
+  bool is_blocked_by(const std::string& extension) const;
+  const schema::Extension* replacement();
+  UpgradeAction judge_duplicate(const schema::Extension& other);
+  UpgradeAction judge_removal(const std::string& why);
   Problem reason_to_go();
+  Problem hidden();
+  void place_what_is_missing();
   Problem blocker() const;
+  schema::TypeId own_type() const;
+  std::vector<std::string> foreign() const;
+  void note_lost_members();
+  void note_differences(json::NodeId other);
+  void note_difference(const schema::UpgradeStep& step, json::NodeId other);
   UpgradeAction refuse(std::string why);
   Problem judge_company();
   Problem judge_steps();
@@ -77,6 +90,8 @@ class ObjectPlan {
   bool applies(const std::vector<std::string>& generations) const;
   bool is_default(const std::string& property, const std::vector<json::Number>& numbers) const;
   void lose(std::string note);
+  void take_out(json::NodeId value);
+  void take_out_members();
   void apply(const Found& found);
 
   Context& context_;

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "upgrade/object_plan.hpp"
 #include "upgrade/packing.hpp"
+#include "upgrade/removal.hpp"
 
 namespace gltfx::upgrade {
 
@@ -66,7 +67,8 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
     return each.step->kind == schema::UpgradeStep::Kind::move && each.step->from == factor;
   });
   if (factors == found_.end() || is_pointed_at({"extensions", extension_.name, factor}) ||
-      is_pointed_at({"extensions", extension_.name, step.from})) {
+      is_pointed_at({"extensions", extension_.name, step.from}) ||
+      !foreign_below(document_, context_.set, texture.value).empty()) {
     return false;
   }
   texture.gone = true;
@@ -78,7 +80,8 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
   if (constant == 1) return true;
   const double product = document_.number(factors->value).value * constant;
   factors->json = number_text(product);
-  if (product == 0 && factor == extension_.upgrade.strength) action_.removed = true;
+  action_.removed = product == 0 && factor == extension_.upgrade.strength && !is_own_pointed_at() &&
+                    foreign().empty();
   return true;
 }
 

@@ -35,6 +35,7 @@ std::optional<std::string> Placements::put(std::string_view path, std::string js
       std::find(overwritten_.begin(), overwritten_.end(), path) != overwritten_.end();
   if (old != json::kNoNode && !known && !is_same(context_.document, old, json)) {
     overwritten_.emplace_back(path);
+    taken_out_.push_back(old);
   }
   members_[std::move(object)][name] = std::move(json);
   return std::nullopt;
@@ -71,7 +72,9 @@ void Placements::apply() const {
       apply_to(object, members);
     }
   }
-  for (const std::string& name : extensions()) context_.given.insert({carrier_.host, name});
+  for (const std::string& name : extensions()) {
+    context_.given.emplace(std::pair(carrier_.host, name), json::kNoNode);
+  }
 }
 
 void Placements::apply_to(json::NodeId object, const Members& members) const {

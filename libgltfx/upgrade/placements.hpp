@@ -19,8 +19,11 @@ class Placements {
   /// Plans that the member at `path` ("extensions/KHR_x/y") has that JSON text, or, when it is
   /// empty, that it has its default because it is not there. Says why that cannot be.
   std::optional<std::string> put(std::string_view path, std::string json);
+  bool empty() const { return members_.empty(); }
   /// Names of members of the document that get another value or go.
   const std::vector<std::string>& overwritten() const { return overwritten_; }
+  /// Their values, in the same order.
+  const std::vector<json::NodeId>& taken_out() const { return taken_out_; }
   /// Extensions that the carrier gets.
   std::vector<std::string> extensions() const;
   /// Puts the changes into the context's editor.
@@ -36,6 +39,7 @@ class Placements {
   const Carrier carrier_;
   std::map<std::vector<std::string>, Members> members_;  ///< by the path of their object
   std::vector<std::string> overwritten_;
+  std::vector<json::NodeId> taken_out_;
 };
 
 }  // namespace gltfx::upgrade

@@ -9,15 +9,18 @@
 #include <unordered_set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/json_pointer.hpp"
 #include "json/writer.hpp"
-#include "model/fields.hpp"
 #include "upgrade/carriers.hpp"
 #include "upgrade/choice.hpp"
 #include "upgrade/context.hpp"
 #include "upgrade/generation.hpp"
 #include "upgrade/name_list.hpp"
 #include "upgrade/object_plan.hpp"
+#include "upgrade/old_format.hpp"
+#include "upgrade/removal.hpp"
 
 namespace gltfx {
 
@@ -82,6 +85,7 @@ class ExtensionPlan {
   }
 
   void finish(NameList& used, NameList& required) {
+    if (judged_.empty()) drop_unused_name(used, required);
     for (Judged& one : judged_) context_.plan.actions.push_back(std::move(one.action));
     if (converted_ + removed_ == 0) return;
     settle_names(used, required);
@@ -189,6 +193,28 @@ class ExtensionPlan {
     return count;
   }
 
+  // A name in a list that no object goes with. Where the upgrade is only offered, a name may stay
+  // unless it is one of the past.
+  void drop_unused_name(NameList& used, NameList& required) {
+    using schema::Status;
+    const Status status = extension_.status;
+    const bool past = status == Status::legacy || status == Status::archived;
+    const bool wanted = choice_.wish == Wish::yes || (choice_.wish == Wish::offered && past);
+    if (!wanted || extension_.homes.empty() || count_occurrences() > 0) return;
+    for (NameList* list : {&used, &required}) {
+      for (std::string& place : list->places(extension_.name)) {
+        UpgradeAction action;
+        action.pointer = std::move(place);
+        action.from = extension_.name;
+        action.to = choice_.to;
+        action.removed = action.done = true;
+        action.notes.push_back(fmt::format("no object has {}", extension_.name));
+        context_.plan.actions.push_back(std::move(action));
+      }
+      list->remove(extension_.name);
+    }
+  }
+
   void settle_names(NameList& used, NameList& required) {
     const std::string& from = extension_.name;
     const std::string& to = choice_.to;
@@ -268,13 +294,32 @@ void settle_dropped(Context& context) {
   }
 }
 
+// Extensions whose last object went with something that was taken out.
+void settle_taken_out(Context& context, NameList& used, NameList& required) {
+  std::vector<json::NodeId> values;
+  for (const auto& [value, action] : context.taken_out) values.push_back(value);
+  const auto gone = extensions_taken_out(context.document, std::move(values));
+  std::set<std::string> listed = used.remove_all(gone);
+  listed.merge(required.remove_all(gone));
+  if (listed.empty()) return;
+  std::map<std::string_view, UpgradeAction*> actions;
+  for (UpgradeAction& action : context.plan.actions) actions[action.pointer] = &action;
+  for (const std::string& name : listed) {
+    actions[context.taken_out[gone.at(name)]]->notes.push_back(
+        fmt::format("{} has no object any more: its name goes, too", name));
+  }
+}
+
 // Extensions that may stand in the document, those first on whose results others build: what puts
 // values into its carrier before what copies them from there.
 std::vector<const schema::Extension*> legacy_of(const json::Document& document,
-                                                const schema::Set& set) {
+                                                const schema::Set& set, const NameList& used,
+                                                const NameList& required) {
   std::vector<const schema::Extension*> legacy;
   for (const schema::Extension& extension : set.extensions()) {
-    const bool named = document.key_id(extension.name) != json::kNoKey;
+    const std::string& name = extension.name;
+    const bool named =
+        document.key_id(name) != json::kNoKey || used.has(name) || required.has(name);
     const bool known = !extension.upgrade.to.empty() || !extension.upgrade.stays.empty();
     if (known && named) legacy.push_back(&extension);
   }
@@ -291,33 +336,20 @@ std::vector<const schema::Extension*> legacy_of(const json::Document& document,
   return legacy;
 }
 
-// Another format than glTF 2.0, in which nothing here has a meaning.
-std::optional<UpgradeAction> old_version(const json::Document& document) {
-  const json::NodeId asset = document.find(document.root(), "asset");
-  const std::string version = model::string_member(document, asset, "version");
-  if (!version.starts_with("1.")) return std::nullopt;
-  UpgradeAction action;
-  action.pointer = "/asset/version";
-  action.from = "glTF " + version;
-  action.fate = UpgradeFate::no_successor;
-  action.notes.emplace_back("glTF 1.0 is another format: a converter to glTF 2.0 comes first");
-  return action;
-}
-
 }  // namespace
 
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options, Pictures* pictures, AssetBytes* bytes) {
-  if (auto action = old_version(document)) {
+  if (auto action = find_old_format(document, options)) {
     Plan plan;
     plan.actions.push_back(*std::move(action));
     return plan;
   }
-  const std::vector<const schema::Extension*> legacy = legacy_of(document, set);
-  if (legacy.empty()) return {};
-  Context context(document, set, options, pictures, bytes);
   NameList used(document, "extensionsUsed");
   NameList required(document, "extensionsRequired");
+  const std::vector<const schema::Extension*> legacy = legacy_of(document, set, used, required);
+  if (legacy.empty()) return {};
+  Context context(document, set, options, pictures, bytes);
   std::deque<ExtensionPlan> plans;
   for (const schema::Extension* extension : legacy) plans.emplace_back(context, *extension);
   for (bool more = true; more;) {
@@ -326,6 +358,7 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
   }
   for (ExtensionPlan& plan : plans) plan.finish(used, required);
   settle_dropped(context);
+  settle_taken_out(context, used, required);
   used.apply(context.editor);
   required.apply(context.editor);
   context.plan.edits = context.editor.take();

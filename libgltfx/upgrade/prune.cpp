@@ -14,7 +14,9 @@
 #include "json/writer.hpp"
 #include "model/asset.hpp"
 #include "model/buffer_view.hpp"
+#include "upgrade/name_list.hpp"
 #include "upgrade/pointers.hpp"
+#include "upgrade/removal.hpp"
 
 namespace gltfx::upgrade {
 namespace {
@@ -74,6 +76,7 @@ class Pruner {
       for (const Reference& reference : references_.to(array)) move(reference, shift);
       move_pointers(array, shift);
     }
+    remove_names();
     pruned_.edits = editor_.take();
     return std::move(pruned_);
   }
@@ -100,13 +103,27 @@ class Pruner {
 
   void remove(const std::string& array, const Indices& gone) {
     const json::NodeId nodes = list(array);
+    std::vector<json::NodeId> elements;
+    std::uint64_t index = 0;
+    for (const json::NodeId element : document_.elements(nodes)) {
+      if (gone.count(index++) != 0) elements.push_back(element);
+    }
+    removed_.insert(removed_.end(), elements.begin(), elements.end());
     if (gone.size() == document_.array_size(nodes)) {
       return editor_.remove(document_.root(), nodes - 1);
     }
-    std::uint64_t index = 0;
-    for (const json::NodeId element : document_.elements(nodes)) {
-      if (gone.count(index++) != 0) editor_.remove(nodes, element);
+    for (const json::NodeId element : elements) editor_.remove(nodes, element);
+  }
+
+  void remove_names() {
+    const auto names = extensions_taken_out(document_, removed_);
+    std::set<std::string> gone;
+    for (const char* member : {"extensionsUsed", "extensionsRequired"}) {
+      NameList list(document_, member);
+      gone.merge(list.remove_all(names));
+      list.apply(editor_);
     }
+    pruned_.names.assign(gone.begin(), gone.end());
   }
 
   void move(const Reference& reference, const Shift& shift) {
@@ -227,6 +244,7 @@ class Pruner {
   const Orphans& orphans_;
   const Pointers pointers_{document_};
   json::Editor editor_;
+  std::vector<json::NodeId> removed_;
   Pruned pruned_;
 };
 

@@ -19,6 +19,7 @@ struct Pruned {
   /// Bytes of the BIN chunk to take out, in order: nothing else lies in them. What stands behind
   /// moves by a multiple of 4.
   std::vector<ByteRange> cut;
+  std::vector<std::string> names;  ///< of extensions that have lost their last object
 };
 
 /// An Error that says why nothing may move: somebody may hold indices that nobody knows as such.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that are not quite glTF 2.0 are named for what they are, once, instead of drowning the
 // reader in consequences.
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "model/format_version.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
@@ -20,31 +19,11 @@ std::string asset_version(const json::Document& document, json::NodeId& place) {
   return document.string(place);
 }
 
-// glTF 1.0 kept its objects in dictionaries and always had shaders; `asset` was optional.
-bool looks_like_version_1(const json::Document& document) {
-  static constexpr std::array<std::string_view, 3> kOld{"techniques", "programs", "shaders"};
-  static constexpr std::array<std::string_view, 3> kArrays{"accessors", "buffers", "meshes"};
-  const auto is_object = [&](std::string_view name) {
-    const json::NodeId value = document.find(document.root(), name);
-    return value != json::kNoNode && document.is_object(value);
-  };
-  return std::any_of(kOld.begin(), kOld.end(), is_object) &&
-         std::any_of(kArrays.begin(), kArrays.end(), is_object);
-}
-
-// Exporters of that time wrote a number as often as a string.
-bool is_version_1(const json::Document& document, json::NodeId place, const std::string& version) {
-  if (place == json::kNoNode) return looks_like_version_1(document);
-  if (!document.is_number(place)) return version == "1.0" || version == "1.1";
-  const double number = document.number(place).value;
-  return number >= 1 && number < 2;
-}
-
 bool check_version_1(const Context& context, Collector& collector) {
-  json::NodeId place = json::kNoNode;
-  const std::string version = asset_version(context.document, place);
   const bool old_glb = context.container.glb_version == 1U;
-  if (!old_glb && !is_version_1(context.document, place, version)) return false;
+  if (!old_glb && !model::is_gltf_1(context.document)) return false;
+  json::NodeId place = json::kNoNode;
+  asset_version(context.document, place);
   Finding finding;
   finding.code = "GLTF_VERSION_1";
   finding.message = "This is a glTF 1.0 asset; only glTF 2.0 can be checked.";

@@ -45,6 +45,21 @@ TEST(Diff, SaysWhereTheLastLineHasNoEnd) {
             "\\ No newline at end of file\n");
 }
 
+TEST(Diff, NamesAreQuotedAsGitQuotesThem) {
+  const auto header = [](const std::string& name) {
+    const std::string all = unified_diff("1\n", std::vector<json::Edit>{{{0, 1}, "2"}}, name);
+    return all.substr(0, all.find('\n'));
+  };
+  EXPECT_EQ(header("deep/-'a'.gltf"), "--- a/deep/-'a'.gltf");
+  EXPECT_EQ(header("a b.gltf"), "--- a/a b.gltf\t");
+  EXPECT_EQ(header("a \"b\\\t\n\x01\x7f\xC3\xA4"), R"(--- "a/a \"b\\\t\n\001\177\303\244")");
+}
+
+TEST(Diff, AMarkStandsBeforeEveryLine) {
+  EXPECT_EQ(unified_diff("1\n", std::vector<json::Edit>{{{0, 1}, "2"}}, "a", "# "),
+            "# --- a/a\n# +++ b/a\n# @@ -1,1 +1,1 @@\n# -1\n# +2\n");
+}
+
 // Applies a diff whose lines all have ends.
 std::string patched(const std::string& text, const std::string& diff) {
   std::istringstream old_lines(text);

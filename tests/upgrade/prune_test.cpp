@@ -50,6 +50,17 @@ TEST(Prune, NumbersInExtrasAreInTheWayOnlyWhereTheySoundLikeIndices) {
               HasSubstr("/extras/myImage may be an index"));
 }
 
+TEST(Prune, NamesGoWithTheLastObjectOfTheirExtension) {
+  const std::string lists = R"("extensionsUsed":["EXT_texture_webp"],)";
+  const std::string webp = R"({"extensions":{"EXT_texture_webp":{"source":0}}})";
+  const auto textures = [&](const std::string& other) {
+    return "{" + lists + R"("textures":[)" + webp + "," + other + R"(],"images":[{}]})";
+  };
+  EXPECT_EQ(pruned(textures("{}"), kFirstTexture).text, R"({"textures":[{}],"images":[{}]})");
+  EXPECT_EQ(pruned(textures(webp), kFirstTexture).text,
+            "{" + lists + R"("textures":[)" + webp + R"(],"images":[{}]})");
+}
+
 TEST(Prune, PointersFollowUnlessTheyAreMadeAtRunTime) {
   const auto with = [](const std::string& pointer) {
     return pruned(two_textures(R"("x":{"pointer":")" + pointer + R"("})"), kFirstTexture);

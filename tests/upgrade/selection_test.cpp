@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which legacy extensions a run is about, and what has no successor.
+#include <array>
+
 #include <gmock/gmock.h>
 
 #include "support.hpp"
@@ -96,14 +98,38 @@ TEST(Selection, WhatWasAskedForAndHasNoSuccessorIsLeftToDo) {
   EXPECT_TRUE(result.only().is_due());
 }
 
-TEST(Selection, AnotherVersionOfTheFormatIsLeftAlone) {
-  const std::string text =
-      R"({"asset":{"version":"1.1"},"materials":[{"extensions":{"KHR_materials_translucency":{}}}]})";
-  const Upgraded result = upgraded(text);
-  EXPECT_EQ(result.text, text);
-  EXPECT_EQ(result.only().fate, UpgradeFate::no_successor);
-  EXPECT_EQ(result.only().from, "glTF 1.1");
-  EXPECT_THAT(result.only().notes, Contains(HasSubstr("converter")));
+TEST(Selection, AnotherVersionOfTheFormatIsLeftToDo) {
+  for (const auto& [head, from, pointer] : std::vector<std::array<std::string, 3>>{
+           {R"("asset":{"version":"1.1"})", "glTF 1.1", "/asset/version"},
+           {R"("asset":{"version":1})", "glTF 1.0", "/asset/version"},
+           {R"("shaders":{},"meshes":{})", "glTF 1.0", ""}}) {
+    const std::string text =
+        "{" + head + R"(,"materials":[{"extensions":{"KHR_materials_translucency":{}}}]})";
+    const Upgraded result = upgraded(text);
+    EXPECT_EQ(result.text, text);
+    EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+    EXPECT_TRUE(result.only().is_due());
+    EXPECT_EQ(result.only().from, from);
+    EXPECT_EQ(result.only().pointer, pointer);
+    EXPECT_THAT(result.only().notes, Contains(HasSubstr("gltf-pipeline")));
+    EXPECT_FALSE(upgraded(text, only({"KHR_xmp"})).only().is_due());
+  }
+}
+
+TEST(Selection, FirstDraftsAreNamed) {
+  const auto note = [](const std::string& text) {
+    const Upgraded result = upgraded(text);
+    EXPECT_EQ(result.text, text);
+    EXPECT_FALSE(result.plan.actions.empty()) << text;
+    return result.plan.actions.empty() ? "" : result.plan.actions[0].notes.at(0);
+  };
+  EXPECT_THAT(note(R"({"materials":[{"extensions":{"KHR_technique_webgl":{"technique":0}}}]})"),
+              HasSubstr("first name of KHR_techniques_webgl"));
+  EXPECT_THAT(note(R"({"meshes":[{"extensions":{"KHR_XMP":{"dc:format":"x"}}}]})"),
+              HasSubstr("first draft of KHR_xmp"));
+  EXPECT_THAT(note(R"({"extensions":{"KHR_xmp":{"xmps":[{}]}}})"), HasSubstr("first draft"));
+  EXPECT_THAT(note(R"({"meshes":[{"extensions":{"KHR_xmp":{"xmp":0}}}]})"),
+              HasSubstr("first draft"));
 }
 
 TEST(Selection, AGenerationOfAnotherExtensionSaysNothing) {
@@ -198,12 +224,16 @@ TEST(Selection, CompressedBytesGoTogetherOrNotAtAll) {
   }
 }
 
+const std::string kStream =
+    R"({"buffer":0,"byteLength":1,"byteStride":4,"count":1,"mode":"ATTRIBUTES"})";
+
 TEST(Selection, NoObjectIsCompressedTwice) {
-  const Upgraded result = upgraded(
-      compressed(R"({"extensions":{"EXT_meshopt_compression":{},"KHR_meshopt_compression":{}}})"),
-      only({"EXT_meshopt_compression"}));
+  const Upgraded result =
+      upgraded(compressed(R"({"extensions":{"EXT_meshopt_compression":)" + kStream +
+                          R"(,"KHR_meshopt_compression":)" + kStream + "}}"),
+               only({"EXT_meshopt_compression"}));
   EXPECT_EQ(result.json()["bufferViews"][1].dump(),
-            R"({"extensions":{"KHR_meshopt_compression":{}}})");
+            R"({"extensions":{"KHR_meshopt_compression":)" + kStream + "}}");
 }
 
 }  // namespace

@@ -103,8 +103,8 @@ TEST(SpecularGlossiness, WhatItMustNotStandBesideIsSeenAfterwards) {
 }
 
 TEST(SpecularGlossiness, BesideWhatTheSuccessorWouldBreakItStays) {
-  for (const std::string other : {"KHR_materials_volume", "KHR_materials_specular",
-                                  "KHR_materials_ior", "KHR_materials_unlit"}) {
+  for (const std::string other :
+       {"KHR_materials_volume", "KHR_materials_specular", "KHR_materials_ior"}) {
     std::string text = document("");
     text.insert(text.find(kQuoted), std::string("\"").append(other).append("\":{},"));
     UpgradeOptions unsafe;
@@ -114,6 +114,42 @@ TEST(SpecularGlossiness, BesideWhatTheSuccessorWouldBreakItStays) {
     EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
     EXPECT_THAT(result.only().notes, Contains(HasSubstr(other)));
   }
+}
+
+// The texts do not say which of two models of the whole material counts; most readers draw unlit.
+Upgraded beside_unlit(const std::string& legacy, const std::string& material, bool unsafe) {
+  std::string text = document(legacy, material);
+  text.insert(text.find(kQuoted), R"("KHR_materials_unlit":{},)");
+  UpgradeOptions options;
+  options.unsafe = unsafe;
+  Upgraded result = upgraded(text, options);
+  EXPECT_EQ(result.text == text, !unsafe);
+  EXPECT_EQ(result.only().fate, UpgradeFate::unsafe);
+  EXPECT_THAT(result.only().notes,
+              Contains("without effect: Unlit materials show no specular-glossiness"));
+  return result;
+}
+
+TEST(SpecularGlossiness, BesideUnlitItGoesWhenAskedForAndLeavesItsColour) {
+  const std::string legacy =
+      R"("diffuseFactor":[1,0,0,1],"diffuseTexture":{"index":1},"glossinessFactor":0.5)";
+  beside_unlit(legacy, "", false);
+  const Upgraded done = beside_unlit(legacy, "", true);
+  EXPECT_EQ(done.json()["materials"][0].dump(),
+            R"({"extensions":{"KHR_materials_unlit":{}},"pbrMetallicRoughness":)"
+            R"({"baseColorFactor":[1,0,0,1],"baseColorTexture":{"index":1}}})");
+  EXPECT_TRUE(done.only().removed);
+  EXPECT_THAT(done.only().notes,
+              Contains("diffuseFactor becomes pbrMetallicRoughness/baseColorFactor"));
+  EXPECT_THAT(upgraded(done.text).plan.actions, testing::IsEmpty());
+}
+
+TEST(SpecularGlossiness, BesideUnlitABaseColourThatIsThereStays) {
+  const std::string base = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}},)";
+  const Upgraded done = beside_unlit(R"("diffuseFactor":[1,0,0,1])", base, true);
+  EXPECT_EQ(done.json()["materials"][0].dump(),
+            R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},)"
+            R"("extensions":{"KHR_materials_unlit":{}}})");
 }
 
 TEST(SpecularGlossiness, TranslucencyBesideItTakesItsDiffuseColour) {

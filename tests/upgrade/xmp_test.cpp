@@ -101,6 +101,77 @@ TEST(Xmp, EveryReferenceIsRenamed) {
   EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());
 }
 
+// Packets of both extensions, and objects that refer to them.
+std::string beside(const std::string& packets, const std::string& there,
+                   const std::string& others = "") {
+  std::string text = document(packets, kDublinCore, others);
+  const std::string name = R"("KHR_xmp":{)";
+  return text.insert(text.find(name, text.find(R"("@context")") - name.size()),
+                     R"("KHR_xmp_json_ld":{"packets":[)" + there + "]},");
+}
+
+const std::string kThere = R"({"@context":{},"@id":"0"},{"@context":{},"@id":"1"})";
+
+TEST(Xmp, BesideItsSuccessorThePacketsFollowAndIndicesShift) {
+  const Upgraded result =
+      upgraded(beside(R"({"dc:rights":{"en":"mine"},"dc:type":["a"]},{"@id":"x"})", kThere,
+                      R"("asset":{"extensions":{"KHR_xmp":{"packet":1}}},)"
+                      R"("nodes":[{"extensions":{"KHR_xmp":{"packet":0}}},)"
+                      R"({"extensions":{"KHR_xmp_json_ld":{"packet":1}}}],)"));
+  const Json root = result.json();
+  const Json& packets = root["extensions"]["KHR_xmp_json_ld"]["packets"];
+  ASSERT_EQ(packets.size(), 4U) << result.text;
+  EXPECT_EQ(packets[1]["@id"], "1");
+  EXPECT_EQ(packets[2].dump(),
+            R"({"dc:rights":{"@type":"rdf:Alt","rdf:_1":{"@language":"en","@value":"mine"}},)"
+            R"("dc:type":{"@set":["a"]},"@context":{)" +
+                kDublinCore + "," + kRdf + R"(},"@id":""})");
+  EXPECT_EQ(packets[3].dump(), R"({"@id":"x","@context":{)" + kDublinCore + "}}");
+  EXPECT_EQ(root["asset"]["extensions"]["KHR_xmp_json_ld"]["packet"], 3);
+  EXPECT_EQ(root["nodes"][0]["extensions"]["KHR_xmp_json_ld"]["packet"], 2);
+  EXPECT_EQ(root["nodes"][1]["extensions"]["KHR_xmp_json_ld"]["packet"], 1);
+  EXPECT_EQ(root["extensions"].size(), 1U);
+  EXPECT_THAT(root["extensionsUsed"], testing::ElementsAre("KHR_xmp_json_ld"));
+  for (const UpgradeAction& action : result.plan.actions) {
+    EXPECT_EQ(action.fate, UpgradeFate::safe);
+  }
+  EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());
+}
+
+TEST(Xmp, AnObjectWithBothReferencesKeepsTheNewOne) {
+  const Upgraded result = upgraded(beside(
+      "{}", kThere,
+      R"("nodes":[{"extensions":{"KHR_xmp":{"packet":0},"KHR_xmp_json_ld":{"packet":1}}}],)"));
+  EXPECT_EQ(result.json()["nodes"][0].dump(), R"({"extensions":{"KHR_xmp_json_ld":{"packet":1}}})");
+  EXPECT_EQ(result.json()["extensions"]["KHR_xmp_json_ld"]["packets"].size(), 3U);
+  EXPECT_THAT(result.plan.actions.back().notes, Contains(R"(its own values are '{"packet":0}')"));
+}
+
+TEST(Xmp, PacketsInATextOfManyLinesKeepTheirIndentation) {
+  const std::string text =
+      "{\n  \"extensionsUsed\": [\"KHR_xmp\"],\n  \"extensions\": {\n    \"KHR_xmp_json_ld\": {\n  "
+      "    \"packets\": [\n"
+      "        {\n          \"@context\": {}\n        }\n      ]\n    },\n"
+      "    \"KHR_xmp\": {\n      \"@context\": {},\n      \"packets\": [\n"
+      "        {\n          \"dc:format\": \"a\"\n        }\n      ]\n    }\n  }\n}\n";
+  EXPECT_EQ(upgraded(text).text,
+            "{\n  \"extensionsUsed\": [\"KHR_xmp_json_ld\"],\n  \"extensions\": {\n    "
+            "\"KHR_xmp_json_ld\": {\n      \"packets\": [\n"
+            "        {\n          \"@context\": {}\n        },\n"
+            "        {\n          \"dc:format\": \"a\",\n          \"@context\": {},\n"
+            "          \"@id\": \"\"\n        }\n      ]\n    }\n  }\n}\n");
+}
+
+TEST(Xmp, ExtrasOfTheRootsObjectAreNotLostUnasked) {
+  std::string text = beside("{}", kThere);
+  text.insert(text.find(R"("@context":{)" + kDublinCore), R"("extras":{"by":"me"},)");
+  EXPECT_EQ(upgraded(text).text, text);
+  EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::unsafe);
+  UpgradeOptions unsafe;
+  unsafe.unsafe = true;
+  EXPECT_TRUE(upgraded(text, unsafe).only().done);
+}
+
 class XmpLeft : public testing::TestWithParam<std::pair<std::string, const char*>> {};
 
 TEST_P(XmpLeft, Alone) {
@@ -119,6 +190,16 @@ INSTANTIATE_TEST_SUITE_P(
     Upgrade, XmpLeft,
     testing::Values(
         std::pair{document("{},7"), "a packet is no object"},
+        std::pair{beside("{}", ""), "KHR_xmp_json_ld is not valid"},
+        std::pair{beside("{}", "7"), "KHR_xmp_json_ld is not valid"},
+        std::pair{
+            beside("{}", kThere, R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":2}}}],)"),
+            "/nodes/0/extensions/KHR_xmp_json_ld is not valid"},
+        std::pair{document("{}", kDublinCore,
+                           R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":0}}}],)"),
+                  "/nodes/0/extensions/KHR_xmp_json_ld is not valid"},
+        std::pair{document("{}", kDublinCore, R"("x":"/extensions/KHR_xmp/packets/0/dc:title",)"),
+                  "points into it"},
         std::pair{document(R"({"@context":{}})"), "@context already"},
         std::pair{document("{}", R"("dc":7)"), "@context is not valid"},
         std::pair{document(R"({"dc:title":{"en":"x"}})", R"("rdf":"urn:x")"), "something else"},

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// What people put into an object, and extensions on it, are not lost with an object that goes.
+#include "upgrade/removal.hpp"
+
+#include <gmock/gmock.h>
+
+#include "support.hpp"
+
+namespace gltfx::upgrade::test {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+
+UpgradeOptions unsafe() {
+  UpgradeOptions options;
+  options.unsafe = true;
+  return options;
+}
+
+std::vector<std::string> foreign(const std::string& object) {
+  const json::Parsed parsed = json::parse(std::string_view(object));
+  EXPECT_TRUE(parsed.ok()) << object;
+  const schema::Set& set = *schema::builtin_set();
+  return foreign_content(parsed.document, set, parsed.document.root(),
+                         set.find_type("material.KHR_materials_translucency"));
+}
+
+TEST(Removal, ForeignIsWhatTheExtensionDoesNotDescribe) {
+  EXPECT_THAT(foreign(R"({"translucencyFactor":1,"translucencyTexture":{"index":0}})"), IsEmpty());
+  EXPECT_THAT(foreign(R"({"extras":{},"extensions":{}})"), IsEmpty());
+  EXPECT_THAT(
+      foreign(R"({"extras":7,"extensions":{"ACME_a":{},"KHR_texture_transform":{}},"b":1})"),
+      ElementsAre("extras", "'ACME_a'", "'KHR_texture_transform'", "'b'"));
+  EXPECT_THAT(foreign(R"({"translucencyTexture":{"index":0,"extras":{"a":1},"extensions":)"
+                      R"({"KHR_texture_transform":{"extras":{"b":2}},"ACME_a":{}}}})"),
+              ElementsAre("extras", "'ACME_a'"));
+  EXPECT_THAT(foreign("7"), IsEmpty());
+}
+
+TEST(Removal, ExtensionsAreTakenOutWithTheirLastObject) {
+  const std::string text =
+      R"({"a":{"extensions":{"X":{},"Y":{}}},"b":{"extensions":{"Y":{}}},)"
+      R"("c":[{"extensions":{"Z":{"extensions":{"W":{}}}}}],"extras":{"extensions":{"X":{}}}})";
+  const json::Parsed parsed = json::parse(std::string_view(text));
+  const json::Document& document = parsed.document;
+  const auto taken_out = [&](const std::vector<const char*>& pointers) {
+    std::vector<json::NodeId> values;
+    for (const char* pointer : pointers) values.push_back(document.resolve(pointer));
+    std::vector<std::string> names;
+    for (const auto& [name, value] : extensions_taken_out(document, values)) names.push_back(name);
+    return names;
+  };
+  EXPECT_THAT(taken_out({}), IsEmpty());
+  EXPECT_THAT(taken_out({"/a"}), ElementsAre("X"));
+  EXPECT_THAT(taken_out({"/a/extensions"}), ElementsAre("X"));
+  EXPECT_THAT(taken_out({"/a/extensions/X"}), IsEmpty());
+  EXPECT_THAT(taken_out({"/b", "/a", "/a/extensions"}), ElementsAre("X", "Y"));
+  EXPECT_THAT(taken_out({"/c/0", "/c/0/extensions/Z"}), ElementsAre("W", "Z"));
+}
+
+TEST(Removal, WithoutEffectButWithExtrasTheObjectIsConverted) {
+  for (const std::string kept :
+       {R"("extras":{"by":"me"})", R"("extensions":{"ACME_a":{"b":1}})", R"("note":"x")"}) {
+    const Upgraded result = upgraded(document_with("", R"("translucencyFactor":0,)" + kept));
+    EXPECT_FALSE(result.only().removed);
+    EXPECT_TRUE(result.only().done);
+    EXPECT_EQ(extension_of(result).dump(), R"({"diffuseTransmissionFactor":0,)" + kept + "}");
+    EXPECT_THAT(result.only().notes, Contains(HasSubstr("without effect")));
+    EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());
+  }
+}
+
+// Documents in which a legacy object with extras has no effect, or has its successor beside it.
+const std::string kHidden = R"({"extensionsUsed":["KHR_materials_translucency","ACME_a"],)"
+                            R"("materials":[{"extensions":{"KHR_materials_unlit":{},)"
+                            R"("KHR_materials_translucency":{"extensions":{"ACME_a":{}}}}}]})";
+const std::string kDouble =
+    R"({"extensionsUsed":["KHR_materials_translucency","ACME_a"],)"
+    R"("materials":[{"extensions":{"KHR_materials_diffuse_transmission":{},)"
+    R"("KHR_materials_translucency":{"translucencyTexture":{"index":0,)"
+    R"("extensions":{"ACME_a":{}}}}}}]})";
+
+TEST(Removal, WhereNothingTakesItsPlaceTheObjectStaysUnlessAskedFor) {
+  for (const std::string& text : {kHidden, kDouble}) {
+    const Upgraded left = upgraded(text);
+    EXPECT_EQ(left.text, text);
+    EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
+    EXPECT_THAT(left.only().notes, Contains("it also has 'ACME_a', lost with it"));
+    const Upgraded gone = upgraded(text, unsafe());
+    EXPECT_TRUE(gone.only().removed);
+    EXPECT_FALSE(gone.json().contains("extensionsUsed")) << gone.text;
+    EXPECT_THAT(gone.only().notes, Contains("ACME_a has no object any more: its name goes, too"));
+  }
+}
+
+TEST(Removal, ScatteringWithoutDistanceKeepsItsExtras) {
+  const std::string text = R"({"materials":[{"extensions":{"KHR_materials_volume":{},)"
+                           R"("KHR_materials_sss":{"extras":{"by":"me"}}}}]})";
+  const Upgraded left = upgraded(text, only({"KHR_materials_sss"}));
+  EXPECT_EQ(left.text, text);
+  EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
+}
+
+TEST(Removal, NamesStayWhileAnotherObjectHasThem) {
+  const std::string transform =
+      R"({"index":0,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}})";
+  const auto names_after = [&](const std::string& material) {
+    const std::string text =
+        R"({"extensionsUsed":["KHR_materials_translucency","KHR_texture_transform"],)"
+        R"("extensionsRequired":["KHR_texture_transform"],"textures":[{}],"materials":[{)" +
+        material + R"("extensions":{"KHR_materials_translucency":{"translucencyTexture":)" +
+        transform + "}}}]}";
+    const Json root = upgraded(text).json();
+    return root.value("extensionsUsed", Json()).dump() +
+           root.value("extensionsRequired", Json()).dump();
+  };
+  EXPECT_EQ(names_after(""), "nullnull");
+  EXPECT_EQ(names_after(R"("emissiveTexture":)" + transform + ","),
+            R"(["KHR_texture_transform"]["KHR_texture_transform"])");
+}
+
+TEST(Removal, WhatIsOverwrittenIsNotLostUnasked) {
+  const auto text_with = [](const std::string& info) {
+    return R"({"extensionsUsed":["KHR_materials_pbrSpecularGlossiness","KHR_texture_transform"],)"
+           R"("textures":[{}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,)" +
+           info + R"(}},"extensions":{"KHR_materials_pbrSpecularGlossiness":{}}}]})";
+  };
+  const Upgraded left = upgraded(text_with(R"("extras":{"by":"me"})"));
+  EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
+  EXPECT_THAT(
+      left.only().notes,
+      Contains("pbrMetallicRoughness/baseColorTexture is overwritten, and its extras lost"));
+  const Upgraded done = upgraded(text_with(R"("extensions":{"KHR_texture_transform":{}})"));
+  EXPECT_TRUE(done.only().done);
+  EXPECT_THAT(done.json()["extensionsUsed"],
+              ElementsAre("KHR_materials_specular", "KHR_materials_ior"));
+}
+
+}  // namespace
+}  // namespace gltfx::upgrade::test
