@@ -3,6 +3,7 @@
 // of the file and of its chunks, the headers of both bitstreams, and canvas and alpha of the
 // extended form against the image in it.
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -65,8 +66,11 @@ bool skip_chunk(Cursor& at) {
 }
 
 // The image data: a still image, or the first frame of an animation, whose header is not read.
-Found find_image(Cursor at, bool animated) {
+// Nothing where so many chunks stand before it that it is not looked for.
+std::optional<Found> find_image(Cursor at, bool animated) {
+  constexpr int kMaxChunks = 1 << 16;
   Found found;
+  int chunks = 0;
   for (Cursor chunk = at; at.left() >= kChunkHeaderBytes; chunk = at) {
     Cursor content = chunk;
     content.skip(4);
@@ -76,6 +80,7 @@ Found find_image(Cursor at, bool animated) {
     if (found.image && chunk.at("VP8L")) read_lossless(content, found.header);
     found.whole = skip_chunk(at);
     if (found.image || !found.whole) break;
+    if (++chunks == kMaxChunks) return std::nullopt;
   }
   return found;
 }
@@ -171,7 +176,7 @@ HeaderResult read_webp(std::span<const std::byte> bytes) {
         std::clamp<std::uint64_t>(file_size(bytes), kHeaderBytes, bytes.size());
     Cursor behind(bytes.first(static_cast<std::size_t>(end)));
     behind.skip(kHeaderBytes);
-    check_image(find_image(behind, header.animated), header);
+    if (const auto found = find_image(behind, header.animated)) check_image(*found, header);
   } else {
     return invalid("The WebP does not begin with a chunk that holds an image.");
   }

@@ -549,6 +549,12 @@ TEST(Webp, ExtendedFilesAgreeWithTheirImage) {
   EXPECT_NE(doubt(file(flags(0), webp_chunk("VP8L", "x" + std::string(9, '\0')))), "");
 }
 
+TEST(Webp, ManyChunksAreNotWalkedThrough) {
+  std::string chunks = webp_chunk("VP8X", le(0, 4) + le(3, 3) + le(3, 3));
+  for (int i = 0; i < 70000; ++i) chunks += webp_chunk("none", {});
+  EXPECT_EQ(remark(webp_file(chunks)), "");
+}
+
 TEST(Webp, AnimationsNeedFrames) {
   const std::string extended = webp_chunk("VP8X", le(2, 4) + le(3, 3) + le(3, 3));
   const Header sound = header(webp_file(extended + webp_chunk("ANIM", std::string(6, 'x')) +
