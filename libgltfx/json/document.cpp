@@ -150,7 +150,7 @@ bool Document::has_value(NodeId object, std::string_view name) const {
 Number Document::number(NodeId id) const { return {span(id), number_value(raw(id))}; }
 
 std::optional<std::uint64_t> Document::unsigned_integer(NodeId id) const {
-  if (!is_number(id)) return std::nullopt;
+  if (id == kNoNode || !is_number(id)) return std::nullopt;
   const Number read = number(id);
   if (!read.is_integer() || read.value < 0) return std::nullopt;
   return static_cast<std::uint64_t>(read.value);

@@ -21,6 +21,7 @@ struct Build {
   FaultList& faults;
   SetParts set;
   std::unordered_map<std::string_view, SourceId> by_id;
+  std::vector<std::unordered_map<std::string_view, json::NodeId>> defs;  ///< `$defs` by SourceId
   std::vector<ExtensionId> extension_of;                ///< by SourceId; kNone for core
   std::vector<Site> shape_sites;                        ///< by ShapeId
   std::unordered_map<std::uint64_t, ShapeId> shape_at;  ///< by site key
@@ -37,7 +38,18 @@ struct Build {
   ShapeId shape_of(Site at) const;
   /// What a `$ref` names, or a site that does not exist, with a fault.
   Site resolve(Site reference);
+  /// Whether so many bytes of what was built may be copied once more; a fault at `at` where copies
+  /// are too large together.
+  bool may_copy(std::uint64_t bytes, Site at);
+
+ private:
+  std::uint64_t copied_ = 0;
+  template <class Map>
+  Site unresolved(Site reference, std::string message, std::string_view word, const Map& known);
 };
+
+/// `$ref`s that lead to nothing but another `$ref`, in a row.
+inline constexpr int kLongestChain = 40;
 
 /// Sets up `by_id` and the extensions' ids; faults for `$id`s that occur twice.
 void register_sources(Build& build);

@@ -9,8 +9,7 @@
 namespace gltfx::schema {
 
 ShapeId Build::shape_of(Site at) const {
-  constexpr int kLongest = 100;
-  for (int steps = 0; at.exists() && steps < kLongest; ++steps) {
+  for (int steps = 0; at.exists() && steps <= kLongestChain; ++steps) {
     const auto known = shape_at.find(key(at));
     if (known != shape_at.end()) return known->second;
     const Site reference = member(at, "$ref");
@@ -20,6 +19,24 @@ ShapeId Build::shape_of(Site at) const {
   return kNone;
 }
 
+bool Build::may_copy(std::uint64_t bytes, Site at) {
+  constexpr std::uint64_t kMost = std::uint64_t{64} << 20U;
+  copied_ += bytes;
+  if (copied_ <= kMost) return true;
+  faults.add(at, "the schemas that are repeated at several places are too large together");
+  return false;
+}
+
+template <class Map>
+Site Build::unresolved(Site reference, std::string message, std::string_view word,
+                       const Map& known) {
+  if (faults.is_full()) return {};
+  std::vector<std::string_view> names;
+  for (const auto& entry : known) names.push_back(entry.first);
+  faults.add(reference, std::move(message) + did_you_mean(word, names));
+  return {};
+}
+
 Site Build::resolve(Site reference) {
   const std::string text = this->text(reference);
   const std::size_t hash = std::min(text.find('#'), text.size());
@@ -27,11 +44,8 @@ Site Build::resolve(Site reference) {
   if (hash != 0) {
     const auto file = by_id.find(std::string_view(text).substr(0, hash));
     if (file == by_id.end()) {
-      std::vector<std::string_view> ids;
-      for (const auto& entry : by_id) ids.push_back(entry.first);
-      faults.add(reference,
-                 "there is no schema " + quoted(text.substr(0, hash)) + did_you_mean(text, ids));
-      return {};
+      return unresolved(reference, "there is no schema " + quoted(text.substr(0, hash)), text,
+                        by_id);
     }
     source = file->second;
   }
@@ -39,17 +53,25 @@ Site Build::resolve(Site reference) {
   if (hash == text.size()) return root;
   constexpr std::size_t kPrefix = std::string_view("#/$defs/").size();
   const std::string name = text.substr(hash + kPrefix);
-  const Site defs = member(root, "$defs");
-  const Site found = member(defs, name);
-  if (found.exists()) return found;
-  std::vector<std::string_view> names;
-  if (defs.exists()) {
-    for (const auto& entry : document(defs).members(defs.node))
-      names.push_back(document(defs).key(entry.key_id));
-  }
-  faults.add(reference, quoted(name) + " is not among $defs" + did_you_mean(name, names));
-  return {};
+  const auto found = defs[source].find(name);
+  if (found != defs[source].end()) return {source, found->second};
+  return unresolved(reference, quoted(name) + " is not among $defs", name, defs[source]);
 }
+
+namespace {
+
+std::unordered_map<std::string_view, json::NodeId> definitions(const Source& source) {
+  std::unordered_map<std::string_view, json::NodeId> nodes;
+  const json::Document& document = source.document;
+  const json::NodeId defs = document.find(document.root(), "$defs");
+  if (defs == json::kNoNode) return nodes;
+  for (const auto& member : document.members(defs)) {
+    nodes.emplace(document.key(member.key_id), member.value);
+  }
+  return nodes;
+}
+
+}  // namespace
 
 void register_sources(Build& build) {
   for (SourceId id = 0; id < build.sources.size(); ++id) {
@@ -59,6 +81,7 @@ void register_sources(Build& build) {
       build.faults.add(build.member({id, source.document.root()}, "$id"),
                        "this $id is taken by " + quoted(build.sources[first->second].name, 200));
     }
+    build.defs.push_back(definitions(source));
     build.extension_of.push_back(kNone);
     if (!is_new || !source.is_extension()) continue;
     build.extension_of.back() = static_cast<ExtensionId>(build.set.extensions.size());

@@ -3,6 +3,7 @@
 /// embedded files and at run time for a user's own.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,6 +15,9 @@
 #include "schema/set.hpp"
 
 namespace gltfx::schema {
+
+/// Bytes of a user's schema file, many times what the longest of ours has.
+inline constexpr std::size_t kLongestFile = 256U << 10U;
 
 struct SourceFile {
   std::string name;  ///< shown in faults

@@ -157,14 +157,28 @@ class ExtensionBuilder {
     const TypeId host = build_.set.find_type(home);
     if (host == kNone) return unknown_home(home, at);
     const ShapeId definition = build_.shape_of(schema);
+    if (!build_.may_copy(object_size(definition), {source_, at})) return;
     extension.homes.emplace_back(host, object_at(definition, home + "." + extension.name));
   }
 
   void unknown_home(const std::string& home, json::NodeId at) {
+    if (build_.faults.is_full()) return;
     std::vector<std::string_view> known;
     for (const ObjectType& type : build_.set.types) known.push_back(type.name);
     build_.faults.add({source_, at},
                       quoted(home) + " is no type of object" + did_you_mean(home, known));
+  }
+
+  // Bytes of the object that a definition describes, roughly.
+  std::uint64_t object_size(ShapeId definition) const {
+    if (definition == kNone || build_.set.shapes[definition].type == kNone) return sizeof(Shape);
+    std::uint64_t size = sizeof(Shape) + build_.set.shapes[definition].description.size();
+    for (const Property& property :
+         build_.set.types[build_.set.shapes[definition].type].properties) {
+      size += sizeof(Property) + property.name.size() + property.default_json.size() +
+              property.description.size();
+    }
+    return size;
   }
 
   // The object that a definition describes gets a type of its own at each home. The first takes the
@@ -174,7 +188,8 @@ class ExtensionBuilder {
     Shape shape = definition == kNone ? Shape() : set.shapes[definition];
     shape.types = kObject;
     const bool has_type = shape.type != kNone;
-    if (has_type && std::find(renamed_.begin(), renamed_.end(), shape.type) == renamed_.end()) {
+    const bool is_own = has_type && set.types[shape.type].extension == build_.extension_of[source_];
+    if (is_own && std::find(renamed_.begin(), renamed_.end(), shape.type) == renamed_.end()) {
       renamed_.push_back(shape.type);
       set.types[shape.type].name = name;
       set.shapes[definition].label = name;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/text.hpp"
 
@@ -123,20 +124,27 @@ bool Holds::object(const Shape& shape, json::NodeId node, int depth) {
 
 bool Holds::members(const Shape& shape, json::NodeId node, int depth) {
   const json::Document& document = values_.document;
-  if (shape.type != kNone) {
-    for (const Property& property : set_.type(shape.type).properties) {
-      const json::NodeId value = document.find(node, property.name);
-      if (value == json::kNoNode ? property.required : !holds(property.shape, {value}, depth + 1)) {
-        return false;
-      }
+  const ObjectType* type = shape.type == kNone ? nullptr : &set_.type(shape.type);
+  std::vector<json::NodeId> values(type == nullptr ? 0 : type->properties.size(), json::kNoNode);
+  const bool others = shape.values != kNone || !shape.pattern_properties.empty() ||
+                      (type != nullptr && type->strict);
+  if (type == nullptr && !others) return true;
+  for (const auto& member : document.members(node)) {
+    const Symbol symbol = names_.symbol(member.key_id);
+    const TypePlan::Entry* entry = type == nullptr || symbol == kNone
+                                       ? nullptr
+                                       : set_.walk_tables().types[shape.type].find(symbol);
+    if (entry != nullptr && !entry->alias) {
+      values[entry->property] = member.value;
+    } else if (others && !other_member(shape, document.key(member.key_id), member.value, depth)) {
+      return false;
     }
   }
-  const bool strict = shape.type != kNone && set_.type(shape.type).strict;
-  if (shape.values == kNone && shape.pattern_properties.empty() && !strict) return true;
-  for (const auto& member : document.members(node)) {
-    const std::string_view name = document.key(member.key_id);
-    if (set_.find_property(shape.type, name) != nullptr) continue;
-    if (!other_member(shape, name, member.value, depth)) return false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Property& property = type->properties[i];
+    const bool fits = values[i] == json::kNoNode ? !property.required
+                                                 : holds(property.shape, {values[i]}, depth + 1);
+    if (!fits) return false;
   }
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include <unordered_map>
 
+#include "schema/document_names.hpp"
 #include "schema/value.hpp"
 
 namespace gltfx::schema {
@@ -12,7 +13,8 @@ namespace gltfx::schema {
 /// bounded by the number of shapes times that of nodes; below `kDepth` levels everything holds.
 class Holds {
  public:
-  Holds(const json::Document& document, const Set& set) : values_(document), set_(set) {}
+  Holds(const json::Document& document, const Set& set)
+      : values_(document), set_(set), names_(document, set) {}
   bool operator()(ShapeId shape, Value value) { return holds(shape, value, 0); }
 
  private:
@@ -29,6 +31,7 @@ class Holds {
 
   Values values_;
   const Set& set_;
+  DocumentNames names_;
   std::unordered_map<std::uint64_t, bool> known_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The members that a schema describes, into an ObjectType.
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/text.hpp"
 #include "schema/members.hpp"
@@ -29,7 +31,10 @@ void ShapeBuilder::finish_members(ShapeId id, Site schema, const Where& where, S
   if (members.additional.exists() && !document.is_boolean(members.additional.node)) {
     shape.values = request(members.additional, where);
   }
-  if (!members.properties.exists() && !members.required.exists() && !closed) return;
+  if (!members.properties.exists() && !members.required.exists() && !closed &&
+      shape.dependent_required.empty()) {
+    return;
+  }
   ObjectType type;
   type.name = where.type_name;
   type.shape = id;
@@ -53,14 +58,12 @@ std::vector<Property> ShapeBuilder::read_properties(const Members& members, cons
       properties.push_back(read_property(schema, document.key(member.key_id), where));
     }
   }
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < properties.size(); ++i) places.emplace(properties[i].name, i);
   for (const std::string& name : read_names(build_, members.required)) {
-    auto property = std::find_if(properties.begin(), properties.end(),
-                                 [&](const Property& p) { return p.name == name; });
-    if (property == properties.end()) {
-      properties.emplace_back().name = name;
-      property = properties.end() - 1;
-    }
-    property->required = true;
+    const auto [place, is_new] = places.emplace(name, properties.size());
+    if (is_new) properties.emplace_back().name = name;
+    properties[place->second].required = true;
   }
   return properties;
 }
@@ -107,10 +110,10 @@ void ShapeBuilder::fault_misspelt_required(const Members& members, const ObjectT
     known.push_back(document.key(member.key_id));
   }
   if (document.kind(members.required.node) != json::Kind::array) return;
+  const std::unordered_set<std::string_view> names(known.begin(), known.end());
   for (const json::NodeId name : document.elements(members.required.node)) {
     const std::string text = document.string(name);
-    if (is_common_member(text) || std::find(known.begin(), known.end(), text) != known.end())
-      continue;
+    if (is_common_member(text) || names.count(text) != 0 || build_.faults.is_full()) continue;
     build_.faults.add({members.required.source, name},
                       quoted(text) + " is required but no property of " + quoted(type.name) +
                           did_you_mean(text, known));

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kDeepestNesting =
     40;  // combinators inside one another; the walk recurses on these only
+// Schemas that one value is held against, each as often as combinators lead to it.
+constexpr std::uint32_t kMostShapes = 1000;
 
 class ReferenceCheck {
  public:
@@ -114,6 +116,7 @@ class ReferenceCheck {
 
   void unknown(Site at, std::string_view name, std::string_view what,
                const std::vector<std::string_view>& known) {
+    if (build_.faults.is_full()) return;
     build_.faults.add(at, quoted(name) + " is " + std::string(what) + did_you_mean(name, known));
   }
 
@@ -211,14 +214,17 @@ class ReferenceCheck {
     }
     const Extension* successor = described(upgrade.to, build_.member(at, "to"));
     if (successor == nullptr) return;
-    for (const std::string& other : upgrade.alternatives) {
-      described(other, build_.member(at, "alternatives"));
-    }
     const TypeId own = object_type(extension);
     if (!upgrade.strength.empty()) {
       has_member(own, upgrade.strength, build_.member(at, "strength"));
     }
     upgrade_steps(extension, own, object_type(*successor), build_.member(at, "steps"));
+    for (const std::string& name : upgrade.alternatives) {
+      const Extension* other = described(name, build_.member(at, "alternatives"));
+      if (other != nullptr) {
+        upgrade_steps(extension, own, object_type(*other), build_.member(at, "steps"));
+      }
+    }
   }
 
   const Extension* described(const std::string& name, Site at) {
@@ -300,12 +306,13 @@ class ReferenceCheck {
   // themselves.
   void nesting() {
     std::vector<int> depth(set_.shapes.size(), 0);  // 0: not seen, -1: on the way, else depth
+    std::vector<std::uint32_t> work(set_.shapes.size(), 0);
     for (ShapeId start = 0; start < set_.shapes.size(); ++start) {
-      if (depth[start] == 0) nesting_from(start, depth);
+      if (depth[start] == 0) nesting_from(start, depth, work);
     }
   }
 
-  void nesting_from(ShapeId start, std::vector<int>& depth) {
+  void nesting_from(ShapeId start, std::vector<int>& depth, std::vector<std::uint32_t>& work) {
     std::vector<ShapeId> stack{start};
     while (!stack.empty()) {
       const ShapeId id = stack.back();
@@ -324,7 +331,24 @@ class ReferenceCheck {
       depth[id] = 1;
       for (const ShapeId next : inside) depth[id] = std::max(depth[id], depth[next] + 1);
       if (depth[id] == kDeepestNesting) fault_at(id, "combinators are nested too deeply");
+      work[id] = work_of(id, inside, work);
     }
+  }
+
+  // Told once: what holds such a schema is not told again.
+  std::uint32_t work_of(ShapeId id, const std::vector<ShapeId>& inside,
+                        const std::vector<std::uint32_t>& work) {
+    bool told = false;
+    std::uint64_t sum = 1;
+    for (const ShapeId next : inside) {
+      sum += work[next];
+      told = told || work[next] > kMostShapes;
+    }
+    if (sum > kMostShapes && !told) {
+      fault_at(id, "combinators hold one value against more than " + std::to_string(kMostShapes) +
+                       " schemas here");
+    }
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, kMostShapes + 1));
   }
 
   void fault_at(ShapeId shape, std::string message) {

@@ -10,6 +10,24 @@
 namespace gltfx::schema {
 namespace {
 
+constexpr std::size_t kLongestName = 1000;
+
+// Bytes that a copy of a shape takes, roughly.
+std::uint64_t copy_size(const Shape& shape) {
+  std::uint64_t size = sizeof(Shape) + shape.title.size() + shape.description.size() +
+                       shape.hint.size() + shape.format.size() + shape.label.size();
+  for (const Literal& literal : shape.literals) {
+    size += sizeof(Literal) + literal.string.size() + literal.name.size();
+  }
+  for (const auto& [name, needed] : shape.dependent_required) {
+    size += name.size();
+    for (const std::string& other : needed) size += sizeof(std::string) + other.size();
+  }
+  const std::size_t ids = shape.all_of.size() + shape.any_of.size() + shape.one_of.size() +
+                          shape.pattern_properties.size() + shape.conditions.size();
+  return size + ids * sizeof(Condition);
+}
+
 // Keywords that say nothing about values.
 bool is_annotation(Keyword keyword) {
   switch (keyword) {
@@ -45,6 +63,11 @@ ShapeId ShapeBuilder::request(Site schema, const Where& where) {
 }
 
 ShapeId ShapeBuilder::add(Site schema, const Where& where) {
+  if (where.type_name.size() > kLongestName || where.label.size() > kLongestName) {
+    build_.faults.add(schema, "the names that lead to this schema have more than " +
+                                  std::to_string(kLongestName) + " bytes together");
+    return kNone;
+  }
   const auto id = static_cast<ShapeId>(build_.set.shapes.size());
   build_.set.shapes.emplace_back().label = where.label;
   build_.shape_sites.push_back(schema);
@@ -62,14 +85,24 @@ ShapeId ShapeBuilder::never_shape() {
   return never_;
 }
 
+// `true` as one branch of several: combinators list shapes only.
+ShapeId ShapeBuilder::any_shape() {
+  if (any_ == kNone) {
+    any_ = static_cast<ShapeId>(build_.set.shapes.size());
+    build_.set.shapes.emplace_back();
+    build_.shape_sites.push_back({});
+  }
+  return any_;
+}
+
 // Follows $refs that have nothing beside them but annotations.
 Site ShapeBuilder::behind_references(Site schema) {
-  constexpr int kLongest = 100;
   const Site start = schema;
   for (int steps = 0; schema.exists() && is_bare_reference(schema); ++steps) {
-    if (steps == kLongest) {
-      build_.faults.add(build_.member(start, "$ref"),
-                        "this $ref leads to $refs only, never to a schema");
+    if (steps == kLongestChain) {
+      build_.faults.add(
+          build_.member(start, "$ref"),
+          "this $ref leads to more than " + std::to_string(kLongestChain) + " $refs in a row");
       return {};
     }
     schema = build_.resolve(build_.member(schema, "$ref"));
@@ -170,6 +203,10 @@ void ShapeBuilder::settle_derived() {
       const ShapeId base = bases_[*link];
       Shape& shape = build_.set.shapes[derived_[*link].shape];
       const std::vector<ShapeId> beside = std::exchange(shape.all_of, {});
+      if (base != kNone && !build_.may_copy(copy_size(build_.set.shapes[base]),
+                                            build_.member(derived_[*link].schema, "$ref"))) {
+        return;
+      }
       if (base != kNone) shape = build_.set.shapes[base];
       shape.all_of.insert(shape.all_of.end(), beside.begin(), beside.end());
       copy_base(derived_[*link]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "schema/build.hpp"
@@ -37,6 +38,7 @@ class ShapeBuilder {
 
   ShapeId add(Site schema, const Where& where);
   ShapeId never_shape();
+  ShapeId any_shape();
   Site behind_references(Site schema);
   bool is_bare_reference(Site schema) const;
   bool has_constraints(Site schema) const;
@@ -60,7 +62,9 @@ class ShapeBuilder {
   std::vector<Job> jobs_;
   std::vector<Job> derived_;
   std::vector<ShapeId> bases_;  ///< by position in derived_
+  std::unordered_map<std::string, std::uint32_t> patterns_;
   ShapeId never_ = kNone;
+  ShapeId any_ = kNone;
 };
 
 /// Parts of the annotation `x-gltfx` that both shapes and extensions read.

@@ -144,7 +144,8 @@ void ShapeBuilder::read_branches(Keyword keyword, Site value, const Where& where
   const auto one = [&] { return request(value, inside); };
   const auto each = [&](std::vector<ShapeId>& list) {
     for (const json::NodeId branch : build_.document(value).elements(value.node)) {
-      list.push_back(request({value.source, branch}, inside));
+      const ShapeId shape_id = request({value.source, branch}, inside);
+      list.push_back(shape_id == kNone ? any_shape() : shape_id);
     }
   };
   // Two of the three may come before `if`: they share one condition.
@@ -198,13 +199,13 @@ void ShapeBuilder::read_annotation(Site annotation, Shape& shape) {
 
 std::uint32_t ShapeBuilder::pattern(std::string_view expression) {
   auto& patterns = build_.set.patterns;
-  const auto known = std::find_if(patterns.begin(), patterns.end(),
-                                  [&](const Pattern& p) { return p.text() == expression; });
-  if (known != patterns.end()) return static_cast<std::uint32_t>(known - patterns.begin());
+  const auto [known, is_new] =
+      patterns_.emplace(expression, static_cast<std::uint32_t>(patterns.size()));
+  if (!is_new) return known->second;
   auto compiled = Pattern::compile(expression);
-  if (!compiled) return kNone;
+  if (!compiled) return known->second = kNone;
   patterns.push_back(*std::move(compiled));
-  return static_cast<std::uint32_t>(patterns.size() - 1);
+  return known->second;
 }
 
 }  // namespace gltfx::schema

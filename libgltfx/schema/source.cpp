@@ -62,6 +62,11 @@ void add_json_faults(const SourceFile& file, const json::Parsed& parsed,
   }
 }
 
+std::string too_long(std::size_t size) {
+  return "the file has " + std::to_string(size) + " bytes; a schema file has at most " +
+         std::to_string(kLongestFile);
+}
+
 std::vector<Keyword> keywords_of(const json::Document& document) {
   std::vector<Keyword> keywords(document.key_count());
   for (json::KeyId key = 0; key < keywords.size(); ++key)
@@ -82,8 +87,7 @@ std::string_view Source::short_name() const {
 }
 
 void FaultList::add(Site at, std::string message) {
-  constexpr std::size_t kEnough = 200;  // each one costs a pass over its text
-  if (faults_.size() >= kEnough) return;
+  if (is_full()) return;
   const Source& source = (*sources_)[at.source];
   const json::Document& document = source.document;
   const bool is_key = document.kind(at.node) == json::Kind::key;
@@ -111,6 +115,10 @@ std::vector<Source> load_sources(const std::vector<SourceFile>& files,
   std::unordered_map<std::string, std::size_t> by_id;
   sources.reserve(files.size());
   for (const SourceFile& file : files) {
+    if (file.from_user && file.text.size() > kLongestFile) {
+      faults.push_back({file.name, 1, 1, "", too_long(file.text.size())});
+      continue;
+    }
     json::Parsed parsed = json::parse(file.text);
     if (!parsed.ok()) add_json_faults(file, parsed, faults);
     if (parsed.document.empty()) continue;

@@ -51,6 +51,8 @@ class FaultList {
     add({value.source, value.node - 1}, std::move(message));
   }
   bool empty() const { return faults_.empty(); }
+  /// Whether further faults are left out, so that none has to be worded.
+  bool is_full() const { return faults_.size() >= kMost; }
   std::size_t size() const { return faults_.size(); }
   /// Takes back all faults but the first `count`.
   void keep(std::size_t count) {
@@ -60,6 +62,7 @@ class FaultList {
   std::vector<SchemaFault> take();
 
  private:
+  static constexpr std::size_t kMost = 200;  // each one costs a pass over its text
   struct Entry {
     SourceId source;
     std::uint32_t begin;

@@ -58,6 +58,10 @@ class FileCheck {
               quoted(word.name) + " is missing in " + std::string(context_name(at.context)));
       }
     }
+    if (at.context == Context::file && source_.is_extension() &&
+        document_.find(at.node, "x-gltfx") == json::kNoNode) {
+      fault(at.node, "'x-gltfx' is missing; it says where the extension stands");
+    }
     if (at.context == Context::file || at.context == Context::schema) limits(at.node);
   }
 
@@ -69,6 +73,7 @@ class FileCheck {
   }
 
   void unknown(Context context, std::string_view name, json::NodeId key) {
+    if (faults_.is_full()) return;
     std::vector<std::string_view> known;
     for (const Word& word : words(context)) known.push_back(word.name);
     fault(key, quoted(name) + " is not a word of " + std::string(context_name(context)) +

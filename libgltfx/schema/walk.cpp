@@ -77,9 +77,22 @@ void Walker::push(ShapeId shape, json::NodeId node, const Path& path, Mode mode,
   frame->stage = Stage::enter;
   frame->told = 0;
   frame->further = further;
+  frame->again = further || (top_ != nullptr && top_->again);
   frame->unset = false;
   frame->constrained = false;
   top_ = frame;
+}
+
+// Puts a container on the walk. What several shapes of one value lead to is walked again for each;
+// the same shape holds for it but once, however many ways there are.
+bool Walker::walk(ShapeId shape, json::NodeId node, Step step, Mode mode) {
+  const bool further = step.kind == Step::Kind::same;
+  if (further || top_->again) {
+    const std::uint64_t key = (std::uint64_t{shape} << 32U) | node;
+    if (!walked_.insert(key).second) return false;
+  }
+  push(shape, node, path_of(node, step), mode, further);
+  return true;
 }
 
 void Walker::pop() {
@@ -129,8 +142,8 @@ void Walker::lose(const Frame& frame) {
 // "did you mean 'x'?", or nothing.
 std::string Walker::did_you_mean(std::string_view word,
                                  const std::vector<std::string_view>& known) {
-  if (suggestions_left_ <= 0) return {};
-  --suggestions_left_;
+  if (known.size() > comparisons_left_) return {};
+  comparisons_left_ -= known.size();
   const std::string_view near = nearest(word, known);
   return near.empty() ? std::string() : "did you mean " + quoted(near) + "?";
 }

@@ -64,8 +64,7 @@ bool Walker::array(ShapeId id, json::NodeId node, Step step) {
     number_array(id, node, step);
     return false;
   }
-  push(id, node, path_of(node, step), Mode::array, step.kind == Step::Kind::same);
-  return true;
+  return walk(id, node, step, Mode::array);
 }
 
 void Walker::number_array(ShapeId id, json::NodeId node, Step step) {

@@ -122,14 +122,17 @@ void Walker::forbidden(const Shape& shape, Value value, const Path& path) {
 }
 
 void Walker::dependencies(const Frame& frame) {
-  const std::vector<Property>& properties = set_.type(frame.type).properties;
+  const auto value_of = [&](std::uint32_t property, const std::string& name) {
+    return property == kNone ? document_.find(frame.node, name)
+                             : members_[frame.scratch + property];
+  };
   for (const DependencyPlan& plan : tables_.types[frame.type].dependencies) {
-    const json::NodeId member = members_[frame.scratch + plan.property];
-    const json::NodeId needed = members_[frame.scratch + plan.needed];
+    const json::NodeId member = value_of(plan.property, *plan.name);
+    const json::NodeId needed = value_of(plan.needed, *plan.other);
     if (member == json::kNoNode || is_hidden(member)) continue;
     if (needed != json::kNoNode && !is_hidden(needed)) continue;
-    const std::string name = quoted(properties[plan.property].name);
-    const std::string other = quoted(properties[plan.needed].name);
+    const std::string name = quoted(*plan.name);
+    const std::string other = quoted(*plan.other);
     report({frame.path, key_of(member)}, "UNSATISFIED_DEPENDENCY", document_.span(member - 1),
            fmt::format("{} needs {} beside it.", name, other),
            fmt::format("add {}, or remove {}", other, name));

@@ -95,7 +95,9 @@ void Walker::other_name(Frame& frame, json::KeyId key, json::NodeId value) {
 void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
   const ObjectType& type = set_.type(frame.type);
   std::vector<std::string_view> known{"extensions", "extras"};
-  for (const Property& property : type.properties) known.push_back(property.name);
+  if (type.properties.size() < comparisons_left_) {
+    for (const Property& property : type.properties) known.push_back(property.name);
+  }
   std::string help = did_you_mean(document_.key(key), known);
   if (help.empty() && set_.find_extension(document_.key(key)) != kNone) {
     help = "put it inside \"extensions\": { … }";

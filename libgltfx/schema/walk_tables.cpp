@@ -98,9 +98,9 @@ class Maker {
 
   std::uint32_t target(const Target& target) {
     auto& all = tables_->targets;
-    const auto known = std::find_if(
-        all.begin(), all.end(), [&](const TargetPlan& t) { return t.target->text == target.text; });
-    if (known != all.end()) return static_cast<std::uint32_t>(known - all.begin());
+    const auto [known, is_new] =
+        target_ids_.emplace(target.text, static_cast<std::uint32_t>(all.size()));
+    if (!is_new) return known->second;
     TargetPlan plan;
     plan.target = &target;
     plan.steps_over =
@@ -145,7 +145,8 @@ class Maker {
   // The order in which the Khronos validator reads these types.
   static std::uint32_t extensions_place(const ObjectType& type) {
     if (ends_with(type.name, "extureInfo") || type.name == "animation.channel.target") return 0;
-    const bool before_name = type.name == "material" && type.properties.back().name == "name";
+    const bool before_name = type.name == "material" && !type.properties.empty() &&
+                             type.properties.back().name == "name";
     return before_name ? static_cast<std::uint32_t>(type.properties.size() - 1) : kNone;
   }
 
@@ -153,11 +154,13 @@ class Maker {
     const auto place = [&](const std::string& name) {
       const auto is_it = [&](const Property& property) { return property.name == name; };
       const auto found = std::find_if(type.properties.begin(), type.properties.end(), is_it);
-      return static_cast<std::uint32_t>(found - type.properties.begin());
+      return found == type.properties.end()
+                 ? kNone
+                 : static_cast<std::uint32_t>(found - type.properties.begin());
     };
     for (const auto& [name, needed] : set_.shape(type.shape).dependent_required) {
       for (const std::string& other : needed)
-        plan.dependencies.push_back({place(name), place(other)});
+        plan.dependencies.push_back({&name, &other, place(name), place(other)});
     }
   }
 
@@ -224,6 +227,7 @@ class Maker {
 
   const Set& set_;
   std::shared_ptr<Set::WalkTables> tables_;
+  std::unordered_map<std::string_view, std::uint32_t> target_ids_;
 };
 
 }  // namespace

@@ -53,11 +53,13 @@ struct PropertyPlan {
   bool slot = false;
 };
 
-/// `dependentRequired` of an object whose members are laid out: when `property` is there, `needed`
-/// must be.
+/// `dependentRequired`: when the member `name` is there, `other` must be. The indices are those of
+/// the type's properties, kNone where it does not list the member.
 struct DependencyPlan {
-  std::uint32_t property = 0;
-  std::uint32_t needed = 0;
+  const std::string* name = nullptr;
+  const std::string* other = nullptr;
+  std::uint32_t property = kNone;
+  std::uint32_t needed = kNone;
 };
 
 /// Symbol to property of one type: open addressing in a power of two of entries.

@@ -97,8 +97,7 @@ bool Walker::value(ShapeId id, json::NodeId node, Step step) {
     case Plan::object:
       if (kind != json::Kind::object) break;
       if (!plan.members) return false;
-      push(id, node, path_of(node, step), Mode::object, step.kind == Step::Kind::same);
-      return true;
+      return walk(id, node, step, Mode::object);
     case Plan::array:
       if (kind == json::Kind::array || kind == json::Kind::number_array)
         return array(id, node, step);
@@ -123,8 +122,7 @@ bool Walker::in_full(ShapeId id, json::NodeId node, Step step) {
   if (!judge_type(id, {node}, path)) return false;
   if (kind != json::Kind::object) return array(id, node, step);
   if (!tables_.shapes[id].members) return false;
-  push(id, node, path, Mode::object, step.kind == Step::Kind::same);
-  return true;
+  return walk(id, node, step, Mode::object);
 }
 
 // Everything a shape says of a scalar.

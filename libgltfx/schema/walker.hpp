@@ -49,6 +49,7 @@ class Walker {
     Mode mode = Mode::object;
     Stage stage = Stage::enter;
     bool further = false;  ///< another shape for a value that has been walked already
+    bool again = false;    ///< further, or below such a frame
     bool constrained = false;
     bool unset = false;  ///< an array that counts as absent
     std::vector<ExtensionId>
@@ -64,6 +65,7 @@ class Walker {
 
   // walk.cpp: frames
   void push(ShapeId shape, json::NodeId node, const Path& path, Mode mode, bool further);
+  bool walk(ShapeId shape, json::NodeId node, Step step, Mode mode);
   void pop();
   Path path_of(json::NodeId node, Step step) const;
   std::string_view key_of(json::NodeId value) const {
@@ -193,15 +195,16 @@ class Walker {
   Frame* top_ = nullptr;
   std::vector<json::NodeId> members_;  ///< of all open objects, by property; see Frame::scratch
   std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
+  std::unordered_set<std::uint64_t> walked_;  ///< shape and node of Frame::again
   std::unordered_set<std::string> used_, required_;
   std::string adding_extension_;       ///< one that is declared and may add values; or empty
   std::vector<bool> seen_;             ///< by KeyId: an extension object of that name was met
   std::vector<std::uint32_t> stamps_;  ///< by index: the last long list of indices that had it
   std::uint32_t stamp_ = 0;
   enum class Declared : std::uint8_t { unseen, no, yes };
-  std::vector<Declared> declared_;  ///< by KeyId
-  bool unset_ = false;              ///< the value just judged counts as absent
-  int suggestions_left_ = 2000;     ///< each one costs microseconds; hostile files have millions
+  std::vector<Declared> declared_;          ///< by KeyId
+  bool unset_ = false;                      ///< the value just judged counts as absent
+  std::size_t comparisons_left_ = 200'000;  ///< of suggestions: each costs a microsecond
 };
 
 }  // namespace gltfx::schema

@@ -27,7 +27,10 @@ std::string ObjectPlan::factor_of(const schema::UpgradeStep& step) const {
 }
 
 ObjectPlan::Problem ObjectPlan::find_channel(const schema::UpgradeStep& step, Found& found) {
-  const std::uint64_t texture = document_.unsigned_integer(texture_index(found)).value_or(0);
+  const json::NodeId index = texture_index(found);
+  if (index == json::kNoNode) return fmt::format("its {} leads to no texture", step.from);
+  if (Problem problem = check_texture(step.from, index)) return problem;
+  const std::uint64_t texture = document_.unsigned_integer(index).value_or(0);
   const ChannelMove move =
       judge_channel_move(context_.asset, texture, step.swizzle, context_.pictures);
   const std::string wanted = fmt::format("texture {} has in {} what {} reads in {}", texture,
