@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/hash.hpp"
 
+#include "base/keyed_hash.hpp"
+
 // Its speed comes from being compiled with the options of the caller; nothing is left to link.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -9,6 +11,12 @@ namespace gltfx {
 
 Hash128 hash_bytes(std::string_view bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {hash.low64, hash.high64};
+}
+
+Hash128 KeyedHash::of(std::string_view bytes) const {
+  const XXH128_hash_t hash =
+      XXH3_128bits_withSecret(bytes.data(), bytes.size(), secret_.data(), secret_.size());
   return {hash.low64, hash.high64};
 }
 

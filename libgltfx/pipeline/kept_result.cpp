@@ -89,7 +89,7 @@ std::optional<std::string> KeptResult::by_content(const container::Container& op
                                                   const container::Resolver& resolver) {
   HashParts asset;
   asset.add(fs::path(path_).filename().native());
-  asset.add(hash_bytes(opened.bytes.text()));
+  asset.add(store_.hash(opened.bytes.text()));
   asset_key_ = key_of("asset", options_key_, asset);
   const auto bytes = store_.find(asset_key_);
   if (!bytes) return std::nullopt;
@@ -118,7 +118,7 @@ bool KeptResult::companions_of(const std::vector<std::string>& names,
     const container::Resolved file = resolver.open(name);
     if (file.fault != container::ResolveFault::none) return false;
     content.add(name);
-    content.add(hash_bytes(file.bytes.text()));
+    content.add(store_.hash(file.bytes.text()));
     companions.push_back({name, file.state});
   }
   return true;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file is a header and records: length of the value, its check sum together with the key, the
-// key, the value. Numbers lie as the machine has them, which the header tells: what another kind of
-// machine wrote is not read.
+// A file is a header and records. The header: a number with the version of the layout, and the name
+// of the secret. A record: length of the value, the key, the seal of key and value, the value.
+// Numbers lie as the machine has them, which the header tells: what another kind of machine wrote
+// is not read.
 #include "pipeline/result_store.hpp"
 
 #include <algorithm>
@@ -31,33 +32,40 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".results";
-constexpr std::uint64_t kMagic = 0x0152'5846'544C'4701;  // with the version of the layout
+constexpr std::uint64_t kMagic = 0x0252'5846'544C'4701;  // with the version of the layout
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;
 constexpr std::size_t kManyFiles = 16;
 
 struct RecordHead {
   std::uint64_t length = 0;
-  std::uint64_t check = 0;
   Hash128 key;
+  Seal::Tag tag{};
 };
-static_assert(sizeof(RecordHead) == 32);
+static_assert(sizeof(RecordHead) == 40);
 
 template <class T>
 std::string_view bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-std::uint64_t check_sum(const Hash128& key, std::string_view value) {
-  HashParts parts;
-  parts.add(key);
-  parts.add(hash_bytes(value));
-  return parts.finish().low;
-}
+constexpr std::string_view kDomain = "gltfx result 1";
+constexpr std::uint64_t kHeadSize = sizeof kMagic + sizeof(Seal::Tag);
 
-void append_record(std::string& out, const Hash128& key, std::string_view value) {
-  const RecordHead head{value.size(), check_sum(key, value), key};
+void append_record(std::string& out, const Seal& seal, const Hash128& key, std::string_view value) {
+  const RecordHead head{value.size(), key, seal.of({kDomain, bytes_of(key), value})};
   out += bytes_of(head);
   out += value;
+}
+
+// The secret of the hash is another than that of the seal.
+KeyedHash::Secret hash_secret(const Seal& seal) {
+  KeyedHash::Secret secret{};
+  Seal::Tag tag{};
+  for (std::size_t at = 0; at < secret.size(); at += tag.size()) {
+    tag = seal.of({"secret of the hash", bytes_of(at)});
+    std::copy(tag.begin(), tag.end(), secret.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+  return secret;
 }
 
 // The bytes [offset, offset + length), or as many as there are.
@@ -93,11 +101,21 @@ std::string fresh_name(const std::string& folder) {
 
 }  // namespace
 
-Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::string& folder) {
+ResultStore::ResultStore(std::string folder, std::string_view secret, Owner owner)
+    : folder_(std::move(folder)), seal_(secret), hash_(hash_secret(seal_)), owner_(owner) {}
+
+std::string ResultStore::head() const {
+  return std::string(bytes_of(kMagic)).append(bytes_of(seal_.name()));
+}
+
+Hash128 ResultStore::hash(std::string_view bytes) const { return hash_.of(bytes); }
+
+Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::string& folder,
+                                                       std::string_view secret, Owner owner) {
   std::error_code fault;
   fs::create_directories(folder, fault);
   if (fault) return file_error("create the cache", folder, fault.value());
-  std::unique_ptr<ResultStore> store(new ResultStore(folder));
+  std::unique_ptr<ResultStore> store(new ResultStore(folder, secret, owner));
   if (auto problem = store->load()) return *std::move(problem);
   return store;
 }
@@ -116,20 +134,25 @@ std::optional<Error> ResultStore::load() {
     if (!path.ends_with(kEnding)) continue;
     Segment segment;
     segment.path = path;
-    segment.fd = UniqueFd(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
+    segment.fd = UniqueFd(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW));
     struct stat status {};
-    if (!segment.fd || ::fstat(segment.fd.get(), &status) != 0) continue;
+    if (!segment.fd || ::fstat(segment.fd.get(), &status) != 0 || !S_ISREG(status.st_mode))
+      continue;
     segment.size = static_cast<std::uint64_t>(status.st_size);
     segment.last_use = state_of(status).modified;
-    if (read_at(segment.fd.get(), 0, sizeof kMagic) == bytes_of(kMagic)) {
-      segments_.push_back(std::move(segment));
-    }
+    const std::string found = read_at(segment.fd.get(), 0, kHeadSize);
+    if (!found.starts_with(bytes_of(kMagic))) continue;
+    segment.foreign = found != head() || (owner_ == Owner::user && status.st_uid != ::geteuid());
+    foreign_files_ += segment.foreign ? 1U : 0U;
+    segments_.push_back(std::move(segment));
   }
   if (fault) return file_error("list the cache", folder_, fault.value());
   drop_oldest();
   std::sort(segments_.begin(), segments_.end(),
             [](const Segment& a, const Segment& b) { return a.path < b.path; });
-  for (std::uint32_t i = 0; i < segments_.size(); ++i) index(i);
+  for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+    if (!segments_[i].foreign) index(i);
+  }
   return std::nullopt;
 }
 
@@ -154,7 +177,7 @@ void ResultStore::index(std::uint32_t number) {
   constexpr std::size_t kWindow = std::size_t{1} << 20U;
   std::string window;
   std::uint64_t begin = 0;  // of the window
-  for (std::uint64_t at = sizeof kMagic; at + sizeof(RecordHead) <= segment.size;) {
+  for (std::uint64_t at = kHeadSize; at + sizeof(RecordHead) <= segment.size;) {
     if (at + sizeof(RecordHead) > begin + window.size()) {
       begin = at;
       window = read_at(segment.fd.get(), begin, kWindow);
@@ -208,7 +231,7 @@ std::optional<std::string> ResultStore::read(const Slot& slot, const Hash128& ke
   if (bytes.size() < sizeof head + head.length) return std::nullopt;
   bytes.resize(sizeof head + head.length);
   bytes.erase(0, sizeof head);
-  if (check_sum(key, bytes) != head.check) return std::nullopt;
+  if (!seal_.fits(head.tag, {kDomain, bytes_of(key), bytes})) return std::nullopt;
   // Only ever set, and looked at when all threads are done.
   std::atomic_ref(segment.used).store(true, std::memory_order_relaxed);
   return bytes;
@@ -219,12 +242,12 @@ bool ResultStore::create_own() {
   const std::string path = fresh_name(folder_);
   constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC | O_NOFOLLOW;
   own_ = UniqueFd(::open(path.c_str(), kFlags, 0666));
-  return own_ && lock(own_.get(), LOCK_SH) && write_all(own_.get(), bytes_of(kMagic));
+  return own_ && lock(own_.get(), LOCK_SH) && write_all(own_.get(), head());
 }
 
 void ResultStore::add(std::span<const Value> values) {
   std::string records;
-  for (const Value& value : values) append_record(records, value.key, value.bytes);
+  for (const Value& value : values) append_record(records, seal_, value.key, value.bytes);
   const std::lock_guard guard(mutex_);
   if (problem_ || (create_own() && write_all(own_.get(), records))) return;
   problem_ = file_error("write to the cache", folder_, errno);
@@ -239,24 +262,27 @@ std::optional<Error> ResultStore::problem() const {
 // what this run added is newer still, so that the file of all takes the place of one from before
 // it.
 void ResultStore::tidy() {
-  if (segments_.size() < kManyFiles) return;
+  const auto readable = std::count_if(segments_.begin(), segments_.end(),
+                                      [](const Segment& segment) { return !segment.foreign; });
+  if (static_cast<std::size_t>(readable) < kManyFiles) return;
   std::vector<bool> ours(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    ours[i] = lock(segments_[i].fd.get(), LOCK_EX);
+    ours[i] = !segments_[i].foreign && lock(segments_[i].fd.get(), LOCK_EX);
   }
   const auto newest = std::find(ours.rbegin(), ours.rend(), true);
   if (newest == ours.rend()) return;
   const auto last = static_cast<std::size_t>(newest.base() - ours.begin()) - 1;
   TemporaryFile together(segments_[last].path);
-  std::optional<Error> trouble = together.write(bytes_of(kMagic));
+  std::optional<Error> trouble = together.write(head());
   std::string records;
   constexpr std::size_t kAtOnce = std::size_t{1} << 20U;
   for (const Slot& slot : slots_) {
     if (slot.offset == 0 || !ours[slot.segment] || trouble) continue;
-    RecordHead head;
-    const std::string bytes = read_at(segments_[slot.segment].fd.get(), slot.offset, sizeof head);
-    std::memcpy(&head, bytes.data(), std::min(bytes.size(), sizeof head));
-    if (const auto value = read(slot, head.key)) append_record(records, head.key, *value);
+    RecordHead record;
+    const std::string bytes = read_at(segments_[slot.segment].fd.get(), slot.offset, sizeof record);
+    std::memcpy(&record, bytes.data(), std::min(bytes.size(), sizeof record));
+    if (const auto value = read(slot, record.key))
+      append_record(records, seal_, record.key, *value);
     if (records.size() < kAtOnce) continue;
     trouble = together.write(records);
     records.clear();

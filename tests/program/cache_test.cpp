@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// --cache: what did not change is not checked again, and what did is.
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -124,6 +126,130 @@ TEST_F(Cache, DamageMakesRunsSlowerNotWrong) {
     }
     break;
   }
+}
+
+// The records of the only file of results: a head of 24 bytes, then for each 40 bytes, of which the
+// first eight are its length, and its value.
+std::vector<std::string> records_of(const std::string& file) {
+  std::vector<std::string> records;
+  for (std::size_t at = 24; at + 40 <= file.size();) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, file.data() + at, sizeof length);
+    records.push_back(file.substr(at, 40 + length));
+    at += 40 + length;
+  }
+  return records;
+}
+
+class Forgery : public Cache {
+ protected:
+  fs::path results() const { return fs::directory_iterator(folder_.path() / "cache")->path(); }
+  // A run of somebody else with a key of his own.
+  Setting other_user() const {
+    return {setting_.folder, {}, {{"XDG_STATE_HOME", (folder_.path() / "other").native()}}};
+  }
+  Outcome validate_as(const Setting& setting, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"validate", "assets",  "--isolated", "--format",
+                                   "json",     "--cache", "cache"};
+    words.insert(words.end(), more.begin(), more.end());
+    return gltfx(words, setting);
+  }
+};
+
+TEST_F(Forgery, AVerdictUnderTheKeyOfAnotherAssetIsNotBelieved) {
+  folder_.write("assets/a.gltf", kFaulty);
+  ASSERT_EQ(validate().code, 1);
+  const std::string bad = read_file(results().native());
+  fs::remove(results());
+  folder_.write("assets/a.gltf", kSound);
+  ASSERT_EQ(validate().code, 0);
+  const std::string good = read_file(results().native());
+  const auto bad_records = records_of(bad), good_records = records_of(good);
+  ASSERT_EQ(bad_records.size(), 3U);
+  std::string forged = bad.substr(0, 24);
+  for (std::size_t i = 0; i < bad_records.size(); ++i) {
+    // The key of the bad asset with the value of the good one, and its seal.
+    std::string head = good_records[i].substr(0, 40);
+    head.replace(8, 16, bad_records[i], 8, 16);
+    forged += i == 2 ? bad_records[i] : head + good_records[i].substr(40);
+  }
+  folder_.write("cache/" + results().filename().native(), forged);
+  folder_.write("assets/a.gltf", kFaulty);
+  EXPECT_EQ(validate().code, 1);
+}
+
+TEST_F(Forgery, WhatWasSealedWithAnotherKeyIsNotReadAndSaidToBe) {
+  folder_.write("assets/a.gltf", kFaulty);
+  ASSERT_EQ(validate_as(other_user()).code, 1);
+  const std::uintmax_t kept = bytes_kept();
+  const Outcome here = validate();
+  EXPECT_EQ(here.code, 1);
+  EXPECT_GT(bytes_kept(), kept);
+  EXPECT_THAT(here.err, HasSubstr("note: --cache: 1 file of 'cache' is not used"));
+  EXPECT_THAT(validate({"--quiet"}).err, Not(HasSubstr("note")));
+}
+
+TEST_F(Forgery, TheKeyIsForThisUserOnly) {
+  folder_.write("assets/a.gltf", kSound);
+  ASSERT_EQ(validate_as(other_user()).code, 0);
+  const fs::path key = folder_.path() / "other/gltfx/cache.key";
+  EXPECT_EQ(fs::status(key).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(fs::status(key.parent_path()).permissions(), fs::perms::owner_all);
+  EXPECT_EQ(std::distance(fs::directory_iterator(key.parent_path()), fs::directory_iterator()), 1);
+  const std::uintmax_t kept = bytes_kept();
+  ASSERT_EQ(validate_as(other_user()).code, 0);
+  EXPECT_EQ(bytes_kept(), kept) << "the key is used again";
+  fs::permissions(key, fs::perms::others_read, fs::perm_options::add);
+  const Outcome open = validate_as(other_user());
+  EXPECT_EQ(open.code, 2);
+  EXPECT_THAT(open.err, HasSubstr("others must not have access"));
+  fs::remove(key);
+  fs::create_symlink("/dev/zero", key);
+  EXPECT_EQ(validate_as(other_user()).code, 2);
+}
+
+TEST_F(Forgery, ASharedKeyHitsOnOtherMachines) {
+  folder_.write("assets/a.gltf", kInfo);
+  folder_.write("key", "0123456789abcdef0123456789abcdef\n");
+  ASSERT_EQ(validate({"--cache-key", "key"}).code, 0);
+  const std::uintmax_t kept = bytes_kept();
+  Setting elsewhere = other_user();
+  EXPECT_EQ(validate_as(elsewhere, {"--cache-key", "key"}).code, 0);
+  elsewhere.environment.emplace_back("GLTFX_CACHE_KEY", "0123456789abcdef0123456789abcdef");
+  EXPECT_EQ(validate_as(elsewhere).code, 0);
+  EXPECT_EQ(bytes_kept(), kept);
+  EXPECT_FALSE(fs::exists(folder_.path() / "other")) << "no key is made where none is needed";
+  elsewhere.environment.back().second = "0123456789abcdef0123456789abcdeF";
+  EXPECT_EQ(validate_as(elsewhere).code, 0);
+  EXPECT_GT(bytes_kept(), kept);
+}
+
+TEST_F(Forgery, KeysThatCannotBeUsedAreMistakes) {
+  folder_.write("assets/a.gltf", kSound);
+  folder_.write("short", "0123456789abcdef");
+  folder_.write("empty", "");
+  EXPECT_THAT(validate({"--cache-key", "short"}).err, HasSubstr("at least 32 bytes"));
+  for (const char* const file : {"short", "empty", "missing", "/dev/zero", "assets"}) {
+    EXPECT_EQ(validate({"--cache-key", file}).code, 2) << file;
+  }
+  EXPECT_EQ(gltfx({"validate", "assets", "--cache-key", "short"}, setting_).code, 2);
+  Setting nowhere = setting_;
+  nowhere.environment = {{"XDG_STATE_HOME", ""}, {"HOME", ""}};
+  const Outcome homeless = validate_as(nowhere);
+  EXPECT_EQ(homeless.code, 2);
+  EXPECT_THAT(homeless.err, HasSubstr("GLTFX_CACHE_KEY"));
+}
+
+TEST_F(Forgery, AFolderThatGitTracksIsRefused) {
+  folder_.write("assets/a.gltf", kSound);
+  folder_.write("cache/forged.results", "");
+  const auto git = [&](const std::string& words) { return bash("git " + words, setting_).code; };
+  ASSERT_EQ(git("init -q ."), 0);
+  EXPECT_EQ(validate().code, 0) << "not tracked yet";
+  ASSERT_EQ(git("add cache/forged.results"), 0);
+  const Outcome tracked = validate();
+  EXPECT_EQ(tracked.code, 2);
+  EXPECT_THAT(tracked.err, HasSubstr("git tracks files in 'cache'"));
 }
 
 TEST_F(Cache, ManySmallRunsEndUpInFewFiles) {

@@ -50,6 +50,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"tbb/", {"libgltfx/base/parallel.cpp"}},
     {"sanitizer/", {"libgltfx/base/parallel.cpp"}},
     {"xxhash.h", {"libgltfx/base/hash.cpp"}},
+    {"sodium.h", {"libgltfx/pipeline/seal.cpp"}},
     {"meshoptimizer.h", {"libgltfx/model/"}},
     {"embree3/", {"libgltfx/bake/"}},
     {"CLI/", {"tools/gltfx/command_line"}},

@@ -172,7 +172,8 @@ Result<BakeRequest> request_of(const BakeWords& words) {
   request.bake.jobs = request.common.jobs;
   request.sheet = words.sheet;
   request.compare = words.compare;
-  request.cache = words.cache;
+  request.cache = {words.cache, words.cache_key};
+  reading.require(words.cache_key.empty() || !words.cache.empty(), kKeyWithoutCache);
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;

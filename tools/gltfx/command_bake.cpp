@@ -156,7 +156,7 @@ ExitCode run(const BakeRequest& request) {
     return ExitCode::usage;
   }
   options.schemas = *std::move(schemas);
-  auto cache = open_cache(request.cache);
+  auto cache = open_cache(request.cache, request.quiet);
   if (!cache) {
     complain(cache.error().message);
     return ExitCode::usage;

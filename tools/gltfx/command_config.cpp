@@ -56,7 +56,7 @@ std::string head(const Configuration& configuration, const ConfigRequest& reques
 }
 
 ExitCode import(const std::string& file) {
-  const auto text = read_text_file(file);
+  const auto text = read_text_file(file, kLongestConfig);
   const auto config =
       text ? khronos_config_as_toml(*text, file) : Result<ImportedConfig>(text.error());
   if (!config) {

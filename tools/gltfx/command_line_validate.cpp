@@ -48,6 +48,8 @@ void declare_checks(CLI::App& app, ValidateWords& words) {
   add_inputs(app, words.inputs);
   add_word(app, "--cache", words.cache, "DIR",
            "Keep reports there, and take those of files that did not change from there");
+  add_word(app, "--cache-key", words.cache_key, "FILE",
+           "Key of --cache (default: $GLTFX_CACHE_KEY, or the user's own)");
   add_word(app, "--baseline", words.baseline, "FILE", "Leave out findings that FILE knows");
 }
 

@@ -2,13 +2,10 @@
 #include <gltfx/validate.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,6 +14,7 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "read_input.hpp"
 #include "report/read_line.hpp"
 #include "report_targets.hpp"
 #include "validation_options.hpp"
@@ -28,11 +26,9 @@ namespace {
 class ReportFile {
  public:
   static Result<ReportFile> open(const std::string& path) {
-    ReportFile file(path);
-    if (!file.stream_.is_open()) {
-      return Error{fmt::format("cannot read {}: {}", quoted(path, 200),
-                               std::error_code(errno, std::generic_category()).message())};
-    }
+    auto lines = LineReader::open(path);
+    if (!lines) return lines.error();
+    ReportFile file(path, *std::move(lines));
     auto line = file.read();
     if (!line) return line.error();
     auto* head = std::get_if<report::RunHead>(&*line);
@@ -58,26 +54,27 @@ class ReportFile {
   }
 
  private:
-  explicit ReportFile(const std::string& path) : path_(path), stream_(path, std::ios::binary) {}
+  ReportFile(const std::string& path, LineReader lines) : path_(path), lines_(std::move(lines)) {}
 
   Error wrong(std::string_view why) const {
     return {fmt::format("{}, line {}: {}", printable(path_), line_, why)};
   }
 
   Result<report::ReportLine> read() {
-    std::string text;
     ++line_;
+    const auto text = lines_.next();
+    if (!text) return wrong(text.error().message);
     // A last line without a line break was cut as well.
-    if (!std::getline(stream_, text) || stream_.eof()) {
+    if (!*text) {
       return wrong("the report ends before its last line: the run was cut off; run it again");
     }
-    auto line = report::read_line(text, rules());
+    auto line = report::read_line(**text, rules());
     if (!line) return wrong(line.error().message);
     return line;
   }
 
   std::string path_;
-  std::ifstream stream_;
+  LineReader lines_;
   std::uint64_t line_ = 0;
   report::RunHead head_;
   std::optional<FileReport> next_;
@@ -96,7 +93,8 @@ Result<std::vector<ReportFile>> open_all(const std::vector<std::string>& paths) 
 // Why reports do not belong together, or nothing: parts that are missing, other options.
 std::optional<Error> check_parts(const std::vector<ReportFile>& files) {
   const report::RunHead& first = files.front().head();
-  std::vector<bool> there(first.shard.count);
+  // Of more parts than there are files one is missing in any case.
+  std::vector<bool> there(std::min<std::uint64_t>(first.shard.count, files.size() + 1));
   for (const ReportFile& file : files) {
     const report::RunHead& head = file.head();
     const bool alike = head.profile == first.profile && head.pixel_level == first.pixel_level &&
@@ -107,12 +105,12 @@ std::optional<Error> check_parts(const std::vector<ReportFile>& files) {
                       "than {}",
                       quoted(file.path(), 200), quoted(files.front().path(), 200))};
     }
-    there[head.shard.index - 1] = true;
+    if (head.shard.index <= there.size()) there[head.shard.index - 1] = true;
   }
   const auto missing = std::find(there.begin(), there.end(), false);
   if (missing == there.end()) return std::nullopt;
   return Error{fmt::format("the report of shard {}/{} is missing", missing - there.begin() + 1,
-                           there.size())};
+                           first.shard.count)};
 }
 
 // Writes the reports in the order of one run over everything.

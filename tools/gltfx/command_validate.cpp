@@ -67,7 +67,7 @@ void Run::take(FileReport report) {
 }
 
 FileReport check_stdin(const ValidateOptions& options) {
-  auto bytes = read_stdin();
+  auto bytes = read_stdin(kLongestAsset);
   if (!bytes) return validate::unreadable("-", bytes.error().message, options);
   return validate_bytes(*std::move(bytes), "-", options);
 }

@@ -69,7 +69,7 @@ Result<Configuration> Configuration::load(const ConfigChoice& choice) {
   const fs::path here = fs::current_path(fault);
   const fs::path file = choice.config.empty() ? nearest_file(here) : fs::path(choice.config);
   if (file.empty()) return found;
-  const auto text = read_text_file(file.native());
+  const auto text = read_text_file(file.native(), kLongestConfig);
   if (!text) return Error{"--config: " + text.error().message};
   const fs::path whole = fs::absolute(file, fault).lexically_normal();
   found.shown_ = choice.config.empty() ? whole.lexically_proximate(here).native() : choice.config;

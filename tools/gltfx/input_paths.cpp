@@ -35,8 +35,8 @@ void say_notes(const InputWalk& walk) {
 
 Result<std::string> read_list(const std::string& file) {
   if (file.empty()) return std::string();
-  if (file != "-") return read_text_file(file);
-  auto text = read_stdin();
+  if (file != "-") return read_text_file(file, kLongestList);
+  auto text = read_stdin(kLongestList);
   if (text) return text;
   return Error{"--files-from: cannot read standard input: " + text.error().message};
 }

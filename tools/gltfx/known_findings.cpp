@@ -15,7 +15,7 @@ Result<KnownFindings> KnownFindings::load(const std::string& file, const std::st
   known.record_to_ = record_to;
   known.max_issues_ = max_issues;
   if (file.empty()) return known;
-  const auto text = read_text_file(file);
+  const auto text = read_text_file(file, kLongestList);
   if (!text) return Error{"--baseline: " + text.error().message};
   auto baseline = report::Baseline::parse(*text);
   if (!baseline) {

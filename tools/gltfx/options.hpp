@@ -56,6 +56,12 @@ struct FormatTarget {
 /// How the verbs that print tables do it.
 enum class TableFormat : std::uint8_t { text, json };
 
+/// Where results of earlier runs are, and what seals them.
+struct CacheChoice {
+  std::string folder;    ///< empty: none are used
+  std::string key_file;  ///< empty: another key
+};
+
 /// How reports are written and what they come to.
 struct ReportRequest {
   CommonOptions common;
@@ -71,7 +77,7 @@ struct ValidateRequest : ReportRequest {
   std::shared_ptr<const PathOptions> by_path;  ///< null: `validation` holds for all paths
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
-  std::string cache;           ///< folder of reports of earlier runs, may be empty
+  CacheChoice cache;
   std::string diff_base;       ///< revision of git since which lines count; may be empty
   std::string baseline;        ///< file to read, may be empty
   std::string write_baseline;  ///< file to write, may be empty
@@ -112,7 +118,7 @@ struct BakeRequest {
   std::string format = "png";  ///< ending of files in a folder
   std::string sheet;           ///< file for all pictures, may be empty
   std::string compare;         ///< the other asset, may be empty
-  std::string cache;           ///< folder of results of earlier runs, may be empty
+  CacheChoice cache;
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read_input.hpp"
 
+#include <algorithm>
 #include <cerrno>
-#include <cstddef>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -11,35 +12,85 @@
 #include <unistd.h>
 
 #include "base/text.hpp"
+#include "container/file.hpp"
 
 namespace gltfx::tool {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18U;
 
-Result<std::string> read_all(int fd) {
+Error too_long(std::uint64_t most) {
+  return {fmt::format("it has more than {} bytes, which is too much here", most)};
+}
+
+// Appends what one read gives; false at the end.
+Result<bool> read_on(int fd, std::string& text) {
+  const std::size_t before = text.size();
+  text.resize(before + kChunk);
+  ssize_t got = -1;
+  do {
+    got = ::read(fd, text.data() + before, kChunk);
+  } while (got < 0 && errno == EINTR);
+  text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  if (got < 0) return Error{std::error_code(errno, std::generic_category()).message()};
+  return got > 0;
+}
+
+Result<std::string> read_all(int fd, std::uint64_t most) {
   std::string text;
-  std::vector<char> chunk(kChunk);
   while (true) {
-    const ssize_t got = ::read(fd, chunk.data(), chunk.size());
-    if (got == 0) return text;
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return Error{std::error_code(errno, std::generic_category()).message()};
-    text.append(chunk.data(), static_cast<std::size_t>(got));
+    const auto more = read_on(fd, text);
+    if (!more) return more.error();
+    if (text.size() > most) return too_long(most);
+    if (!*more) return text;
   }
+}
+
+std::string why_not(const container::File& file) {
+  if (!file.problem.empty()) return file.problem;
+  const int error = file.fault == container::ResolveFault::no_permission ? EACCES : ENOENT;
+  return std::error_code(error, std::generic_category()).message();
+}
+
+Error cannot_read(const std::string& path, std::string_view why) {
+  return {fmt::format("cannot read {}: {}", quoted(path, 200), why)};
 }
 
 }  // namespace
 
-Result<std::string> read_stdin() { return read_all(STDIN_FILENO); }
+Result<std::string> read_stdin(std::uint64_t most) { return read_all(STDIN_FILENO, most); }
 
-Result<std::string> read_text_file(const std::string& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
-  Result<std::string> text =
-      fd < 0 ? Error{std::error_code(errno, std::generic_category()).message()} : read_all(fd);
-  if (fd >= 0) ::close(fd);
+Result<std::string> read_text_file(const std::string& path, std::uint64_t most) {
+  const container::File file = container::open_regular(AT_FDCWD, path.c_str());
+  if (!file.fd) return cannot_read(path, why_not(file));
+  if (file.size > most) return cannot_read(path, too_long(most).message);
+  auto text = read_all(file.fd.get(), most);
   if (text) return text;
-  return Error{fmt::format("cannot read {}: {}", quoted(path, 200), text.error().message)};
+  return cannot_read(path, text.error().message);
+}
+
+Result<LineReader> LineReader::open(const std::string& path) {
+  container::File file = container::open_regular(AT_FDCWD, path.c_str());
+  if (!file.fd) return cannot_read(path, why_not(file));
+  return LineReader(std::move(file.fd));
+}
+
+Result<std::optional<std::string>> LineReader::next() {
+  for (std::size_t looked_at = begin_;;) {
+    const std::size_t end = buffer_.find('\n', looked_at);
+    if (end != std::string::npos) {
+      std::string line = buffer_.substr(begin_, end - begin_);
+      begin_ = end + 1;
+      return std::optional<std::string>(std::move(line));
+    }
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+    looked_at = buffer_.size();
+    if (buffer_.size() > kLongestLine) return too_long(kLongestLine);
+    const auto more = read_on(fd_.get(), buffer_);
+    if (!more) return more.error();
+    if (!*more) return std::optional<std::string>();
+  }
 }
 
 }  // namespace gltfx::tool

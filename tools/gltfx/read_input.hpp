@@ -2,16 +2,48 @@
 /// Small inputs read whole: standard input, schema files, baselines.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/result.hpp"
+#include "base/unique_fd.hpp"
 
 namespace gltfx::tool {
 
-/// All bytes of standard input.
-Result<std::string> read_stdin();
+/// Most bytes of an asset from standard input, which is held in memory.
+inline constexpr std::uint64_t kLongestAsset = std::uint64_t{1} << 30U;
+/// Most bytes of a list of files or a baseline.
+inline constexpr std::uint64_t kLongestList = std::uint64_t{256} << 20U;
+/// Most bytes of a line of a report.
+inline constexpr std::uint64_t kLongestLine = std::uint64_t{64} << 20U;
+/// Most bytes of a configuration or a key.
+inline constexpr std::uint64_t kLongestConfig = std::uint64_t{1} << 20U;
 
-/// All bytes of a file that the user named for gltfx itself. The Error names it.
-Result<std::string> read_text_file(const std::string& path);
+/// All bytes of standard input. An Error when there are more than `most`.
+Result<std::string> read_stdin(std::uint64_t most);
+
+/// All bytes of a regular file that the user named for gltfx itself. The Error names it: also when
+/// it is a pipe or a device, or has more than `most` bytes.
+Result<std::string> read_text_file(const std::string& path, std::uint64_t most);
+
+/// A regular file, one line after the other.
+class LineReader {
+ public:
+  static Result<LineReader> open(const std::string& path);
+
+  /// The next line without its line break; nothing where no whole line is left. An Error when the
+  /// file cannot be read, or a line is longer than kLongestLine.
+  Result<std::optional<std::string>> next();
+
+ private:
+  explicit LineReader(UniqueFd fd) : fd_(std::move(fd)) {}
+
+  UniqueFd fd_;
+  std::string buffer_;
+  std::size_t begin_ = 0;  ///< of what was not handed out
+};
 
 }  // namespace gltfx::tool

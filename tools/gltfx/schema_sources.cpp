@@ -56,7 +56,7 @@ Result<SetPointer> load_schemas(const std::vector<std::string>& files,
   if (names.empty()) return SetPointer();
   std::vector<schema::SourceFile> sources;
   for (const std::string& name : names) {
-    auto text = read_text_file(name);
+    auto text = read_text_file(name, schema::kLongestFile);
     if (!text) return text.error();
     sources.push_back({name, *std::move(text), true});
   }

@@ -3,8 +3,16 @@
 
 #include <gltfx/result_cache.hpp>
 
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "base/text.hpp"
 #include "commands.hpp"
+#include "git.hpp"
 #include "input_paths.hpp"
+#include "read_input.hpp"
 #include "schema_sources.hpp"
 
 namespace gltfx::tool {
@@ -21,11 +29,67 @@ std::string_view profile_name(Profile profile) {
   return "strict";
 }
 
-Result<std::shared_ptr<ResultCache>> open_cache(const std::string& folder) {
-  if (folder.empty()) return std::shared_ptr<ResultCache>();
+namespace {
+
+namespace fs = std::filesystem;
+
+// Whether git keeps files of a folder: then whoever proposes a change can bring their own.
+bool is_tracked(const std::string& folder) {
+  std::error_code fault;
+  if (!fs::is_directory(folder, fault)) return false;
+  const fs::path whole = fs::absolute(folder, fault);
+  bool in_repository = false;
+  for (fs::path at = whole; !in_repository; at = at.parent_path()) {
+    in_repository = fs::exists(at / ".git", fault);
+    if (at == at.root_path() || at.empty()) break;
+  }
+  if (!in_repository) return false;
+  const auto files = Git(folder).run({"ls-files", "-z", "--cached", "--", "."});
+  return files && files->code == 0 && !files->out.empty();
+}
+
+// Without the line break that editors put behind the last line.
+std::string trimmed(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  return text;
+}
+
+Result<std::string> shared_key(const CacheChoice& choice) {
+  if (!choice.key_file.empty()) {
+    auto text = read_text_file(choice.key_file, kLongestConfig);
+    if (!text) return Error{"--cache-key: " + text.error().message};
+    std::string key = trimmed(*std::move(text));
+    if (key.empty()) return Error{"--cache-key: " + quoted(choice.key_file, 200) + " is empty"};
+    return key;
+  }
+  const char* const variable = std::getenv("GLTFX_CACHE_KEY");
+  return variable == nullptr ? std::string() : trimmed(variable);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<ResultCache>> open_cache(const CacheChoice& choice, bool quiet) {
+  if (choice.folder.empty()) return std::shared_ptr<ResultCache>();
+  if (is_tracked(choice.folder)) {
+    return Error{"--cache: git tracks files in " + quoted(choice.folder, 200) +
+                 "; name a folder that only gltfx writes to, and list it in .gitignore"};
+  }
+  const auto key = shared_key(choice);
+  if (!key) return key.error();
   std::string problem;
-  auto cache = ResultCache::open(folder, problem);
-  if (!cache) return Error{"--cache: " + problem};
+  auto cache = key->empty() ? ResultCache::open(choice.folder, problem)
+                            : ResultCache::open(choice.folder, *key, problem);
+  if (!cache) {
+    const char* const help =
+        key->empty() ? "; --cache-key FILE or GLTFX_CACHE_KEY gives another key" : "";
+    return Error{"--cache: " + problem + help};
+  }
+  if (const std::size_t foreign = cache->foreign_files(); foreign > 0 && !quiet) {
+    const bool one = foreign == 1;
+    complain("note: --cache: " + std::to_string(foreign) + (one ? " file of " : " files of ") +
+             quoted(choice.folder, 200) + (one ? " is" : " are") +
+             " not used: sealed with another key, or written by another user");
+  }
   return cache;
 }
 
@@ -41,7 +105,7 @@ Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();
   options.schemas = *std::move(schemas);
-  auto cache = open_cache(request.cache);
+  auto cache = open_cache(request.cache, request.quiet);
   if (!cache) return cache.error();
   options.cache = *std::move(cache);
   return options;

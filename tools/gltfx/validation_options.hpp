@@ -22,8 +22,9 @@ namespace gltfx::tool {
 /// "default", "khronos", "strict".
 std::string_view profile_name(Profile profile);
 
-/// What an earlier run left in the folder; null without a folder. The Error is about `--cache`.
-Result<std::shared_ptr<ResultCache>> open_cache(const std::string& folder);
+/// What an earlier run left in the folder; null without a folder. The key is that of the file, else
+/// of the variable GLTFX_CACHE_KEY, else the user's own. The Error is about `--cache`.
+Result<std::shared_ptr<ResultCache>> open_cache(const CacheChoice& choice, bool quiet);
 
 /// With the user's schema files read. The Error says what is wrong with one of them, or the root.
 Result<ValidateOptions> validation_of(const ValidateRequest& request);

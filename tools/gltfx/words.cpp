@@ -93,7 +93,8 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;
-  request.cache = words.cache;
+  request.cache = {words.cache, words.cache_key};
+  reading.require(words.cache_key.empty() || !words.cache.empty(), kKeyWithoutCache);
   request.diff_base = words.diff_base;
   request.baseline = words.baseline;
   request.write_baseline = words.write_baseline;

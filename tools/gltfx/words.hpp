@@ -20,6 +20,9 @@ struct InputWords {
   std::string files_from, shard;
 };
 
+inline constexpr const char* kKeyWithoutCache =
+    "--cache-key seals what --cache keeps; name the folder with --cache.";
+
 /// Empty words were not given.
 struct ValidateWords {
   CommonWords common;
@@ -28,7 +31,7 @@ struct ValidateWords {
   std::vector<std::string> formats, select, ignore, severities, schema_files, schema_folders;
   std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
   std::string max_texture_size, max_total_pixels, max_triangles, max_draw_calls, max_file_size;
-  std::string root, cache, baseline, write_baseline, diff_base;
+  std::string root, cache, cache_key, baseline, write_baseline, diff_base;
   bool quiet = false;
   bool hook = false;  ///< the paths may be left out
 };
@@ -62,7 +65,7 @@ struct BakeWords {
   ConfigChoice configuration;
   InputWords inputs;
   std::vector<std::string> sizes, layers, schema_files, schema_folders;
-  std::string output, format = "png", sheet, compare, root, cache;
+  std::string output, format = "png", sheet, compare, root, cache, cache_key;
   std::string turntable = "0", samples = "32", bounces = "6", seed = "0";
   std::string camera, lights = "both", environment, exposure = "0";
   std::string scene, animation, time = "0", variant;

@@ -86,6 +86,7 @@ Table common_values() {
       {"--schema-dir", folder()},
       {"--files-from", file({})},
       {"--cache", folder()},
+      {"--cache-key", file({})},
       {"--baseline", file({"json"})},
       {"--write-baseline", file({"json"})},
       {"--config", file({"toml"})},

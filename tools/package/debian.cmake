@@ -50,7 +50,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libgltfx-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 # Programs of the user start the decoders of the other package.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "gltfx (= ${PROJECT_VERSION}), libembree-dev, \
-libfmt-dev, libmeshoptimizer-dev, libsimdjson-dev, libtbb-dev, nlohmann-json3-dev")
+libfmt-dev, libmeshoptimizer-dev, libsimdjson-dev, libsodium-dev, libtbb-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS libtinygltf-dev)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
   "library to validate, upgrade and draw glTF 2.0 assets

@@ -3,8 +3,10 @@
 /// Results of earlier runs, so that what did not change is not checked or drawn again.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace gltfx {
 
@@ -15,12 +17,22 @@ class ResultStore;
 /// times and inode are as they were is not read to find that out. A result is not kept when a file
 /// that belongs to it could not be read or changed meanwhile.
 ///
-/// Several runs may use one folder at once, on several machines too. Whoever can write into the
-/// folder can make reports say anything. Safe to use from several threads.
+/// Each record is sealed with a secret key; what was not sealed with this one is not read. So the
+/// folder may come from others (a cache of a build server, a shared disk): who can write into it
+/// can make runs slower, but not make reports say anything. Who knows the key can.
+///
+/// Several runs may use one folder at once, on several machines too. Safe to use from several
+/// threads.
 class ResultCache {
  public:
-  /// Creates the folder when it is not there. Null when that fails, and why in `problem`.
+  /// Creates the folder when it is not there. The key is that of the user, from
+  /// $XDG_STATE_HOME/gltfx/cache.key or ~/.local/state/gltfx/cache.key, made at first use; files of
+  /// other users are not read. Null when that fails, and why in `problem`.
   static std::shared_ptr<ResultCache> open(const std::string& folder, std::string& problem);
+  /// The same with a key that runs of several users or machines share: any text of 32 bytes or more
+  /// that nobody can guess.
+  static std::shared_ptr<ResultCache> open(const std::string& folder, const std::string& key,
+                                           std::string& problem);
   ~ResultCache();
   ResultCache(const ResultCache&) = delete;
   ResultCache& operator=(const ResultCache&) = delete;
@@ -29,12 +41,17 @@ class ResultCache {
   /// an empty text when all were.
   std::string finish();
 
+  /// Files in the folder that are not read: sealed with another key, or of another user.
+  std::size_t foreign_files() const;
+
   /// For the library itself.
   ResultStore& store() { return *store_; }
   /// The working folder, that relative paths start from.
   const std::string& folder() const { return folder_; }
 
  private:
+  static std::shared_ptr<ResultCache> open_with(const std::string& folder, std::string_view secret,
+                                                bool shared, std::string& problem);
   ResultCache(std::unique_ptr<ResultStore> store, std::string folder);
 
   std::unique_ptr<ResultStore> store_;

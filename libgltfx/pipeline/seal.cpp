@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/seal.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sodium.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/temporary_file.hpp"
+#include "base/text.hpp"
+#include "base/unique_fd.hpp"
+#include "container/file.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+const unsigned char* bytes_of(std::string_view text) {
+  return reinterpret_cast<const unsigned char*>(text.data());
+}
+
+fs::path state_folder() {
+  const auto absolute = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value == '/' ? fs::path(value) : fs::path();
+  };
+  if (const fs::path state = absolute("XDG_STATE_HOME"); !state.empty()) return state / "gltfx";
+  const fs::path home = absolute("HOME");
+  return home.empty() ? home : home / ".local/state/gltfx";
+}
+
+// Nothing when there is no such file yet.
+Result<std::string> read_secret(const fs::path& path) {
+  const container::File file = container::open_regular(AT_FDCWD, path.c_str(), O_NOFOLLOW);
+  if (!file.fd && file.fault == container::ResolveFault::not_found) return std::string();
+  struct stat status {};
+  if (!file.fd || ::fstat(file.fd.get(), &status) != 0) {
+    return Error{"cannot read the key " + quoted(path.native(), 200) + ": " + file.problem};
+  }
+  constexpr mode_t kOthers = S_IRWXG | S_IRWXO;
+  if (status.st_uid != ::geteuid() || (status.st_mode & kOthers) != 0) {
+    return Error{"the key " + quoted(path.native(), 200) +
+                 " must belong to this user, and others must not have access to it"};
+  }
+  constexpr std::uint64_t kMost = 4096;
+  const container::Copied copy =
+      container::copy_range(file.fd.get(), 0, std::min(file.size, kMost));
+  if (copy.fault == container::ResolveFault::none && copy.text->size() >= kShortestSecret) {
+    return std::string(*copy.text);
+  }
+  return Error{"the key " + quoted(path.native(), 200) + " is too short; delete it for a new one"};
+}
+
+std::string new_secret() {
+  std::array<unsigned char, 32> random{};
+  randombytes_buf(random.data(), random.size());
+  std::string text(2 * random.size() + 1, '\0');
+  sodium_bin2hex(text.data(), text.size(), random.data(), random.size());
+  text.back() = '\n';
+  return text;
+}
+
+// Of several processes that make one at once the first wins.
+std::optional<Error> make_secret(const fs::path& path) {
+  std::error_code fault;
+  fs::create_directories(path.parent_path().parent_path(), fault);
+  if (!fault && ::mkdir(path.parent_path().c_str(), S_IRWXU) != 0 && errno != EEXIST) {
+    return file_error("create", path.parent_path(), errno);
+  }
+  if (fault) return file_error("create", path.parent_path().parent_path(), fault.value());
+  const std::string text = new_secret();
+  const std::string fresh = path.native() + "." + text.substr(0, 16);
+  UniqueFd fd(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
+  if (!fd) return file_error("create", fresh, errno);
+  bool made = write_all(fd.get(), text) && ::fsync(fd.get()) == 0;
+  made = made && (::link(fresh.c_str(), path.c_str()) == 0 || errno == EEXIST);
+  const int error = errno;
+  ::unlink(fresh.c_str());
+  if (made) return std::nullopt;
+  return file_error("create", path, error);
+}
+
+}  // namespace
+
+Seal::Seal(std::string_view secret) {
+  static const int ready = sodium_init();  // once for all threads
+  static_cast<void>(ready);
+  crypto_generichash(key_.data(), key_.size(), bytes_of(secret), secret.size(), nullptr, 0);
+  name_ = of({"name of the key"});
+}
+
+Seal::Tag Seal::of(std::initializer_list<std::string_view> parts) const {
+  Tag tag{};
+  crypto_generichash_state state;
+  crypto_generichash_init(&state, key_.data(), key_.size(), tag.size());
+  for (const std::string_view part : parts) {
+    crypto_generichash_update(&state, bytes_of(part), part.size());
+  }
+  crypto_generichash_final(&state, tag.data(), tag.size());
+  return tag;
+}
+
+bool Seal::fits(const Tag& tag, std::initializer_list<std::string_view> parts) const {
+  const Tag right = of(parts);
+  return sodium_memcmp(right.data(), tag.data(), tag.size()) == 0;
+}
+
+Result<std::string> users_secret() {
+  const fs::path folder = state_folder();
+  if (folder.empty()) {
+    return Error{"there is no folder for the key: neither XDG_STATE_HOME nor HOME is set"};
+  }
+  const fs::path path = folder / "cache.key";
+  auto secret = read_secret(path);
+  if (!secret || !secret->empty()) return secret;
+  if (auto problem = make_secret(path)) return *std::move(problem);
+  secret = read_secret(path);
+  if (secret && secret->empty()) return file_error("read the key", path, ENOENT);
+  return secret;
+}
+
+}  // namespace gltfx
