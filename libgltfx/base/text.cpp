@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 
@@ -14,11 +16,32 @@
 namespace gltfx {
 namespace {
 
-// Code points that move the cursor, end a line, reorder the text around them or hide in it.
+struct CodePoints {
+  std::uint32_t first, last;
+};
+
+// Code points that move the cursor, end a line, reorder the text around them, or are not seen:
+// those that Unicode calls controls, separators of lines, format characters (Cf) or default
+// ignorable, letters that are drawn blank, private use and noncharacters. Sorted.
+constexpr std::array<CodePoints, 37> kUnprintable{{
+    {0x0, 0x1F},          {0x7F, 0x9F},       {0xAD, 0xAD},       {0x34F, 0x34F},
+    {0x600, 0x605},       {0x61C, 0x61C},     {0x6DD, 0x6DD},     {0x70F, 0x70F},
+    {0x890, 0x891},       {0x8E2, 0x8E2},     {0x115F, 0x1160},   {0x17B4, 0x17B5},
+    {0x180B, 0x180F},     {0x200B, 0x200F},   {0x2028, 0x202E},   {0x2060, 0x206F},
+    {0x2800, 0x2800},     {0x3164, 0x3164},   {0xD800, 0xF8FF},   {0xFDD0, 0xFDEF},
+    {0xFE00, 0xFE0F},     {0xFEFF, 0xFEFF},   {0xFFA0, 0xFFA0},   {0xFFF0, 0xFFFB},
+    {0xFFFE, 0xFFFF},     {0x110BD, 0x110BD}, {0x110CD, 0x110CD}, {0x13430, 0x1345F},
+    {0x1BCA0, 0x1BCA3},   {0x1D159, 0x1D159}, {0x1D173, 0x1D17A}, {0x1FFFE, 0x1FFFF},
+    {0x2FFFE, 0x2FFFF},   {0x3FFFE, 0x3FFFF}, {0xDFFFE, 0xE0FFF}, {0xEFFFE, 0xFFFFF},
+    {0x100000, 0x10FFFF},
+}};
+
 bool is_unprintable(std::uint32_t c) {
-  return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x61C || (c >= 0x200B && c <= 0x200F) ||
-         (c >= 0x2028 && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF ||
-         (c >= 0xFFF9 && c <= 0xFFFB) || (c >= 0xE0000 && c <= 0xE007F);
+  if (c >= 0x20 && c < 0x7F) return false;
+  const auto* const behind = std::upper_bound(
+      kUnprintable.begin(), kUnprintable.end(), c,
+      [](std::uint32_t point, const CodePoints& range) { return point < range.first; });
+  return behind != kUnprintable.begin() && c <= std::prev(behind)->last;
 }
 
 void append_printable(std::string& out, std::string_view text, std::size_t at, CodePoint point) {

@@ -3,11 +3,13 @@
 
 #include <string_view>
 
+#include "report/long_value.hpp"
+
 namespace gltfx::report {
 namespace {
 
 void write_if_any(json::Writer& writer, std::string_view name, const std::string& text) {
-  if (!text.empty()) writer.member(name, text);
+  if (!text.empty()) writer.member(name, long_value(text));
 }
 
 void write_if_any(json::Writer& writer, std::string_view name,
@@ -15,7 +17,7 @@ void write_if_any(json::Writer& writer, std::string_view name,
   if (texts.empty()) return;
   writer.key(name);
   writer.begin_array();
-  for (const std::string& text : texts) writer.string(text);
+  for (const std::string& text : texts) writer.string(long_value(text));
   writer.end_array();
 }
 
@@ -36,7 +38,7 @@ void write_resource(json::Writer& writer, const ResourceInfo& resource) {
   write_if_any(writer, "mimeType", resource.mime_type);
   write_if_any(writer, "storage", resource.storage);
   if (resource.storage == "external") {
-    writer.member("uri", resource.uri);
+    writer.member("uri", long_value(resource.uri));
   }
   if (resource.byte_length) writer.member("byteLength", *resource.byte_length);
   if (resource.image) {
@@ -60,7 +62,7 @@ void write_asset_info(json::Writer& writer, const AssetInfo& info) {
   writer.begin_object();
   write_if_any(writer, "version", info.version);
   write_if_any(writer, "minVersion", info.min_version);
-  if (info.generator) writer.member("generator", *info.generator);
+  if (info.generator) writer.member("generator", long_value(*info.generator));
   write_if_any(writer, "extensionsUsed", info.extensions_used);
   write_if_any(writer, "extensionsRequired", info.extensions_required);
   write_resources(writer, info.resources);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/long_value.hpp"
 #include "report/safe_text.hpp"
 
 namespace gltfx {
@@ -31,13 +32,13 @@ std::uint64_t sum(const std::vector<Facts>& list, std::uint64_t Facts::*member) 
 }
 
 void member_if(Writer& writer, std::string_view name, const std::string& text) {
-  if (!text.empty()) writer.member(name, text);
+  if (!text.empty()) writer.member(name, report::long_value(text));
 }
 
 void write_strings(Writer& writer, std::string_view name, const std::vector<std::string>& texts) {
   writer.key(name);
   writer.begin_array();
-  for (const std::string& text : texts) writer.string(text);
+  for (const std::string& text : texts) writer.string(report::long_value(text));
   writer.end_array();
 }
 
@@ -98,7 +99,7 @@ void write(Writer& writer, const FileFacts& facts) {
 }
 
 void write(Writer& writer, const ExtensionFacts& facts) {
-  writer.member("name", facts.name);
+  writer.member("name", report::long_value(facts.name));
   writer.member("status", facts.status);
   writer.member("used", facts.used);
   writer.member("required", facts.required);
@@ -118,7 +119,7 @@ void write(Writer& writer, const MeshFacts& facts) {
 
 void write(Writer& writer, const MaterialFacts& facts) {
   member_if(writer, "name", facts.name);
-  writer.member("alphaMode", facts.alpha_mode);
+  writer.member("alphaMode", report::long_value(facts.alpha_mode));
   writer.member("doubleSided", facts.double_sided);
   writer.member("textures", facts.textures);
   write_strings(writer, "extensions", facts.extensions);

@@ -35,6 +35,21 @@ TEST(Printable, ShowsWhatReordersHidesOrEndsALine) {
   EXPECT_EQ(printable("\u2010\u2027\u202f"), "\u2010\u2027\u202f");
 }
 
+TEST(Printable, ShowsWhatIsNotSeen) {
+  // A soft hyphen, a grapheme joiner, Hangul fillers, selectors of variants, a blank Braille cell.
+  EXPECT_EQ(printable("wo\u00adod"), "wo\\u00adod");
+  EXPECT_EQ(printable("\u034f\u115f\u1160\u3164\uffa0"), "\\u034f\\u115f\\u1160\\u3164\\uffa0");
+  EXPECT_EQ(printable("\u180b\u180e\ufe00\ufe0f\U000e0100"),
+            "\\u180b\\u180e\\ufe00\\ufe0f\\u{e0100}");
+  EXPECT_EQ(printable("\u2800\u2061\u206f\ufff9"), "\\u2800\\u2061\\u206f\\ufff9");
+  // Private use, noncharacters, and planes where only ignorable characters may come to stand.
+  EXPECT_EQ(printable("\ue000\uf8ff\U000f0000\U0010fffd"), "\\ue000\\uf8ff\\u{f0000}\\u{10fffd}");
+  EXPECT_EQ(printable("\ufdd0\uffff\U0001fffe\U000e0fff"), "\\ufdd0\\uffff\\u{1fffe}\\u{e0fff}");
+  // Their neighbours are seen.
+  EXPECT_EQ(printable("\u00ac\u00ae\u180a\ufdcf\ufe10\u2801"),
+            "\u00ac\u00ae\u180a\ufdcf\ufe10\u2801");
+}
+
 TEST(Printable, ShowsInvalidUtf8ByteByByte) {
   EXPECT_EQ(printable("a\x80z"), "a\\x80z");
   EXPECT_EQ(printable("\xC3"), "\\xc3");

@@ -61,6 +61,23 @@ TEST_F(Inspect, JsonHasTheSameForEachAsset) {
   }
 }
 
+TEST_F(Inspect, TextsOfMegabytesAreCut) {
+  const std::string text(2'000'000, 'x');
+  folder_.write("a.gltf", R"({"asset": {"version": "2.0", "generator": ")" + text +
+                              R"(", "copyright": ")" + text + R"("}, "materials": [{"name": ")" +
+                              text + R"("}]})");
+  for (const std::string format : {"text", "json"}) {
+    const Outcome outcome =
+        gltfx({"inspect", "a.gltf", "--format", format}, {folder_.path().native(), {}, {}});
+    EXPECT_THAT(outcome.out, HasSubstr("xxx…"));
+    EXPECT_LT(outcome.out.size(), std::size_t{1} << 14U) << format;
+  }
+  const Outcome khronos =
+      gltfx({"validate", "a.gltf", "--profile", "khronos", "--format", "khronos"},
+            {folder_.path().native(), {}, {}});
+  EXPECT_LT(khronos.out.size(), std::size_t{1} << 14U);
+}
+
 TEST_F(Inspect, TopLimitsRows) {
   std::string meshes;
   for (int i = 0; i < 12; ++i) meshes += R"({"name": "m)" + std::to_string(i) + R"("},)";

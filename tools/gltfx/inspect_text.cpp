@@ -17,7 +17,8 @@
 namespace gltfx::tool {
 namespace {
 
-constexpr std::size_t kLongest = 40;  // code points of a name in a table
+constexpr std::size_t kLongest = 40;       // code points of a name in a table
+constexpr std::size_t kLongestLine = 300;  // of a text in a line of its own
 
 std::string cell(std::string_view text) { return report::safe_cut(text, kLongest); }
 
@@ -37,7 +38,7 @@ class Page {
  private:
   void line(std::string_view name, std::string_view value) {
     if (value.empty()) return;
-    const std::string whole = wrapped(report::safe(value), 14);
+    const std::string whole = wrapped(report::safe_cut(value, kLongestLine), 14);
     text_ += fmt::format("  {}{}", padded(name, 12), std::string_view(whole).substr(14));
   }
 

@@ -15,11 +15,15 @@ function make(name, attributes, ...children) {
   return element;
 }
 
-const UNSEEN = /[\u0000-\u001f\u007f-\u009f\u061c\u200b\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]/g;
+const UNSEEN = new RegExp("[\\p{Cc}\\p{Cf}\\p{Co}\\p{Zl}\\p{Zp}\\p{Default_Ignorable_Code_Point}" +
+  "\\p{Noncharacter_Code_Point}\\u2800]", "gu");
 
 /** Text of an asset with what cannot be seen, or turns lines around, as escapes. */
 function visible(text) {
-  return text.replace(UNSEEN, (sign) => "\\u" + sign.charCodeAt(0).toString(16).padStart(4, "0"));
+  return text.replace(UNSEEN, (sign) => {
+    const hex = sign.codePointAt(0).toString(16);
+    return hex.length > 4 ? "\\u{" + hex + "}" : "\\u" + hex.padStart(4, "0");
+  });
 }
 
 /** Text of an asset, kept apart from the direction of what stands around it. */
