@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any text as a schema file, any text as a document. The input is a schema file, a line "---" and a
-// document; without that line it is both.
+// document; without that line it is both. What is made of the file is used for all that the program
+// does with it: documents are checked, the extension is shown, upgrades are planned.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "json/parse.hpp"
 #include "schema/check.hpp"
 #include "schema/compile.hpp"
+#include "schema_print.hpp"
+#include "upgrade/choice.hpp"
+#include "upgrade/plan.hpp"
 
 namespace {
 
@@ -53,14 +58,56 @@ void check_document(const json::Document& document, const schema::Set& set) {
   }
 }
 
-// The objects of core and one file more.
+// The objects of core, extensions that upgrades may lead to, and one file more.
 schema::Compiled compile_with_core(const std::string& text) {
   std::vector<schema::SourceFile> files;
   for (const schema::SourceFile& file : schema::builtin_files()) {
-    if (file.name.rfind("core/", 0) == 0) files.push_back(file);
+    const bool successor = file.name.find("/KHR_materials_") != std::string::npos;
+    if (file.name.rfind("core/", 0) == 0 || successor) files.push_back(file);
   }
   files.push_back({"fuzz.json", text, true});
   return schema::compile(files);
+}
+
+// Materials and nodes that have the extension ACME_x, in several forms.
+constexpr std::string_view kAsset =
+    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["ACME_x"], "images": [{"uri": "a.png"}],
+"textures": [{"source": 0}], "nodes": [{"extensions": {"ACME_x": {"p": 0, "q": [1, {}]}}}], "materials": [
+{"name": "m", "extensions": {"ACME_x": {"a": 0.5, "b": [{"p": 0}, [[1]]], "c": 1, "d": "/a", "n": "m", "t": {"index": 0}, "extensions": {}}}},
+{"extensions": {"ACME_x": {"a": "x", "b": [1, 2], "c": {"c": {"c": {}}}, "t": {}}, "KHR_materials_unlit": {}}},
+{"extensions": {"ACME_x": []}}]})";
+
+void show(const schema::Set& set) {
+  const tool::Style plain(false);
+  require(!tool::schema_list_text(set, plain).empty() && !tool::schema_list_json(set).empty());
+  for (schema::ExtensionId id = 0; id < set.extensions().size(); ++id) {
+    if (!set.extensions()[id].from_user) continue;
+    require(!tool::extension_text(set, id, plain).empty());
+    require(json::parse(tool::extension_json(set, id)).ok());
+  }
+  for (schema::TypeId id = 0; id < set.types().size(); ++id) {
+    require(!tool::type_text(set, id, plain).empty());
+  }
+}
+
+void plan_upgrades(const json::Document& document, const schema::Set& set) {
+  for (const std::string& to : upgrade::successor_names(set)) {
+    UpgradeOptions options;
+    options.unsafe = true;
+    options.to = {to};
+    const upgrade::Plan plan = upgrade::make_plan(document, set, options);
+    require(json::parse(json::apply_edits(document.text(), plan.edits)).ok());
+  }
+}
+
+void use(const schema::Set& set, const json::Document& document) {
+  const json::Parsed asset = json::parse(kAsset);
+  check_document(asset.document, set);
+  plan_upgrades(asset.document, set);
+  show(set);
+  if (document.empty()) return;
+  check_document(document, set);
+  if (json::parse(document.text()).ok()) plan_upgrades(document, set);
 }
 
 }  // namespace
@@ -78,6 +125,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const schema::SchemaFault& fault : compiled.faults) {
     require(fault.line >= 1 && fault.column >= 1 && !fault.message.empty());
   }
-  if (compiled.set && !parsed.document.empty()) check_document(parsed.document, *compiled.set);
+  if (compiled.set) use(*compiled.set, parsed.document);
   return 0;
 }

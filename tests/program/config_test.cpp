@@ -169,6 +169,35 @@ TEST_F(Config, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(said("a = [\n"), HasSubstr("gltfx.toml:"));
 }
 
+TEST_F(Config, ManyMistakesAreToldInBoundedText) {
+  std::string text = "ignore = [";
+  for (int i = 0; i < 20'000; ++i) text += "\"UNUSED_OBJEC" + std::to_string(i) + "\",\n";
+  const std::string told = said(text + "]\n");
+  EXPECT_THAT(told, HasSubstr("gltfx.toml:100: ignore"));
+  EXPECT_THAT(told, HasSubstr("what is behind these was not read"));
+  EXPECT_LT(told.size(), std::size_t{1} << 15U);
+  std::string yaml = "ignore:\n";
+  for (int i = 0; i < 20'000; ++i) yaml += "  - NO_SUCH_CODE\n";
+  folder_.write("khronos.yaml", yaml);
+  EXPECT_LT(in("", {"config", "import", "khronos.yaml"}).err.size(), std::size_t{1} << 15U);
+}
+
+TEST_F(Config, KeysThatBeginWithAnythingAreAMistake) {
+  for (const char* const text : {"[{severity]\n", "[\n", "[[=]]\n", "a.{ = 1\n", "a = {,}\n"}) {
+    EXPECT_THAT(said(text), HasSubstr("gltfx.toml:1")) << text;
+  }
+}
+
+TEST_F(Config, TablesInTablesWithoutEndAreAMistake) {
+  std::string keys;
+  for (int i = 0; i < 100'000; ++i) keys += "a.";
+  EXPECT_THAT(said(keys + "a = 1\n"), HasSubstr("gltfx.toml:1"));
+  EXPECT_THAT(said("a = " + std::string(100'000, '[')), HasSubstr("gltfx.toml:1"));
+  EXPECT_THAT(said("[" + keys + "a]\n"), HasSubstr("gltfx.toml:1"));
+  EXPECT_THAT(said("\n# ]\nx = \"\"\"\n[\\\"\"\"\"\ny = '''['''''\n" + keys + "a = 1\n"),
+              HasSubstr("gltfx.toml:6: this is nested"));
+}
+
 TEST_F(Config, MistakesInOverridesAreNamedAndAllAtOnce) {
   EXPECT_THAT(said("overrides = 3\n"), HasSubstr("write [[overrides]]"));
   EXPECT_THAT(said("[[overrides]]\nignore = []\n"),
@@ -212,6 +241,14 @@ TEST_F(Config, OfTheKhronosValidatorIsImported) {
   EXPECT_EQ(outcome.err, "gltfx: note: a.yaml:7: gltfx has no rule 'NOT_OURS': left out\n");
   configure(outcome.out);
   EXPECT_EQ(validate({"faulty.gltf"}).code, 0);
+}
+
+TEST_F(Config, ImportTakesTheLastOfSeveralLevels) {
+  folder_.write("khronos.yaml", "override:\n  NODE_EMPTY: 0\n  NODE_EMPTY: 1\n");
+  const Outcome imported = in("", {"config", "import", "khronos.yaml"});
+  EXPECT_THAT(imported.out, HasSubstr("NODE_EMPTY = \"warning\""));
+  folder_.write("gltfx.toml", imported.out);
+  EXPECT_EQ(in("", {"config"}).code, 0);
 }
 
 TEST_F(Config, ImportSaysWhatItDoesNotUnderstand) {

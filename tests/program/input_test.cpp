@@ -92,6 +92,16 @@ TEST_F(Input, GlobsThatTheShellLeftAreExpanded) {
   EXPECT_THAT(checked({"a/?.gltf", "[0-9].gltf"}), ElementsAre("a/1.gltf", "3.gltf"));
 }
 
+// However many steps of a pattern go into a folder, it is looked into once for each.
+TEST_F(Input, GlobsWithManyStepsOverFoldersEnd) {
+  std::string deep = "a";
+  for (int i = 0; i < 15; ++i) deep += "/b";
+  folder_.write(deep + "/1.gltf", kSound);
+  std::string pattern;
+  for (int i = 0; i < 40; ++i) pattern += "**/";
+  EXPECT_THAT(checked({pattern + "*.gltf"}), ElementsAre(deep + "/1.gltf"));
+}
+
 TEST_F(Input, AFileWhoseNameLooksLikeAGlobOrAListIsAFile) {
   folder_.write("[a,b].gltf", kSound);
   EXPECT_THAT(checked({"[a,b].gltf"}), ElementsAre("[a,b].gltf"));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,9 +11,14 @@
 // Faults come back as values, and nothing is printed.
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
+// Some of its assertions fail on mistakes that it finds and reports itself behind them. In a
+// release build they are promises to the compiler, so that anything might happen.
+#undef NDEBUG
+#define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
 
 #include "base/text.hpp"
+#include "config_nesting.hpp"
 #include "suggestion.hpp"
 
 namespace gltfx::tool {
@@ -20,6 +26,7 @@ namespace {
 
 constexpr std::string_view kOverrides = "overrides";
 constexpr std::string_view kPaths = "paths";
+constexpr std::size_t kMostMistakes = 100;
 
 std::string_view form_words(ConfigForm form) {
   switch (form) {
@@ -52,17 +59,22 @@ class Reader {
     by_line(file_.values);
   }
   void complain(std::uint32_t line, std::string_view text) {
+    if (is_full()) return;
     mistakes_.emplace(line, fmt::format("{}:{}: {}", printable(name_), line, text));
   }
   Result<ConfigFile> finish() {
     if (mistakes_.empty()) return std::move(file_);
     std::string lines = "the configuration has mistakes";
     for (const auto& [line, text] : mistakes_) lines.append("\n").append(text);
+    if (is_full()) lines += "\nand what is behind these was not read";
     return Error{lines};
   }
 
  private:
   using Values = std::vector<ConfigValue>;
+
+  // Each mistake is compared with all words that it could be: enough is enough.
+  bool is_full() const { return mistakes_.size() >= kMostMistakes; }
 
   static std::uint32_t line_of(const toml::key& key) { return key.source().begin.line; }
   static std::uint32_t line_of(const toml::node& node) { return node.source().begin.line; }
@@ -150,6 +162,11 @@ class Reader {
       words.*key.words = {word};
     }
     const bool list = key.form == ConfigForm::codes || key.form == ConfigForm::levels;
+    if (is_full()) return;
+    if (right_.count({&key, word}) != 0) {
+      values.push_back({&key, std::move(word), line_of(node)});
+      return;
+    }
     const auto read = request_of(words);
     if (word.empty() || (list && word.find(',') != std::string::npos)) {
       complain(line_of(node), fmt::format("{}: {} is no value", key.name, quoted(word)));
@@ -159,6 +176,7 @@ class Reader {
                fmt::format("{}{}", key.name,
                            message.substr(std::min(message.find(':'), message.size()))));
     } else {
+      right_.insert({&key, word});
       values.push_back({&key, std::move(word), line_of(node)});
     }
   }
@@ -202,12 +220,17 @@ class Reader {
   const std::string& name_;
   ConfigFile file_;
   std::multimap<std::uint32_t, std::string> mistakes_;
+  std::set<std::pair<const ConfigKey*, std::string>> right_;  ///< values that were read before
 };
 
 }  // namespace
 
 Result<ConfigFile> parse_config(std::string_view text, const std::string& name) {
   Reader reader(name);
+  if (const std::uint32_t line = line_of_deep_nesting(text); line > 0) {
+    reader.complain(line, "this is nested more deeply than any configuration");
+    return reader.finish();
+  }
   const toml::parse_result root = toml::parse(text);
   if (root) {
     reader.read(root.table());

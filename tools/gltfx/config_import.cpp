@@ -126,13 +126,19 @@ class Reader {
       return wrong("override: 'CODE: 0' is expected, up to 3");
     }
     const auto code = known(trimmed(item.substr(0, colon)));
-    if (code) levels_.emplace_back(*code, static_cast<Severity>(digit[0] - '0'));
+    if (!code) return std::nullopt;
+    std::erase_if(levels_, [&](const auto& level) { return level.first == *code; });
+    levels_.emplace_back(*code, static_cast<Severity>(digit[0] - '0'));
     return std::nullopt;
   }
 
   std::optional<std::string> known(std::string_view word) {
     const RuleDescription* rule = rule_from_user(unquoted(word));
     if (rule != nullptr) return std::string(rule->code);
+    constexpr std::size_t kMostNotes = 100;
+    if (notes_.size() == kMostNotes)
+      notes_.emplace_back("and further codes that gltfx does not have");
+    if (notes_.size() > kMostNotes) return std::nullopt;
     notes_.push_back(fmt::format("{}:{}: gltfx has no rule {}: left out", printable(name_), line_,
                                  quoted(unquoted(word))));
     return std::nullopt;

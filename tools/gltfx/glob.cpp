@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <unordered_set>
+#include <utility>
 
 #include <fnmatch.h>
 
@@ -29,13 +31,15 @@ bool is_real_folder(const fs::path& path) {
   return fs::symlink_status(path, fault).type() == fs::file_type::directory;
 }
 
-// `folder` and every folder below it.
-std::vector<fs::path> folders_below(const fs::path& folder) {
-  std::vector<fs::path> folders{folder};
+// The folders and every folder below them, each once.
+std::vector<fs::path> folders_below(std::vector<fs::path> folders) {
+  std::unordered_set<std::string> known;
+  for (const fs::path& folder : folders) known.insert(folder.native());
   for (std::size_t i = 0; i < folders.size(); ++i) {
     for (const fs::path& name : names_in(folders[i])) {
-      const fs::path path = folders[i] / name;
-      if (name.native().front() != '.' && is_real_folder(path)) folders.push_back(path);
+      fs::path path = folders[i] / name;
+      if (name.native().front() == '.' || !is_real_folder(path)) continue;
+      if (known.insert(path.native()).second) folders.push_back(std::move(path));
     }
   }
   return folders;
@@ -43,7 +47,6 @@ std::vector<fs::path> folders_below(const fs::path& folder) {
 
 // What one step of the pattern finds below one folder.
 std::vector<fs::path> step_into(const fs::path& folder, const std::string& step) {
-  if (step == "**") return folders_below(folder);
   std::vector<fs::path> found;
   if (!is_glob(step)) {
     std::error_code fault;
@@ -63,6 +66,10 @@ bool is_glob(std::string_view path) { return path.find_first_of("*?[") != std::s
 std::vector<std::string> expand_glob(const std::string& pattern) {
   std::vector<fs::path> found{fs::path()};
   for (const fs::path& step : fs::path(pattern)) {
+    if (step == "**") {
+      found = folders_below(std::move(found));
+      continue;
+    }
     std::vector<fs::path> next;
     for (const fs::path& folder : found) {
       const std::vector<fs::path> deeper = step_into(folder, step.native());
