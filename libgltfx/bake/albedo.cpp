@@ -36,8 +36,6 @@ double weigh(const AlbedoRow* table, const TableCell& row, const TableCell& colu
   return static_cast<double>((sums[0] * w[0] + sums[1] * w[1]) + (sums[2] * w[2] + sums[3] * w[3]));
 }
 
-TableCell column_of(double cosine) { return {std::sqrt(std::sqrt(cosine)), kAlbedoColumns}; }
-
 }  // namespace
 
 SpecularAlbedo integrate_specular_albedo(double roughness, double cosine, int resolution) {
@@ -91,14 +89,15 @@ TableCell::TableCell(double x, int size) {
   }
 }
 
-SpecularAlbedo SpecularCurve::at(double cosine) const {
-  const TableCell column = column_of(cosine);
+TableCell albedo_column(double cosine) { return {std::sqrt(std::sqrt(cosine)), kAlbedoColumns}; }
+
+SpecularAlbedo SpecularCurve::at(const TableCell& column) const {
   return {weigh(kSpecularConstant.data(), row_, column),
           weigh(kSpecularRising.data(), row_, column)};
 }
 
 double SheenCurve::at(double cosine) const {
-  return weigh(kSheenAlbedo.data(), row_, column_of(cosine));
+  return weigh(kSheenAlbedo.data(), row_, albedo_column(cosine));
 }
 
 double diffuse_fresnel(double x) {

@@ -26,6 +26,8 @@ inline constexpr int kAlbedoColumns = 48;
 inline constexpr int kSpecularRows = 32;
 inline constexpr int kSheenRows = 48;
 
+TableCell albedo_column(double cosine);
+
 /// What specular_brdf returns under Schlick's Fresnel: f0 * constant + f90 * rising.
 struct SpecularAlbedo {
   double constant = 0, rising = 0;  ///< integrals of 1 - w and of w, w = (1 - V.H)^5
@@ -35,7 +37,8 @@ class SpecularCurve {
  public:
   SpecularCurve() = default;
   explicit SpecularCurve(double roughness) : row_(roughness, kSpecularRows) {}
-  SpecularAlbedo at(double cosine) const;
+  SpecularAlbedo at(double cosine) const { return at(albedo_column(cosine)); }
+  SpecularAlbedo at(const TableCell& column) const;
 
  private:
   TableCell row_;

@@ -70,6 +70,31 @@ double base_inside(const Fresnel& fresnel, double v_z) {
   return sum / pi;
 }
 
+// Lights over a hemisphere, of a view along its rim.
+struct GrazingLight {
+  double cosine = 0;
+  TableCell column;
+  double weight = 0;
+  double fresnel = 0;  // mean of (1 - V.H)^5 over a turn
+};
+
+const std::vector<GrazingLight>& grazing_lights() {
+  static const std::vector<GrazingLight> kLights = [] {
+    constexpr int kTurns = 64;
+    std::vector<GrazingLight> lights;
+    for (const Node& node : gauss_legendre(6)) {
+      GrazingLight light{std::sqrt(node.x), albedo_column(std::sqrt(node.x)), node.weight, 0};
+      for (int i = 0; i < kTurns; ++i) {
+        const double v_l = std::sqrt(1 - node.x) * std::cos(pi * (i + 0.5) / kTurns);
+        light.fresnel += pow5(1 - std::sqrt((1 + v_l) / 2)) / kTurns;
+      }
+      lights.push_back(light);
+    }
+    return lights;
+  }();
+  return kLights;
+}
+
 }  // namespace
 
 Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
@@ -97,13 +122,32 @@ Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
     }
   }
   share_v_ = std::min(1.0, share(v.z));
+  scale_ = 1 / mean_share();
+}
+
+double Held::mean_share() const {
+  double sum = 0;
+  double all = 0;
+  for (const GrazingLight& light : grazing_lights()) {
+    const SpecularAlbedo along = along_.at(light.column);
+    const SpecularAlbedo across = isotropic_ ? along : across_.at(light.column);
+    const double passed = light.weight * (1 - lowest_f0_ - (f90_ - lowest_f0_) * light.fresnel);
+    sum += std::min(1.0, share(along, across, light.cosine)) * passed;
+    all += passed;
+  }
+  constexpr double kMargin = 1.003;  // of so few points
+  return all > 0 ? std::min(1.0, sum / all * kMargin) : 1;
 }
 
 double Held::share(double cosine) const {
-  const SpecularAlbedo along = along_.at(cosine);
+  const TableCell column = albedo_column(cosine);
+  const SpecularAlbedo along = along_.at(column);
+  return share(along, isotropic_ ? along : across_.at(column), cosine);
+}
+
+double Held::share(const SpecularAlbedo& along, const SpecularAlbedo& across, double cosine) const {
   double reflected = highest_f0_ * along.constant + f90_ * (along.rising + table_margin(cosine));
   if (!isotropic_) {  // between those of the two, but for grazing angles
-    const SpecularAlbedo across = across_.at(cosine);
     reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising) +
                 4 * f90_ * table_margin(cosine);
   }
@@ -114,7 +158,7 @@ double Held::share(double cosine) const {
 
 double Held::factor(double n_l) const {
   if (!active_) return 1;
-  return inside_ ? share_v_ : std::min(share_v_, share(n_l));
+  return inside_ ? share_v_ : share_v_ * std::min(1.0, share(n_l)) * scale_;
 }
 
 SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v,

@@ -3,11 +3,12 @@
 /// sheen.
 ///
 /// The sample implementation weights diffuse light by 1 - F(V.H), averaged over all lights. At
-/// grazing angles that is far more than what a smooth layer leaves. The conserving mode holds the
-/// diffuse light back by min(1, s(V), s(L)), where s is what the layer leaves over what the sample
-/// implementation hands on: it is reciprocal, never gains, and changes nothing where the sample
-/// implementation conserves energy. (C. Kulla and A. Conty, Revisiting Physically Based Shading at
-/// Imageworks, 2017, fill up what is missing, too; that would depart from the texts everywhere.)
+/// grazing angles that is far more than what a smooth layer leaves. The conserving mode scales the
+/// diffuse light by s(V) s(L) / m. Here s is what the layer leaves over what the sample
+/// implementation hands on, 1 at most, and m is the mean of s over the lights of a grazing view,
+/// which is the highest of all views. The result is reciprocal, never gains, and keeps the albedo
+/// of the sample implementation where that conserves energy. (The form is that of C. Kulla and A.
+/// Conty, Revisiting Physically Based Shading at Imageworks, 2017.)
 #pragma once
 
 #include "bake/albedo.hpp"
@@ -28,6 +29,9 @@ class Held {
 
  private:
   double share(double cosine) const;
+  double share(const SpecularAlbedo& along, const SpecularAlbedo& across, double cosine) const;
+  /// The mean of shares over the lights of a grazing view.
+  double mean_share() const;
 
   bool active_ = false;
   bool inside_ = false;
@@ -36,6 +40,7 @@ class Held {
   SpecularCurve along_, across_;
   double highest_f0_ = 0, lowest_f0_ = 0;  ///< curves of Schlick around the Fresnel term
   double f90_ = 1;
+  double scale_ = 1;
 };
 
 /// What is held back below the dielectric interface of a material: nothing in spec mode, or without
