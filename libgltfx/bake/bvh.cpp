@@ -1,59 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/bvh.hpp"
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <cmath>
 #include <utility>
-#include <vector>
 
-#include <embree3/rtcore.h>
-
-#include "bake/bvh_groups.hpp"
+#include "bake/bvh_state.hpp"
 #include "bake/coverage.hpp"
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
-#include "base/parallel.hpp"
 
 namespace gltfx::bake {
-struct Bvh::State {
-  explicit State(const Scene& s) : scene(s), groups(group_instances(s)) {}
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    if (top != nullptr) rtcReleaseScene(top);
-    for (RTCScene each : shared) {
-      if (each != nullptr) rtcReleaseScene(each);
-    }
-    if (device != nullptr) rtcReleaseDevice(device);
-  }
-
-  bool build();
-  static void keep(std::unique_ptr<State> failed);
-  bool add_points(RTCGeometry geometry, const Group& group) const;
-  bool add_triangles(RTCGeometry geometry, const Group& group) const;
-  bool add_group(const Group& group, Treatment treatment);
-  bool add_shared_mesh(std::uint32_t mesh);
-  bool add_instance(std::uint32_t instance);
-  static void set_filters(RTCGeometry geometry, Treatment treatment, bool mirrored);
-  Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
-  float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
-  bool is_traceable(const Ray& ray) const;  // numbers, and not too large for Embree
-  bool offers_front(const RTCFilterFunctionNArguments* args, const Hit& hit) const;
-  std::optional<Hit> intersect(Tracing& tracing, const Ray& ray) const;
-  static void filter_closest(const RTCFilterFunctionNArguments* args);
-  static void filter_any(const RTCFilterFunctionNArguments* args);
-  static void filter_backs(const RTCFilterFunctionNArguments* args);
-
-  const Scene& scene;
-  const Groups groups;
-  State* kept_before = nullptr;
-  RTCDevice device = nullptr;
-  RTCScene top = nullptr;
-  std::vector<RTCScene> shared;  // by mesh; null where not shared
-  bool watertight = false;
-};
 
 // What the filters know of the ray. Embree hands back its own part, which is the first one.
 struct Bvh::Tracing {
@@ -62,168 +18,31 @@ struct Bvh::Tracing {
   const State* state;
   std::uint32_t key;
   bool every_layer = false;  // whatever covers anything counts
+  Backs backs = Backs::culled;
+  const std::optional<Eye>* eye = nullptr;  // of a ray towards light
   float visibility = 1;
+
+  std::optional<Hit> intersect(const Ray& ray);
+  float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
+  bool is_passed(const RTCFilterFunctionNArguments* args, const Hit& hit,
+                 const SceneMaterial& material) const;
+
+  static Tracing& of(const RTCFilterFunctionNArguments* args) {
+    return *reinterpret_cast<Tracing*>(args->context);
+  }
+  static void filter_closest(const RTCFilterFunctionNArguments* args);
+  static void filter_any(const RTCFilterFunctionNArguments* args);
+  static void filter_backs(const RTCFilterFunctionNArguments* args);
+  static void filter_wall(const RTCFilterFunctionNArguments* args);
+  static void filter_light_on_wall(const RTCFilterFunctionNArguments* args);
 };
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
-// Null where there is no memory.
-template <class T>
-T* new_buffer(RTCGeometry geometry, RTCBufferType type, std::size_t count) {
-  static_assert(sizeof(T) == 12);
-  const bool vertices = type == RTC_BUFFER_TYPE_VERTEX;
-  return static_cast<T*>(rtcSetNewGeometryBuffer(
-      geometry, type, 0, vertices ? RTC_FORMAT_FLOAT3 : RTC_FORMAT_UINT3, sizeof(T), count));
+Vec3d normal_of(const RTCFilterFunctionNArguments* args) {
+  return {RTCHitN_Ng_x(args->hit, 1, 0), RTCHitN_Ng_y(args->hit, 1, 0),
+          RTCHitN_Ng_z(args->hit, 1, 0)};
 }
-
-// The scene outlives the hierarchy. Vertices are copied: Embree reads on behind the last one.
-void share_triangles(RTCGeometry geometry, const Mesh& mesh) {
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             mesh.triangles.data(), 0, 12, mesh.triangles.size());
-}
-
-bool attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, std::uint32_t number) {
-  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, number);
-  rtcReleaseGeometry(geometry);
-  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
-}
-
-// On one thread: with more the order of triangles, and with it which of two at one place is hit,
-// would depend on their number. Not by the device's own limit, which holds for the whole process.
-void commit(RTCScene scene) {
-  run_alone([scene] { rtcCommitScene(scene); });
-}
-
-// A ray in some millions slips through between two triangles, for a tenth less time: only those
-// must not that keep count of what they are inside of.
-bool has_volumes(const Scene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const SceneMaterial& each) { return each.factors.volumetric(); });
-}
-
-RTCScene new_scene(RTCDevice device, bool watertight) {
-  RTCScene scene = rtcNewScene(device);
-  if (scene != nullptr) {
-    const unsigned robust = watertight ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE;
-    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(robust));
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-  }
-  return scene;
-}
-
-}  // namespace
-
-void Bvh::State::set_filters(RTCGeometry geometry, Treatment treatment, bool mirrored) {
-  if (treatment == Treatment::solid) return;
-  const bool simple = treatment == Treatment::culled && !mirrored;
-  rtcSetGeometryIntersectFilterFunction(geometry, simple ? filter_backs : filter_closest);
-  rtcSetGeometryOccludedFilterFunction(geometry, simple ? filter_backs : filter_any);
-}
-
-bool Bvh::State::add_points(RTCGeometry geometry, const Group& group) const {
-  auto* points = new_buffer<Float3>(geometry, RTC_BUFFER_TYPE_VERTEX, group.vertices);
-  if (points == nullptr) return false;
-  for (const std::uint32_t number : group.instances) {
-    const Instance& instance = scene.instances[number];
-    for (const Float3& p : scene.meshes[instance.mesh].positions) {
-      *points++ = to_float3(transform_point(instance.to_world, to_vec(p)));
-    }
-  }
-  return true;
-}
-
-bool Bvh::State::add_triangles(RTCGeometry geometry, const Group& group) const {
-  if (group.instances.size() == 1) {
-    share_triangles(geometry, scene.meshes[scene.instances[group.instances.front()].mesh]);
-    return true;
-  }
-  auto* triangle = new_buffer<Triangle>(geometry, RTC_BUFFER_TYPE_INDEX, group.triangles);
-  if (triangle == nullptr) return false;
-  std::uint32_t base = 0;
-  for (const std::uint32_t number : group.instances) {
-    const Mesh& mesh = scene.meshes[scene.instances[number].mesh];
-    for (const auto& t : mesh.triangles) *triangle++ = {t[0] + base, t[1] + base, t[2] + base};
-    base += static_cast<std::uint32_t>(mesh.positions.size());
-  }
-  return true;
-}
-
-bool Bvh::State::add_group(const Group& group, Treatment treatment) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  if (!add_points(geometry, group) || !add_triangles(geometry, group)) {
-    rtcReleaseGeometry(geometry);
-    return false;
-  }
-  set_filters(geometry, treatment, group.mirrored);
-  return attach(device, top, geometry, static_cast<std::uint32_t>(treatment));
-}
-
-bool Bvh::State::add_shared_mesh(std::uint32_t number) {
-  const Mesh& mesh = scene.meshes[number];
-  RTCScene own = new_scene(device, watertight);
-  if (own == nullptr) return false;
-  shared[number] = own;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* points = new_buffer<Float3>(geometry, RTC_BUFFER_TYPE_VERTEX, mesh.positions.size());
-  if (points == nullptr) {
-    rtcReleaseGeometry(geometry);
-    return false;
-  }
-  std::copy(mesh.positions.begin(), mesh.positions.end(), points);
-  share_triangles(geometry, mesh);
-  set_filters(geometry, treatment_of(material_of(scene, mesh)), false);
-  if (!attach(device, own, geometry, 0)) return false;
-  commit(own);
-  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
-}
-
-bool Bvh::State::add_instance(std::uint32_t index) {
-  const Instance& instance = scene.instances[groups.instanced[index]];
-  if (shared[instance.mesh] == nullptr && !add_shared_mesh(instance.mesh)) return false;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(geometry, shared[instance.mesh]);
-  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, instance.to_world.data());
-  return attach(device, top, geometry, static_cast<std::uint32_t>(kTreatments + index));
-}
-
-bool Bvh::State::build() {
-  device = rtcNewDevice("set_affinity=0");
-  if (device == nullptr) return false;
-  watertight = has_volumes(scene);
-  top = new_scene(device, watertight);
-  if (top == nullptr) return false;
-  for (std::size_t i = 0; i < kTreatments; ++i) {
-    if (groups.flat[i].triangles == 0) continue;
-    if (!add_group(groups.flat[i], static_cast<Treatment>(i))) return false;
-  }
-  shared.assign(scene.meshes.size(), nullptr);
-  for (std::uint32_t i = 0; i < groups.instanced.size(); ++i) {
-    if (!add_instance(i)) return false;
-  }
-  commit(top);
-  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
-}
-
-Hit Bvh::State::hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const {
-  Hit hit;
-  if (inst != RTC_INVALID_GEOMETRY_ID) {
-    hit.instance = groups.instanced[inst - kTreatments];
-    hit.triangle = primitive;
-    return hit;
-  }
-  const Group& group = groups.flat[geometry];
-  const auto after = std::upper_bound(group.first.begin(), group.first.end(), primitive);
-  const auto index = static_cast<std::size_t>(after - group.first.begin() - 1);
-  hit.instance = group.instances[index];
-  hit.triangle = primitive - static_cast<std::uint32_t>(group.first[index]);
-  return hit;
-}
-
-namespace {
 
 // Above 0 where the ray goes the way that the triangle's normal points, by its winding.
 float along_normal(const RTCFilterFunctionNArguments* args) {
@@ -232,48 +51,89 @@ float along_normal(const RTCFilterFunctionNArguments* args) {
          RTCHitN_Ng_z(args->hit, 1, 0) * RTCRayN_dir_z(args->ray, 1, 0);
 }
 
+Vec3d point_of(const RTCFilterFunctionNArguments* args) {
+  const auto t = static_cast<double>(RTCRayN_tfar(args->ray, 1, 0));
+  const Vec3d origin(RTCRayN_org_x(args->ray, 1, 0), RTCRayN_org_y(args->ray, 1, 0),
+                     RTCRayN_org_z(args->ray, 1, 0));
+  const Vec3d direction(RTCRayN_dir_x(args->ray, 1, 0), RTCRayN_dir_y(args->ray, 1, 0),
+                        RTCRayN_dir_z(args->ray, 1, 0));
+  return origin + direction * t;
+}
+
 }  // namespace
 
+// Whether the ray passes because of the side that it comes from. A shared mesh is met in its own
+// space, where nothing is mirrored.
+bool Bvh::Tracing::is_passed(const RTCFilterFunctionNArguments* args, const Hit& hit,
+                             const SceneMaterial& material) const {
+  if (!is_culled(material)) return false;
+  const float along = along_normal(args);
+  const bool shared = RTCHitN_instID(args->hit, 1, 0, 0) != RTC_INVALID_GEOMETRY_ID;
+  const bool front = (shared || state->groups.facing[hit.instance] > 0 ? along : -along) < 0;
+  if (!front) return backs == Backs::culled || !is_wall(material);
+  return eye != nullptr && is_wall(material) && turns_back(state->scene, hit, *eye);
+}
+
 // What part of a ray a triangle stops that Embree offers.
-float Bvh::State::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const {
-  hit = hit_of(RTCHitN_instID(args->hit, 1, 0, 0), RTCHitN_geomID(args->hit, 1, 0),
-               RTCHitN_primID(args->hit, 1, 0));
+float Bvh::Tracing::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const {
+  hit = state->hit_of(RTCHitN_instID(args->hit, 1, 0, 0), RTCHitN_geomID(args->hit, 1, 0),
+                      RTCHitN_primID(args->hit, 1, 0));
   hit.u = RTCHitN_u(args->hit, 1, 0);
   hit.v = RTCHitN_v(args->hit, 1, 0);
-  const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
+  const Scene& scene = state->scene;
+  const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  if (is_culled(material) && !offers_front(args, hit)) return 0;
+  if (is_passed(args, hit, material)) return 0;
   return has_holes(material) ? coverage_at(scene, mesh, material, hit) : 1.0F;
 }
 
-// A mesh of many instances is met in its own space, where nothing is mirrored.
-bool Bvh::State::offers_front(const RTCFilterFunctionNArguments* args, const Hit& hit) const {
-  const float along = along_normal(args);
-  const bool instance = RTCHitN_instID(args->hit, 1, 0, 0) != RTC_INVALID_GEOMETRY_ID;
-  return (instance || groups.facing[hit.instance] > 0 ? along : -along) < 0;
-}
-
 // Where nothing is mirrored it does not matter whose triangle it is.
-void Bvh::State::filter_backs(const RTCFilterFunctionNArguments* args) {
+void Bvh::Tracing::filter_backs(const RTCFilterFunctionNArguments* args) {
   if (along_normal(args) >= 0) args->valid[0] = 0;
 }
 
-void Bvh::State::filter_closest(const RTCFilterFunctionNArguments* args) {
+void Bvh::Tracing::filter_wall(const RTCFilterFunctionNArguments* args) {
+  if (Tracing::of(args).backs == Backs::culled) filter_backs(args);
+}
+
+void Bvh::Tracing::filter_light_on_wall(const RTCFilterFunctionNArguments* args) {
+  if (along_normal(args) >= 0) return;
+  const std::optional<Eye>& eye = *Tracing::of(args).eye;
+  if (!eye || eye->is_behind(normal_of(args), point_of(args))) args->valid[0] = 0;
+}
+
+void Bvh::Tracing::filter_closest(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
-  const auto& tracing = *reinterpret_cast<const Tracing*>(args->context);
+  const Tracing& tracing = Tracing::of(args);
   Hit hit;
-  const float coverage = tracing.state->coverage(args, hit);
+  const float coverage = tracing.coverage(args, hit);
   if (coverage >= 1 || (tracing.every_layer && coverage > 0)) return;
-  const std::uint32_t surface = mix_bits(hit.triangle, hit.instance);
+  const std::uint32_t surface = mix_bits(hit.triangle, mix_bits(hit.instance, hit.mesh));
   if (coverage <= unit_float(mix_bits(tracing.key, surface))) args->valid[0] = 0;
 }
 
-void Bvh::State::filter_any(const RTCFilterFunctionNArguments* args) {
+void Bvh::Tracing::filter_any(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
-  auto& tracing = *reinterpret_cast<Tracing*>(args->context);
+  Tracing& tracing = Tracing::of(args);
   Hit hit;
-  tracing.visibility *= 1 - tracing.state->coverage(args, hit);
+  tracing.visibility *= 1 - tracing.coverage(args, hit);
   if (tracing.visibility > 0) args->valid[0] = 0;
+}
+
+void Bvh::State::set_filters(RTCGeometry geometry, Treatment treatment, bool in_world,
+                             bool mirrored) {
+  if (treatment == Treatment::solid) return;
+  const bool wall = treatment == Treatment::wall;
+  const bool body = treatment == Treatment::body;
+  RTCFilterFunctionN closest = Tracing::filter_closest;
+  RTCFilterFunctionN any = body ? nullptr : Tracing::filter_any;
+  if (treatment != Treatment::holed && !mirrored) {
+    closest = wall || body ? Tracing::filter_wall : Tracing::filter_backs;
+    if (treatment == Treatment::culled) any = Tracing::filter_backs;
+    if (wall && in_world) any = Tracing::filter_light_on_wall;
+  }
+  rtcSetGeometryIntersectFilterFunction(geometry, closest);
+  rtcSetGeometryOccludedFilterFunction(geometry, any);
 }
 
 namespace {
@@ -300,13 +160,6 @@ Bvh::Bvh(Bvh&&) noexcept = default;
 Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 Bvh::~Bvh() = default;
 
-// Embree's threads still hold on to what a build that failed had allocated: it is never freed.
-void Bvh::State::keep(std::unique_ptr<State> failed) {
-  static std::atomic<State*> kept{nullptr};
-  State* const state = failed.release();
-  state->kept_before = kept.exchange(state);
-}
-
 Result<Bvh> Bvh::build(const Scene& scene) {
   auto state = std::make_unique<State>(scene);
   if (!state->build()) {
@@ -316,50 +169,64 @@ Result<Bvh> Bvh::build(const Scene& scene) {
   return Bvh(std::move(state));
 }
 
-bool Bvh::State::is_traceable(const Ray& ray) const {
+namespace {
+
+// Numbers, and not too large for Embree.
+bool is_traceable(const Ray& ray, double farthest) {
   const double reach = std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
-  return reach < groups.farthest && dot(ray.direction, ray.direction) < 2;
+  return reach < farthest && dot(ray.direction, ray.direction) < 2;
 }
 
-std::optional<Hit> Bvh::State::intersect(Tracing& tracing, const Ray& ray) const {
-  if (!is_traceable(ray)) return std::nullopt;
+}  // namespace
+
+std::optional<Hit> Bvh::Tracing::intersect(const Ray& ray) {
+  if (!is_traceable(ray, state->groups.farthest)) return std::nullopt;
   RTCRayHit query;
   start(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(top, &tracing.embree, &query);
+  rtcIntersect1(state->top, &embree, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  Hit hit = hit_of(query.hit.instID[0], query.hit.geomID, query.hit.primID);
+  Hit hit = state->hit_of(query.hit.instID[0], query.hit.geomID, query.hit.primID);
   hit.distance = query.ray.tfar;
   hit.u = query.hit.u;
   hit.v = query.hit.v;
   return hit;
 }
 
-std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key) const {
+std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key, Backs backs) const {
   Tracing tracing(*state_, key);
-  return state_->intersect(tracing, ray);
+  tracing.backs = backs;
+  return tracing.intersect(ray);
 }
 
 std::optional<Hit> Bvh::first_layer(const Ray& ray) const {
   Tracing tracing(*state_, 0);
   tracing.every_layer = true;
-  return state_->intersect(tracing, ray);
+  return tracing.intersect(ray);
 }
 
 float Bvh::coverage(const Hit& hit) const {
-  const Mesh& mesh = state_->scene.meshes[state_->scene.instances[hit.instance].mesh];
+  const Mesh& mesh = state_->scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(state_->scene, mesh);
   return has_holes(material) ? coverage_at(state_->scene, mesh, material, hit) : 1.0F;
 }
 
-float Bvh::visibility(const Ray& ray) const {
-  if (!state_->is_traceable(ray)) return 1;
+float Bvh::visibility(const Ray& ray, const std::optional<Eye>& eye) const {
+  if (!is_traceable(ray, state_->groups.farthest)) return 1;
   Tracing tracing(*state_, 0);
+  tracing.backs = Backs::solid;
+  tracing.eye = &eye;
   RTCRay query;
   start(query, ray);
   rtcOccluded1(state_->top, &tracing.embree, &query);
   return query.tfar < 0 ? 0.0F : tracing.visibility;
+}
+
+bool Bvh::lets_light_in(const Hit& hit, const Vec3d& direction,
+                        const std::optional<Eye>& eye) const {
+  return !state_->groups.closed[hit.mesh] &&
+         bake::lets_light_in(state_->scene, hit, direction, eye);
 }
 
 std::size_t Bvh::triangles() const { return state_->groups.triangles; }

@@ -2,47 +2,159 @@
 #include "bake/bvh_groups.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "bake/coverage.hpp"
+#include "bake/sampler.hpp"
 #include "bake/storage.hpp"
+#include "bake/wall.hpp"
 
 namespace gltfx::bake {
+namespace {
 
-Treatment treatment_of(const SceneMaterial& material) {
-  if (has_holes(material)) return Treatment::holed;
-  return is_culled(material) ? Treatment::culled : Treatment::solid;
+constexpr std::uint64_t kSceneBytes = 5000;  // of a shape that is shared
+constexpr std::uint64_t kInstanceBytes = 600;
+constexpr std::uint64_t kTriangleBytes = 160;
+constexpr std::uint64_t kVertexBytes = 12;
+
+std::uint64_t flat_bytes(const ShapeSize& shape) {
+  return shape.triangles * kTriangleBytes + shape.vertices * kVertexBytes;
 }
 
-Groups group_instances(const Scene& scene) {
-  Groups result;
-  constexpr std::size_t kMostFlattened = 1U << 20U;
-  std::size_t flattened = 0;  // triangles
-  std::vector<std::uint32_t> uses(scene.meshes.size(), 0);
-  for (const Instance& instance : scene.instances) ++uses[instance.mesh];
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const Instance& instance = scene.instances[i];
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    result.facing.push_back(determinant(instance.to_world) < 0 ? -1 : 1);
-    if (mesh.triangles.empty()) continue;
-    result.triangles += mesh.triangles.size();
-    const double stretch = uses[instance.mesh] > 1 ? stretch_into(instance.to_world) : 0;
-    if (stretch > 0 && std::isfinite(stretch)) {
-      result.instanced.push_back(i);
-      result.farthest = std::min(result.farthest, kFarthest / stretch);
-      continue;
+std::uint64_t shared_bytes(const ShapeSize& shape, std::uint64_t instances) {
+  return kSceneBytes + flat_bytes(shape) + instances * kInstanceBytes;
+}
+
+class Grouping {
+ public:
+  explicit Grouping(const Scene& scene)
+      : scene_(scene), uses_(scene.meshes.size(), 0), shape_of_(scene.meshes.size(), kNone) {
+    sums_.reserve(scene.meshes.size() + 1);
+    sums_.emplace_back();
+    for (const Mesh& mesh : scene.meshes) {
+      sums_.push_back({sums_.back().triangles + mesh.triangles.size(),
+                       sums_.back().vertices + mesh.positions.size()});
     }
-    // What is flattened lies in the world, as long as there is not too much of it.
-    flattened += stretch > 0 ? mesh.triangles.size() : 0;
-    if (flattened > kMostFlattened) continue;
-    Group& group = result.flat[static_cast<std::size_t>(treatment_of(material_of(scene, mesh)))];
-    group.instances.push_back(i);
-    group.first.push_back(group.triangles);
-    group.triangles += mesh.triangles.size();
-    group.vertices += mesh.positions.size();
-    group.mirrored = group.mirrored || result.facing.back() < 0;
+    for (const Instance& instance : scene.instances) ++uses_[instance.mesh];
+    groups_.closed.assign(scene.meshes.size(), false);
+    treatments_.reserve(scene.meshes.size());
+    for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) treatments_.push_back(treatment_of(i));
   }
-  return result;
+
+  Groups run() {
+    groups_.facing.reserve(scene_.instances.size());
+    for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) add(i);
+    return std::move(groups_);
+  }
+
+ private:
+  ShapeSize size_of(const Instance& instance) const {
+    const ShapeSize& before = sums_[instance.mesh];
+    const ShapeSize& after = sums_[instance.mesh + instance.count];
+    return {after.triangles - before.triangles, after.vertices - before.vertices};
+  }
+
+  Treatment treatment_of(std::uint32_t number) {
+    const Mesh& mesh = scene_.meshes[number];
+    const SceneMaterial& material = material_of(scene_, mesh);
+    if (has_holes(material)) return Treatment::holed;
+    if (!is_culled(material)) return Treatment::solid;
+    if (!is_wall(material)) return Treatment::culled;
+    groups_.closed[number] = is_closed(mesh);
+    return groups_.closed[number] ? Treatment::body : Treatment::wall;
+  }
+
+  void add(std::uint32_t number) {
+    constexpr std::uint64_t kMostForced = 1U << 18U;  // triangles that are flattened by need
+    const Instance& instance = scene_.instances[number];
+    groups_.facing.push_back(determinant(instance.to_world) < 0 ? -1 : 1);
+    const ShapeSize size = size_of(instance);
+    if (size.triangles == 0) return;
+    groups_.triangles += size.triangles;
+    const std::uint32_t uses = uses_[instance.mesh];
+    if (uses > 1 && shared_bytes(size, uses) < flat_bytes(size) * uses) {
+      const double stretch = stretch_into(instance.to_world);
+      if (stretch > 0 && std::isfinite(stretch)) {
+        share(number, stretch);
+        return;
+      }
+      forced_ += size.triangles;
+      if (forced_ > kMostForced) return;
+    }
+    append(groups_.flat, number);
+  }
+
+  void share(std::uint32_t number, double stretch) {
+    std::uint32_t& shape = shape_of_[scene_.instances[number].mesh];
+    if (shape == kNone) {
+      shape = static_cast<std::uint32_t>(groups_.shared.size());
+      append(groups_.shared.emplace_back(), number);
+    }
+    if (groups_.shared[shape][static_cast<std::size_t>(Treatment::holed)].triangles == 0 &&
+        !places_.emplace(shape, scene_.instances[number].to_world).second) {
+      return;  // each ray would meet it again
+    }
+    groups_.instanced.push_back(number);
+    groups_.shape.push_back(shape);
+    groups_.farthest = std::min(groups_.farthest, kFarthest / stretch);
+  }
+
+  void append(TreatedGroups& groups, std::uint32_t number) const {
+    const Instance& instance = scene_.instances[number];
+    for (std::uint32_t m = instance.mesh; m < instance.mesh + instance.count; ++m) {
+      const Mesh& mesh = scene_.meshes[m];
+      if (mesh.triangles.empty()) continue;
+      Group& group = groups[static_cast<std::size_t>(treatments_[m])];
+      group.parts.push_back({number, m, group.triangles});
+      group.triangles += mesh.triangles.size();
+      group.vertices += mesh.positions.size();
+      group.mirrored = group.mirrored || groups_.facing[number] < 0;
+    }
+  }
+
+  const Scene& scene_;
+  std::vector<ShapeSize> sums_;                          // of all meshes before one
+  std::vector<std::uint32_t> uses_;                      // by first mesh
+  std::vector<std::uint32_t> shape_of_;                  // likewise
+  std::set<std::pair<std::uint32_t, Matrix34>> places_;  // of shapes without holes
+  std::vector<Treatment> treatments_;                    // by mesh
+  std::uint64_t forced_ = 0;
+  Groups groups_;
+};
+
+}  // namespace
+
+std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances) {
+  const std::uint64_t flat = flat_bytes(shape) * instances;
+  return instances > 1 ? std::min(flat, shared_bytes(shape, instances)) : flat;
 }
+
+// By sums of what edges are mixed to: those that run both ways cancel each other out.
+bool is_closed(const Mesh& mesh) {
+  const auto bits = [](const Float3& p) {
+    const auto part = [&p](std::size_t i) { return std::bit_cast<std::uint32_t>(p[i] + 0.0F); };
+    return mix_bits(part(0), mix_bits(part(1), part(2)));
+  };
+  std::vector<std::uint32_t> corners;
+  corners.reserve(mesh.positions.size());
+  for (const Float3& p : mesh.positions) corners.push_back(bits(p));
+  std::uint64_t edges = 0;
+  double volume = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto edge = [&corners](std::uint32_t from, std::uint32_t to) {
+      const std::uint64_t key = std::uint64_t{corners[from]} << 32U | corners[to];
+      return (key ^ (key >> 29U)) * 0x9e3779b97f4a7c15U;
+    };
+    edges += edge(a, b) - edge(b, a) + edge(b, c) - edge(c, b) + edge(c, a) - edge(a, c);
+    volume +=
+        dot(to_vec(mesh.positions[a]), cross(to_vec(mesh.positions[b]), to_vec(mesh.positions[c])));
+  }
+  return edges == 0 && volume > 0;
+}
+
+Groups group_instances(const Scene& scene) { return Grouping(scene).run(); }
 
 }  // namespace gltfx::bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which triangles of a scene are one geometry of its hierarchy.
+/// Which triangles of a scene are one geometry of its hierarchy, and what they cost in memory.
 #pragma once
 
 #include <array>
@@ -12,31 +12,56 @@
 
 namespace gltfx::bake {
 
-/// How rays treat triangles, which is one Embree geometry each: what needs no questions is asked
-/// none.
-enum class Treatment : std::uint8_t { solid, culled, holed };
-constexpr std::size_t kTreatments = 3;
+/// How rays treat triangles. Each treatment is one Embree geometry, so that no ray asks about what
+/// needs no question.
+enum class Treatment : std::uint8_t {
+  solid,   ///< stops every ray
+  body,    ///< a closed surface of what would be a wall: solid, but for cameras inside of it
+  wall,    ///< single-sided and opaque: see wall.hpp
+  culled,  ///< single-sided and clear: not there from behind
+  holed    ///< with an alpha mode, whatever its sides
+};
+constexpr std::size_t kTreatments = 5;
 
-/// Triangles of meshes that stand in the scene once, in world space, and whose they are. A mesh of
-/// many instances is a group of its own, in its own space.
+/// Triangles of meshes that are one geometry, and whose they are.
 struct Group {
-  std::vector<std::uint32_t> instances;  ///< in order
-  std::vector<std::size_t> first;        ///< triangle of each
+  struct Part {
+    std::uint32_t instance = 0;  ///< meaningless in a shared group
+    std::uint32_t mesh = 0;
+    std::size_t first = 0;  ///< triangle in the group
+  };
+  std::vector<Part> parts;  ///< in order
   std::size_t triangles = 0, vertices = 0;
   bool mirrored = false;  ///< one of them, at least
 };
+using TreatedGroups = std::array<Group, kTreatments>;
 
 struct Groups {
-  std::array<Group, kTreatments> flat;   ///< geometry 0, 1, 2
+  TreatedGroups flat;                    ///< in world space: geometry 0, 1, ...
+  std::vector<TreatedGroups> shared;     ///< in their own space, for several instances
   std::vector<std::uint32_t> instanced;  ///< instance of geometry kTreatments + i
-  std::vector<int> facing;               ///< by instance: -1 where the transform mirrors
+  std::vector<std::uint32_t> shape;      ///< likewise: index in `shared`
+  std::vector<bool> closed;              ///< by mesh
+  std::vector<std::int8_t> facing;       ///< by instance: -1 where the transform mirrors
   std::size_t triangles = 0;             ///< of all instances
   double farthest = kFarthest;           ///< from where a ray may come
 };
 
-Treatment treatment_of(const SceneMaterial& material);
+/// What all meshes of one instance amount to.
+struct ShapeSize {
+  std::uint64_t triangles = 0, vertices = 0;
+};
 
-/// A mesh of many instances stays a mesh, as long as nothing stretches it out of all numbers.
+/// Bytes that the hierarchy takes for so many instances of a shape, in the cheaper of two ways:
+/// triangles of each in the world, or one copy that all share. Measured with Embree 3.13.
+std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances);
+
+/// Whether the mesh is the surface of a body, fronts outside: each edge of its triangles has a
+/// neighbour that runs along it the other way.
+bool is_closed(const Mesh& mesh);
+
+/// What costs less memory in its own space stays there, unless a transform stretches it out of all
+/// numbers. Linear in meshes and instances.
 Groups group_instances(const Scene& scene);
 
 }  // namespace gltfx::bake

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "bake/coverage.hpp"
@@ -16,16 +17,14 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::size_t kRow = 256;  // of the grid in which triangles are chosen
-constexpr std::size_t kNowhere = ~std::size_t{0};
+constexpr std::size_t kMostTriangles = 1U << 20U;
 
 struct Corners {
   Vec3d a, b, c;
   Vec3d normal() const { return cross(b - a, c - a); }  // twice the area long
 };
 
-Corners corners_of(const Scene& scene, std::uint32_t instance, std::size_t triangle) {
-  const Instance& each = scene.instances[instance];
-  const Mesh& mesh = scene.meshes[each.mesh];
+Corners corners_of(const Instance& each, const Mesh& mesh, std::size_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   const auto point = [&](std::uint32_t vertex) {
     return transform_point(each.to_world, to_vec(mesh.positions[vertex]));
@@ -47,25 +46,30 @@ double brightness(const Scene& scene, const Mesh& mesh, const SceneMaterial& mat
   return sum / kLooks.size();
 }
 
+}  // namespace
+
 bool shines(const SceneMaterial& material) {
   return !material.factors.unlit && max_value(material.factors.emissive) > 0;
 }
 
-}  // namespace
-
-Emitters::Emitters(const Scene& scene) : first_(scene.instances.size(), kNowhere) {
-  std::vector<float> weights;
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const Mesh& mesh = scene.meshes[scene.instances[i].mesh];
+Emitters::Emitters(const Scene& scene) {
+  std::map<std::uint32_t, std::vector<float>> shining;  // by mesh: what its triangles emit
+  for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
+    const Mesh& mesh = scene.meshes[i];
     const SceneMaterial& material = material_of(scene, mesh);
     if (!shines(material)) continue;
-    first_[i] = areas_.size();
-    shapes_.push_back({i, areas_.size()});
+    std::vector<float>& each = shining[i];
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const double area = length(corners_of(scene, i, t).normal()) / 2;
-      const double power = area * brightness(scene, mesh, material, {0, i, t, 0, 0});
-      areas_.push_back(static_cast<float>(area));
-      weights.push_back(std::isfinite(power) ? static_cast<float>(power) : 0.0F);
+      each.push_back(static_cast<float>(brightness(scene, mesh, material, {0, 0, i, t, 0, 0})));
+    }
+  }
+  std::vector<float> weights;
+  for (std::uint32_t i = 0; i < scene.instances.size() && !shining.empty(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const auto end = shining.lower_bound(instance.mesh + instance.count);
+    for (auto each = shining.lower_bound(instance.mesh); each != end; ++each) {
+      if (areas_.size() + each->second.size() > kMostTriangles) break;
+      add(scene, i, each->first, each->second, weights);
     }
   }
   const float most = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
@@ -76,6 +80,18 @@ Emitters::Emitters(const Scene& scene) : first_(scene.instances.size(), kNowhere
   for (float& weight : weights) weight /= most;
   weights.resize((weights.size() + kRow - 1) / kRow * kRow);
   choice_ = GridDistribution(kRow, weights);
+}
+
+void Emitters::add(const Scene& scene, std::uint32_t instance, std::uint32_t mesh,
+                   const std::vector<float>& brightness, std::vector<float>& weights) {
+  shapes_.push_back({instance, mesh, areas_.size()});
+  for (std::size_t t = 0; t < brightness.size(); ++t) {
+    const Corners corners = corners_of(scene.instances[instance], scene.meshes[mesh], t);
+    const double area = length(corners.normal()) / 2;
+    const double power = area * static_cast<double>(brightness[t]);
+    areas_.push_back(static_cast<float>(area));
+    weights.push_back(std::isfinite(power) ? static_cast<float>(power) : 0.0F);
+  }
 }
 
 Shine Emitters::sample(const Scene& scene, const Vec3d& from, const Float2& random) const {
@@ -91,11 +107,13 @@ Shine Emitters::sample(const Scene& scene, const Vec3d& from, const Float2& rand
                        [](std::size_t value, const Shape& shape) { return value < shape.first; });
   const Shape& shape = *(after - 1);
 
-  Hit hit{0, shape.instance, static_cast<std::uint32_t>(number - shape.first), 0, 0};
+  Hit hit{0, shape.instance, shape.mesh, static_cast<std::uint32_t>(number - shape.first), 0, 0};
   const float root = std::sqrt(std::clamp(x - static_cast<float>(column), 0.0F, 1.0F));
   hit.u = 1 - root;
   hit.v = std::clamp(y - static_cast<float>(row), 0.0F, 1.0F) * root;
-  const Corners corners = corners_of(scene, hit.instance, hit.triangle);
+  const Instance& instance = scene.instances[hit.instance];
+  const Mesh& mesh = scene.meshes[hit.mesh];
+  const Corners corners = corners_of(instance, mesh, hit.triangle);
   Shine shine;
   shine.position = corners.a + (corners.b - corners.a) * static_cast<double>(hit.u) +
                    (corners.c - corners.a) * static_cast<double>(hit.v);
@@ -104,9 +122,8 @@ Shine Emitters::sample(const Scene& scene, const Vec3d& from, const Float2& rand
   if (!(hit.distance > 0)) return {};
   shine.direction = offset / hit.distance;
 
-  const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  const double mirrored = determinant(scene.instances[hit.instance].to_world) < 0 ? -1 : 1;
+  const double mirrored = determinant(instance.to_world) < 0 ? -1 : 1;
   const double along = dot(corners.normal(), shine.direction) * mirrored;
   if (is_culled(material) && along > 0) return {};
   const double area = 2 * static_cast<double>(areas_[number]);
@@ -128,8 +145,15 @@ double Emitters::density(std::size_t number) const {
 }
 
 double Emitters::pdf(const Hit& hit, double cosine) const {
-  if (shapes_.empty() || first_[hit.instance] == kNowhere) return 0;
-  const std::size_t number = first_[hit.instance] + hit.triangle;
+  const std::uint64_t body = hit.body();
+  const auto shape = std::lower_bound(
+      shapes_.begin(), shapes_.end(), body, [](const Shape& each, std::uint64_t wanted) {
+        return (std::uint64_t{each.instance} << 32U | each.mesh) < wanted;
+      });
+  if (shape == shapes_.end() || shape->instance != hit.instance || shape->mesh != hit.mesh) {
+    return 0;
+  }
+  const std::size_t number = shape->first + hit.triangle;
   const double seen = static_cast<double>(areas_[number]) * cosine;
   if (!(seen > 0)) return 0;
   return density(number) * hit.distance * hit.distance / seen;

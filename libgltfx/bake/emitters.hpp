@@ -13,6 +13,9 @@
 
 namespace gltfx::bake {
 
+/// Whether surfaces of the material are lights.
+bool shines(const SceneMaterial& material);
+
 /// A point that shines onto another one.
 struct Shine {
   Vec3d position;
@@ -22,8 +25,9 @@ struct Shine {
   double pdf = 0;   ///< per steradian, seen from the other point
 };
 
-/// All triangles whose material emits, taken by area times what they emit as far as a few looks at
-/// their textures tell. Light that these miss is not taken at all: its pdf is 0.
+/// Triangles whose material emits, taken by area times what they emit as far as a few looks at
+/// their textures tell. Light that these miss, and that of meshes beyond a million triangles in
+/// all, is not taken at all: its pdf is 0.
 class Emitters {
  public:
   Emitters() = default;
@@ -36,16 +40,17 @@ class Emitters {
   double pdf(const Hit& hit, double cosine) const;
 
  private:
-  /// Triangles of one instance, by number from `first` on.
+  /// Triangles of one mesh in one place, by number from `first` on.
   struct Shape {
-    std::uint32_t instance = 0;
+    std::uint32_t instance = 0, mesh = 0;
     std::size_t first = 0;
   };
+  void add(const Scene& scene, std::uint32_t instance, std::uint32_t mesh,
+           const std::vector<float>& brightness, std::vector<float>& weights);
   double density(std::size_t number) const;  ///< of choosing a triangle
 
-  std::vector<Shape> shapes_;
-  std::vector<std::size_t> first_;  ///< by instance; npos: does not shine
-  std::vector<float> areas_;        ///< by triangle
+  std::vector<Shape> shapes_;  ///< by instance, then by mesh
+  std::vector<float> areas_;   ///< by triangle
   GridDistribution choice_;
 };
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "bake/coverage.hpp"
+#include "bake/framing_strays.hpp"
 #include "bake/storage.hpp"
 
 namespace gltfx::bake {
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::size_t kMostPoints = 200000;
 constexpr double kEnoughSeen = 0.01;  // of the area of all surfaces, seen from where one looks
-constexpr double kStrayFactor = 3;    // core extents that a point may lie from the middle
 constexpr double kYfov = 28 * std::numbers::pi / 180;
 constexpr double kMargin = 0.90;  // part of the picture that the subject may fill
 
@@ -31,81 +31,52 @@ bool is_invisible(const SceneMaterial& material) {
   return material.alpha <= 0;
 }
 
-std::size_t visible_triangles(const Scene& scene, const Instance& instance) {
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  return is_invisible(material_of(scene, mesh)) ? 0 : mesh.triangles.size();
+// Of all meshes before one.
+std::vector<std::size_t> visible_triangles(const Scene& scene) {
+  std::vector<std::size_t> sums{0};
+  sums.reserve(scene.meshes.size() + 1);
+  for (const Mesh& mesh : scene.meshes) {
+    const bool seen = !is_invisible(material_of(scene, mesh));
+    sums.push_back(sums.back() + (seen ? mesh.triangles.size() : 0));
+  }
+  return sums;
 }
 
 // Corners of triangles, three by three, evenly chosen over all instances. Vertices that no triangle
 // uses do not count.
 Subject surfaces_of(const Scene& scene) {
+  const std::vector<std::size_t> sums = visible_triangles(scene);
   std::size_t triangles = 0;
-  for (const Instance& each : scene.instances) triangles += visible_triangles(scene, each);
+  for (const Instance& each : scene.instances) {
+    triangles += sums[each.mesh + each.count] - sums[each.mesh];
+  }
   const std::size_t step = triangles * 3 / kMostPoints + 1;
   Subject subject;
   subject.points.reserve(3 * (triangles / step + 1));
   subject.faces.reserve(triangles / step + 1);
   std::size_t next = 0;  // of the triangles that are still to come
   for (const Instance& each : scene.instances) {
-    const Mesh& mesh = scene.meshes[each.mesh];
-    const bool culled = is_culled(material_of(scene, mesh));
     const bool mirrored = determinant(each.to_world) < 0;
-    const std::size_t own = visible_triangles(scene, each);
+    const std::size_t before = sums[each.mesh];
+    const std::size_t own = sums[each.mesh + each.count] - before;
+    auto mesh_end = sums.begin() + each.mesh + 1;
     for (; next < own; next += step) {
+      if (*mesh_end <= before + next) {
+        mesh_end = std::upper_bound(mesh_end, sums.end(), before + next);
+      }
+      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(mesh_end - sums.begin()) - 1];
+      const auto& triangle = mesh.triangles[before + next - *(mesh_end - 1)];
       std::array<Vec3d, 3> p;
       for (std::size_t i = 0; i < 3; ++i) {
-        p[i] = transform_point(each.to_world, to_vec(mesh.positions[mesh.triangles[next][i]]));
+        p[i] = transform_point(each.to_world, to_vec(mesh.positions[triangle[i]]));
       }
       if (!std::all_of(p.begin(), p.end(), is_sane)) continue;
       for (const Vec3d& corner : p) subject.points.push_back(to_float3(corner));
-      subject.faces.push_back({mirrored, culled});
+      subject.faces.push_back({mirrored, is_culled(material_of(scene, mesh))});
     }
     next -= own;
   }
   return subject;
-}
-
-// Along one axis: from where to where points belong to the subject.
-std::pair<double, double> limits_along(const std::vector<Float3>& points, std::size_t axis) {
-  std::vector<float> values;
-  values.reserve(points.size());
-  for (const Float3& p : points) values.push_back(p[axis]);
-  const auto at = [&values](std::size_t index) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-  };
-  const double low = at(values.size() / 100);
-  const double high = at(values.size() - 1 - values.size() / 100);
-  return {low, high};
-}
-
-// A plane has no extent along one axis, so what is far away is told by the longest. Triangles go as
-// a whole: half of one would be cut off by the edge of the picture.
-void drop_strays(Subject& subject) {
-  std::array<std::pair<double, double>, 3> core;
-  double longest = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    core[axis] = limits_along(subject.points, axis);
-    longest = std::max(longest, core[axis].second - core[axis].first);
-  }
-  if (!(longest > 0)) return;
-  const auto strays = [&](const Float3& p) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double middle = (core[axis].first + core[axis].second) / 2;
-      if (std::fabs(static_cast<double>(p[axis]) - middle) > kStrayFactor * longest) return true;
-    }
-    return false;
-  };
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
-    const auto first = subject.points.begin() + static_cast<std::ptrdiff_t>(3 * i);
-    if (std::any_of(first, first + 3, strays)) continue;
-    std::copy(first, first + 3, subject.points.begin() + static_cast<std::ptrdiff_t>(3 * kept));
-    subject.faces[kept++] = subject.faces[i];
-  }
-  subject.faces.resize(kept);
-  subject.points.resize(3 * kept);
 }
 
 Vec3d backward_of(const Direction& direction) {

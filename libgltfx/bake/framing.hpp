@@ -32,9 +32,8 @@ struct Subject {
   double size() const;
 };
 
-/// Nothing when there is nothing to see; what alpha makes invisible everywhere is nothing. A
-/// triangle strays when a corner lies far outside of where all but a hundredth of the corners are
-/// along an axis. Looks at a bounded number of triangles.
+/// Nothing when there is nothing to see; what alpha makes invisible everywhere is nothing. What
+/// strays is told in framing_strays.hpp. Looks at a bounded number of triangles.
 std::optional<Subject> find_subject(const Scene& scene);
 
 /// From where to look: degrees. Azimuth 0 looks at the front (+z), 90 at the side of +x; elevation

@@ -15,8 +15,7 @@ constexpr double kLeast = 1.0 / 512;  // of a layer
 
 // With dispersion each colour is a picture of its own.
 std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
-  const Material& factors =
-      material_of(scene, scene.meshes[scene.instances[hit.instance].mesh]).factors;
+  const Material& factors = material_of(scene, scene.meshes[hit.mesh]).factors;
   return factors.dispersion > 0 && factors.transmission > 0 ? 3 : 1;
 }
 

@@ -78,4 +78,19 @@ Setting make_setting(const Scene& scene, const Subject& subject, const View& vie
   return setting;
 }
 
+std::optional<Eye> eye_of(const View& view, const Bvh& bvh) {
+  constexpr int kLooks = 256;
+  constexpr int kWaysOut = kLooks / 16;
+  constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749979);
+  int ways_out = 0;
+  for (int i = 0; i < kLooks && ways_out <= kWaysOut; ++i) {
+    const double y = 1 - (2 * i + 1.0) / kLooks;
+    const double ring = std::sqrt(1 - y * y);
+    const double turn = i * kGoldenAngle;
+    const Ray look{view.origin, {ring * std::cos(turn), y, ring * std::sin(turn)}};
+    ways_out += bvh.intersect(look, 0) ? 0 : 1;
+  }
+  return ways_out > kWaysOut ? std::optional(Eye(view)) : std::nullopt;
+}
+
 }  // namespace gltfx::bake

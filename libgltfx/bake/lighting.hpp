@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "bake/bvh.hpp"
 #include "bake/framing.hpp"
 #include "bake/scene.hpp"
 #include "bake/setting.hpp"
@@ -25,5 +26,9 @@ struct LightingOptions {
 /// candela.
 Setting make_setting(const Scene& scene, const Subject& subject, const View& view,
                      const LightingOptions& options);
+
+/// The eye of a picture; nothing for a camera that stands in a closed room, where no wall turns its
+/// back to it: then light comes in through all walls.
+std::optional<Eye> eye_of(const View& view, const Bvh& bvh);
 
 }  // namespace gltfx::bake

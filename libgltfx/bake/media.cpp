@@ -22,34 +22,32 @@ int choose_color(const Rgb& odds, double random) {
 
 }  // namespace
 
-void MediaStack::enter(const Material& material, std::uint32_t instance) {
+void MediaStack::enter(const Material& material, std::uint64_t body) {
   constexpr std::size_t kDeepest = 16;
   if (entries_.size() < kDeepest) {
-    entries_.push_back({medium_of(material), material.ior, instance});
+    entries_.push_back({medium_of(material), material.ior, body});
   }
 }
 
-void MediaStack::leave(std::uint32_t instance) {
-  const auto innermost =
-      std::find_if(entries_.rbegin(), entries_.rend(),
-                   [instance](const Entry& each) { return each.instance == instance; });
+void MediaStack::leave(std::uint64_t body) {
+  const auto innermost = std::find_if(entries_.rbegin(), entries_.rend(),
+                                      [body](const Entry& each) { return each.body == body; });
   if (innermost != entries_.rend()) entries_.erase(std::next(innermost).base());
 }
 
-const MediaStack::Entry* MediaStack::entry_around(std::uint32_t instance) const {
-  const auto around =
-      std::find_if(entries_.rbegin(), entries_.rend(),
-                   [instance](const Entry& each) { return each.instance != instance; });
+const MediaStack::Entry* MediaStack::entry_around(std::uint64_t body) const {
+  const auto around = std::find_if(entries_.rbegin(), entries_.rend(),
+                                   [body](const Entry& each) { return each.body != body; });
   return around != entries_.rend() ? &*around : nullptr;
 }
 
-const Medium* MediaStack::around(std::uint32_t instance) const {
-  const Entry* entry = entry_around(instance);
+const Medium* MediaStack::around(std::uint64_t body) const {
+  const Entry* entry = entry_around(body);
   return entry != nullptr ? &entry->medium : nullptr;
 }
 
-double MediaStack::ior_around(std::uint32_t instance) const {
-  const Entry* entry = entry_around(instance);
+double MediaStack::ior_around(std::uint64_t body) const {
+  const Entry* entry = entry_around(body);
   return entry != nullptr ? entry->ior : 1.0;
 }
 

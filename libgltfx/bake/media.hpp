@@ -12,29 +12,29 @@
 
 namespace gltfx::bake {
 
-/// A path enters and leaves closed meshes. What is nested deeper than some levels counts as the
-/// medium around it.
+/// A path enters and leaves closed meshes, each known by its Hit::body(). What is nested deeper
+/// than some levels counts as the medium around it.
 class MediaStack {
  public:
   bool empty() const { return entries_.empty(); }
   /// Precondition: not empty.
   const Medium& top() const { return entries_.back().medium; }
 
-  void enter(const Material& material, std::uint32_t instance);
-  void leave(std::uint32_t instance);
-  /// The medium outside of a surface of the instance; null in the open. Valid until the next
+  void enter(const Material& material, std::uint64_t body);
+  void leave(std::uint64_t body);
+  /// The medium outside of a surface of the body; null in the open. Valid until the next
   /// change.
-  const Medium* around(std::uint32_t instance) const;
+  const Medium* around(std::uint64_t body) const;
   /// Its index of refraction.
-  double ior_around(std::uint32_t instance) const;
+  double ior_around(std::uint64_t body) const;
 
  private:
   struct Entry {
     Medium medium;
     double ior = 1;
-    std::uint32_t instance = kNone;
+    std::uint64_t body = 0;
   };
-  const Entry* entry_around(std::uint32_t instance) const;
+  const Entry* entry_around(std::uint64_t body) const;
 
   std::vector<Entry> entries_;  // most paths never have one
 };

@@ -7,42 +7,20 @@
 
 #include "bake/background.hpp"
 #include "bake/direct_light.hpp"
+#include "bake/light_through.hpp"
 #include "bake/material.hpp"
 #include "bake/media.hpp"
+#include "bake/path_draws.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"
 
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kSteps = 1024;      // of a path, in media and on surfaces
 constexpr std::uint32_t kLooks = 2;         // for light where the camera looks, of few samples
 constexpr std::uint32_t kRouletteFrom = 3;  // step
 constexpr double kSharp = 0.5;              // roughness below which gloss shows a picture
 constexpr std::uint32_t kDeepPaths = 4;     // into what light passes through
-
-// Dimensions of the random numbers of one step of a path.
-enum Draw : std::uint32_t {
-  lobe,
-  direction,
-  environment,
-  emitter,
-  lamp,
-  roulette,
-  reach,
-  turn,
-  color,
-  choice,
-  emitter_choice,
-  kDraws
-};
-constexpr std::uint32_t kFirstDraw = 1;  // after the position in the pixel
-
-// Of the random number that chooses among lobes.
-struct Range {
-  double from = 0, to = 1;
-  double at(double part) const { return from + part * (to - from); }
-};
 
 // One path, from the camera on.
 class Path {
@@ -81,7 +59,7 @@ class Path {
   void follow(std::optional<Hit> hit) {
     for (; step_ < kSteps; ++step_) {
       if (step_ > 0) {
-        hit = s_.bvh.intersect(ray_, key());
+        hit = s_.bvh.intersect(ray_, key(), viewing_ ? Backs::culled : Backs::solid);
         ++result_.rays;
       }
       if (!media_.empty() && scatters_before(hit)) {
@@ -117,7 +95,7 @@ class Path {
     gather_inside();
     ray_.direction = sample_phase(media_.top(), ray_.direction, static_cast<double>(turn[0]),
                                   static_cast<double>(turn[1]));
-    straight_ = false;
+    straight_ = viewing_ = false;
     pdf_ = 0;
     result_.alpha = 1;
     return true;
@@ -127,14 +105,42 @@ class Path {
   void escape() {
     if (straight_) {
       see_background();
-    } else if (s_.setting.environment) {
-      const Environment& light = *s_.setting.environment;
-      // What a mirror or a medium sent here is found in no other way.
-      const EnvironmentLook seen = light.look(ray_.direction);
-      const double weight = pdf_ > 0 ? power_weight(pdf_, seen.pdf) : 1.0;
+    } else if (far_light()) {
       note(Rgb(1), -ray_.direction, 0);
-      deliver(throughput_ * seen.radiance * weight, gloss_);
+      add_far_light();
     }
+  }
+
+  // The environment, unless it has come in through a wall of this path.
+  const Environment* far_light() const {
+    return s_.setting.environment && !lit_through_ ? &*s_.setting.environment : nullptr;
+  }
+
+  void add_far_light() {
+    // What a mirror or a medium sent here is found in no other way.
+    const EnvironmentLook seen = far_light()->look(ray_.direction);
+    const double weight = pdf_ > 0 ? power_weight(pdf_, seen.pdf) : 1.0;
+    deliver(throughput_ * seen.radiance * weight, gloss_);
+  }
+
+  // A wall that lets light in is a window for what shines from behind it. The environment counts
+  // once along a path: through the wall, and not again by what the wall reflects.
+  void look_through(const Hit& hit) {
+    if (viewing_ || !media_.empty() || (!far_light() && s_.setting.emitters.empty())) return;
+    const bool open =
+        light_through(s_, ray_, hit, key(), [this](const Hit& lamp, const Surface& surface) {
+          const Vec3d v = surface.frame.to_local(-ray_.direction);
+          deliver(throughput_ * emitted(surface.material, v) * by_chance(lamp, surface), gloss_);
+        });
+    if (!open || !far_light()) return;
+    add_far_light();
+    lit_through_ = true;
+  }
+
+  Rgb own_light(const Hit& hit, const Surface& surface, const Vec3d& v) const {
+    const bool outshone = lit_through_ && surface.material.unlit;
+    if (outshone || is_unseen_back(s_.scene, hit, surface)) return {};
+    return throughput_ * emitted(surface.material, v) * by_chance(hit, surface);
   }
 
   void see_background() {
@@ -149,7 +155,8 @@ class Path {
     Surface surface = surface_at(s_.scene, hit, ray_);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
     if (surfaces_ == 0) describe(hit, surface);
-    const Rgb own = throughput_ * emitted(surface.material, v) * by_chance(hit, surface);
+    look_through(hit);
+    const Rgb own = own_light(hit, surface, v);
     if (straight_) {
       result_.direct += own;
     } else {
@@ -161,7 +168,7 @@ class Path {
       return false;
     }
     ++surfaces_;
-    surface.material.outside_ior = media_.ior_around(hit.instance);
+    surface.material.outside_ior = media_.ior_around(hit.body());
     follow_one_color(surface.material);
     const Bsdf bsdf(surface.material, v, {s_.mode, color_});
     if (!may_be_clear(surface.material)) {
@@ -174,13 +181,15 @@ class Path {
   }
 
   bool goes_on(const Surface& surface) const {
+    const Setting& lights = s_.setting;
+    if (lit_through_ && lights.emitters.empty() && lights.lights.empty()) return false;
     return !surface.material.unlit && surfaces_ < s_.bounces && surface.flat_normal != Vec3d();
   }
 
   void describe(const Hit& hit, const Surface& surface) {
     const Material& m = surface.material;
     result_.mirror = m.base_color * m.metallic + Rgb(1 - m.metallic);
-    result_.material = s_.scene.meshes[s_.scene.instances[hit.instance].mesh].material;
+    result_.material = s_.scene.meshes[hit.mesh].material;
   }
 
   // What is seen first behind clear glass, if there is any. For the denoiser and the pictures of
@@ -224,11 +233,11 @@ class Path {
   }
 
   void gather_light(const Hit& hit, const Surface& surface, const Bsdf& bsdf) {
-    const DirectLight light(s_, surface, bsdf, media_.around(hit.instance));
+    const DirectLight light(s_, surface, bsdf, media_.around(hit.body()));
     const std::uint32_t looks = surfaces_ == 1 && s_.tries > 2 ? kLooks : 1;
     for (std::uint32_t look = 0; look < looks; ++look) {
       const Branch part = branch_.part(look, looks);
-      if (s_.setting.environment) {
+      if (far_light()) {
         Chosen far = gather(Draw::environment, Draw::choice, part, [&light](const Float2& random) {
           return light.from_environment(random);
         });
@@ -247,26 +256,17 @@ class Path {
   // Where a medium scatters.
   void gather_inside() {
     const Candidate lamp = lamp_inside(s_, media_.top(), ray_, pair(Draw::lamp));
-    if (!(lamp.weight > 0)) return;
-    ++result_.rays;
-    deliver(throughput_ * lamp.share * static_cast<double>(s_.bvh.visibility(lamp.towards)),
-            gloss_);
+    if (lamp.weight > 0) add_seen({lamp, 1});
   }
 
   void add_seen(const Chosen& chosen) {
     const auto& [light, scale] = chosen;
     if (!(max_value(light.share) > 0)) return;
     ++result_.rays;
-    const double seen = static_cast<double>(s_.bvh.visibility(light.towards));
+    const auto seen = static_cast<double>(s_.bvh.visibility(light.towards, s_.setting.eye));
     if (seen <= 0) return;
     const Rgb gloss = surfaces_ == 1 ? part(light.value.reflected, light.value.f) : gloss_;
     deliver(throughput_ * light.share * (scale * seen), gloss);
-  }
-
-  // Of what a surface returns, by colour; from 0 to 1.
-  static Rgb part(const Rgb& some, const Rgb& all) {
-    const auto ratio = [](double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0.0; };
-    return {ratio(some.x, all.x), ratio(some.y, all.y), ratio(some.z, all.z)};
   }
 
   void deliver(const Rgb& light, const Rgb& gloss) {
@@ -334,11 +334,12 @@ class Path {
     }
     if (through && surface.material.volumetric()) {
       if (outside) {
-        media_.leave(hit.instance);
+        media_.leave(hit.body());
       } else {
-        media_.enter(surface.material, hit.instance);
+        media_.enter(surface.material, hit.body());
       }
     }
+    viewing_ = viewing_ && next.delta;
     straight_ = straight_ && through && next.delta && dot(onwards, ray_.direction) > 0.99999;
     result_.clear = result_.clear || straight_;
     length_ += hit.distance;
@@ -370,12 +371,14 @@ class Path {
   Rgb gloss_;         // part of it that the first surface reflects
   MediaStack media_;
   std::uint32_t step_ = 0;
-  int surfaces_ = 0;      // that scattered
-  int color_ = -1;        // that the path follows, after dispersion
-  bool straight_ = true;  // nothing but sheets of glass so far
-  bool noting_ = true;    // nothing but clear glass so far, by what it lets through
-  double length_ = 0;     // to the last surface, as long as that holds
-  double pdf_ = 0;        // of the last direction; 0: no lamp was looked for
+  int surfaces_ = 0;          // that scattered
+  int color_ = -1;            // that the path follows, after dispersion
+  bool straight_ = true;      // nothing but sheets of glass so far
+  bool viewing_ = true;       // nothing but mirrors and clear glass so far
+  bool lit_through_ = false;  // by the environment, through a wall
+  bool noting_ = true;        // nothing but clear glass so far, by what it lets through
+  double length_ = 0;         // to the last surface, as long as that holds
+  double pdf_ = 0;            // of the last direction; 0: no lamp was looked for
 };
 
 }  // namespace

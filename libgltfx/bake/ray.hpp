@@ -23,8 +23,12 @@ struct Ray {
 struct Hit {
   double distance = 0;
   std::uint32_t instance = 0;  ///< index in Scene::instances
+  std::uint32_t mesh = 0;      ///< index in Scene::meshes
   std::uint32_t triangle = 0;  ///< index in Mesh::triangles
   float u = 0, v = 0;          ///< weights of the second and third vertex
+
+  /// A number that this mesh has in this place alone.
+  std::uint64_t body() const { return std::uint64_t{instance} << 32U | mesh; }
 };
 
 /// A start beside a surface, on the side that `normal` points to, so near that nothing fits

@@ -132,9 +132,12 @@ struct Mesh {
   std::uint32_t material = kNone;        ///< index in Scene::materials; kNone: the default one
 };
 
+/// Meshes in one place: `count` of them from `mesh` on. Instances that begin with the same mesh
+/// have the same count.
 struct Instance {
   std::uint32_t mesh = 0;
   Matrix34 to_world = kIdentity;  ///< may mirror, and may be singular
+  std::uint32_t count = 1;
 };
 
 /// A punctual light in the world (KHR_lights_punctual).

@@ -9,6 +9,7 @@
 #include "bake/environment.hpp"
 #include "bake/ray.hpp"
 #include "bake/scene.hpp"
+#include "bake/wall.hpp"
 
 namespace gltfx::bake {
 
@@ -27,6 +28,8 @@ struct Setting {
   Emitters emitters;  ///< of the scene; those not named are found by chance
   Background background = Background::backdrop;
   std::optional<Floor> floor;  ///< only with a backdrop
+  /// Which walls let light in. Nothing: all that turn their backs to it.
+  std::optional<Eye> eye;
 };
 
 }  // namespace gltfx::bake

@@ -7,6 +7,7 @@
 
 #include "bake/integrator.hpp"
 #include "bake/light.hpp"
+#include "bake/light_through.hpp"
 #include "bake/media.hpp"
 #include "bake/microfacet.hpp"
 #include "bake/storage.hpp"
@@ -44,7 +45,7 @@ class SimplePath {
 
   Rgb run() {
     for (; step_ < kSteps; ++step_) {
-      const auto hit = s_.bvh.intersect(ray_, random_.key() + step_ + 1);
+      const auto hit = s_.bvh.intersect(ray_, key(), viewing_ ? Backs::culled : Backs::solid);
       if (!media_.empty()) {
         const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
         const double distance = free_flight();
@@ -54,9 +55,7 @@ class SimplePath {
         }
       }
       if (!hit) {
-        if (s_.setting.environment) {
-          result_ += throughput_ * s_.setting.environment->radiance(ray_.direction);
-        }
+        add_far_light();
         return result_;
       }
       if (!meet(*hit)) return result_;
@@ -66,6 +65,7 @@ class SimplePath {
 
  private:
   enum Draw : std::uint32_t { lobe, direction, reach, turning, kDraws };
+  std::uint32_t key() const { return random_.key() + step_ + 1; }
   Float2 pair(Draw draw) const { return random_.pair(step_ * kDraws + draw); }
 
   // Media and dispersion are of one colour at a time.
@@ -97,16 +97,38 @@ class SimplePath {
     const Vec3d onwards = any_direction(pair(Draw::turning));
     throughput_ *= henyey_greenstein(medium.anisotropy, dot(-ray_.direction, onwards)) * kSphere;
     ray_ = {ray_.origin, onwards};
+    viewing_ = false;
     return true;
+  }
+
+  void add_far_light() {
+    if (!s_.setting.environment || lit_through_) return;
+    result_ += throughput_ * s_.setting.environment->radiance(ray_.direction);
+  }
+
+  void look_through(const Hit& hit) {
+    if (viewing_ || !media_.empty()) return;
+    const bool open =
+        light_through(s_, ray_, hit, key(), [this](const Hit&, const Surface& surface) {
+          const Vec3d v = surface.frame.to_local(-ray_.direction);
+          result_ += throughput_ * emitted(surface.material, v);
+        });
+    if (!open || !s_.setting.environment) return;
+    add_far_light();
+    lit_through_ = true;
   }
 
   bool meet(const Hit& hit) {
     Surface surface = surface_at(s_.scene, hit, ray_);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
-    result_ += throughput_ * emitted(surface.material, v);
+    look_through(hit);
+    const bool outshone = lit_through_ && surface.material.unlit;
+    if (!outshone && !is_unseen_back(s_.scene, hit, surface)) {
+      result_ += throughput_ * emitted(surface.material, v);
+    }
     if (surfaces_ == s_.bounces || surface.material.unlit) return false;
     ++surfaces_;
-    surface.material.outside_ior = media_.ior_around(hit.instance);
+    surface.material.outside_ior = media_.ior_around(hit.body());
     if (surface.material.volumetric()) follow_one_color();
     result_ += throughput_ * from_lamps(hit, surface, v);
     const auto next = onwards(surface, v);
@@ -120,7 +142,8 @@ class SimplePath {
   Rgb from_lamp(const Illumination& lamp, const Ray& towards, const Medium* medium) const {
     if (max_value(lamp.irradiance) <= 0) return {};
     const Rgb through = medium != nullptr ? medium->transmittance(lamp.distance) : Rgb(1);
-    return through * lamp.irradiance * static_cast<double>(s_.bvh.visibility(towards));
+    return through * lamp.irradiance *
+           static_cast<double>(s_.bvh.visibility(towards, s_.setting.eye));
   }
 
   Rgb from_lamps(const Hit& hit, const Surface& surface, const Vec3d& v) const {
@@ -131,7 +154,7 @@ class SimplePath {
       const Vec3d l = surface.frame.to_local(lamp.direction);
       if (!is_consistent(surface, lamp.direction, l)) continue;
       const Medium* medium =
-          l.z < 0 && surface.material.volumetric() ? &behind : media_.around(hit.instance);
+          l.z < 0 && surface.material.volumetric() ? &behind : media_.around(hit.body());
       sum += evaluate(surface.material, v, l, {s_.mode, color_}) * std::fabs(l.z) *
              from_lamp(lamp, {start(surface, l.z > 0), lamp.direction, lamp.distance}, medium);
     }
@@ -149,8 +172,10 @@ class SimplePath {
       const auto next = sample(material, v, random, options);
       if (!next) return std::nullopt;
       throughput_ *= next->weight;
+      viewing_ = viewing_ && next->delta;
       return next->l;
     }
+    viewing_ = false;
     const Vec3d l = surface.frame.to_local(any_direction(point));
     throughput_ *= evaluate(material, v, l, options) * (std::fabs(l.z) * kSphere);
     return l;
@@ -161,9 +186,9 @@ class SimplePath {
     if (!(max_value(throughput_) > 0) || !is_consistent(surface, towards, l)) return false;
     if (surface.material.volumetric() && (l.z > 0) != (v.z > 0)) {
       if (l.z > 0) {
-        media_.leave(hit.instance);
+        media_.leave(hit.body());
       } else {
-        media_.enter(surface.material, hit.instance);
+        media_.enter(surface.material, hit.body());
       }
     }
     ray_ = {start(surface, l.z > 0), normalize(towards)};
@@ -176,8 +201,10 @@ class SimplePath {
   Rgb result_, throughput_{1, 1, 1};
   MediaStack media_;
   std::uint32_t step_ = 0;
-  int surfaces_ = 0;  // that scattered
-  int color_ = -1;    // that the path follows
+  int surfaces_ = 0;          // that scattered
+  int color_ = -1;            // that the path follows
+  bool viewing_ = true;       // nothing but mirrors and clear glass so far
+  bool lit_through_ = false;  // by the environment, through a wall
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ class Triangle {
  public:
   Triangle(const Scene& scene, const Hit& hit)
       : instance_(scene.instances[hit.instance]),
-        mesh_(scene.meshes[instance_.mesh]),
+        mesh_(scene.meshes[hit.mesh]),
         corners_(mesh_.triangles[hit.triangle]),
         u_(static_cast<double>(hit.u)),
         v_(static_cast<double>(hit.v)),
@@ -143,13 +143,18 @@ Frame frame_around(const Vec3d& n) {
   return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
+bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface) {
+  return !surface.front && is_culled(material_of(scene, scene.meshes[hit.mesh]));
+}
+
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
-  const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
+  const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
   const Triangle triangle(scene, hit);
   Surface surface{triangle.position(), triangle.flat_normal(), Frame(),
                   material_at(scene, mesh, material, hit)};
   const bool front = dot(surface.flat_normal, ray.direction) < 0;
+  surface.front = front;
   const Vec3d smooth = triangle.smooth_normal(surface.flat_normal);
   if (length(smooth) == 0) return surface;
 

@@ -31,6 +31,7 @@ struct Surface {
   /// other surfaces on the side that is seen.
   Frame frame;
   Material material;
+  bool front = true;  ///< the ray came from there
 };
 
 /// Whether what is behind it may be seen sharply.
@@ -43,6 +44,9 @@ inline Rgb scattering_color(const Material& m) {
   return m.base_color * (1 - m.diffuse_transmission) +
          m.diffuse_transmission_color * m.diffuse_transmission;
 }
+
+/// Whether a ray met the back of a single-sided surface, which sends no light.
+bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface);
 
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray);
 

@@ -44,7 +44,8 @@ bake::Canvas draw_picture(const BakeScene& loaded, const bake::View& view, const
   lighting.lamps = static_cast<bake::Lamps>(options.lights);
   lighting.transparent = options.transparent;
   lighting.exposure = options.exposure;
-  const bake::Setting setting = bake::make_setting(*loaded.scene, *loaded.subject, view, lighting);
+  bake::Setting setting = bake::make_setting(*loaded.scene, *loaded.subject, view, lighting);
+  setting.eye = bake::eye_of(view, *loaded.bvh);
   const bake::PathSetting paths{*loaded.scene,
                                 *loaded.bvh,
                                 setting,

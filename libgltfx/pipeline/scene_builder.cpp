@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "bake/bvh_groups.hpp"
 #include "codec/client.hpp"
 #include "model/camera.hpp"
 #include "model/instancing.hpp"
 #include "model/keyframes.hpp"
 #include "model/light.hpp"
 #include "model/load_resources.hpp"
+#include "model/meshopt_view.hpp"
 #include "pipeline/scene_meshes.hpp"
 
 namespace gltfx {
@@ -23,8 +27,10 @@ using model::NodeIndex;
 using model::RootArray;
 using model::Vector3;
 
-// What decoded data is worth in bytes of the asset: compressed geometry and images of usual size.
-constexpr std::uint64_t kWorth = 32;
+// What a byte of the asset is worth in memory: triangles as they are mostly stored, with all that
+// rays need of them; compressed geometry and images of usual size.
+constexpr std::uint64_t kPlainWorth = 16;
+constexpr std::uint64_t kPackedWorth = 32;
 
 bake::Float3 narrow(const Vector3& from) {
   return {static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2])};
@@ -85,20 +91,41 @@ bake::Camera to_camera(const model::Camera& from, const Affine& world) {
   return camera;
 }
 
-std::uint64_t bytes_of(const model::ResourceData& resources) {
+std::uint64_t buffer_bytes(const model::ResourceData& resources) {
   std::uint64_t bytes = 0;
   for (const auto& buffer : resources.buffers) {
     if (buffer) bytes = saturating_add(bytes, buffer->size());
   }
+  return bytes;
+}
+
+std::uint64_t image_bytes(const model::ResourceData& resources) {
+  std::uint64_t bytes = 0;
   for (const auto& image : resources.images) {
     if (image.bytes) bytes = saturating_add(bytes, image.bytes->size());
   }
   return bytes;
 }
 
-std::uint64_t budget_for(const model::ResourceData& resources, const SceneOptions& options) {
-  const Checked worth = checked_mul(bytes_of(resources), kWorth);
-  return saturating_add(options.free_bytes, worth.value_or(0));
+std::uint64_t worth(std::uint64_t bytes, std::uint64_t each) {
+  return checked_mul(bytes, each).value_or(std::numeric_limits<std::uint64_t>::max());
+}
+
+bool is_compressed(const json::Document& document) {
+  const auto uses = [&](std::string_view name) { return document.key_id(name) != json::kNoKey; };
+  return uses(model::kDracoExtension) ||
+         std::any_of(model::kMeshoptExtensions.begin(), model::kMeshoptExtensions.end(), uses);
+}
+
+std::uint64_t geometry_budget(const model::Asset& asset, const model::ResourceData& resources,
+                              const SceneOptions& options) {
+  const std::uint64_t each = is_compressed(asset.document()) ? kPackedWorth : kPlainWorth;
+  return saturating_add(options.free_bytes, worth(buffer_bytes(resources), each));
+}
+
+std::uint64_t pixel_budget(const model::ResourceData& resources, const SceneOptions& options) {
+  const std::uint64_t bytes = saturating_add(buffer_bytes(resources), image_bytes(resources));
+  return saturating_add(options.free_pixel_bytes, worth(bytes, kPackedWorth));
 }
 
 /// One scene on its way.
@@ -112,8 +139,8 @@ class SceneBuilder {
         resources_(resources),
         options_(options),
         notes_(notes),
-        vertex_budget_(budget_for(resources, options)),
-        pixel_budget_(budget_for(resources, options)) {
+        geometry_budget_(geometry_budget(asset, resources, options)),
+        pixel_budget_(pixel_budget(resources, options)) {
     animate(schemas);
   }
 
@@ -130,8 +157,8 @@ class SceneBuilder {
     const model::GeometrySource source{asset_, views_, resources_, draco};
     SceneTextures textures(asset_, resources_, notes_, scene_);
     SceneMaterials materials(asset_, animated_, textures, scene_);
-    SceneMeshes meshes(source, pose, animated_, options_.variant, materials, vertex_budget_, notes_,
-                       scene_);
+    SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
+                       notes_, scene_);
     place_all(pose, meshes);
     textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_);
     return std::move(scene_);
@@ -165,7 +192,7 @@ class SceneBuilder {
     if (views_.meshes.empty()) return;
     notes_.add("The file has no nodes; its meshes are drawn where they are.");
     for (std::uint32_t mesh = 0; mesh < views_.meshes.size(); ++mesh) {
-      for (const DrawnMesh& drawn : meshes.use_mesh(mesh)) place(drawn.mesh, Affine());
+      for (const DrawnMeshes& drawn : meshes.use_mesh(mesh)) place(drawn, Affine());
     }
   }
 
@@ -179,41 +206,62 @@ class SceneBuilder {
 
   void place_mesh(NodeIndex node, const Affine& world, SceneMeshes& meshes) {
     const auto copies =
-        model::read_instancing(asset_, views_, resources_, views_.nodes[node], vertex_budget_);
+        model::read_instancing(asset_, views_, resources_, views_.nodes[node], geometry_budget_);
     if (copies && !copies->readable) {
-      notes_.add(fmt::format("Node {}", node), "has copies that cannot be read");
+      notes_.add(fmt::format("Node {}", node),
+                 "has copies that cannot be read or that ask for too much memory");
       return;
     }
-    for (const DrawnMesh& drawn : meshes.use(node)) {
+    for (const DrawnMeshes& drawn : meshes.use(node)) {
       if (drawn.skinned) {
-        place(drawn.mesh, Affine());
+        place(drawn, Affine());
       } else if (!copies) {
-        place(drawn.mesh, world);
+        place(drawn, world);
       } else {
-        for (const Affine& copy : copies->transforms) place(drawn.mesh, world * copy);
+        for (const Affine& copy : copies->transforms) place(drawn, world * copy);
       }
     }
   }
 
-  void place(std::uint32_t mesh, const Affine& world) {
+  void place(const DrawnMeshes& drawn, const Affine& world) {
     const bake::Matrix34 to_world = rows_of(world);
     if (!is_finite(to_world)) {
       notes_.add("A mesh", "lies at infinity");
-    } else if (!vertex_budget_.take(sizeof(bake::Instance))) {
+    } else if (!geometry_budget_.take(cost_of(drawn))) {
       notes_.add("A mesh", "is drawn more often than memory allows");
     } else {
-      scene_.instances.push_back({mesh, to_world});
+      ++placed_[drawn.mesh].count;
+      scene_.instances.push_back({drawn.mesh, to_world, drawn.count});
     }
   }
+
+  // Of one more instance, with all that rays need of it.
+  std::uint64_t cost_of(const DrawnMeshes& drawn) {
+    constexpr std::uint64_t kBytes = 96;  // of the instance itself, by all who keep count of it
+    const auto [known, fresh] = placed_.try_emplace(drawn.mesh);
+    Placed& placed = known->second;
+    for (std::uint32_t i = 0; fresh && i < drawn.count; ++i) {
+      placed.size.triangles += scene_.meshes[drawn.mesh + i].triangles.size();
+      placed.size.vertices += scene_.meshes[drawn.mesh + i].positions.size();
+    }
+    return kBytes + bake::hierarchy_bytes(placed.size, placed.count + 1) -
+           bake::hierarchy_bytes(placed.size, placed.count);
+  }
+
+  struct Placed {
+    bake::ShapeSize size;
+    std::uint64_t count = 0;
+  };
 
   const model::Asset& asset_;
   const model::Views& views_;
   const model::ResourceData& resources_;
   const SceneOptions& options_;
   SceneNotes& notes_;
-  model::MemoryBudget vertex_budget_;
+  model::MemoryBudget geometry_budget_;
   model::MemoryBudget pixel_budget_;
   model::AnimatedValues animated_;
+  std::unordered_map<std::uint32_t, Placed> placed_;  // by first mesh
   bake::Scene scene_;
 };
 

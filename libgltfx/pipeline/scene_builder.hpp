@@ -20,8 +20,11 @@ struct SceneOptions {
   double time = 0;                         ///< of the animation, in seconds
   std::optional<std::uint32_t> variant;    ///< of materials
   unsigned jobs = 0;                       ///< threads; 0: as many as are worth it
-  /// Most bytes of vertices, and of pixels, beside those that the bytes of the asset are worth.
-  std::uint64_t free_bytes = std::uint64_t{1} << 30U;
+  /// Most bytes that meshes, their poses and their instances may take, with all that rays need of
+  /// them, beside 16 for each byte of the asset's buffers (32 where geometry is compressed).
+  std::uint64_t free_bytes = std::uint64_t{192} << 20U;
+  /// Most bytes of pixels, beside 32 for each byte of buffers and images.
+  std::uint64_t free_pixel_bytes = std::uint64_t{1} << 30U;
 };
 
 /// Reads, decodes and poses what is visible. The document is that of the container, and should have

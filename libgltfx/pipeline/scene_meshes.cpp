@@ -16,6 +16,7 @@ namespace {
 
 // What a mesh takes beside its vertices, drawn or not: a file may ask for any number of poses.
 constexpr std::uint64_t kMeshBytes = 512;
+constexpr const char* kTooManyPoses = "has more poses than memory allows";
 
 std::string place_of(std::uint32_t mesh, std::uint32_t primitive) {
   return fmt::format("Primitive {} of mesh {}", primitive, mesh);
@@ -36,49 +37,84 @@ bake::Mesh to_mesh(model::Geometry&& geometry, std::uint32_t material) {
 
 }  // namespace
 
-const std::vector<DrawnMesh>& SceneMeshes::use(model::NodeIndex node) {
+// Whether weights are those of the node and not of its mesh.
+bool SceneMeshes::has_own_weights(model::NodeIndex node) const {
+  const json::NodeId object = source_.views.nodes[node].object;
+  return source_.asset.document().find(object, "weights") != json::kNoNode ||
+         model::any_below(animated_, fmt::format("/nodes/{}/weights", node));
+}
+
+const std::vector<DrawnMeshes>& SceneMeshes::use(model::NodeIndex node) {
   const model::Node& from = source_.views.nodes[node];
+  const std::uint32_t skin = from.skin.value_or(bake::kNone);
+  const auto& primitives = source_.views.meshes[*from.mesh].primitives;
+  const std::uint64_t targets = primitives.empty() ? 0 : primitives.front().targets.size();
+  const bool own = targets > 0 && has_own_weights(node);
+  const auto usual = usual_.find({*from.mesh, skin});
+  if (!own && usual != usual_.end()) return *usual->second;
+  if (own && !budget_.take(targets * sizeof(float))) {
+    notes_.add(fmt::format("Mesh {}", *from.mesh), kTooManyPoses);
+    return nothing_;
+  }
   std::vector<float> weights = model::morph_weights(source_.asset, source_.views, node, animated_);
   const bool still = std::all_of(weights.begin(), weights.end(), [](float w) { return w == 0; });
   if (still) weights.clear();
-  return use(Key{*from.mesh, from.skin.value_or(bake::kNone), std::move(weights)});
+  const auto& drawn = use(Key{*from.mesh, skin, std::move(weights)});
+  if (!own) usual_.emplace(PlainKey{*from.mesh, skin}, &drawn);
+  return drawn;
 }
 
-const std::vector<DrawnMesh>& SceneMeshes::use_mesh(std::uint32_t mesh) {
+const std::vector<DrawnMeshes>& SceneMeshes::use_mesh(std::uint32_t mesh) {
   return use(Key{mesh, bake::kNone, {}});
 }
 
-const std::vector<DrawnMesh>& SceneMeshes::use(Key key) {
+const std::vector<DrawnMeshes>& SceneMeshes::use(Key key) {
   const auto before = known_.find(key);
   if (before != known_.end()) return before->second;
   const auto& [mesh, skin, weights] = key;
-  const auto& primitives = source_.views.meshes[mesh].primitives;
-  const std::uint64_t size = primitives.size() * kMeshBytes + weights.size() * sizeof(float);
-  if (!budget_.take(size)) {
-    notes_.add(fmt::format("Mesh {}", mesh), "has more poses than memory allows");
+  const std::uint64_t primitives = source_.views.meshes[mesh].primitives.size();
+  if (!budget_.take(primitives * kMeshBytes + weights.size() * sizeof(float))) {
+    notes_.add(fmt::format("Mesh {}", mesh), kTooManyPoses);
     return nothing_;
   }
   const auto known = known_.try_emplace(std::move(key)).first;
-  for (std::uint32_t i = 0; i < primitives.size(); ++i) {
-    draw(primitives[i], known->first, i, known->second);
-  }
+  draw(known->first, false, known->second);
+  draw(known->first, true, known->second);
   return known->second;
+}
+
+// Those that joints move, or all others: each follow each other in the scene.
+void SceneMeshes::draw(const Key& key, bool bound, std::vector<DrawnMeshes>& drawn) {
+  const auto& primitives = source_.views.meshes[std::get<0>(key)].primitives;
+  const auto first = static_cast<std::uint32_t>(scene_.meshes.size());
+  bool skinned = false;
+  for (std::uint32_t i = 0; i < primitives.size(); ++i) {
+    if ((model::joint_sets(primitives[i]) > 0) != bound) continue;
+    skinned = bound && !joints(std::get<1>(key)).empty();
+    draw(primitives[i], key, i);
+  }
+  const auto count = static_cast<std::uint32_t>(scene_.meshes.size()) - first;
+  if (count > 0) drawn.push_back({first, count, skinned});
 }
 
 const std::vector<model::Affine>& SceneMeshes::joints(std::uint32_t skin) {
   const auto [known, fresh] = joints_.try_emplace(skin);
-  if (fresh && skin != bake::kNone) {
-    known->second =
-        model::joint_matrices(source_.asset, source_.views, source_.resources, skin, pose_);
-    if (known->second.empty()) {
-      notes_.add(fmt::format("Skin {}", skin), "has joints that lead nowhere and moves nothing");
-    }
+  if (!fresh || skin == bake::kNone) return known->second;
+  const model::Skin read =
+      model::read_skin(source_.asset, source_.asset.elements(model::RootArray::skins)[skin]);
+  if (!budget_.take(checked_mul(read.joint_count, sizeof(model::Affine)))) {
+    notes_.add(fmt::format("Skin {}", skin), "asks for more memory than there is for the file");
+    return known->second;
+  }
+  known->second =
+      model::joint_matrices(source_.asset, source_.views, source_.resources, skin, pose_);
+  if (known->second.empty()) {
+    notes_.add(fmt::format("Skin {}", skin), "has joints that lead nowhere and moves nothing");
   }
   return known->second;
 }
 
-void SceneMeshes::draw(const model::Primitive& primitive, const Key& key, std::uint32_t index,
-                       std::vector<DrawnMesh>& drawn) {
+void SceneMeshes::draw(const model::Primitive& primitive, const Key& key, std::uint32_t index) {
   const auto& [mesh, skin, weights] = key;
   const MaterialNeeds& needs =
       materials_.use(model::material_of(source_.asset, primitive, variant_));
@@ -94,7 +130,6 @@ void SceneMeshes::draw(const model::Primitive& primitive, const Key& key, std::u
     return;
   }
   add_tangents(needs, geometry);
-  drawn.push_back({static_cast<std::uint32_t>(scene_.meshes.size()), !request.joints.empty()});
   scene_.meshes.push_back(to_mesh(std::move(geometry), needs.material));
 }
 

@@ -16,10 +16,11 @@
 
 namespace gltfx {
 
-/// A primitive that is drawn.
-struct DrawnMesh {
-  std::uint32_t mesh = 0;  ///< index in the scene
-  bool skinned = false;    ///< stands where it is to be drawn, wherever its node is
+/// Primitives that are drawn together.
+struct DrawnMeshes {
+  std::uint32_t mesh = 0;   ///< index of the first in the scene
+  std::uint32_t count = 0;  ///< of those that follow each other there
+  bool skinned = false;     ///< stand where they are to be drawn, wherever their node is
 };
 
 /// All references must outlive it.
@@ -40,18 +41,21 @@ class SceneMeshes {
 
   /// The primitives of the mesh of a node at the node's pose; none when there is no memory left for
   /// another pose. The node has a mesh.
-  const std::vector<DrawnMesh>& use(model::NodeIndex node);
+  const std::vector<DrawnMeshes>& use(model::NodeIndex node);
   /// Those of a mesh that no node refers to.
-  const std::vector<DrawnMesh>& use_mesh(std::uint32_t mesh);
+  const std::vector<DrawnMeshes>& use_mesh(std::uint32_t mesh);
 
  private:
   /// Mesh, skin or kNone, weights of morph targets unless all are 0.
   using Key = std::tuple<std::uint32_t, std::uint32_t, std::vector<float>>;
+  /// Mesh, skin or kNone.
+  using PlainKey = std::pair<std::uint32_t, std::uint32_t>;
 
-  const std::vector<DrawnMesh>& use(Key key);
+  bool has_own_weights(model::NodeIndex node) const;
+  const std::vector<DrawnMeshes>& use(Key key);
   const std::vector<model::Affine>& joints(std::uint32_t skin);
-  void draw(const model::Primitive& primitive, const Key& key, std::uint32_t index,
-            std::vector<DrawnMesh>& drawn);
+  void draw(const Key& key, bool bound, std::vector<DrawnMeshes>& drawn);
+  void draw(const model::Primitive& primitive, const Key& key, std::uint32_t index);
   void add_tangents(const MaterialNeeds& needs, model::Geometry& geometry);
 
   const model::GeometrySource& source_;
@@ -62,8 +66,9 @@ class SceneMeshes {
   model::MemoryBudget& budget_;
   SceneNotes& notes_;
   bake::Scene& scene_;
-  const std::vector<DrawnMesh> nothing_;
-  std::map<Key, std::vector<DrawnMesh>> known_;
+  const std::vector<DrawnMeshes> nothing_;
+  std::map<Key, std::vector<DrawnMeshes>> known_;
+  std::map<PlainKey, const std::vector<DrawnMeshes>*> usual_;  ///< of nodes without own weights
   std::unordered_map<std::uint32_t, std::vector<model::Affine>> joints_;
 };
 

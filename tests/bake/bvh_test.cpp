@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bake/bvh_groups.hpp"
+#include "bake/bvh_repeats.hpp"
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
 #include "base/parallel.hpp"
@@ -50,8 +52,7 @@ TEST(Bvh, WeightsAreThoseOfTheSecondAndThirdVertex) {
 TEST(Bvh, BackFacesOfSingleSidedMaterialsAreNotThere) {
   Scene scene = scene_of(square());
   EXPECT_FALSE(bvh_of(scene).intersect(kFromBehind, 0));
-  EXPECT_EQ(bvh_of(scene).visibility(kFromBehind), 1);
-  EXPECT_EQ(bvh_of(scene).visibility(kTowards), 0);
+  EXPECT_TRUE(bvh_of(scene).intersect(kFromBehind, 0, Backs::solid));
   scene.materials[0].double_sided = true;
   const Bvh bvh = bvh_of(scene);
   const auto hit = bvh.intersect(kFromBehind, 0);
@@ -88,6 +89,7 @@ TEST(Bvh, InstancesShareAMesh) {
 
 TEST(Bvh, AMaskCutsHoles) {
   Scene scene = scene_of(square());
+  scene.materials[0].double_sided = true;
   scene.materials[0].alpha_mode = AlphaMode::mask;
   scene.materials[0].alpha = 0.49F;
   EXPECT_FALSE(bvh_of(scene).intersect(kTowards, 0));
@@ -99,6 +101,7 @@ TEST(Bvh, AMaskCutsHoles) {
 
 TEST(Bvh, BlendingIsCoverage) {
   Scene scene = scene_of(square());
+  scene.materials[0].double_sided = true;
   scene.materials[0].alpha_mode = AlphaMode::blend;
   scene.materials[0].alpha = 0.25F;
   scene.instances.push_back({0, moved(0, 0, 1)});
@@ -127,6 +130,62 @@ TEST(Bvh, NothingToHitIsNoFault) {
   const Bvh bvh = bvh_of(scene);
   EXPECT_FALSE(bvh.intersect(kTowards, 0));
   EXPECT_EQ(bvh.visibility(kTowards), 1);
+}
+
+// Two meshes in each place, so large that they are shared.
+TEST(Bvh, SharedMeshesAreTheSameInEveryPlace) {
+  for (const bool double_sided : {false, true}) {
+    Scene scene = scene_of(sphere());
+    scene.materials[0].double_sided = double_sided;
+    scene.materials.emplace_back().double_sided = true;
+    scene.meshes.push_back(cube(0.3F));
+    scene.meshes[1].material = 1;
+    for (Float3& p : scene.meshes[1].positions) p[1] += 2;
+    scene.instances = {{0, kIdentity, 2}, {0, moved(5, 0, 1, 2), 2}, {0, moved(9, 0, 0, -1), 2}};
+    EXPECT_THAT(group_instances(scene).instanced, testing::SizeIs(3));
+    const Bvh bvh = bvh_of(scene);
+    EXPECT_EQ(bvh.triangles(), 3 * (scene.meshes[0].triangles.size() + 12));
+    const auto meets = [&](const Vec3d& from, std::uint32_t instance, std::uint32_t mesh,
+                           double distance) {
+      const auto hit = bvh.intersect({from, {0, 0, -1}}, 0);
+      ASSERT_TRUE(hit);
+      EXPECT_EQ(hit->instance, instance);
+      EXPECT_EQ(hit->mesh, mesh);
+      EXPECT_NEAR(hit->distance, distance, 1e-5);
+    };
+    meets({0, 0, 5}, 0, 0, 4);
+    meets({0, 2, 5}, 0, 1, 4.7);
+    meets({5, 0, 5}, 1, 0, 2);
+    meets({5, 4, 5}, 1, 1, 3.4);
+    meets({9, 0, 5}, 2, 0, 4);
+    meets({9, -2, 5}, 2, 1, 4.7);
+  }
+}
+
+TEST(Bvh, WhatIsSmallIsCopiedAndWhatIsLargeIsShared) {
+  EXPECT_EQ(hierarchy_bytes({2, 4}, 2), 2 * hierarchy_bytes({2, 4}, 1));
+  EXPECT_LT(hierarchy_bytes({1000, 1000}, 1000), 10 * hierarchy_bytes({1000, 1000}, 1));
+  EXPECT_EQ(hierarchy_bytes({1000, 1000}, 0), 0U);
+}
+
+// A hierarchy of triangles in one place would be a list.
+TEST(Bvh, TrianglesThatRepeatOthersAreLeftOut) {
+  Mesh mesh = square();
+  for (int i = 0; i < 3; ++i) mesh.triangles.push_back({0, 1, 2});
+  mesh.triangles.push_back({1, 2, 0});  // goes round from another corner
+  EXPECT_THAT(find_repeats(mesh.triangles, mesh.positions), testing::ElementsAre(2, 3, 4));
+  EXPECT_THAT(find_repeats(sphere().triangles, sphere().positions), testing::IsEmpty());
+  Scene scene = scene_of(mesh);
+  scene.materials[0].double_sided = true;
+  const auto hit = bvh_of(scene).intersect({{0.5F, -0.5F, 5}, {0, 0, -1}}, 0);
+  ASSERT_TRUE(hit);
+  EXPECT_LT(hit->triangle, 6U);
+  scene.meshes[0] = sphere();
+  scene.meshes[0].material = 0;
+  scene.instances.assign(50, scene.instances[0]);
+  EXPECT_THAT(group_instances(scene).instanced, testing::SizeIs(1));
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  EXPECT_THAT(group_instances(scene).instanced, testing::SizeIs(50)) << "each layer counts";
 }
 
 // What is inside of a volume is told by counting surfaces: no ray leaves between two of them.

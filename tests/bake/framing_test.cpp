@@ -81,6 +81,27 @@ TEST(Framing, AGroundIsShownWholeOrCountsAsNone) {
   }
 }
 
+// As the picture of a house with a bird far off.
+TEST(Framing, WhatIsTinyAndFarAwayHalvesNoPicture) {
+  for (const float place : {3.0F, 30.0F, 3e4F, 3e12F}) {
+    Scene scene = scene_of(sphere(1, 30));
+    scene.meshes.push_back(cube(0.05F));
+    scene.instances.push_back({1, moved(place, 0.3F, 0)});
+    scene.instances.push_back({1, moved(0, 0.3F, -place)});
+    EXPECT_NEAR(find_subject(scene)->size(), find_subject(scene_of(sphere(1, 30)))->size(), 1e-5);
+    scene.instances.push_back({1, moved(1.3F, 0.3F, 0)});
+    EXPECT_NEAR(find_subject(scene)->greatest.x, 1.35, 1e-5) << "what is near belongs to it";
+  }
+}
+
+TEST(Framing, ManyOfOneSizeAreAllShown) {
+  Scene scene = scene_of(cube(0.1F));
+  for (int i = 1; i < 9; ++i) {
+    scene.instances.push_back({0, moved(static_cast<float>(i * i), 0, 0)});
+  }
+  EXPECT_NEAR(find_subject(scene)->greatest.x, 64.1, 1e-4);
+}
+
 TEST(Framing, LooksFromWhereFrontsAre) {
   Scene scene = scene_of(square());
   const auto direction = [&](const Matrix34& place) {

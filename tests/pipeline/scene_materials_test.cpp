@@ -232,7 +232,7 @@ TEST(SceneTextures, AnotherFormatOfThePictureWillDo) {
 
 TEST(SceneTextures, PixelsBeyondMemoryAreNotDecoded) {
   SceneOptions options;
-  options.free_bytes = 0;  // what the bytes of the asset are worth is left
+  options.free_pixel_bytes = 0;  // what the bytes of the asset are worth is left
   std::string header = kPng;
   header[16 + 2] = '\x7f';  // a width of some thousands
   header[20 + 2] = '\x7f';

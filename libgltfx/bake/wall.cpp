@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/wall.hpp"
+
+#include "bake/coverage.hpp"
+#include "bake/storage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+struct Plane {
+  Vec3d point;
+  Vec3d normal;  // out of the front, not of unit length
+};
+
+Plane plane_of(const Scene& scene, const Hit& hit) {
+  const Matrix34& to_world = scene.instances[hit.instance].to_world;
+  const Mesh& mesh = scene.meshes[hit.mesh];
+  const auto& corners = mesh.triangles[hit.triangle];
+  const Vec3d a = to_vec(mesh.positions[corners[0]]);
+  const Vec3d b = to_vec(mesh.positions[corners[1]]);
+  const Vec3d c = to_vec(mesh.positions[corners[2]]);
+  return {transform_point(to_world, a), NormalTransform(to_world).outward(cross(b - a, c - a))};
+}
+
+}  // namespace
+
+bool is_wall(const SceneMaterial& material) {
+  return is_culled(material) && material.factors.transmission <= 0 &&
+         material.factors.diffuse_transmission <= 0;
+}
+
+bool turns_back(const Scene& scene, const Hit& hit, const std::optional<Eye>& eye) {
+  if (!eye) return true;
+  const Plane plane = plane_of(scene, hit);
+  return eye->is_behind(plane.normal, plane.point);
+}
+
+bool lets_light_in(const Scene& scene, const Hit& hit, const Vec3d& direction,
+                   const std::optional<Eye>& eye) {
+  if (!is_wall(material_of(scene, scene.meshes[hit.mesh]))) return false;
+  return dot(plane_of(scene, hit).normal, direction) < 0 && turns_back(scene, hit, eye);
+}
+
+}  // namespace gltfx::bake
