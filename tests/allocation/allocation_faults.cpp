@@ -89,7 +89,7 @@ class Runner {
     fs::remove_all(folder_);
     fs::create_directories(out);
     std::vector<std::string> words{"timeout",
-                                   "20",
+                                   "600",  // a hang; no run takes a hundredth of that
                                    "env",
                                    "LD_PRELOAD=" + injector_,
                                    "GLTFX_FAIL_AT=" + std::to_string(fail_at),

@@ -65,9 +65,9 @@ constexpr bool kSanitized = false;
 
 class Hostile : public testing::Test {
  protected:
-  // Ten seconds of processor time are a hang; no case takes one.
+  // A minute of processor time is a hang; no case takes a second.
   Outcome validate(const std::string& name, const std::string& options = {}) {
-    Outcome outcome = bash("ulimit -t 10; exec \"$GLTFX\" validate " + options + " '" + name + "'",
+    Outcome outcome = bash("ulimit -t 60; exec \"$GLTFX\" validate " + options + " '" + name + "'",
                            {folder_.path().native(), {}, {}});
     EXPECT_THAT(outcome.code, AnyOf(0, 1)) << outcome.err;
     EXPECT_LT(outcome.out.size(), kMostOutput);

@@ -64,9 +64,9 @@ start_cluster() {
   write_settings "$d"
   export SLURM_CONF=$d/slurm.conf
   slurmctld -f "$SLURM_CONF"
-  wait_for 20 scontrol ping || return 1
+  wait_for 300 scontrol ping || return 1
   slurmd -f "$SLURM_CONF" -N localhost
-  wait_for 30 node_is_idle
+  wait_for 300 node_is_idle
 }
 
 # stop_cluster FOLDER: also one that did not come up.
@@ -75,6 +75,6 @@ stop_cluster() {
   for daemon in slurmd slurmctld munged; do
     pid=$(cat "$1/run/$daemon.pid" 2>/dev/null) || continue
     kill "$pid" 2>/dev/null || continue
-    wait_for 10 eval "! kill -0 $pid" || kill -9 "$pid"
+    wait_for 300 eval "! kill -0 $pid" || kill -9 "$pid"
   done
 }
