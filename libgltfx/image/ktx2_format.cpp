@@ -204,7 +204,9 @@ class FormatCheck {
     } else if (!format_.block) {
       std::vector<Part> wanted = parts_of(format_.layout), found = parts_of(samples);
       std::erase_if(wanted, [](const Part& part) { return part.letter == 'X'; });
-      const std::string text = text_of(found);
+      constexpr std::size_t kMaxShown = 8;
+      const std::string text =
+          found.size() <= kMaxShown ? text_of(found) : fmt::format("{} in number", found.size());
       std::sort(wanted.begin(), wanted.end());
       std::sort(found.begin(), found.end());
       if (wanted != found) return bad(fmt::format("the samples of the descriptor are {}", text));

@@ -119,6 +119,12 @@ TEST(Ktx2Format, TexelsAreThoseOfItsName) {
                                      "descriptor are R8G8B16."});
 }
 
+TEST(Ktx2Format, ThousandsOfSamplesMakeAShortMessage) {
+  const Ktx2Builder builder = Ktx2Builder::texels(37, 1, std::vector<std::uint8_t>(4000),
+                                                  std::vector<std::uint32_t>(4000, 8));
+  for (const std::string& problem : mismatches(builder)) EXPECT_LT(problem.size(), 200U);
+}
+
 TEST(Ktx2Format, OfIntegersHasNoColourSpace) {
   Ktx2Builder builder = Ktx2Builder::texels(13, 1, {0}, {8});
   EXPECT_EQ(mismatches(builder).size(), 1U);
