@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <embree3/rtcore.h>
+
 #include "bake/bvh_state.hpp"
 #include "bake/coverage.hpp"
 #include "bake/sampler.hpp"

@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include <embree3/rtcore.h>
+
 #include "bake/bvh_repeats.hpp"
 #include "bake/bvh_state.hpp"
 #include "bake/storage.hpp"

@@ -8,10 +8,13 @@
 #include <span>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
 #include "bake/bvh.hpp"
 #include "bake/bvh_groups.hpp"
+
+// Handles of Embree, whose headers stay in source files.
+using RTCDevice = struct RTCDeviceTy*;
+using RTCScene = struct RTCSceneTy*;
+using RTCGeometry = struct RTCGeometryTy*;
 
 namespace gltfx::bake {
 

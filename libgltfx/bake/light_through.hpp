@@ -4,34 +4,30 @@
 
 #include <cstdint>
 
-#include "bake/coverage.hpp"
 #include "bake/integrator.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"
 
 namespace gltfx::bake {
 
-/// Follows a ray on through walls that let light in, from the one that it hit. Calls
-/// emitter(hit, surface) for what shines on it from behind them, with distances from the start of
-/// the ray. True where the ray gets out of the scene.
+/// Follows a ray on through walls that let light in, from the one that it hit, whose surface is
+/// given. Calls emitter(hit, surface) for what shines on it from behind them, with distances from
+/// the start of the ray. True where the ray gets out of the scene.
 template <class Emitter>
-bool light_through(const PathSetting& setting, const Ray& ray, Hit hit, std::uint32_t key,
-                   const Emitter& emitter) {
+bool light_through(const PathSetting& setting, const Ray& ray, Hit hit, Surface surface,
+                   std::uint32_t key, const Emitter& emitter) {
   constexpr int kMostWalls = 1024;
-  const auto lets_in = [&] {
-    return setting.bvh.lets_light_in(hit, ray.direction, setting.setting.eye);
-  };
-  Vec3d point = ray.origin + ray.direction * hit.distance;
-  for (int i = 0; i < kMostWalls && lets_in(); ++i) {
-    const Ray rest{beside(point, ray.direction, setting.size), ray.direction};
+  for (int i = 0; i < kMostWalls; ++i) {
+    if (!setting.bvh.lets_light_in(hit, ray.direction, setting.setting.eye)) return false;
+    const Vec3d start = beside(surface.position, -surface.flat_normal, setting.size);
+    const Ray rest{start, ray.direction};
     const auto next = setting.bvh.intersect(rest, key, Backs::solid);
     if (!next) return true;
     hit = *next;
-    point = rest.origin + rest.direction * hit.distance;
-    hit.distance = length(point - ray.origin);
-    if (!shines(material_of(setting.scene, setting.scene.meshes[hit.mesh]))) continue;
-    const Surface surface = surface_at(setting.scene, hit, rest);
-    if (!is_unseen_back(setting.scene, hit, surface)) emitter(hit, surface);
+    surface = surface_at(setting.scene, hit, rest);
+    if (is_unseen_back(setting.scene, hit, surface)) return false;
+    hit.distance = length(surface.position - ray.origin);
+    if (!surface.material.unlit) emitter(hit, surface);
   }
   return false;
 }

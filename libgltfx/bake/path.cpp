@@ -125,10 +125,10 @@ class Path {
 
   // A wall that lets light in is a window for what shines from behind it. The environment counts
   // once along a path: through the wall, and not again by what the wall reflects.
-  void look_through(const Hit& hit) {
+  void look_through(const Hit& hit, const Surface& wall) {
     if (viewing_ || !media_.empty() || (!far_light() && s_.setting.emitters.empty())) return;
     const bool open =
-        light_through(s_, ray_, hit, key(), [this](const Hit& lamp, const Surface& surface) {
+        light_through(s_, ray_, hit, wall, key(), [this](const Hit& lamp, const Surface& surface) {
           const Vec3d v = surface.frame.to_local(-ray_.direction);
           deliver(throughput_ * emitted(surface.material, v) * by_chance(lamp, surface), gloss_);
         });
@@ -155,7 +155,7 @@ class Path {
     Surface surface = surface_at(s_.scene, hit, ray_);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
     if (surfaces_ == 0) describe(hit, surface);
-    look_through(hit);
+    look_through(hit, surface);
     const Rgb own = own_light(hit, surface, v);
     if (straight_) {
       result_.direct += own;
@@ -181,8 +181,6 @@ class Path {
   }
 
   bool goes_on(const Surface& surface) const {
-    const Setting& lights = s_.setting;
-    if (lit_through_ && lights.emitters.empty() && lights.lights.empty()) return false;
     return !surface.material.unlit && surfaces_ < s_.bounces && surface.flat_normal != Vec3d();
   }
 

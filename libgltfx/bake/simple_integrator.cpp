@@ -106,10 +106,10 @@ class SimplePath {
     result_ += throughput_ * s_.setting.environment->radiance(ray_.direction);
   }
 
-  void look_through(const Hit& hit) {
+  void look_through(const Hit& hit, const Surface& wall) {
     if (viewing_ || !media_.empty()) return;
     const bool open =
-        light_through(s_, ray_, hit, key(), [this](const Hit&, const Surface& surface) {
+        light_through(s_, ray_, hit, wall, key(), [this](const Hit&, const Surface& surface) {
           const Vec3d v = surface.frame.to_local(-ray_.direction);
           result_ += throughput_ * emitted(surface.material, v);
         });
@@ -121,7 +121,7 @@ class SimplePath {
   bool meet(const Hit& hit) {
     Surface surface = surface_at(s_.scene, hit, ray_);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
-    look_through(hit);
+    look_through(hit, surface);
     const bool outshone = lit_through_ && surface.material.unlit;
     if (!outshone && !is_unseen_back(s_.scene, hit, surface)) {
       result_ += throughput_ * emitted(surface.material, v);
