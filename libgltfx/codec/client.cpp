@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -17,7 +18,10 @@ namespace {
 // packed better still has the least amount that any request has.
 constexpr std::uint64_t kMemoryPerByte = 128;
 constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 28U;  // that are handed over
+// Ten times what decoders and encoders take, so that neither slow processors nor neighbours that
+// share their caches decide.
 constexpr double kSecondsPerByte = 5e-6;
+constexpr double kSecondsPerTexel = 1e-7;
 
 Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
   Job job;
@@ -28,6 +32,10 @@ Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
   const double seconds = settings.seconds + static_cast<double>(bytes) * kSecondsPerByte;
   job.milliseconds = static_cast<std::uint64_t>(seconds * 1000);
   return job;
+}
+
+std::chrono::milliseconds standstill_of(const Settings& settings) {
+  return std::chrono::milliseconds(static_cast<std::int64_t>(settings.standstill_seconds * 1000));
 }
 
 // An encoder holds the texels, what it makes of them, and tables.
@@ -59,9 +67,9 @@ auto guarded(Work&& work) -> decltype(work()) {
 
 template <typename T>
 std::variant<T, Fault> result_of(Pool& pool, const Job& job, std::span<const std::byte> bytes,
-                                 bool with_memory) {
+                                 const Origin& origin, bool with_memory) {
   return guarded([&]() -> std::variant<T, Fault> {
-    Reply reply = pool.ask(job, bytes);
+    Reply reply = pool.ask(job, bytes, origin);
     if (const auto* fault = std::get_if<Fault>(&reply.answer)) return noted(*fault);
     T& result = *std::get_if<T>(&reply.answer);
     if (with_memory) result.owner = std::move(reply.memory.owner);
@@ -76,8 +84,10 @@ std::uint64_t faults_by_chance() { return chances; }
 struct Client::State {
   explicit State(Settings given)
       : settings(std::move(given)),
-        meshes(program_path(settings.folder, "gltfx-codec-draco"), settings.workers),
-        images(program_path(settings.folder, "gltfx-codec-image"), settings.workers) {}
+        meshes(program_path(settings.folder, "gltfx-codec-draco"), settings.workers,
+               standstill_of(settings)),
+        images(program_path(settings.folder, "gltfx-codec-image"), settings.workers,
+               standstill_of(settings)) {}
 
   Settings settings;
   Pool meshes, images;
@@ -86,9 +96,9 @@ struct Client::State {
 Client::Client(Settings settings) : state_(std::make_unique<State>(std::move(settings))) {}
 Client::~Client() = default;
 
-DracoResult Client::decode_draco(std::span<const std::byte> bytes) {
+DracoResult Client::decode_draco(std::span<const std::byte> bytes, const Origin& origin) {
   const Job job = limited_job(state_->settings, Task::draco, bytes.size());
-  return result_of<DracoMesh>(state_->meshes, job, bytes, true);
+  return result_of<DracoMesh>(state_->meshes, job, bytes, origin, true);
 }
 
 ImageResult Client::decode_image(const ImageRequest& request) {
@@ -101,7 +111,9 @@ ImageResult Client::decode_image(const ImageRequest& request) {
   }
   job.normals = request.normals;
   job.max_pixels = request.max_pixels;
-  return result_of<Image>(state_->images, job, request.bytes, request.pixels);
+  const auto texels = static_cast<double>(std::min(request.max_pixels, kMostTexels));
+  job.milliseconds += static_cast<std::uint64_t>(texels * kSecondsPerTexel * 1000);
+  return result_of<Image>(state_->images, job, request.bytes, request.origin, request.pixels);
 }
 
 EncodeResult Client::encode_image(const EncodeRequest& request) {
@@ -114,7 +126,7 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
   if (!is_consistent(job)) {
     return Fault{FaultKind::malformed, "The format does not hold images of that form."};
   }
-  return result_of<EncodedImage>(state_->images, job, request.pixels, true);
+  return result_of<EncodedImage>(state_->images, job, request.pixels, request.origin, true);
 }
 
 void Client::prepare_images() {

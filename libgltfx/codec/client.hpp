@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/origin.hpp"
+
 namespace gltfx::codec {
 
 enum class FaultKind : std::uint8_t {
@@ -20,8 +22,9 @@ enum class FaultKind : std::uint8_t {
   malformed,      ///< the decoder refuses the bytes
   too_large,      ///< more pixels than asked for, found in the header before any are decoded
   out_of_memory,  ///< decoding takes more memory than bytes of that number may ask for
-  timed_out,      ///< decoding takes longer than bytes of that number may take
+  timed_out,      ///< decoding takes more processor time than bytes of that number may take
   died,           ///< the worker crashed on the bytes, or answered nonsense
+  stalled,        ///< the worker neither worked nor answered: need not be the fault of the bytes
 };
 
 /// Why there is no result.
@@ -33,7 +36,7 @@ struct Fault {
 /// had better not ask for many of those.
 inline bool is_costly(const Fault& fault) {
   return fault.kind == FaultKind::out_of_memory || fault.kind == FaultKind::timed_out ||
-         fault.kind == FaultKind::died;
+         fault.kind == FaultKind::died || fault.kind == FaultKind::stalled;
 }
 
 /// How the components of a decoded attribute are stored.
@@ -82,6 +85,7 @@ struct ImageRequest {
   std::uint64_t max_pixels = std::uint64_t{1} << 28U;
   bool pixels = false;   ///< hand over the pixels
   bool normals = false;  ///< look at the first three channels as at a normal map
+  Origin origin = {};
 };
 
 /// One channel over all texels. Values are 0 to 255, or to 65535 where `Image::bits` is 16.
@@ -154,6 +158,7 @@ struct EncodeRequest {
   /// JPEG: 1 to 100. WebP: the same, and 0 for lossless. Others lose nothing.
   std::uint32_t quality = 90;
   std::span<const std::byte> pixels;  ///< exactly what `raster` says
+  Origin origin = {};                 ///< of the asset that the image is for
 };
 
 /// The bytes of an image file: the same for the same request, whatever the time or the machine's
@@ -175,13 +180,18 @@ struct Settings {
   /// take a hundred megabytes beside that.
   std::uint64_t mesh_memory_bytes = std::uint64_t{192} << 20U;
   std::uint64_t image_memory_bytes = std::uint64_t{96} << 20U;
-  double seconds = 1;  ///< of processor time
+  /// Of processor time of the worker, whatever the clock on the wall says; more bytes and more
+  /// pixels may take more.
+  double seconds = 1;
+  /// A worker that uses no processor time at all for so long, and does not answer, is ended.
+  double standstill_seconds = 30;
 };
 
-/// Keeps workers until it is destroyed. Any number of threads may call; each call is one request to
-/// one worker, and waits while all are busy. A worker that dies, runs out of time or breaks the
-/// protocol is ended, and another one is started by the next call. Nothing throws but
-/// std::bad_alloc, when this process has no memory left.
+/// Keeps workers until it is destroyed; none is given bytes of two origins. One whose system calls
+/// are not filtered is refused, unless <gltfx/decoders.hpp> permits it. Any number of threads
+/// may call; each call is one request to one worker, and waits while all are busy. A worker that
+/// dies, runs out of time or breaks the protocol is ended, and another one is started by the next
+/// call. Nothing throws but std::bad_alloc, when this process has no memory left.
 class Client {
  public:
   explicit Client(Settings settings = {});
@@ -190,12 +200,12 @@ class Client {
   Client& operator=(const Client&) = delete;
 
   /// Decodes a Draco bitstream (version 2.2) that holds a triangle mesh.
-  DracoResult decode_draco(std::span<const std::byte> bytes);
+  DracoResult decode_draco(std::span<const std::byte> bytes, const Origin& origin = {});
   ImageResult decode_image(const ImageRequest& request);
   /// A Fault of kind `malformed` when the format cannot hold what is asked for.
   EncodeResult encode_image(const EncodeRequest& request);
-  /// Starts a worker for images, without waiting for it: its libraries take longer to load than
-  /// most images to decode.
+  /// Begins to load the decoders of images, without waiting for it: that takes longer than to
+  /// decode most images.
   void prepare_images();
 
   /// The one that this process shares. Its workers end with the process.

@@ -2,63 +2,39 @@
 #include "codec/pool.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <bit>
 #include <csignal>
-#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/parallel.hpp"
 #include "codec/packet.hpp"
+#include "codec/watch.hpp"
 
 namespace gltfx::codec {
 namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kStartTime{30000};
-// A busy machine gives a worker less than one processor; only one that stands still is ended by
-// the clock on the wall.
-constexpr std::uint64_t kWallPerProcessorTime = 8;
-constexpr milliseconds kWallAtLeast{2000};
+// What a worker may take at least whatever its job: one that served a small job serves a large one.
+constexpr std::uint64_t kWorkerMemory = std::uint64_t{4} << 30U;
+// A worker ends itself when its time is over. One that no longer does is ended a little later.
+constexpr milliseconds kGrace{1000};
 
 Reply fault(FaultKind kind, std::string message) { return {Fault{kind, std::move(message)}, {}}; }
 
-// Its end closes the socket, but where somebody else holds a copy of it nobody hears of that.
-bool wait_for_answer(const Process& worker, milliseconds time) {
-  constexpr milliseconds kLook{250};
-  for (; time > milliseconds::zero(); time -= kLook) {
-    if (wait_for_packet(worker.socket(), std::min(time, kLook)) == Wait::ready) return true;
-    if (worker.has_ended()) break;
-  }
-  return wait_for_packet(worker.socket(), milliseconds::zero()) == Wait::ready;
-}
-
-bool has_greeted(Process& process) {
-  if (process.greeted()) return true;
-  if (!process.started() || !wait_for_answer(process, kStartTime)) return false;
-  const auto greeting = receive_packet(process.socket());
-  if (!greeting || !read_hello(greeting->bytes)) return false;
-  process.set_greeted();
-  return true;
-}
-
-std::unique_ptr<Process> start(const std::string& program) {
-  auto process = std::make_unique<Process>(program);
-  return has_greeted(*process) ? std::move(process) : nullptr;
+Reply overrun(const Job& job) {
+  return fault(FaultKind::timed_out,
+               fmt::format("{} takes longer than {} ms of processor time, the limit for {} bytes.",
+                           job.task == Task::encode ? "Encoding" : "Decoding", job.milliseconds,
+                           job.input_bytes));
 }
 
 // A worker without an answer.
-Reply epitaph(Process& worker, const Job& job) {
-  const int signal = worker.cause_of_death();
-  if (signal == SIGPROF || signal == SIGXCPU) {
-    return fault(
-        FaultKind::timed_out,
-        fmt::format("{} takes longer than {} ms of processor time, the limit for {} bytes.",
-                    job.task == Task::encode ? "Encoding" : "Decoding", job.milliseconds,
-                    job.input_bytes));
-  }
+Reply epitaph(Worker& worker, const Job& job) {
+  const int signal = worker.end();
+  if (signal == SIGPROF || signal == SIGXCPU) return overrun(job);
   return fault(FaultKind::died, signal == 0
                                     ? std::string("The decoder ended without an answer.")
                                     : fmt::format("The decoder crashed (signal {}).", signal));
@@ -102,43 +78,53 @@ bool is_fresh(const Answer& answer) {
 
 }  // namespace
 
-Pool::Pool(std::string program, unsigned most)
-    : program_(std::move(program)), most_(most == 0 ? default_jobs() : most) {}
-
-Pool::Worker Pool::lease() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return leased_ < most_; });
-  ++leased_;
-  if (idle_.empty()) return nullptr;
-  Worker worker = std::move(idle_.back());
-  idle_.pop_back();
-  return worker;
+Pool::Pool(std::string program, unsigned most, milliseconds standstill)
+    : standstill_(standstill),
+      most_(most == 0 ? default_jobs() : most),
+      launcher_(std::move(program), standstill) {
+  idle_.reserve(most_);
 }
 
-void Pool::give_back(Worker worker) {
-  const std::lock_guard lock(mutex_);
-  --leased_;
-  if (worker) idle_.push_back(std::move(worker));
-  changed_.notify_one();
+// The right to have a worker at work.
+struct Pool::Lease {
+  Lease(Pool& from, const Origin& origin, std::uint64_t memory_bytes) : pool(from) {
+    std::unique_lock lock(pool.mutex_);
+    pool.changed_.wait(lock, [&] { return pool.leased_ < pool.most_; });
+    ++pool.leased_;
+    auto& idle = pool.idle_;
+    const auto fit = std::find_if(idle.rbegin(), idle.rend(), [&](const Kept& each) {
+      return each->origin == origin && each->memory_bytes() >= memory_bytes;
+    });
+    if (fit != idle.rend()) {
+      worker = std::move(*fit);
+      idle.erase(std::next(fit).base());
+    } else if (idle.size() + pool.leased_ > pool.most_) {
+      displaced = std::move(idle.front());
+      idle.erase(idle.begin());
+    }
+  }
+  Lease(const Lease&) = delete;
+  Lease& operator=(const Lease&) = delete;
+  ~Lease() {
+    const std::lock_guard lock(pool.mutex_);
+    --pool.leased_;
+    if (worker) pool.idle_.push_back(std::move(worker));
+    pool.changed_.notify_one();
+  }
+
+  Pool& pool;
+  Kept worker;     ///< null: there is none that fits
+  Kept displaced;  ///< made room for another
+};
+
+Reply Pool::ask(const Job& job, std::span<const std::byte> bytes, const Origin& origin) {
+  Lease lease(*this, origin, job.memory_bytes);
+  lease.displaced.reset();
+  return ask(lease.worker, job, bytes, origin);
 }
 
-void Pool::prepare() {
-  const std::lock_guard lock(mutex_);
-  if (leased_ > 0 || !idle_.empty()) return;
-  auto worker = std::make_unique<Process>(program_);
-  if (worker->started()) idle_.push_back(std::move(worker));
-}
-
-Reply Pool::ask(const Job& job, std::span<const std::byte> bytes) {
-  struct Lease {
-    Pool& pool;
-    Worker worker;
-    ~Lease() { pool.give_back(std::move(worker)); }
-  } lease{*this, this->lease()};
-  return ask(lease.worker, job, bytes);
-}
-
-Reply Pool::ask(Worker& worker, const Job& job, std::span<const std::byte> bytes) {
+Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
+                const Origin& origin) {
   const UniqueFd payload = create_memory();
   const UniqueFd result = create_memory();
   if (!payload || !result || !fill_memory(payload.get(), bytes)) {
@@ -147,35 +133,36 @@ Reply Pool::ask(Worker& worker, const Job& job, std::span<const std::byte> bytes
   const int descriptors[] = {payload.get(), result.get()};
   const Frame frame = write_job(job);
   // One that has died meanwhile is replaced.
-  if (worker && !(has_greeted(*worker) && send_packet(worker->socket(), frame, descriptors))) {
-    worker.reset();
-  }
+  if (worker && !send_packet(worker->socket(), frame, descriptors)) worker.reset();
   if (!worker) {
-    worker = start(program_);
-    if (!worker || !send_packet(worker->socket(), frame, descriptors)) {
-      worker.reset();
-      return fault(FaultKind::unavailable,
-                   fmt::format("The decoder {} could not be started.", program_));
-    }
+    auto started = launcher_.start(std::max(kWorkerMemory, std::bit_ceil(job.memory_bytes)));
+    if (auto* trouble = std::get_if<Fault>(&started)) return {std::move(*trouble), {}};
+    worker = std::move(*std::get_if<Kept>(&started));
+    worker->origin = origin;
+    if (!send_packet(worker->socket(), frame, descriptors))
+      return epitaph(*std::exchange(worker, {}), job);
   }
-  Worker asked = std::move(worker);  // given back when it has shown to be sound
-  const milliseconds wall(job.milliseconds * kWallPerProcessorTime);
-  if (!wait_for_answer(*asked, wall + kWallAtLeast)) {
-    if (asked->has_ended()) return epitaph(*asked, job);
-    return fault(FaultKind::timed_out, "The decoder does not come to an end.");
+  return answer_of(std::exchange(worker, nullptr), job, result.get(), worker);
+}
+
+// Gives the worker back in `sound` when it has shown to be that.
+Reply Pool::answer_of(Kept worker, const Job& job, int result, Kept& sound) const {
+  const Watch watched =
+      watch(worker->socket(), worker->id(), {milliseconds(job.milliseconds) + kGrace, standstill_});
+  if (watched == Watch::overrun) return overrun(job);
+  if (watched == Watch::standstill) {
+    return fault(FaultKind::stalled, "The decoder stands still.");
   }
-  const auto packet = receive_packet(asked->socket());
-  if (!packet) return epitaph(*asked, job);
+  const auto packet = receive_packet(worker->socket());
+  if (!packet) return epitaph(*worker, job);
   auto answer = read_answer(packet->bytes);
   const auto contradiction = [] {
     return fault(FaultKind::died, "The decoder's answer contradicts itself.");
   };
   if (!answer) return contradiction();
   Reply reply{*std::move(answer), {}};
-  if (!is_wanted(reply.answer, job) || !attach_memory(reply, job, result.get())) {
-    return contradiction();
-  }
-  if (is_fresh(reply.answer)) worker = std::move(asked);
+  if (!is_wanted(reply.answer, job) || !attach_memory(reply, job, result)) return contradiction();
+  if (is_fresh(reply.answer)) sound = std::move(worker);
   return reply;
 }
 

@@ -4,14 +4,14 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <utility>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;  // NOLINT(readability-redundant-declaration): not everywhere in <unistd.h>
 
 namespace gltfx::codec {
 namespace {
@@ -20,25 +20,6 @@ namespace {
 UniqueFd moved_up(int fd) {
   const UniqueFd low(fd);
   return UniqueFd(::fcntl(fd, F_DUPFD_CLOEXEC, 16));
-}
-
-// A worker's ends, and those that stay here.
-struct Ends {
-  UniqueFd socket, lifeline;                // ours
-  UniqueFd worker_socket, worker_lifeline;  // the worker's
-  bool complete() const { return socket && lifeline && worker_socket && worker_lifeline; }
-};
-
-Ends create_ends() {
-  Ends ends;
-  std::array<int, 2> pair{};
-  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pair.data()) != 0) return ends;
-  ends.socket = UniqueFd(pair[0]);
-  ends.worker_socket = moved_up(pair[1]);
-  if (::pipe2(pair.data(), O_CLOEXEC) != 0) return ends;
-  ends.worker_lifeline = moved_up(pair[0]);
-  ends.lifeline = UniqueFd(pair[1]);
-  return ends;
 }
 
 // What the new process does before it becomes the worker.
@@ -69,8 +50,9 @@ class Preparation {
   pid_t spawn(const std::string& program) const {
     std::array<char*, 2> arguments{const_cast<char*>(program.c_str()), nullptr};
     pid_t id = -1;
+    char* const environment[] = {nullptr};
     const int fault =
-        ::posix_spawn(&id, program.c_str(), &actions_, &attributes_, arguments.data(), environ);
+        ::posix_spawn(&id, program.c_str(), &actions_, &attributes_, arguments.data(), environment);
     return fault == 0 ? id : -1;
   }
 
@@ -81,40 +63,43 @@ class Preparation {
 
 }  // namespace
 
+Ends Ends::create() {
+  Ends ends;
+  std::array<int, 2> pair{};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pair.data()) != 0) return ends;
+  ends.socket = UniqueFd(pair[0]);
+  ends.worker_socket = moved_up(pair[1]);
+  if (::pipe2(pair.data(), O_CLOEXEC) != 0) return ends;
+  ends.worker_lifeline = moved_up(pair[0]);
+  ends.lifeline = UniqueFd(pair[1]);
+  return ends;
+}
+
 Process::Process(const std::string& program) {
-  Ends ends = create_ends();
+  Ends ends = Ends::create();
   if (!ends.complete()) return;
   id_ = Preparation(ends).spawn(program);
   socket_ = std::move(ends.socket);
   lifeline_ = std::move(ends.lifeline);
 }
 
-bool Process::has_ended() const {
-  siginfo_t info{};
-  const int flags = WEXITED | WNOHANG | WNOWAIT;
-  return ::waitid(P_PID, static_cast<id_t>(id_), &info, flags) != 0 || info.si_pid != 0;
-}
-
-int Process::cause_of_death() {
-  if (id_ <= 0) return 0;
-  int status = 0;
-  pid_t done = ::waitpid(id_, &status, WNOHANG);
-  for (int i = 0; done == 0 && i < 20; ++i) {
-    ::usleep(1000);
-    done = ::waitpid(id_, &status, WNOHANG);
-  }
-  if (done == 0) return 0;
-  const bool known = done == id_;
-  id_ = -1;
-  return known && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-}
-
-void Process::end() {
-  if (id_ <= 0) return;
+// The signal changes nothing for a process that is about to end.
+std::string Process::end() {
+  if (id_ <= 0) return "it has ended";
   ::kill(id_, SIGKILL);
-  while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  int status = 0;
+  pid_t done = -1;
+  do {
+    done = ::waitpid(id_, &status, 0);
+  } while (done < 0 && errno == EINTR);
   id_ = -1;
+  if (done > 0 && WIFEXITED(status)) {
+    return fmt::format("it ended with exit code {}", WEXITSTATUS(status));
+  }
+  if (done > 0 && WIFSIGNALED(status)) {
+    return fmt::format("it was ended by signal {}", WTERMSIG(status));
+  }
+  return "it has ended";
 }
 
 }  // namespace gltfx::codec

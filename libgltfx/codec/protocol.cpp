@@ -10,7 +10,7 @@
 namespace gltfx::codec {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x32435847;  // "GXC2": the last character is the version
+constexpr std::uint32_t kMagic = 0x33435847;  // "GXC3": the last character is the version
 
 enum class Kind : std::uint8_t { hello, job, mesh, image, encoded, fault };
 

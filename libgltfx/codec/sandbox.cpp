@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -30,13 +31,30 @@ constexpr bool kLimitsMemory = false;
 constexpr bool kLimitsMemory = true;
 #endif
 
-// Sets a limit, never above what the process was given.
+// Sets a limit, never above what the process was given; `for_good`: nor will it be raised again.
 void set_limit(__rlimit_resource_t resource, std::uint64_t value, bool for_good) {
   rlimit limit{};
   if (::getrlimit(resource, &limit) != 0) return;
   limit.rlim_cur = std::min<rlim_t>(value, limit.rlim_max);
   if (for_good) limit.rlim_max = limit.rlim_cur;
   ::setrlimit(resource, &limit);
+}
+
+// What a limit is now, it stays at most. That of memory changes with each job and has its own.
+void keep_limits() {
+  for (int i = 0; i < static_cast<int>(RLIM_NLIMITS); ++i) {
+    const auto resource = static_cast<__rlimit_resource_t>(i);
+    rlimit limit{};
+    if (resource == RLIMIT_AS || ::getrlimit(resource, &limit) != 0) continue;
+    set_limit(resource, limit.rlim_cur, true);
+  }
+}
+
+// With them, root could raise its limits again.
+void drop_capabilities() {
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  const __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3] = {};
+  ::syscall(SYS_capset, &header, none);
 }
 
 std::uint64_t address_space() {
@@ -76,11 +94,17 @@ bool lock_in(std::uint64_t most_file_bytes) {
   set_limit(RLIMIT_CORE, 0, true);
   set_limit(RLIMIT_FSIZE, most_file_bytes, true);
   set_limit(RLIMIT_NOFILE, 64, true);
+  set_limit(RLIMIT_NPROC, 0, true);
+  keep_limits();
+  drop_capabilities();
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
   return filter_syscalls();
 }
 
-JobLimits::JobLimits() : baseline_(kLimitsMemory ? address_space() : 0) {}
+JobLimits::JobLimits(std::uint64_t most_memory_bytes)
+    : baseline_(kLimitsMemory ? address_space() : 0) {
+  if (baseline_ != 0) set_limit(RLIMIT_AS, baseline_ + most_memory_bytes, true);
+}
 
 void JobLimits::begin(std::uint64_t memory_bytes, std::uint64_t milliseconds) const {
   if (baseline_ != 0) set_limit(RLIMIT_AS, baseline_ + memory_bytes, false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How a worker locks itself in. Each step works without the others: where a container or an old
-/// kernel refuses one, decoding goes on with those that are left.
+/// How a worker locks itself in. Each step works without the others; whether the most important
+/// one, the filter of system calls, is in force is reported to the client, which decides.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,17 @@ void close_descriptors_from(int first);
 /// decoding.
 void end_with(int lifeline);
 
-/// Forbids for good: new privileges, core dumps, files beyond `most_file_bytes`, and every system
-/// call but those that memory, the socket and the end of the process need; one that is forbidden
-/// fails with EPERM. True when the filter is in force: never on processors other than x86-64 and
-/// 64-bit ARM.
+/// Forbids for good, to root as well: capabilities, new privileges, new processes, core dumps,
+/// files beyond `most_file_bytes`, and every system call but those that memory, the socket and the
+/// end of the process need; one that is forbidden fails with EPERM. True when the filter is in
+/// force: never on processors other than x86-64 and 64-bit ARM.
 bool lock_in(std::uint64_t most_file_bytes);
 
-/// Limits on one job, counted from what the process has taken when this was made.
+/// Limits on memory and time, counted from what the process has taken when this was made.
 class JobLimits {
  public:
-  JobLimits();
+  /// No job may take more than `most_memory_bytes`: a hard limit, which the process cannot raise.
+  explicit JobLimits(std::uint64_t most_memory_bytes);
   /// The process ends with SIGPROF after so much processor time; allocations fail beyond so much
   /// memory, but in builds with AddressSanitizer, which reserves terabytes.
   void begin(std::uint64_t memory_bytes, std::uint64_t milliseconds) const;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "codec/server.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <new>
 
 #include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include "codec/control.hpp"
 #include "codec/packet.hpp"
 #include "codec/process.hpp"
 #include "codec/sandbox.hpp"
@@ -53,6 +57,61 @@ bool serve_one(const Decode& decode, const JobLimits& limits) {
   return send_packet(kSocketDescriptor, write_answer(answer), {});
 }
 
+// What a worker does with its life. Gives the exit code.
+int work(const Decode& decode, std::uint64_t most_memory_bytes) {
+  close_descriptors_from(kLifelineDescriptor + 1);
+  end_with(kLifelineDescriptor);
+  const JobLimits limits(most_memory_bytes);
+  const Hello hello{lock_in(kMostResultBytes)};
+  if (!send_packet(kSocketDescriptor, write_hello(hello), {})) return 1;
+  while (serve_one(decode, limits)) {
+  }
+  return 0;
+}
+
+// Gives the id of the new process; 0 when there is none.
+pid_t fork_worker(const Decode& decode, const Packet& packet, std::uint64_t most_memory_bytes) {
+  if (packet.descriptors.size() != 2) return 0;
+  const pid_t id = ::fork();
+  if (id != 0) return std::max(id, 0);
+  int code = 1;
+  if (::dup2(packet.descriptors[0].get(), kSocketDescriptor) >= 0 &&
+      ::dup2(packet.descriptors[1].get(), kLifelineDescriptor) >= 0) {
+    code = work(decode, most_memory_bytes);
+  }
+  ::_exit(code);  // threads that would have to end in order are not in this process
+}
+
+// Ends a worker. The signal changes nothing for one that is about to end. Gives the signal that it
+// ended by, or 0.
+int finish_worker(pid_t id) {
+  int status = 0;
+  pid_t done = ::waitpid(id, &status, WNOHANG);
+  if (done == 0) {  // so it is a worker that runs
+    ::kill(id, SIGKILL);
+    done = ::waitpid(id, &status, 0);
+  }
+  return done == id && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+// False when the client has gone or breaks the protocol.
+bool launch_one(const Decode& decode) {
+  const auto packet = receive_packet(kSocketDescriptor);
+  const auto asked = packet ? read_control(packet->bytes) : std::nullopt;
+  if (!asked) return false;
+  Control answer;
+  if (asked->kind == Control::Kind::start) {
+    const pid_t id = fork_worker(decode, *packet, asked->value);
+    answer = {Control::Kind::started, static_cast<std::uint64_t>(id)};
+  } else if (asked->kind == Control::Kind::finish && asked->value > 0) {
+    const int signal = finish_worker(static_cast<pid_t>(asked->value));
+    answer = {Control::Kind::ended, static_cast<std::uint64_t>(signal)};
+  } else {
+    return false;
+  }
+  return send_packet(kSocketDescriptor, write_control(answer), {});
+}
+
 }  // namespace
 
 std::span<std::byte> Output::create(std::uint64_t size) {
@@ -66,10 +125,8 @@ int serve(const std::function<void()>& prepare, const Decode& decode) {
   std::signal(SIGINT, SIG_IGN);  // goes to all of a terminal's programs; the client decides
   keep_memory();
   prepare();
-  const JobLimits limits;
-  const Hello hello{lock_in(kMostResultBytes)};
-  if (!send_packet(kSocketDescriptor, write_hello(hello), {})) return 1;
-  while (serve_one(decode, limits)) {
+  if (!send_packet(kSocketDescriptor, write_control({}), {})) return 1;
+  while (launch_one(decode)) {
   }
   return 0;
 }

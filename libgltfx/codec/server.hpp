@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The life of a worker program: what its main() calls.
+/// The life of a decoder program: what its main() calls.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,9 @@ class Output {
 /// Decodes one payload. May throw std::bad_alloc, which becomes an answer.
 using Decode = std::function<Answer(const Job&, std::span<const std::byte>, Output&)>;
 
-/// Runs `prepare`, which loads and touches all that decoding will need; then locks the process in,
-/// greets, and serves jobs until the client closes its socket. Gives the exit code.
+/// Runs `prepare`, which loads and touches all that decoding will need; then forks a worker for
+/// each time that the client asks for one, until the client closes its socket. A worker locks
+/// itself in, greets, and serves jobs. Gives the exit code.
 int serve(const std::function<void()>& prepare, const Decode& decode);
 
 }  // namespace gltfx::codec

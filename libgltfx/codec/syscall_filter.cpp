@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A program for the kernel's packet filter (seccomp(2)): an allow-list of numbers, with a look at
-// one argument of the calls that could make memory executable.
+// one argument of the calls that could make memory executable or reach another process.
 #include "codec/syscall_filter.hpp"
 
 #include <cerrno>
@@ -54,21 +54,17 @@ constexpr std::uint32_t kAllowed[] = {
     SYS_clock_gettime,
     SYS_gettimeofday,
     SYS_getrandom,
-    SYS_prlimit64,
     SYS_setitimer,
     SYS_sched_getaffinity,
     SYS_getrusage,
     SYS_restart_syscall,
     SYS_clock_nanosleep,
     SYS_nanosleep,
-    SYS_tgkill,
     SYS_rseq,
     SYS_set_robust_list,
     SYS_writev,
 #if defined(__x86_64__)
     SYS_time,
-    SYS_getrlimit,
-    SYS_setrlimit,
 #endif
 };
 constexpr std::uint32_t kAllowedWithoutExecution[] = {SYS_mmap, SYS_mprotect};
@@ -88,7 +84,20 @@ void answer(Program& program, std::uint32_t action) {
   program.push_back(BPF_STMT(BPF_RET | BPF_K, action));
 }
 
-Program filter_program() {
+// The call `number` is forbidden unless `jump` finds its argument; else it goes on behind this.
+void check_argument(Program& program, std::uint32_t number, int argument, const sock_filter& jump) {
+  // Of the 64 bits the low half, which comes first in memory, holds all that the kernel looks at.
+  const std::size_t offset = offsetof(seccomp_data, args) +
+                             static_cast<std::size_t>(argument) * sizeof(seccomp_data::args[0]);
+  program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 4));
+  load(program, offset);
+  program.push_back(jump);
+  answer(program, SECCOMP_RET_ALLOW);
+  answer(program, kForbid);
+}
+
+// `self`: the process that calls.
+Program filter_program(std::uint32_t self) {
   Program program;
   load(program, offsetof(seccomp_data, arch));
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0));
@@ -98,14 +107,13 @@ Program filter_program() {
     if_equal(program, number);
     answer(program, SECCOMP_RET_ALLOW);
   }
-  // The third argument of both is the protection; its low half comes first in memory.
   for (const std::uint32_t number : kAllowedWithoutExecution) {
-    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 4));
-    load(program, offsetof(seccomp_data, args[2]));
-    program.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, PROT_EXEC, 0, 1));
-    answer(program, kForbid);
-    answer(program, SECCOMP_RET_ALLOW);
+    check_argument(program, number, 2, BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, PROT_EXEC, 1, 0));
   }
+  // Signals to its own threads, which end a process that aborts, and its own limits (process 0),
+  // which hard limits keep from being raised.
+  check_argument(program, SYS_tgkill, 0, BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, self, 0, 1));
+  check_argument(program, SYS_prlimit64, 0, BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 0, 1));
   answer(program, kForbid);
   return program;
 }
@@ -113,7 +121,7 @@ Program filter_program() {
 }  // namespace
 
 bool filter_syscalls() {
-  Program program = filter_program();
+  Program program = filter_program(static_cast<std::uint32_t>(::getpid()));
   sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
   return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &filter) == 0;
 }

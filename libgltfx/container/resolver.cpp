@@ -9,6 +9,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include "container/sniff.hpp"
 
@@ -92,6 +93,8 @@ Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::pat
     problem_ = "the root folder cannot be opened: " + errno_text(errno);
     return;
   }
+  struct stat status {};
+  if (::fstat(fd.get(), &status) == 0) origin_ = {status.st_dev, status.st_ino};
   root_ = std::make_shared<const UniqueFd>(std::move(fd));
   base_ = relative_base(folder, or_current(base), unusable_);
   if (unusable_ != ResolveFault::none) problem_ = "the asset's folder is not inside the root";

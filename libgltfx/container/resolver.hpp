@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/origin.hpp"
 #include "container/bytes.hpp"
 #include "container/confined_open.hpp"
 #include "container/resolve_fault.hpp"
@@ -63,6 +64,9 @@ class Resolver {
   void add(const std::string& path, Bytes bytes);
   /// From now on look-ups on the disk are recorded, those of later copies as well.
   void record(std::shared_ptr<LookupLog> log) { log_ = std::move(log); }
+  /// That of all bytes below the root, and of the asset itself. Without a root it is one of its
+  /// own.
+  const Origin& origin() const { return origin_; }
   /// Whether open() would find a file, without reading it. Size in bytes in `size`.
   ResolveFault stat(std::string_view path, std::uint64_t& size) const;
 
@@ -76,6 +80,7 @@ class Resolver {
   Confinement confinement_ = Confinement::automatic;
   std::map<std::string, Bytes, std::less<>> added_;
   std::shared_ptr<LookupLog> log_;  ///< may be null
+  Origin origin_ = new_origin();
 };
 
 }  // namespace gltfx::container

@@ -77,6 +77,10 @@ struct HeaderFault {
 /// Fewer bytes cannot be told apart.
 inline constexpr std::size_t kSniffBytes = 14;
 
+inline std::uint64_t texels_of(const Header& header) {
+  return std::uint64_t{header.width} * header.height;
+}
+
 /// The format of an image by its first bytes, which need not be complete.
 struct Sniffed {
   bool known = false;

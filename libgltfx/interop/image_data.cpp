@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interop/image_data.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 #include <variant>
@@ -20,7 +21,7 @@ namespace {
 
 // Pixels of one asset, all images together.
 constexpr std::uint64_t kPixelBytes = std::uint64_t{4} << 30U;
-// Images that run into a limit cost a second each: one asset gets no more than two of them.
+// Images that run into a limit cost seconds each: one asset gets no more than two of them.
 constexpr int kMostCostly = 2;
 constexpr std::uint32_t kChannels = 4;
 
@@ -100,6 +101,8 @@ class Decoding {
     request.bytes = data.bytes->view();
     request.format = *model::codec_format(*data.format);
     request.pixels = true;
+    request.origin = resources_.origin;
+    request.max_pixels = std::min(request.max_pixels, texels_of(*data.header));
     results_[index] = codec::Client::shared().decode_image(request);
   }
 

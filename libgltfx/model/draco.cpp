@@ -12,7 +12,7 @@
 namespace gltfx::model {
 namespace {
 
-// Payloads that run into a limit cost a second each: one file gets no more than two of them.
+// Payloads that run into a limit cost seconds each: one file gets no more than two of them.
 constexpr int kMostCostly = 2;
 // Decoded bytes of one file: those of a few million triangles, and more where there are more bytes
 // to decode.
@@ -77,7 +77,8 @@ void DracoMeshes::add(const Asset& asset, const Views& views, const ResourceData
   const auto [at, fresh] = positions_.try_emplace(buffer_view, payloads_.size());
   if (!fresh) return;
   auto bytes = resources.part(asset.document(), view, 0, *view.byte_length);
-  payloads_.push_back({bytes ? *std::move(bytes) : container::Bytes(), NotLookedAt{}});
+  payloads_.push_back(
+      {bytes ? *std::move(bytes) : container::Bytes(), resources.origin, NotLookedAt{}});
 }
 
 void DracoMeshes::add_all(const Asset& asset, const Views& views, const ResourceData& resources) {
@@ -99,7 +100,8 @@ void DracoMeshes::decode(codec::Client& client, unsigned jobs) {
       payloads_.size(), jobs,
       [&](std::size_t i) {
         if (stopped || payloads_[i].bytes.empty()) return;
-        payloads_[i].decoded = decoded(client.decode_draco(payloads_[i].bytes.view()));
+        Payload& payload = payloads_[i];
+        payload.decoded = decoded(client.decode_draco(payload.bytes.view(), payload.origin));
       },
       [&](std::size_t i) {
         Decoded& decoded = payloads_[i].decoded;

@@ -65,6 +65,7 @@ class DracoMeshes {
  private:
   struct Payload {
     container::Bytes bytes;
+    Origin origin;
     Decoded decoded;
   };
 

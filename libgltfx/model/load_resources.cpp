@@ -28,6 +28,7 @@ class Loader {
       : container_(container), resolver_(resolver), asset_(asset), views_(views) {}
 
   LoadedResources run(unsigned jobs) {
+    loaded_.data.origin = resolver_.origin();
     const auto& buffers = asset_.elements(RootArray::buffers);
     for (std::size_t i = 0; i < buffers.size(); ++i) {
       loaded_.data.buffers.push_back(load_buffer(buffers[i], i));

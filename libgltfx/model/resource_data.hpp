@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/origin.hpp"
 #include "container/bytes.hpp"
 #include "image/header.hpp"
 #include "image/ktx2.hpp"
@@ -30,6 +31,7 @@ struct DecodedView {
 
 /// Owns or maps the bytes. Read-only once filled; any number of threads may read it.
 struct ResourceData {
+  Origin origin;  ///< of all of it
   /// By index, at least as many bytes as declared. Nothing: not there, too short, or not to be
   /// looked at; whoever filled this has said why.
   std::vector<std::optional<container::Bytes>> buffers;

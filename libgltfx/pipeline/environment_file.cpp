@@ -74,6 +74,7 @@ Result<bake::EnvironmentImage> read_environment(const std::string& path) {
   request.bytes = file->bytes.view();
   request.format = *format;
   request.pixels = true;
+  request.origin = new_origin();
   const auto decoded = codec::Client::shared().decode_image(request);
   if (const auto* fault = std::get_if<codec::Fault>(&decoded)) {
     return Error{fmt::format("the environment {} cannot be read: {}", name, fault->message)};

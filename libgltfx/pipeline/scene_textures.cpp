@@ -73,7 +73,7 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
               codec::Fault{codec::FaultKind::too_large, "its pixels ask for too much memory"}};
       const image::Header& header = *resources_.images[image].header;
       if (budget.take(decoded_size(header))) job.result = codec::Image();
-      pixels_ = saturating_add(pixels_, std::uint64_t{header.width} * header.height);
+      pixels_ = saturating_add(pixels_, texels_of(header));
       job_of_.emplace(image, jobs_.size());
       jobs_.push_back(std::move(job));
       break;
@@ -96,6 +96,8 @@ void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBu
         request.bytes = data.bytes->view();
         request.format = *model::codec_format(*data.format);
         request.pixels = true;
+        request.origin = resources_.origin;
+        request.max_pixels = std::min(request.max_pixels, texels_of(*data.header));
         job.result = client.decode_image(request);
       },
       [&](std::size_t i) {

@@ -153,7 +153,7 @@ class Upgrade {
               upgrade::Pictures& pictures) {
     std::vector<std::shared_ptr<const std::string>> images;
     for (const upgrade::ImageJob& job : additions.images()) {
-      auto file = upgrade::render(job, pictures, upgrade::ImageCache::shared());
+      auto file = upgrade::render(job, pictures, upgrade::ImageCache::shared(), bytes.origin());
       if (!file) return fail(UpgradeProblem::refused, file.error().message);
       images.push_back(*std::move(file));
     }

@@ -24,6 +24,7 @@ class AssetBytes {
       : asset_(asset), container_(container), resolver_(resolver) {}
 
   const model::Asset& asset() const { return asset_; }
+  const Origin& origin() const { return resolver_.origin(); }
   /// The bytes of an element of the root's images or buffers, or a sentence about why there are
   /// none. Those of a buffer may be fewer than it says.
   Result<container::Bytes> image(std::uint64_t index);

@@ -15,7 +15,7 @@ const Picture& AssetPictures::picture(std::uint64_t image) {
   auto bytes = bytes_.image(image);
   Picture picture;
   if (bytes) {
-    const auto decoded = cache_.decode(*bytes);
+    const auto decoded = cache_.decode(*bytes, bytes_.origin());
     picture = decoded->picture;
     if (decoded->may_pass && failure_.empty()) {
       failure_ = fmt::format("image {}: {}", image, picture.problem);
@@ -28,7 +28,7 @@ const Picture& AssetPictures::picture(std::uint64_t image) {
 
 std::shared_ptr<const codec::Image> AssetPictures::pixels(std::uint64_t image) {
   auto bytes = bytes_.image(image);
-  return bytes ? cache_.decode(*bytes)->pixels : nullptr;
+  return bytes ? cache_.decode(*bytes, bytes_.origin())->pixels : nullptr;
 }
 
 std::uint64_t AssetPictures::same_as(std::uint64_t image) {

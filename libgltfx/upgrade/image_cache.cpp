@@ -39,11 +39,16 @@ Decoded unreadable(std::string why) {
   return none;
 }
 
-Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes) {
+Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes, const Origin& origin) {
   codec::ImageRequest request;
   request.bytes = bytes.view();
   request.format = format;
   request.pixels = true;
+  request.origin = origin;
+  const image::HeaderResult header = image::read_header(bytes.view());
+  if (const auto* found = std::get_if<image::Header>(&header)) {
+    request.max_pixels = std::min(request.max_pixels, image::texels_of(*found));
+  }
   codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (const auto* fault = std::get_if<codec::Fault>(&result)) {
     Decoded none = unreadable(fmt::format("it cannot be decoded: {}", printable(fault->message)));
@@ -64,16 +69,16 @@ Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes) {
   return decoded;
 }
 
-Decoded decode_any(const container::Bytes& bytes) {
+Decoded decode_any(const container::Bytes& bytes, const Origin& origin) {
   const image::Sniffed sniffed = image::sniff(bytes.view());
   if (!sniffed.known) return unreadable("its format is not known");
   switch (sniffed.format) {
     case image::Format::png:
-      return decode_as(codec::ImageFormat::png, bytes);
+      return decode_as(codec::ImageFormat::png, bytes, origin);
     case image::Format::jpeg:
-      return decode_as(codec::ImageFormat::jpeg, bytes);
+      return decode_as(codec::ImageFormat::jpeg, bytes, origin);
     case image::Format::webp:
-      return decode_as(codec::ImageFormat::webp, bytes);
+      return decode_as(codec::ImageFormat::webp, bytes, origin);
     case image::Format::ktx2:
       break;
   }
@@ -94,24 +99,26 @@ std::uint64_t weight(const Recipe& recipe, const std::string& file) {
 
 }  // namespace
 
-std::shared_ptr<const Decoded> ImageCache::known(std::uint64_t hash, std::string_view bytes) {
+std::shared_ptr<const Decoded> ImageCache::known(const Origin& origin, std::uint64_t hash,
+                                                 std::string_view bytes) {
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(images_.begin(), images_.end(), [&](const Image& image) {
-    return image.hash == hash && image.bytes.text() == bytes;
+    return image.origin == origin && image.hash == hash && image.bytes.text() == bytes;
   });
   if (found == images_.end()) return nullptr;
   std::rotate(found, found + 1, images_.end());
   return images_.back().decoded;
 }
 
-std::shared_ptr<const Decoded> ImageCache::decode(const container::Bytes& bytes) {
+std::shared_ptr<const Decoded> ImageCache::decode(const container::Bytes& bytes,
+                                                  const Origin& origin) {
   const std::uint64_t hash = content_hash(bytes.text());
-  if (auto decoded = known(hash, bytes.text())) return decoded;
-  auto decoded = std::make_shared<const Decoded>(decode_any(bytes));
+  if (auto decoded = known(origin, hash, bytes.text())) return decoded;
+  auto decoded = std::make_shared<const Decoded>(decode_any(bytes, origin));
   if (!decoded->pixels) return decoded;  // a worker may do better the next time
   const std::lock_guard lock(mutex_);
   image_bytes_ += weight(bytes, *decoded);
-  images_.push_back({hash, bytes, decoded});
+  images_.push_back({origin, hash, bytes, decoded});
   while (image_bytes_ > kMostBytes) {
     image_bytes_ -= weight(images_.front().bytes, *images_.front().decoded);
     images_.pop_front();

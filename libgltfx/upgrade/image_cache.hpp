@@ -33,9 +33,9 @@ struct Recipe {
 /// Keeps what was used last, within a fixed number of bytes. Any number of threads may call.
 class ImageCache {
  public:
-  /// The image behind these bytes, decoded unless that is known. Not the same for ever: an image
-  /// that was forgotten is decoded again.
-  std::shared_ptr<const Decoded> decode(const container::Bytes& bytes);
+  /// The image behind these bytes, decoded unless that is known from the same origin. Not the same
+  /// for ever: an image that was forgotten is decoded again.
+  std::shared_ptr<const Decoded> decode(const container::Bytes& bytes, const Origin& origin);
 
   std::shared_ptr<const std::string> find(const Recipe& recipe);
   void keep(const Recipe& recipe, std::shared_ptr<const std::string> file);
@@ -45,6 +45,7 @@ class ImageCache {
 
  private:
   struct Image {
+    Origin origin;
     std::uint64_t hash = 0;
     container::Bytes bytes;
     std::shared_ptr<const Decoded> decoded;
@@ -53,7 +54,8 @@ class ImageCache {
     Recipe recipe;
     std::shared_ptr<const std::string> bytes;
   };
-  std::shared_ptr<const Decoded> known(std::uint64_t hash, std::string_view bytes);
+  std::shared_ptr<const Decoded> known(const Origin& origin, std::uint64_t hash,
+                                       std::string_view bytes);
 
   std::mutex mutex_;
   std::deque<Image> images_;  ///< used last at the back

@@ -125,7 +125,7 @@ Texels mix(const Recipe& recipe) {
 }
 
 Result<std::shared_ptr<const std::string>> render(const ImageJob& job, Pictures& pictures,
-                                                  ImageCache& cache) {
+                                                  ImageCache& cache, const Origin& origin) {
   const Result<Recipe> recipe = recipe_of(job, pictures);
   if (!recipe) return recipe.error();
   if (auto known = cache.find(*recipe)) return known;
@@ -133,6 +133,7 @@ Result<std::shared_ptr<const std::string>> render(const ImageJob& job, Pictures&
   codec::EncodeRequest request;
   request.raster = texels.raster;
   request.pixels = texels.bytes;
+  request.origin = origin;
   const codec::EncodeResult result = codec::Client::shared().encode_image(request);
   if (const auto* fault = std::get_if<codec::Fault>(&result)) {
     return Error{fmt::format("the new image cannot be encoded: {}", printable(fault->message))};

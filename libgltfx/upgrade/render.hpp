@@ -26,8 +26,8 @@ struct Texels {
 Texels mix(const Recipe& recipe);
 
 /// The file of a new image: a PNG, the same for the same job and images. An Error when an image
-/// cannot be read, sizes differ or the encoder fails.
+/// cannot be read, sizes differ or the encoder fails. `origin` is that of the images.
 Result<std::shared_ptr<const std::string>> render(const ImageJob& job, Pictures& pictures,
-                                                  ImageCache& cache);
+                                                  ImageCache& cache, const Origin& origin);
 
 }  // namespace gltfx::upgrade

@@ -149,6 +149,7 @@ void check_torn(const Context& context, const model::ResourceData& resources, Si
 
 Resources load_resources(const Context& context, Sink& sink, FileReport& report) {
   Resources resources;
+  resources.data.origin = context.resolver.origin();
   load_buffers(context, sink, report, resources);
   load_images(context, sink, report, resources);
   return resources;

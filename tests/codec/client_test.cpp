@@ -2,6 +2,8 @@
 /// What becomes of a worker that misbehaves, and of the next request.
 #include "codec/client.hpp"
 
+#include <gltfx/decoders.hpp>
+
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -36,8 +38,12 @@ using testing::HasSubstr;
 Settings test_settings() {
   Settings settings;
   settings.folder = GLTFX_TEST_WORKERS;
-  settings.seconds = 0.2;
+  settings.seconds = 60;  // no test comes near it but one that means to
   return settings;
+}
+
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
 }
 
 /// What /proc says of a process.
@@ -61,18 +67,15 @@ ProcessState state_of(pid_t process) {
   return found;
 }
 
+// However long it takes.
 template <typename Condition>
-bool comes_true(Condition condition) {
-  for (int i = 0; i < 30000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return false;
+void wait_until(Condition condition) {
+  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }
 
 // Gone, or a zombie that nobody has waited for yet.
-bool comes_to_an_end(pid_t process) {
-  return comes_true([process] {
+void wait_for_end(pid_t process) {
+  wait_until([process] {
     const char state = state_of(process).state;
     return state == 'X' || state == 'Z';
   });
@@ -81,14 +84,14 @@ bool comes_to_an_end(pid_t process) {
 // Kills `victim` once `process` is amid work: it has used more time than a short answer takes.
 void kill_at_work(pid_t process, pid_t victim) {
   const long before = state_of(process).ticks;
-  comes_true([&] { return state_of(process).ticks >= before + 5; });
+  wait_until([&] { return state_of(process).ticks >= before + 5; });
   ::kill(victim, SIGKILL);
 }
 
 class Clients : public ::testing::Test {
  protected:
-  DracoResult ask(const std::string& what) {
-    return client_.decode_draco(std::as_bytes(std::span(what.data(), what.size())));
+  DracoResult ask(const std::string& what, const Origin& origin = {}) {
+    return client_.decode_draco(bytes_of(what), origin);
   }
   Fault fault(const std::string& what) {
     const DracoResult result = ask(what);
@@ -96,6 +99,10 @@ class Clients : public ::testing::Test {
     return found != nullptr ? *found : Fault{FaultKind::unavailable, "decoded"};
   }
   bool decodes() { return std::holds_alternative<DracoMesh>(ask("triangle")); }
+  // The process that serves an origin.
+  std::string process(const Origin& origin = {}) {
+    return std::get<Fault>(ask("process", origin)).message;
+  }
 
   Client client_{test_settings()};
 };
@@ -112,6 +119,8 @@ TEST_F(Clients, AWorkerThatCrashesIsReplaced) {
   EXPECT_EQ(crash.kind, FaultKind::died);
   EXPECT_TRUE(decodes());
   EXPECT_NE(fault("process").message, first);
+  EXPECT_THAT(crash.message, HasSubstr(std::to_string(SIGSEGV)));
+  EXPECT_THAT(fault("abort").message, HasSubstr(std::to_string(SIGABRT)));
   EXPECT_EQ(fault("exit").kind, FaultKind::died);
   EXPECT_TRUE(decodes());
 }
@@ -119,16 +128,16 @@ TEST_F(Clients, AWorkerThatCrashesIsReplaced) {
 TEST_F(Clients, AWorkerThatIsKilledBetweenRequestsIsReplaced) {
   const pid_t id = std::stoi(fault("process").message);
   ::kill(id, SIGKILL);
-  ASSERT_TRUE(comes_to_an_end(id));
+  wait_for_end(id);
   EXPECT_TRUE(decodes());
 }
 
 TEST(Client, AWorkerThatIsKilledAmidDecodingIsOneFault) {
   Settings settings = test_settings();
-  settings.seconds = 60;
+  settings.seconds = 3600;
   Client client(settings);
   const auto ask_it = [&](std::string_view what) {
-    return std::get<Fault>(client.decode_draco(std::as_bytes(std::span(what.data(), what.size()))));
+    return std::get<Fault>(client.decode_draco(bytes_of(what)));
   };
   const pid_t id = std::stoi(ask_it("process").message);
   std::thread killer([id] { kill_at_work(id, id); });
@@ -137,20 +146,42 @@ TEST(Client, AWorkerThatIsKilledAmidDecodingIsOneFault) {
   EXPECT_NE(ask_it("process").message, std::to_string(id));
 }
 
-TEST_F(Clients, EndlessWorkRunsOutOfTime) {
-  EXPECT_EQ(fault("spin").kind, FaultKind::timed_out);
-  EXPECT_TRUE(decodes());
+// Also when it has taken away the alarm that should end it.
+TEST(Client, EndlessWorkRunsOutOfProcessorTime) {
+  Settings settings = test_settings();
+  settings.seconds = 0.5;
+  Client client(settings);
+  for (const char* work : {"spin", "disarm"}) {
+    const DracoResult result = client.decode_draco(bytes_of(work));
+    EXPECT_EQ(std::get<Fault>(result).kind, FaultKind::timed_out) << work;
+    const DracoResult next = client.decode_draco(bytes_of("triangle"));
+    EXPECT_TRUE(std::holds_alternative<DracoMesh>(next)) << work;
+  }
 }
 
-TEST_F(Clients, AWorkerThatStandsStillIsEnded) {
-  EXPECT_EQ(fault("sleep").kind, FaultKind::timed_out);
-  EXPECT_TRUE(decodes());
+// Its time is not over, for it uses none: that says nothing about the bytes.
+TEST(Client, AWorkerThatStandsStillIsEnded) {
+  Settings settings = test_settings();
+  settings.standstill_seconds = 5;
+  Client client(settings);
+  const std::string id = std::get<Fault>(client.decode_draco(bytes_of("process"))).message;
+  const Fault fault = std::get<Fault>(client.decode_draco(bytes_of("sleep")));
+  EXPECT_EQ(fault.kind, FaultKind::stalled);
+  EXPECT_TRUE(is_costly(fault));
+  wait_for_end(std::stoi(id));
+  EXPECT_TRUE(std::holds_alternative<DracoMesh>(client.decode_draco(bytes_of("triangle"))));
 }
 
 #ifndef GLTFX_ADDRESS_SANITIZER
 TEST_F(Clients, MemoryRunsOutAtTheLimit) {
   EXPECT_EQ(fault("memory").kind, FaultKind::out_of_memory);
   EXPECT_TRUE(decodes());
+}
+
+TEST_F(Clients, LimitsOnlyGoDown) {
+  for (const char* limit : {"more memory", "more files"}) {
+    EXPECT_EQ(fault(limit).message, std::to_string(EPERM)) << limit;
+  }
 }
 #endif
 
@@ -174,11 +205,47 @@ TEST_F(Clients, AWorkerHasNothingOpenButItsEnds) {
 
 #if defined(__x86_64__) || defined(__aarch64__)
 TEST_F(Clients, AWorkerCanReachNothing) {
-  for (const char* call : {"open", "stat", "socket", "kill", "exec", "fork", "code"}) {
+  for (const char* call :
+       {"open", "stat", "socket", "kill", "signal", "limit", "exec", "fork", "code"}) {
     EXPECT_EQ(fault(call).message, std::to_string(EPERM)) << call;
   }
 }
+
+TEST_F(Clients, AWorkerReachesItselfOnly) {
+  EXPECT_EQ(fault("signal itself").message, "0");
+  EXPECT_EQ(fault("limit by its id").message, std::to_string(EPERM)) << "0 is what libraries say";
+}
 #endif
+
+TEST_F(Clients, AWorkerHasNoEnvironment) {
+  ASSERT_NE(environ[0], nullptr);
+  EXPECT_EQ(fault("environment").message, "empty");
+}
+
+TEST_F(Clients, AWorkerServesOneOrigin) {
+  const Origin one{1, 1}, other{1, 2};
+  const std::string first = process(one);
+  EXPECT_EQ(process(one), first);
+  const std::string second = process(other);
+  EXPECT_NE(second, first);
+  EXPECT_EQ(process(other), second);
+  EXPECT_NE(process(), first);
+  EXPECT_NE(process(), second);
+}
+
+// One worker at a time: the one of another origin makes room, and does not come back.
+TEST(Client, WorkersOfOtherOriginsEnd) {
+  Settings settings = test_settings();
+  settings.workers = 1;
+  Client client(settings);
+  const auto process = [&](const Origin& origin) {
+    return std::get<Fault>(client.decode_draco(bytes_of("process"), origin)).message;
+  };
+  const std::string first = process({1, 1});
+  const std::string second = process({1, 2});
+  wait_for_end(std::stoi(first));
+  EXPECT_NE(process({1, 1}), second);
+}
 
 TEST(Client, WithoutAWorkerNothingIsSaidOfTheBytes) {
   Settings settings;
@@ -199,6 +266,56 @@ TEST(Client, AProgramThatIsNoWorkerIsNotOne) {
   const DracoResult result = client.decode_draco({});
   ASSERT_TRUE(std::holds_alternative<Fault>(result));
   EXPECT_EQ(std::get<Fault>(result).kind, FaultKind::unavailable);
+  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("exit code 0"));
+}
+
+/// A decoder that the name of its folder makes misbehave.
+class Decoders : public ::testing::Test {
+ protected:
+  Fault ask(const std::string& kind) {
+    const auto folder = folder_.path() / kind;
+    if (!std::filesystem::exists(folder)) {
+      folder_.link(kind + "/gltfx-codec-draco", GLTFX_TEST_WORKERS "/gltfx-codec-draco");
+    }
+    Settings settings = test_settings();
+    settings.folder = folder.native();
+    settings.standstill_seconds = kind == "mute" ? 1 : 30;
+    Client client(settings);
+    for (int i = 0; i < 2; ++i) static_cast<void>(client.decode_draco(bytes_of("triangle")));
+    const DracoResult result = client.decode_draco(bytes_of("triangle"));
+    const auto* fault = std::get_if<Fault>(&result);
+    return fault != nullptr ? *fault : Fault{FaultKind::malformed, "decoded"};
+  }
+
+  container::test::TempFolder folder_;
+};
+
+TEST_F(Decoders, OneThatEndsIsNamedWithItsExitCode) {
+  const Fault fault = ask("gone");
+  EXPECT_EQ(fault.kind, FaultKind::unavailable);
+  EXPECT_THAT(fault.message, HasSubstr("exit code 3"));
+}
+
+TEST_F(Decoders, OneThatGreetsWronglyIsNamed) {
+  const Fault fault = ask("rude");
+  EXPECT_EQ(fault.kind, FaultKind::unavailable);
+  EXPECT_THAT(fault.message, HasSubstr("does not greet as"));
+}
+
+TEST_F(Decoders, SilenceIsWaitedForOnce) {
+  const Fault fault = ask("mute");
+  EXPECT_EQ(fault.kind, FaultKind::unavailable);
+  EXPECT_THAT(fault.message, HasSubstr("stands still"));
+  EXPECT_EQ(std::filesystem::file_size(folder_.path() / "mute/starts"), 1U);
+}
+
+TEST_F(Decoders, OneWithoutAFilterIsRefusedUnlessPermitted) {
+  const Fault refused = ask("unfiltered");
+  EXPECT_EQ(refused.kind, FaultKind::unavailable);
+  EXPECT_THAT(refused.message, HasSubstr("--unsandboxed-decoders"));
+  permit_unsandboxed_decoders(true);
+  EXPECT_EQ(ask("unfiltered").message, "decoded");
+  permit_unsandboxed_decoders(false);
 }
 
 TEST(Client, WorkersEndWithTheProcess) {
@@ -208,15 +325,11 @@ TEST(Client, WorkersEndWithTheProcess) {
   if (child == 0) {
     // The worker is amid endless work when this process is killed.
     Settings settings = test_settings();
-    settings.seconds = 60;
+    settings.seconds = 3600;
     Client client(settings);
-    const std::string process = "process", spin = "spin";
-    const auto bytes = [](const std::string& text) {
-      return std::as_bytes(std::span(text.data(), text.size()));
-    };
-    const std::string id = std::get<Fault>(client.decode_draco(bytes(process))).message;
+    const std::string id = std::get<Fault>(client.decode_draco(bytes_of("process"))).message;
     if (::write(ends[1], id.data(), id.size()) < 0) ::_exit(1);
-    static_cast<void>(client.decode_draco(bytes(spin)));
+    static_cast<void>(client.decode_draco(bytes_of("spin")));
     ::_exit(0);
   }
   std::array<char, 32> id{};
@@ -224,7 +337,7 @@ TEST(Client, WorkersEndWithTheProcess) {
   const pid_t worker = std::stoi(id.data());
   kill_at_work(worker, child);
   ::waitpid(child, nullptr, 0);
-  EXPECT_TRUE(comes_to_an_end(worker));
+  wait_for_end(worker);
   ::close(ends[0]);
   ::close(ends[1]);
 }

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "codec/control.hpp"
+
 namespace gltfx::codec {
 namespace {
 
@@ -53,6 +55,17 @@ Frame changed(Frame frame, std::size_t at, int to) {
 TEST(Protocol, JobsAndGreetingsArriveAsTheyWere) {
   EXPECT_EQ(read_job(write_job(some_job())), some_job());
   EXPECT_EQ(read_hello(write_hello({true})), Hello{true});
+}
+
+TEST(Protocol, MessagesOfTheLauncherArriveAsTheyWere) {
+  const Control control{Control::Kind::finish, 1ULL << 40U};
+  EXPECT_EQ(read_control(write_control(control)), control);
+  EXPECT_FALSE(read_control(write_hello({true})));
+  Frame longer = write_control(control);
+  longer.push_back({});
+  EXPECT_FALSE(read_control(longer));
+  longer.resize(longer.size() - 2);
+  EXPECT_FALSE(read_control(longer));
 }
 
 TEST(Protocol, AMeshArrivesAsItWas) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/control.hpp"
 #include "codec/protocol.hpp"
 
 namespace {
@@ -43,6 +44,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto frame = std::as_bytes(std::span(data, size));
   if (const auto job = read_job(frame)) require(read_job(write_job(*job)) == job);
   if (const auto hello = read_hello(frame)) require(read_hello(write_hello(*hello)) == hello);
+  if (const auto control = read_control(frame)) {
+    require(read_control(write_control(*control)) == control);
+  }
   const auto answer = read_answer(frame);
   if (!answer) return 0;
   const Frame written = write_answer(*answer);

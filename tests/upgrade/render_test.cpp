@@ -43,7 +43,7 @@ std::string problem_of(std::vector<std::uint32_t> widths, const ImageJob& job,
                        std::uint32_t last_height = 1) {
   Zeros pictures(std::move(widths), last_height);
   ImageCache cache;
-  const auto file = render(job, pictures, cache);
+  const auto file = render(job, pictures, cache, {});
   return file ? "none" : file.error().message;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gltfx/decoders.hpp>
 #include <gltfx/pipeline.hpp>
 #include <gltfx/result_cache.hpp>
 
@@ -145,6 +146,7 @@ class BakeRun {
 }  // namespace
 
 ExitCode run(const BakeRequest& request) {
+  permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   BakeOptions options = request.bake;
   if (const auto problem = check_root(options.root)) {
     complain(problem->message);

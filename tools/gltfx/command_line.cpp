@@ -117,6 +117,7 @@ void Declaration::declare_upgrade() {
   add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);
   app.add_flag("-q,--quiet", upgrade_.quiet, "Problems only: no plan, no summary");
   add_configuration(app, upgrade_.configuration);
+  add_decoders(app, upgrade_.common);
   add_common(app, upgrade_.common);
 }
 

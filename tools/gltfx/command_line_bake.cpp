@@ -68,6 +68,7 @@ void declare_bake(CLI::App& app, BakeWords& words) {
   add_schema_sources(app, words.schema_files, words.schema_folders);
   app.add_flag("-q,--quiet", words.quiet, "Problems only: no progress, no list of files");
   add_configuration(app, words.configuration);
+  add_decoders(app, words.common);
   add_common(app, words.common);
 }
 

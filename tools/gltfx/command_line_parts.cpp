@@ -51,6 +51,11 @@ void add_common(CLI::App& app, CommonWords& words) {
            "auto, always or never (auto: on a terminal, unless NO_COLOR is set)");
 }
 
+void add_decoders(CLI::App& app, CommonWords& words) {
+  app.add_flag("--unsandboxed-decoders", words.unsandboxed_decoders,
+               "Decode images and meshes also where the system cannot confine the decoders");
+}
+
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders) {
   add_list(app, "--schema", files, "FILE", "Add or replace an extension's schema (repeatable)");

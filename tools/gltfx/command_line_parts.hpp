@@ -39,6 +39,8 @@ void add_root(CLI::App& app, std::string& root);
 void add_fail_on(CLI::App& app, std::string& level, const char* otherwise);
 
 void add_common(CLI::App& app, CommonWords& words);
+/// The options of the verbs that decode images and meshes.
+void add_decoders(CLI::App& app, CommonWords& words);
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders);
 

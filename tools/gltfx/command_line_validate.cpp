@@ -66,6 +66,7 @@ void declare_validate(CLI::App& app, ValidateWords& words) {
            "Only findings on lines that changed since then (git), all of new and binary files");
   app.add_flag("-q,--quiet", words.quiet, "Findings only: no summary, no notes");
   add_configuration(app, words.configuration);
+  add_decoders(app, words.common);
   add_common(app, words.common);
 }
 
@@ -81,6 +82,7 @@ void declare_report(CLI::App& app, PageWords& words) {
   declare_checks(app, words.validate);
   app.add_flag("-q,--quiet", words.validate.quiet, "Problems only: no progress, no summary");
   add_configuration(app, words.validate.configuration);
+  add_decoders(app, words.validate.common);
   add_common(app, words.validate.common);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gltfx/decoders.hpp>
 #include <gltfx/pipeline.hpp>
 #include <gltfx/result_cache.hpp>
 
@@ -133,6 +134,7 @@ class ReportRun {
 }  // namespace
 
 ExitCode run(const PageRequest& request) {
+  permit_unsandboxed_decoders(request.validate.common.unsandboxed_decoders);
   auto options = validation_of(request.validate);
   if (!options) {
     complain(options.error().message);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gltfx/decoders.hpp>
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
@@ -133,6 +134,7 @@ class UpgradeRun {
 }  // namespace
 
 ExitCode run(const UpgradeRequest& request) {
+  permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   auto options = options_of(request);
   if (!options) {
     complain(options.error().message);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gltfx/decoders.hpp>
 #include <gltfx/pipeline.hpp>
 #include <gltfx/result_cache.hpp>
 
@@ -158,6 +159,7 @@ ExitCode Run::execute() {
 }  // namespace
 
 ExitCode run(const ValidateRequest& request) {
+  permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   auto options = validation_of(request);
   if (!options) {
     complain(options.error().message);

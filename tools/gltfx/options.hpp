@@ -28,6 +28,7 @@ enum class ColorMode : std::uint8_t { automatic, always, never };
 struct CommonOptions {
   unsigned jobs = 1;
   ColorMode color = ColorMode::automatic;
+  bool unsandboxed_decoders = false;
 };
 
 /// Which configuration file holds.

@@ -70,6 +70,7 @@ void read_common(Reading& reading, const CommonWords& words, CommonOptions& opti
     reading.set(options.jobs, parse_jobs(words.jobs));
   }
   reading.set(options.color, parse_color(words.color));
+  options.unsandboxed_decoders = words.unsandboxed_decoders;
 }
 
 Result<ValidateRequest> request_of(const ValidateWords& words) {

@@ -12,6 +12,7 @@ namespace gltfx::tool {
 struct CommonWords {
   std::string jobs;
   std::string color = "auto";
+  bool unsandboxed_decoders = false;
 };
 
 /// Which inputs a run takes.

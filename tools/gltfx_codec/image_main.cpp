@@ -172,7 +172,9 @@ Answer serve_job(const Job& job, std::span<const std::byte> bytes, Output& outpu
 
 // Loads what the plugins load when they are first asked for: later no file can be opened.
 void prepare() {
+  // Workers are forked from this process: threads would not be there.
   OIIO::attribute("threads", 1);
+  OIIO::attribute("exr_threads", -1);
   for (const ImageFormat format :
        {ImageFormat::png, ImageFormat::jpeg, ImageFormat::radiance, ImageFormat::openexr}) {
     static_cast<void>(ImageInput::create(plugin_name(format)));

@@ -52,7 +52,8 @@ class GeometryDecoding {
       return check_draco_primitive(phase_, primitive, kExtension, *mesh);
     }
     const auto* fault = std::get_if<codec::Fault>(decoded);
-    const bool known = fault != nullptr && fault->kind != codec::FaultKind::unavailable;
+    const bool known = fault != nullptr && fault->kind != codec::FaultKind::unavailable &&
+                       fault->kind != codec::FaultKind::stalled;
     const std::string_view code = !known             ? "DRACO_NOT_CHECKED"
                                   : is_limit(*fault) ? "DRACO_LIMIT_EXCEEDED"
                                                      : "DRACO_DECODE_FAILED";

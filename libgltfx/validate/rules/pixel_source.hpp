@@ -26,7 +26,8 @@ class PixelSource {
     bool normals = false;  ///< look at it as at a normal map
   };
   /// Decodes images that have a sound header, `jobs` at a time; others are left out, and what there
-  /// are no texels left for fails as too large.
+  /// are no texels left for fails as too large. Stops where images run into limits of time and
+  /// memory.
   void decode(const std::vector<Request>& wanted, unsigned jobs);
 
   /// What was found, or null where nothing was decoded.
@@ -40,7 +41,8 @@ class PixelSource {
 
  private:
   /// Takes the texels of an image from what may be decoded.
-  bool take(std::uint32_t image);
+  bool take(std::uint32_t index);
+  codec::ImageResult decoded(const Request& request) const;
 
   const model::ResourceData& resources_;
   std::uint64_t texels_left_;
