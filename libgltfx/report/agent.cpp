@@ -56,6 +56,9 @@ class AgentWriter final : public ReportWriter {
       out += fmt::format("; {} could not be read", counted(summary.unreadable, "file"));
     }
     if (summary.unverified > 0) out += "; " + unverified_note(summary.unverified);
+    if (summary.images_decoded < summary.images_wanted) {
+      out += "; " + pixels_note(summary, options_.pixel_level);
+    }
     if (summary.suppressed > 0) {
       out += fmt::format("; {} known to the baseline", counted(summary.suppressed, "finding"));
     }

@@ -43,6 +43,8 @@ void RunSummary::add(const FileReport& report) {
   unverified += report.unverified;
   suppressed += report.suppressed;
   left_out += report.left_out;
+  images_wanted += report.images_wanted;
+  images_decoded += report.images_decoded;
   counts += report.counts;
 }
 

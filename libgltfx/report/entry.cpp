@@ -131,6 +131,8 @@ void write_entry(json::Writer& writer, const FileReport& report, Detail detail) 
   writer.member("suppressed", report.suppressed);
   writer.member("leftOut", report.left_out);
   writer.member("unverified", report.unverified);
+  writer.member("imagesWanted", report.images_wanted);
+  writer.member("imagesDecoded", report.images_decoded);
   writer.key("findings");
   writer.begin_array();
   for (const Diagnostic& finding : report.diagnostics) {
@@ -152,6 +154,8 @@ void write_summary(json::Writer& writer, const RunSummary& summary) {
   writer.member("unverified", summary.unverified);
   writer.member("suppressed", summary.suppressed);
   writer.member("leftOut", summary.left_out);
+  writer.member("imagesWanted", summary.images_wanted);
+  writer.member("imagesDecoded", summary.images_decoded);
   write_counts(writer, summary.counts);
   writer.end_object();
 }

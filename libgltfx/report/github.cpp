@@ -81,6 +81,9 @@ class GithubWriter final : public ReportWriter {
     if (summary.unverified != 0) {
       out += fmt::format("::notice title=gltfx::{}\n", unverified_note(summary.unverified));
     }
+    if (summary.images_decoded < summary.images_wanted) {
+      out += fmt::format("::notice title=gltfx::{}\n", pixels_note(summary, pixel_level_));
+    }
     // A plain line of the log: worth knowing, but no annotation.
     if (!pixel_level_.empty()) {
       out += fmt::format("gltfx: {} checked, pixels: {}\n", counted(summary.files, "file"),

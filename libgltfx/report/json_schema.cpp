@@ -34,6 +34,8 @@ constexpr std::string_view kSchema = R"json({
         "unverified": { "$ref": "#/$defs/count", "description": "Git-LFS pointers met." },
         "suppressed": { "$ref": "#/$defs/count", "description": "Findings the baseline knew." },
         "leftOut": { "$ref": "#/$defs/count", "description": "Findings that assets ask to leave out." },
+        "imagesWanted": { "$ref": "#/$defs/count", "description": "Images to decode (--pixels)." },
+        "imagesDecoded": { "$ref": "#/$defs/count", "description": "Those that could be decoded." },
         "errors": { "$ref": "#/$defs/count" },
         "warnings": { "$ref": "#/$defs/count" },
         "infos": { "$ref": "#/$defs/count" },
@@ -71,6 +73,8 @@ constexpr std::string_view kSchema = R"json({
         "truncated": { "type": "boolean", "description": "--max-issues ended the listing." },
         "suppressed": { "$ref": "#/$defs/count", "description": "Findings the baseline knew." },
         "leftOut": { "$ref": "#/$defs/count", "description": "Findings that assets ask to leave out." },
+        "imagesWanted": { "$ref": "#/$defs/count", "description": "Images to decode (--pixels)." },
+        "imagesDecoded": { "$ref": "#/$defs/count", "description": "Those that could be decoded." },
         "unverified": { "$ref": "#/$defs/count", "description": "Git-LFS pointers met." },
         "findings": {
           "type": "array",

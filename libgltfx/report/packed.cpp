@@ -217,7 +217,7 @@ void carry_info(Archive& archive, Info& info) {
 template <class Archive, class Report>
 void carry(Archive& archive, Report& report) {
   carry_all(archive, report.mime_type, report.readable, report.truncated, report.suppressed,
-            report.left_out, report.unverified);
+            report.left_out, report.unverified, report.images_wanted, report.images_decoded);
   auto& counts = report.counts;
   carry_all(archive, counts.errors, counts.warnings, counts.infos, counts.hints);
   carry_list(archive, report.diagnostics, [&](auto& finding) { carry_finding(archive, finding); });

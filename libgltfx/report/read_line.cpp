@@ -252,6 +252,8 @@ FileReport Reader::file(NodeId entry) {
   number(entry, "suppressed", report.suppressed);
   number(entry, "leftOut", report.left_out);
   number(entry, "unverified", report.unverified);
+  number(entry, "imagesWanted", report.images_wanted);
+  number(entry, "imagesDecoded", report.images_decoded);
   list(entry, "findings", [&](NodeId element) { report.diagnostics.push_back(finding(element)); });
   if (const NodeId at = object(entry, "info"); at != json::kNoNode) report.info = info(at);
   return report;

@@ -109,6 +109,9 @@ class SarifWriter final : public ReportWriter {
   }
 
   void end(const RunSummary& summary, std::string& out) override {
+    if (summary.images_decoded < summary.images_wanted) {
+      notify(Severity::info, pixels_note(summary, options_.pixel_level), nullptr);
+    }
     if (summary.unverified > 0) {
       notify(Severity::info, unverified_note(summary.unverified), nullptr);
     }

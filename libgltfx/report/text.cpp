@@ -77,8 +77,7 @@ class TextWriter final : public ReportWriter {
 
   void print_summary(const RunSummary& summary, std::string& out) const {
     out += counted(summary.files, "file") + " checked: " + tally(summary) + "\n";
-    if (pixel_level_ == "needed") out += "images were decoded where a rule needed their pixels\n";
-    if (pixel_level_ == "all") out += "all images were decoded\n";
+    if (const auto note = pixels_note(summary, pixel_level_); !note.empty()) out += note + "\n";
     if (summary.unreadable > 0) {
       out += counted(summary.unreadable, "file") + " could not be read\n";
     }

@@ -72,4 +72,18 @@ std::string unverified_note(std::uint64_t unverified) {
   return counted(unverified, "file") + " not verified (Git-LFS pointers)";
 }
 
+std::string pixels_note(const RunSummary& summary, std::string_view pixel_level) {
+  const bool all = pixel_level == "all";
+  if (!all && pixel_level != "needed") return {};
+  if (summary.images_wanted == 0) {
+    return all ? "there are no images to decode" : "no rule needs the pixels of an image";
+  }
+  std::string note = fmt::format("{} of {} decoded", summary.images_decoded,
+                                 counted(summary.images_wanted, "image"));
+  if (!all) note += " for rules that need their pixels";
+  const std::uint64_t failed = summary.images_wanted - summary.images_decoded;
+  if (failed > 0) note += fmt::format("; {} could not be decoded", failed);
+  return note;
+}
+
 }  // namespace gltfx::report

@@ -35,5 +35,7 @@ std::string left_out_note(std::uint64_t left_out);
 
 /// "4 files not verified (Git-LFS pointers)".
 std::string unverified_note(std::uint64_t unverified);
+/// How many of the images that were to be decoded were; empty where none was to be.
+std::string pixels_note(const RunSummary& summary, std::string_view pixel_level);
 
 }  // namespace gltfx::report

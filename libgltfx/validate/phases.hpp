@@ -42,7 +42,9 @@ Resources load_resources(const Context& context, Sink& sink, FileReport& report)
 void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink);
 
 /// Phases 5 to 7 over `resources`: sparse indices, elements of accessors, skinning, textures.
-void check_data(const Context& context, const model::ResourceData& resources, Sink& sink);
+/// Counts the images that they decode in `report`.
+void check_data(const Context& context, const model::ResourceData& resources, Sink& sink,
+                FileReport& report);
 
 /// The media type of the report; empty when the JSON text gives no root object.
 std::string mime_type(const container::Container& container, const json::Document& document);

@@ -53,7 +53,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   if (context.khronos() && (container.cut_short || container.ends_in_empty_chunk)) return;
   Resources resources = load_resources(context, sink, report);
   decode_views(context, resources.data, sink);
-  check_data(context, resources.data, sink);
+  check_data(context, resources.data, sink, report);
   check_image_based_lights(context, resources.data, sink);
   check_light_profiles(context, resources.data, sink, report);
   check_torn(context, resources.data, sink);

@@ -41,6 +41,8 @@ TEST(RunSummary, IsTheSumOfItsReports) {
   EXPECT_EQ(summary.unreadable, 1u);
   EXPECT_EQ(summary.unverified, 1u);
   EXPECT_EQ(summary.suppressed, 5u);
+  EXPECT_EQ(summary.images_wanted, 5u);
+  EXPECT_EQ(summary.images_decoded, 5u);
   EXPECT_EQ(summary.counts.errors, 44u);
   EXPECT_EQ(summary.counts.warnings, 1u);
   EXPECT_EQ(summary.counts.infos, 4u);

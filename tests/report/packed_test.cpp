@@ -31,6 +31,8 @@ FileReport with_everything() {
   report.suppressed = 3;
   report.left_out = 300;
   report.unverified = 1;
+  report.images_wanted = 7;
+  report.images_decoded = 6;
   AssetInfo& info = report.info.emplace();
   info.version = "2.0";
   info.generator = "";

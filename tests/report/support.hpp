@@ -124,6 +124,7 @@ inline std::vector<FileReport> sample_run() {
   reports.back().counts.infos = 4;
   reports.back().suppressed = 5;
   reports.back().unverified = 1;
+  reports.back().images_wanted = reports.back().images_decoded = 5;
   return reports;
 }
 

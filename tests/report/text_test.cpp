@@ -7,6 +7,9 @@
 namespace gltfx::report::testing {
 namespace {
 
+using ::testing::HasSubstr;
+using ::testing::Not;
+
 std::string text(const std::vector<FileReport>& reports, bool quiet = true) {
   FormatOptions options;
   options.quiet = quiet;
@@ -114,6 +117,34 @@ TEST(TextSummary, CountsBySeverityAndSaysWhatWasNotLookedInto) {
             "1 file not verified (Git-LFS pointers)\n"
             "5 findings known to the baseline\n"
             "`gltfx explain CODE` tells more about a finding\n");
+}
+
+std::string summary_of(const char* level, std::uint64_t wanted, std::uint64_t decoded,
+                       ReportFormat format = ReportFormat::text) {
+  FormatOptions options;
+  options.pixel_level = level;
+  FileReport report = file("a.gltf");
+  report.images_wanted = wanted;
+  report.images_decoded = decoded;
+  return run(format, {report}, options);
+}
+
+TEST(TextSummary, CountsTheImagesThatWereDecoded) {
+  EXPECT_THAT(summary_of("all", 3, 3), HasSubstr("\n3 of 3 images decoded\n"));
+  EXPECT_THAT(summary_of("all", 3, 1), HasSubstr("\n1 of 3 images decoded; 2 could not be"));
+  EXPECT_THAT(summary_of("all", 0, 0), HasSubstr("\nthere are no images to decode\n"));
+  EXPECT_THAT(summary_of("needed", 1, 1), HasSubstr("1 of 1 image decoded for rules"));
+  EXPECT_THAT(summary_of("needed", 0, 0), HasSubstr("no rule needs the pixels"));
+  EXPECT_THAT(summary_of("headers", 0, 0), Not(HasSubstr("image")));
+}
+
+TEST(Summary, SaysInEveryFormatForPeopleThatImagesWereNotDecoded) {
+  for (const ReportFormat format :
+       {ReportFormat::github, ReportFormat::sarif, ReportFormat::agent}) {
+    EXPECT_THAT(summary_of("all", 3, 1, format),
+                HasSubstr("1 of 3 images decoded; 2 could not be"));
+    EXPECT_THAT(summary_of("all", 3, 3, format), Not(HasSubstr("images decoded")));
+  }
 }
 
 TEST(TextSummary, NamesTheProgramAsTheUserCallsIt) {

@@ -65,6 +65,8 @@ struct FileReport {
   std::uint64_t suppressed = 0;         ///< findings a baseline knew
   std::uint64_t left_out = 0;           ///< findings that the asset asks to leave out
   std::uint64_t unverified = 0;         ///< resources not looked into: Git-LFS pointers
+  std::uint64_t images_wanted = 0;      ///< whose pixels were to be looked at
+  std::uint64_t images_decoded = 0;     ///< of those, the ones whose pixels could be had
   std::optional<AssetInfo> info;        ///< where the JSON text could be read
 };
 
@@ -74,6 +76,7 @@ struct RunSummary {
   std::uint64_t files_with_errors = 0;                         ///< those with at least one
   std::uint64_t unreadable = 0;                                ///< that could not be opened
   std::uint64_t unverified = 0, suppressed = 0, left_out = 0;  ///< sums of those of the files
+  std::uint64_t images_wanted = 0, images_decoded = 0;         ///< the same
   Counts counts;                                               ///< the same
   std::optional<int> exit_code;        ///< what the program is about to end with, where it is known
   void add(const FileReport& report);  ///< takes in one more

@@ -40,7 +40,8 @@ bool Budget::take(std::uint64_t count, std::uint64_t each) {
   return true;
 }
 
-void check_data(const Context& context, const model::ResourceData& resources, Sink& sink) {
+void check_data(const Context& context, const model::ResourceData& resources, Sink& sink,
+                FileReport& report) {
   DataPhase phase{context, resources, sink, Budget(resources)};
   decode_geometry(phase);
   check_sparse_indices(phase);
@@ -48,7 +49,7 @@ void check_data(const Context& context, const model::ResourceData& resources, Si
   check_influences(phase);
   check_mesh_edges(phase);
   check_textures(context, resources, sink);
-  check_texture_slots(context, resources, sink);
+  check_texture_slots(context, resources, sink, report);
 }
 
 }  // namespace gltfx::validate

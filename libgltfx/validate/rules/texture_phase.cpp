@@ -85,14 +85,20 @@ class PixelNeeds {
 
 }  // namespace
 
-void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink) {
+void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink,
+                         FileReport& report) {
   const bool every_image =
       pixel_level(context.options) == PixelLevel::all && !resources.images.empty();
   if (context.khronos() || (context.checked.slots.empty() && !every_image)) return;
   const Animated animated(context);
   const std::vector<TextureSlot> slots = texture_slots(context, animated);
   PixelSource pixels(resources);
-  pixels.decode(PixelNeeds(context, resources, slots).find(), context.options.jobs);
+  const auto wanted = PixelNeeds(context, resources, slots).find();
+  pixels.decode(wanted, context.options.jobs);
+  report.images_wanted = wanted.size();
+  report.images_decoded = static_cast<std::uint64_t>(std::count_if(
+      wanted.begin(), wanted.end(),
+      [&](const PixelSource::Request& request) { return pixels.of(request.image) != nullptr; }));
   const TexturePhase phase{context, resources, sink, animated, slots, pixels};
   check_channels(phase);
   check_sharing(phase);

@@ -3,6 +3,8 @@
 /// they were asked for.
 #pragma once
 
+#include <gltfx/report.hpp>
+
 #include <span>
 #include <vector>
 
@@ -36,7 +38,8 @@ void check_ktx2_slots(const TexturePhase& phase);
 /// What only decoded pixels tell.
 void check_pixels(const TexturePhase& phase);
 
-/// All of them.
-void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink);
+/// All of them. The images that are decoded for it are counted in `report`.
+void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink,
+                         FileReport& report);
 
 }  // namespace gltfx::validate

@@ -28,13 +28,12 @@ void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::F
   const bool malformed = fault.kind == codec::FaultKind::malformed;
   const std::string label = image_label(phase.context, image);
   const std::string reason = printable(fault.message);
-  const bool died = fault.kind == codec::FaultKind::died;
   report_image(phase, image, malformed ? "IMAGE_PIXELS_INVALID" : "IMAGE_NOT_DECODED",
                malformed
                    ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
                                  label, reason)
                    : fmt::format("The pixels of {} were not looked at: {}", label, reason),
-               died ? std::optional(Severity::warning) : std::nullopt);
+               codec::is_costly(fault) ? std::optional(Severity::warning) : std::nullopt);
 }
 
 // A decoder that went on where the data was damaged shows something, each its own.

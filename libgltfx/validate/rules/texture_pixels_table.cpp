@@ -7,8 +7,9 @@ namespace {
 
 constexpr RuleDescription kRules[] = {
     {"IMAGE_NOT_DECODED", Severity::info, "The pixels of an image were not looked at",
-     "It is too large, or decoding it takes more time or memory than an image of that many "
-     "bytes may have. What rules would say of its pixels is not known.",
+     "It is too large, or no decoder could be started. A warning where the decoder crashed, or "
+     "took more processor time or memory than an image of that size may take. What rules would "
+     "say of its pixels is not known.",
      "Look at the image itself: readers will have trouble with it too.",
      R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
