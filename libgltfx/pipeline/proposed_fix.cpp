@@ -9,7 +9,7 @@
 
 #include "json/lines.hpp"
 #include "json/parse.hpp"
-#include "pipeline/new_error.hpp"
+#include "pipeline/new_findings.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/plan.hpp"
 
@@ -74,7 +74,9 @@ void propose_fix(FileReport& report, const container::Container& container,
   if (finding == nullptr || plan.edits.empty()) return;
   const container::Container mended = container::open_bytes(
       container::Bytes::from_string(json::apply_edits(*container.json, plan.edits)), report.path);
-  if (new_error({container, resolver}, {mended, resolver}, report.path, schemas)) return;
+  const NewFindings fresh =
+      new_findings({container, resolver}, {mended, resolver}, report.path, schemas);
+  if (!fresh.error.empty()) return;
   finding->fix = std::make_shared<const ProposedFix>(fix_of(plan, *container.json));
 }
 

@@ -18,7 +18,8 @@
 #include "json/parse.hpp"
 #include "pipeline/companions.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/new_error.hpp"
+#include "pipeline/new_findings.hpp"
+#include "pipeline/patch_path.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "pipeline/upgraded_asset.hpp"
 #include "pipeline/write_upgrade.hpp"
@@ -27,6 +28,7 @@
 #include "upgrade/asset_pictures.hpp"
 #include "upgrade/diff.hpp"
 #include "upgrade/glb_rewrite.hpp"
+#include "upgrade/old_format.hpp"
 #include "upgrade/orphans.hpp"
 #include "upgrade/plan.hpp"
 #include "upgrade/prune.hpp"
@@ -52,18 +54,17 @@ class Upgrade {
   }
 
   UpgradeReport run() {
-    if (read() && plan() && wants_to_write()) write();
+    if (read() && plan()) finish();
     return std::move(report_);
   }
 
   // The new bytes, checked as if they were to be written; nothing when there are none.
   std::optional<OpenedAsset> run_in_memory() {
-    in_memory_ = true;
     Pieces pieces;
     if (!read() || !plan() || !report_.changes || !rebuild(pieces)) return std::nullopt;
     OpenedAsset asset{
         container::open_bytes(joined(std::move(pieces)), path_), with_new_files(), {}};
-    if (new_fault(asset.container)) return std::nullopt;
+    if (!is_no_worse(asset.container)) return std::nullopt;
     asset.parsed = json::parse(asset.container.json);
     return asset;
   }
@@ -75,6 +76,8 @@ class Upgrade {
     for (UpgradeAction& action : report_.actions) action.done = false;
     report_.changes = false;
     report_.new_files.clear();
+    report_.new_warnings.clear();
+    report_.diff.clear();
     report_.orphans.clear();
     return false;
   }
@@ -90,6 +93,10 @@ class Upgrade {
     if (container_.format == container::Format::git_lfs_pointer) {
       return fail(UpgradeProblem::unreadable,
                   "it is a Git-LFS pointer; 'git lfs pull' fetches the file itself");
+    }
+    if (container_.glb_version == 1U) {
+      report_.actions.push_back(upgrade::old_format(options_));
+      return false;
     }
     if (!container_.json) {
       return fail(UpgradeProblem::unreadable, "it holds no glTF; 'gltfx validate' says why");
@@ -130,12 +137,12 @@ class Upgrade {
       return fail(UpgradeProblem::refused,
                   "not everything can be upgraded without loss (--strict)");
     }
-    if (wants_new_text() && !plan.additions.empty() && !settle(plan.additions, bytes, pictures)) {
+    if (!plan.additions.empty() && !settle(plan.additions, bytes, pictures)) {
       return false;
     }
     if (report_.changes && asset.count(model::RootArray::textures) > 0)
       look_for_orphans(plan.released, bytes);
-    if (options_.diff) report_.diff = upgrade::unified_diff(*container_.json, edits_, path_);
+    if (options_.diff) report_.diff = diff_text();
     return true;
   }
 
@@ -146,8 +153,11 @@ class Upgrade {
     return true;
   }
 
-  // Images are made only for who wants to see or write what refers to them.
-  bool wants_new_text() const { return options_.diff || in_memory_ || wants_to_write(); }
+  // No patch changes the JSON inside a binary file: there the diff is a comment of one.
+  std::string diff_text() const {
+    const bool is_text = container_.format == container::Format::gltf;
+    return upgrade::unified_diff(*container_.json, edits_, patch_path(path_), is_text ? "" : "# ");
+  }
 
   bool settle(const upgrade::Additions& additions, const upgrade::AssetBytes& bytes,
               upgrade::Pictures& pictures) {
@@ -204,6 +214,7 @@ class Upgrade {
     edits_ = json::chain_edits(*container_.json, edits_, pruned->edits);
     bin_.cut = std::move(pruned->cut);
     for (UpgradeOrphan& orphan : report_.orphans) orphan.removed = true;
+    report_.names_removed = std::move(pruned->names);
   }
 
   // A new name is one that is free, or taken by the same bytes, where the asset is and where it
@@ -225,6 +236,11 @@ class Upgrade {
     return !options_.output.empty() || (options_.in_place && report_.changes);
   }
 
+  void finish() {
+    if (wants_to_write()) return write();
+    if (report_.changes) try_out();
+  }
+
   void write() {
     Pieces pieces{container_.bytes};
     if (report_.changes && !rebuild(pieces)) return;
@@ -243,6 +259,19 @@ class Upgrade {
   static container::Bytes joined(Pieces pieces) {
     if (pieces.size() == 1) return std::move(pieces.front());
     return container::Bytes::from_string(container::join(pieces));
+  }
+
+  // A plan is judged as what is written is. Where the BIN chunk stays, it need not be copied.
+  void try_out() {
+    container::Container changed = container_;
+    if (container_.format == container::Format::glb && !bin_.empty()) {
+      Pieces pieces;
+      if (!rebuild(pieces)) return;
+      changed = container::open_bytes(joined(std::move(pieces)), path_);
+    } else {
+      changed.json = share_text(json::apply_edits(*container_.json, edits_));
+    }
+    is_no_worse(changed);
   }
 
   bool rebuild(Pieces& pieces) {
@@ -266,14 +295,21 @@ class Upgrade {
   }
 
   // The new bytes may have no error that the old ones had not.
-  std::optional<std::string> new_fault(const container::Container& changed) const {
+  std::optional<std::string> new_fault(const container::Container& changed) {
     const container::Resolver with_files = with_new_files();
-    const auto code = new_error({container_, resolver_}, {changed, with_files}, path_, schemas_);
-    if (!code) return std::nullopt;
+    NewFindings found =
+        new_findings({container_, resolver_}, {changed, with_files}, path_, schemas_);
+    report_.new_warnings = std::move(found.warnings);
+    if (found.error.empty()) return std::nullopt;
     return fmt::format(
         "the new file would have an error {} that the old one has not; mend what 'gltfx validate' "
         "reports first",
-        *code);
+        found.error);
+  }
+
+  bool is_no_worse(const container::Container& changed) {
+    const auto fault = new_fault(changed);
+    return !fault || fail(UpgradeProblem::refused, *fault);
   }
 
   const std::string& path_;
@@ -287,7 +323,6 @@ class Upgrade {
   upgrade::BinChange bin_;
   std::vector<upgrade::NewFile> files_;  ///< that the new document refers to
   UpgradeReport report_;
-  bool in_memory_ = false;
 };
 
 UpgradeReport unreadable(const std::string& path, std::string why) {

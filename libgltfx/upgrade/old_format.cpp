@@ -15,9 +15,8 @@ UpgradeAction old_format(const UpgradeOptions& options, std::string pointer,
   action.pointer = std::move(pointer);
   action.from = "glTF " + version;
   action.fate = limited ? UpgradeFate::no_successor : UpgradeFate::impossible;
-  action.notes.emplace_back(
-      "glTF 1.0 is another format; gltf-pipeline converts it to glTF 2.0: "
-      "npx gltf-pipeline -i OLD -o NEW");
+  action.notes.emplace_back("glTF 1.0 is another format; gltf-pipeline converts it to glTF 2.0:");
+  action.notes.emplace_back("npx gltf-pipeline -i OLD -o NEW");
   return action;
 }
 

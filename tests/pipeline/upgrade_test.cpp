@@ -42,6 +42,34 @@ TEST(UpgradeFile, TellsThePlanAndWritesNothingUnasked) {
   EXPECT_EQ(content(path), kLegacy);
 }
 
+// A leaf whose map has no alpha, which the first generation does not read and later ones do.
+std::string leaf(const std::string& legacy) {
+  return R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_translucency"],
+"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"mode":0,"material":0}]}],
+"accessors":[{"componentType":5126,"type":"VEC3","count":1,"min":[0,0,0],"max":[0,0,0]},
+{"componentType":5126,"type":"VEC2","count":1}],"textures":[{"source":0}],
+"images":[{"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg=="}],
+"materials":[{"extensions":{"KHR_materials_translucency":{)" +
+         legacy + "}}}]}";
+}
+
+TEST(UpgradeFile, SaysInThePlanWhatWarningTheNewDocumentBrings) {
+  const TempFolder folder;
+  const std::string path =
+      folder.write("a.gltf", leaf(R"("translucencyFactor":1,"translucencyTexture":{"index":0})"))
+          .native();
+  UpgradeOptions options;
+  options.generation = "v2";
+  const std::vector<std::string> planned = upgrade_file(path, options).new_warnings;
+  ASSERT_EQ(planned.size(), 1U);
+  EXPECT_EQ(planned[0].find("TEXTURE"), 0U) << planned[0];
+  options.in_place = true;
+  EXPECT_EQ(upgrade_file(path, options).new_warnings, planned);
+  const std::string plain = folder.write("b.gltf", leaf(R"("translucencyFactor":1)")).native();
+  EXPECT_TRUE(upgrade_file(plain, {}).new_warnings.empty());
+}
+
 std::string with_fix(std::string text, const ProposedFix& fix) {
   for (auto one = fix.replacements.rbegin(); one != fix.replacements.rend(); ++one) {
     text.replace(one->place.offset, one->place.length, one->text);

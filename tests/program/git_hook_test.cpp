@@ -74,6 +74,34 @@ TEST_F(GitHook, FixesAndNamesWhatIsToBeStaged) {
   EXPECT_EQ(hook("upgrade --in-place").code, 0);
 }
 
+TEST_F(GitHook, APartlyStagedFileIsNotToBeStagedWhole) {
+  folder_.write("leaf.gltf", kLegacy);
+  shell("git add -A");
+  std::string edited = kLegacy;
+  edited.replace(edited.find("leaf"), 4, "secret");
+  edited.insert(edited.find("  \"materials\""), "  \"images\": [{ \"uri\": \"secret.png\" }],\n");
+  folder_.write("leaf.gltf", edited);
+  folder_.write("secret.png", picture_);
+  for (int run = 0; run < 2; ++run) {  // the second finds nothing to upgrade in the folder
+    const Outcome outcome = hook("upgrade --in-place");
+    EXPECT_EQ(outcome.code, 1) << outcome.out;
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("'leaf.gltf' is staged with legacy objects"),
+                                   HasSubstr("'git add -p'"), Not(HasSubstr("git add --"))));
+    EXPECT_THAT(content("leaf.gltf"), HasSubstr("diffuseTransmissionFactor"));
+  }
+  shell("git add leaf.gltf secret.png");
+  EXPECT_EQ(hook("upgrade --in-place").code, 0);
+}
+
+TEST_F(GitHook, APartlyStagedFileWithoutLegacyObjectsIsNoHindrance) {
+  folder_.write("leaf.gltf", kUpgraded);
+  shell("git add -A");
+  folder_.write("leaf.gltf", kUpgraded + "\n");
+  const Outcome outcome = hook("upgrade --in-place");
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_THAT(outcome.out, Not(HasSubstr("git add")));
+}
+
 TEST_F(GitHook, AFileThatIsNotStagedBreaksTheCommitUntilItIs) {
   folder_.write("tree/leaf.gltf", asset_with("maps/new.png"));
   folder_.write("tree/maps/new.png", picture_);

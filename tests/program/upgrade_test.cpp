@@ -89,6 +89,64 @@ TEST_F(UpgradeTest, TheDiffCanBeApplied) {
   EXPECT_EQ(content("leaf.gltf"), kUpgraded);
 }
 
+TEST_F(UpgradeTest, TheDiffOfAFolderCanBeAppliedByGitAndByPatch) {
+  if (bash("command -v git && command -v patch").code != 0)
+    GTEST_SKIP() << "git or patch is missing";
+  const std::vector<std::string> files{
+      "plain.gltf",    "a b.gltf",   "deep dir/x y.gltf",        "q\"uote.gltf",
+      "back\\s.gltf",  "t\tab.gltf", "new\nline.gltf",           "\xC3\xA4.gltf",
+      "-dash 's.gltf", " lead.gltf", "2020-01-01 00:00:00 .gltf"};
+  for (const std::string& file : files) folder_.write("in/" + file, kLegacy);
+  folder_.write("in/lantern.glb", read_file(fixture("legacy/lantern.glb")));
+  const auto apply = [&](const std::string& folder, const std::string& tool) {
+    for (const std::string& file : files) folder_.write("in/" + file, kLegacy);
+    const Outcome outcome = bash("git init -q . && cd '" + folder +
+                                     "' && \"$GLTFX\" upgrade \"$OLDPWD/in\" --diff >/dev/null "
+                                     "&& \"$GLTFX\" upgrade . --diff > \"$OLDPWD/patch.diff\" && " +
+                                     tool + " < \"$OLDPWD/patch.diff\"",
+                                 {folder_.path().native(), {}, {}});
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    for (const std::string& file : files) EXPECT_EQ(content("in/" + file), kUpgraded) << file;
+  };
+  apply("in", "git apply");
+  apply("in", "patch -p1");
+  apply(".", "git apply");
+  EXPECT_THAT(content("patch.diff"), HasSubstr("# --- a/in/lantern.glb\n# +++ b/in/lantern.glb\n"));
+}
+
+TEST_F(UpgradeTest, TheDiffNamesALinkedFileByItsOwnName) {
+  folder_.write("leaf.gltf", kLegacy);
+  folder_.link("link.gltf", "leaf.gltf");
+  EXPECT_THAT(here({"link.gltf", "--diff"}).out, StartsWith("--- a/leaf.gltf\n+++ b/leaf.gltf\n"));
+  const std::string outside = here({(folder_.path() / "leaf.gltf").native(), "--diff"}).out;
+  EXPECT_THAT(outside, StartsWith("--- a/leaf.gltf\n"));
+}
+
+TEST_F(UpgradeTest, AnAssetOfAnOlderFormatIsLeftToDoAndToldWhatConvertsIt) {
+  folder_.write("old.gltf", R"({"asset":{"version":"1.0"}})");
+  folder_.write("old.glb", std::string("glTF\1\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0", 20));
+  for (const char* file : {"old.gltf", "old.glb"}) {
+    const Outcome outcome = here({file, "--check"});
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("left alone: not possible"),
+                                   HasSubstr("npx gltf-pipeline -i OLD -o NEW")));
+    EXPECT_EQ(here({file, "--in-place"}).code, 1);
+    EXPECT_EQ(here({file, "--check", "--only", "KHR_xmp"}).code, 0);
+  }
+}
+
+TEST_F(UpgradeTest, ALegacyNameWithoutObjectsIsToBeRemoved) {
+  folder_.write("a.gltf", R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_xmp"],)"
+                          R"("extensionsRequired":["KHR_xmp"]})");
+  const Outcome outcome = here({"a.gltf", "--check"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("/extensionsUsed/0"), HasSubstr("/extensionsRequired/0"),
+                                 HasSubstr("no object has KHR_xmp")));
+  EXPECT_EQ(here({"a.gltf", "--in-place"}).code, 0);
+  EXPECT_EQ(content("a.gltf"), R"({"asset":{"version":"2.0"}})");
+  EXPECT_EQ(here({"a.gltf", "--check"}).code, 0);
+}
+
 TEST_F(UpgradeTest, ABackupKeepsTheOldBytesAndIsNeverOverwritten) {
   folder_.write("leaf.gltf", kLegacy);
   EXPECT_EQ(here({"leaf.gltf", "--in-place", "--backup"}).code, 0);

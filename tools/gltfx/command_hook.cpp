@@ -10,8 +10,13 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "container/container.hpp"
+#include "json/parse.hpp"
 #include "report/wording.hpp"
+#include "schema/compile.hpp"
+#include "schema_sources.hpp"
 #include "staged_assets.hpp"
+#include "upgrade/plan.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -68,21 +73,46 @@ class Hook {
     const auto before = index_.unstaged();
     if (!before) return before.error();
     paths() = {{}, true};
+    std::vector<RepositoryName> half_staged;
     for (const RepositoryName& asset : assets_.found()) {
       paths().words.push_back(index_.path_of(asset));
-      if (before->count(asset) == 0 || quiet()) continue;
+      if (before->count(asset) == 0) continue;
+      half_staged.push_back(asset);
+      if (quiet()) continue;
       complain(fmt::format("note: {} is not as it is staged; what lies in the folder is checked",
                            shown(asset)));
     }
     code_ = std::visit([](const auto& verb) { return run(verb); }, request_.verb);
     if (!fixes()) return std::nullopt;
-    assets_.look_at_files();
+    assets_.look_at_files(*before);
     const auto after = index_.unstaged();
     if (!after) return after.error();
     for (const RepositoryName& asset : assets_.found()) {
-      if (after->count(asset) > 0) to_stage_.push_back(asset);
+      if (after->count(asset) > before->count(asset)) to_stage_.push_back(asset);
     }
-    return std::nullopt;
+    return check_half_staged(std::get<UpgradeRequest>(request_.verb), half_staged);
+  }
+
+  // Whoever stages a part of a file chooses what else of it goes into the commit.
+  std::optional<Error> check_half_staged(const UpgradeRequest& request,
+                                         const std::vector<RepositoryName>& assets) {
+    auto schemas = load_schemas(request.schema_files, request.schema_folders);
+    if (!schemas) return schemas.error();
+    const auto set = *schemas ? *std::move(schemas) : schema::builtin_set();
+    return index_.read(assets, [&](const RepositoryName& asset, std::string&& bytes) {
+      const auto staged =
+          container::open_bytes(container::Bytes::from_string(std::move(bytes)), asset);
+      if (!staged.json) return;
+      const json::Parsed parsed = json::parse(staged.json);
+      if (parsed.document.empty()) return;
+      UpgradeReport report;
+      report.actions = upgrade::make_plan(parsed.document, *set, request.upgrade).actions;
+      if (report.due() == 0) return;
+      fail(
+          fmt::format("{} is staged with legacy objects, and not all of its changes are staged: "
+                      "stage what belongs to the commit ('git add -p')\n",
+                      shown(asset)));
+    });
   }
 
   std::optional<Error> check() {

@@ -95,10 +95,23 @@ class UpgradeRun {
     complain(summary.substr(0, summary.size() - 1));
   }
 
+  // What the plan says and a diff cannot hold.
+  static void note_beside_diff(const UpgradeReport& report) {
+    const std::string path = printable(report.path);
+    for (const std::string& file : report.new_files) {
+      complain(fmt::format("note: {}: the diff lacks the new file {}, which it refers to", path,
+                           printable(file)));
+    }
+    for (const std::string& warning : report.new_warnings) {
+      complain(fmt::format("note: {}: new warning: {}", path, printable(warning)));
+    }
+  }
+
   void take(const UpgradeReport& report) {
     summary_.add(report);
     if (options_.diff) {
       say(diff_text(report.diff));
+      if (!request_.quiet) note_beside_diff(report);
     } else if (!request_.quiet) {
       say(upgrade_plan_text(report, style_));
     }

@@ -78,8 +78,10 @@ std::optional<Error> StagedAssets::find(const std::set<RepositoryName>& names) {
   return std::nullopt;
 }
 
-void StagedAssets::look_at_files() {
-  for (const RepositoryName& asset : found_) note_file(asset);
+void StagedAssets::look_at_files(const std::set<RepositoryName>& but) {
+  for (const RepositoryName& asset : found_) {
+    if (but.count(asset) == 0) note_file(asset);
+  }
 }
 
 void StagedAssets::note_file(const RepositoryName& asset) {

@@ -22,8 +22,9 @@ class StagedAssets {
   /// Finds the assets among `names`, and in the index those that refer to others of them. All names
   /// may be gone.
   std::optional<Error> find(const std::set<RepositoryName>& names);
-  /// Looks once more, into the working tree, at what the found ones refer to.
-  void look_at_files();
+  /// Looks once more, into the working tree, at what the found ones refer to, but for those whose
+  /// index and file differ on purpose.
+  void look_at_files(const std::set<RepositoryName>& but);
 
   const std::set<RepositoryName>& found() const { return found_; }
   /// Of all that was looked at; names that lead out of the repository are left out.

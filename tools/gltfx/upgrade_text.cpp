@@ -26,7 +26,8 @@ std::string outcome(const UpgradeAction& action, bool refused) {
 }
 
 std::string action_text(const UpgradeAction& action, bool refused, const Style& style) {
-  std::string text = fmt::format("  {}\n", style.bold(printable(action.pointer)));
+  const std::string& place = action.pointer.empty() ? action.from : action.pointer;
+  std::string text = fmt::format("  {}\n", style.bold(printable(place)));
   text += fmt::format("    {}\n", outcome(action, refused));
   if (!action.generation.empty()) {
     text +=
@@ -55,6 +56,10 @@ std::string orphans_text(const UpgradeReport& report) {
   } else if (!removed) {
     text += ", --prune takes them out";
   }
+  for (const std::string& name : report.names_removed) {
+    fmt::format_to(std::back_inserter(text), "; {} has no object any more: its name goes, too",
+                   name);
+  }
   return wrapped(printable(text), 2);
 }
 
@@ -79,6 +84,9 @@ std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
   for (const UpgradeAction& action : report.actions) text += action_text(action, refused, style);
   for (const std::string& file : report.new_files) {
     text += fmt::format("  new file: {}\n", printable(file));
+  }
+  for (const std::string& warning : report.new_warnings) {
+    text += wrapped(printable("new warning: " + warning), 2);
   }
   text += orphans_text(report);
   return text;

@@ -104,8 +104,15 @@ struct UpgradeReport {
   std::string written_to;              ///< path of the file that was written; may be empty
   std::vector<std::string> new_files;  ///< that the new document refers to, from its folder
   std::vector<UpgradeOrphan> orphans;  ///< by root array, in its order
-  std::string orphans_kept;            ///< why they stay although they were to go, without stop
-  std::string diff;                    ///< unified, of the JSON text; raw asset text
+  /// Warnings of `gltfx validate` that the new document has and the old one has not, one a code:
+  /// "CODE at /pointer: message".
+  std::vector<std::string> new_warnings;
+  /// Extensions whose last object was one of them, so that the lists name them no more.
+  std::vector<std::string> names_removed;
+  std::string orphans_kept;  ///< why they stay although they were to go, without stop
+  /// Unified, of the JSON text, for `git apply` and `patch -p1` in the working folder; of a binary
+  /// file as a comment, which both skip. Raw asset text.
+  std::string diff;
 
   /// Legacy objects that are part of what was asked for.
   std::uint64_t due() const;
