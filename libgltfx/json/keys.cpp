@@ -91,11 +91,13 @@ KeyId KeyTable::find(std::string_view name) const {
 }
 
 KeyId KeyTable::intern(std::string_view name) {
-  if ((names_.size() + 1) * 2 > slots_.size()) grow();
+  if ((names_.size() + 1) * 3 > slots_.size() * 2) grow();
   const std::uint64_t hashed = hash(name);
   Slot& slot = slots_[slot_of(name, hashed)];
   if (slot.id == kNoKey) {
     slot = {static_cast<std::uint32_t>(hashed >> 32), static_cast<KeyId>(names_.size())};
+    // Less at a time than doubling: a text of nothing but names has a table larger than itself.
+    if (names_.size() == names_.capacity()) names_.reserve(names_.size() / 4 * 5 + 16);
     names_.push_back(name);
   }
   return slot.id;

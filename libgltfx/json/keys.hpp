@@ -45,7 +45,7 @@ class KeyTable {
 
   std::uint64_t seed_a_;
   std::uint64_t seed_b_;
-  std::vector<Slot> slots_;  // a power of two, at most half full
+  std::vector<Slot> slots_;  // a power of two, at most two thirds full
   std::vector<std::string_view> names_;
   std::shared_ptr<std::deque<std::string>> kept_;
 };

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "base/pages.hpp"
 #include "inspect/facts.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/opened_asset.hpp"
@@ -24,22 +25,31 @@ UpgradeFact fact_of(UpgradeAction&& action) {
   return fact;
 }
 
-InspectReport inspect_opened(const std::string& path, const InspectOptions& options) {
-  InspectReport report;
-  report.path = path;
+// False when there are none; then the report says why. The asset is closed at the end: what looks
+// at it next opens it anew, and a large document is held once.
+bool collect(const std::string& path, const InspectOptions& options, const schema::Set& schemas,
+             InspectReport& report) {
   auto opened = open_asset(path, options.root);
   if (!opened) {
     report.error = opened.error().message;
-    return report;
+    return false;
   }
   const json::Document& document = opened->parsed.document;
   if (!document.is_object(document.root())) {
     report.error = "it holds no glTF; 'gltfx validate' says why";
-    return report;
+    return false;
   }
-  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   report.facts =
-      inspect::collect_facts(opened->container, opened->resolver, document, *schemas, options.jobs);
+      inspect::collect_facts(opened->container, opened->resolver, document, schemas, options.jobs);
+  return true;
+}
+
+InspectReport inspect_opened(const std::string& path, const InspectOptions& options) {
+  InspectReport report;
+  report.path = path;
+  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
+  if (!collect(path, options, *schemas, report)) return report;
+  give_back_memory();
   UpgradeOptions wanted;
   wanted.root = options.root;
   wanted.schemas = schemas;
