@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/asset.hpp"
 
+#include "model/limits.hpp"
+
 namespace gltfx::model {
 namespace {
 
@@ -26,8 +28,18 @@ std::string_view root_array_name(RootArray array) {
   return kNames[static_cast<std::size_t>(array)];
 }
 
+std::uint64_t root_objects(const json::Document& document) {
+  std::uint64_t count = 0;
+  for (const std::string_view name : kNames) {
+    const json::NodeId array = document.find(document.root(), name);
+    if (array != json::kNoNode && document.is_array(array)) count += document.array_size(array);
+  }
+  return count;
+}
+
 Asset::Asset(const json::Document& document) : document_(&document) {
   if (document.empty()) return;
+  if (root_objects(document) > most_root_objects(document.text().size())) return;
   for (std::size_t i = 0; i < kRootArrayCount; ++i) {
     elements_[i] = collect(document, document.find(document.root(), kNames[i]));
   }

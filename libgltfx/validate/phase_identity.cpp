@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "model/format_version.hpp"
+#include "model/limits.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
@@ -65,11 +66,27 @@ void name_vrm(const Context& context) {
   }
 }
 
+bool check_amount(const Context& context, Collector& collector) {
+  const std::uint64_t count = model::root_objects(context.document);
+  const std::uint64_t most = model::most_root_objects(context.document.text().size());
+  if (count <= most) return true;
+  Finding finding;
+  finding.code = "TOO_MANY_OBJECTS";
+  finding.message = fmt::format(
+      "The arrays of the root have {} elements, at most {} are expected in {} bytes; nothing more "
+      "is checked.",
+      count, most, context.document.text().size());
+  finding.span = first_character(context.document, 0);
+  collector.report_file(Phase::schema, std::move(finding));
+  return false;
+}
+
 }  // namespace
 
 bool check_identity(const Context& context, Collector& collector) {
   if (context.khronos() || !context.document.is_object(context.document.root())) return true;
   if (check_version_1(context, collector)) return false;
+  if (!check_amount(context, collector)) return false;
   name_draft(context);
   name_vrm(context);
   return true;

@@ -56,6 +56,21 @@ const std::string kPointer =
     "oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\n"
     "size 12345\n";
 
+// Three bytes each, and many times as much to keep; a large asset may have more.
+TEST(Identity, MoreObjectsThanTextForThemAreOneFinding) {
+  const auto nodes = [](std::size_t count, const std::string& node) {
+    std::string text = R"({"asset": {"version": "2.0"}, "nodes": [)" + node;
+    text.reserve(text.size() + (node.size() + 1) * count);
+    for (std::size_t i = 1; i < count; ++i) text.append(1, ',').append(node);
+    return text + "]}";
+  };
+  EXPECT_EQ(test::verdict(nodes(1'200'000, "{}")), Lines{"TOO_MANY_OBJECTS "});
+  EXPECT_EQ(test::verdict(nodes(1'200'000, "0")), Lines{"TOO_MANY_OBJECTS "});
+  EXPECT_NE(test::verdict(nodes(900'000, "0")), Lines{"TOO_MANY_OBJECTS "});
+  const std::string real = R"({"extras":"0123456789012345678901"})";
+  EXPECT_NE(test::verdict(nodes(1'200'000, real)), Lines{"TOO_MANY_OBJECTS "});
+}
+
 TEST(Identity, NamesAGitLfsPointer) {
   const FileReport report = validate_bytes(kPointer, "model.glb");
   ASSERT_EQ(report.diagnostics.size(), 1U);

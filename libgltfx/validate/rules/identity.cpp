@@ -31,6 +31,12 @@ constexpr RuleDescription kRules[] = {
      "The draft changes until it is released; the asset is checked by the rules of 2.0.",
      "Use version 2.0 unless a feature of the draft is needed.", R"({"asset": {"version": "2.1"}})",
      kMinimal, Fix::none, false},
+    {"TOO_MANY_OBJECTS", Severity::error, "The asset has far more objects than text for them",
+     "Millions of objects in a few bytes each are no content, but cost a reader many times the "
+     "size "
+     "of the file. Nothing more of the asset is checked.",
+     "Remove the objects without content.",
+     R"({"asset": {"version": "2.0"}, "nodes": [0{{,0*1200000}}]})", kMinimal, Fix::none, false},
     {"VRM_ASSET", Severity::info, "The asset is a VRM avatar",
      "VRM adds rules of its own (bones, expressions, licence) that are not checked here.",
      "Check it with a VRM tool as well.",
