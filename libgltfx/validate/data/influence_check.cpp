@@ -2,6 +2,7 @@
 #include "validate/data/influence_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <type_traits>
@@ -12,6 +13,10 @@ namespace {
 
 // What one rounding to single precision may lose (specification section 3.7.3.3).
 constexpr double kSumTolerance = 2e-7;
+
+constexpr std::size_t kMostElements = 48;  // that a reader holds
+constexpr std::size_t kMostComponents = 16;
+constexpr std::size_t kElementsOfAll = 16384;  // that the readers of all sets hold
 
 // The influences on one vertex: which joints have been seen, and the sum of the weights.
 class Vertex {
@@ -50,9 +55,11 @@ class InfluenceCheck {
   InfluenceCheck(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count, bool all_weights,
                  const std::function<void(const Influence&)>& emit)
       : joint_count_(joint_count), all_weights_(all_weights), emit_(emit), vertex_(joint_count) {
+    const std::size_t block = std::clamp<std::size_t>(
+        kElementsOfAll / std::max<std::size_t>(sets.size(), 1), 1, kMostElements);
     for (const InfluenceSet& set : sets) {
-      joints_.push_back(reader(set.joints, false));
-      weights_.push_back(reader(set.weights, true));
+      joints_.push_back(reader(set.joints, false, block));
+      weights_.push_back(reader(set.weights, true, block));
     }
   }
 
@@ -69,8 +76,8 @@ class InfluenceCheck {
  private:
   using Reader = std::optional<NumberReader>;
 
-  static Reader reader(const model::AccessorData* data, bool normalized) {
-    return data != nullptr ? Reader(std::in_place, *data, normalized) : std::nullopt;
+  static Reader reader(const model::AccessorData* data, bool normalized, std::size_t block) {
+    return data != nullptr ? Reader(std::in_place, *data, normalized, block) : std::nullopt;
   }
   static bool has_more(const Reader& reader) { return reader && !reader->done(); }
 
@@ -124,8 +131,10 @@ class InfluenceCheck {
 
 }  // namespace
 
-NumberReader::NumberReader(const model::AccessorData& data, bool normalized)
-    : data_(&data), normalized_(normalized && data.format().normalized) {}
+NumberReader::NumberReader(const model::AccessorData& data, bool normalized, std::size_t block)
+    : data_(&data),
+      normalized_(normalized && data.format().normalized),
+      block_(std::min(block, kMostElements)) {}
 
 double NumberReader::next() {
   if (at_ == filled_) fill();
@@ -134,12 +143,13 @@ double NumberReader::next() {
 
 void NumberReader::fill() {
   const auto elements =
-      static_cast<std::size_t>(std::min<std::uint64_t>(kElements, data_->count() - next_element_));
+      static_cast<std::size_t>(std::min<std::uint64_t>(block_, data_->count() - next_element_));
   filled_ = elements * data_->components();
   at_ = 0;
+  values_.resize(filled_);
   model::with_component_type(data_->format().component, [&](auto zero) {
     using T = decltype(zero);
-    std::array<T, kElements * kMostComponents> raw{};
+    std::array<T, kMostElements * kMostComponents> raw;  // filled as far as it is read
     data_->read(reinterpret_cast<std::byte*>(raw.data()), next_element_, elements, next_sparse_);
     for (std::size_t i = 0; i < filled_; ++i) {
       values_[i] = static_cast<double>(raw[i]);

@@ -3,7 +3,7 @@
 /// 3.7.3.3).
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -15,22 +15,21 @@ namespace gltfx::validate {
 /// Reads the components of an accessor one after the other as doubles, normalized if it says so.
 class NumberReader {
  public:
-  /// Keeps a reference to the data.
-  NumberReader(const model::AccessorData& data, bool normalized);
+  /// Keeps a reference to the data, and at most `block` elements of it.
+  NumberReader(const model::AccessorData& data, bool normalized, std::size_t block);
   bool done() const { return at_ == filled_ && next_element_ == data_->count(); }
   /// Precondition: not done.
   double next();
 
  private:
-  static constexpr std::size_t kElements = 48;
-  static constexpr std::size_t kMostComponents = 16;
   void fill();
 
   const model::AccessorData* data_;
   bool normalized_;
+  std::size_t block_;
   std::uint64_t next_element_ = 0;
   std::uint64_t next_sparse_ = 0;
-  std::array<double, kElements * kMostComponents> values_{};
+  std::vector<double> values_;
   std::size_t at_ = 0;
   std::size_t filled_ = 0;
 };

@@ -142,6 +142,19 @@ class InfluenceReport {
   std::map<Key, std::size_t> tallies_;
 };
 
+using SetAttributes = std::vector<const model::Attribute*>;
+
+// The first attribute of each set of a kind.
+SetAttributes by_set(const model::Primitive& primitive, SemanticKind kind, std::size_t sets) {
+  SetAttributes found(sets, nullptr);
+  for (const model::Attribute& attribute : primitive.attributes) {
+    const model::Semantic& semantic = attribute.semantic;
+    if (semantic.kind != kind || semantic.set >= sets) continue;
+    if (found[semantic.set] == nullptr) found[semantic.set] = &attribute;
+  }
+  return found;
+}
+
 class InfluencePhase {
  public:
   explicit InfluencePhase(DataPhase& phase) : phase_(phase), report_(phase) {}
@@ -169,10 +182,12 @@ class InfluencePhase {
     const std::size_t sets = model::joint_sets(primitive);
     if (sets == 0) return;
     const std::uint64_t vertices = vertex_count(primitive);
+    const SetAttributes joints = by_set(primitive, SemanticKind::joints, sets);
+    const SetAttributes weights = by_set(primitive, SemanticKind::weights, sets);
     std::vector<std::optional<AccessorData>> data;
     for (std::size_t set = 0; set < sets; ++set) {
       for (const SemanticKind kind : {SemanticKind::joints, SemanticKind::weights}) {
-        const model::Attribute* attribute = primitive.find(kind, set);
+        const model::Attribute* attribute = (kind == SemanticKind::joints ? joints : weights)[set];
         if (!has_count(attribute, vertices)) return;
         data.push_back(open(*attribute, kind));
         // The Khronos validator reads until it meets what cannot be read.
