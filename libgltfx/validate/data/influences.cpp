@@ -42,13 +42,26 @@ std::vector<Limit> joint_limits(const Context& context) {
   return limits;
 }
 
+using SetAttributes = std::vector<const model::Attribute*>;
+
+// The first attribute of each set of a kind.
+SetAttributes by_set(const model::Primitive& primitive, SemanticKind kind, std::size_t sets) {
+  SetAttributes found(sets, nullptr);
+  for (const model::Attribute& attribute : primitive.attributes) {
+    const model::Semantic& semantic = attribute.semantic;
+    if (semantic.kind != kind || semantic.set >= sets) continue;
+    if (found[semantic.set] == nullptr) found[semantic.set] = &attribute;
+  }
+  return found;
+}
+
 // A primitive whose joints and weights are looked at.
 struct Skinned {
   std::uint32_t mesh = 0;
   std::uint32_t primitive = 0;
   Limit limit;
-  json::NodeId attributes = json::kNoNode;
-  bool lossy = false;  ///< the weights were quantised
+  SetAttributes joints, weights;  // by set, none is null
+  bool lossy = false;             ///< the weights were quantised
 };
 
 // Faults of all primitives; for the khronos profile one by one while that is few enough, otherwise
@@ -57,7 +70,7 @@ class InfluenceReport {
  public:
   explicit InfluenceReport(DataPhase& phase) : phase_(phase) {}
 
-  void begin(const Skinned& skinned) { primitives_.push_back(skinned); }
+  void begin(Skinned skinned) { primitives_.push_back(std::move(skinned)); }
 
   void note(const Influence& influence) {
     const std::size_t primitive = primitives_.size() - 1;
@@ -127,9 +140,9 @@ class InfluenceReport {
     std::string message = sentence(influence, skinned.limit);
     if (found.count > 1) message += fmt::format(" It is the first of {}.", found.count);
     if (weights && skinned.lossy) message += kAfterDraco;
-    Finding finding =
-        finding_on(phase_.context, phase_.context.document.find(skinned.attributes, name),
-                   code(influence.fault), std::move(message));
+    Finding finding = finding_on(phase_.context,
+                                 (weights ? skinned.weights : skinned.joints)[influence.set]->value,
+                                 code(influence.fault), std::move(message));
     finding.count = found.count;
     if (weights && skinned.lossy) finding.severity = Severity::warning;
     with_path({Place::Kind::attribute, skinned.mesh, skinned.primitive, name, json::kNoNode},
@@ -141,19 +154,6 @@ class InfluenceReport {
   std::vector<Found> found_;
   std::map<Key, std::size_t> tallies_;
 };
-
-using SetAttributes = std::vector<const model::Attribute*>;
-
-// The first attribute of each set of a kind.
-SetAttributes by_set(const model::Primitive& primitive, SemanticKind kind, std::size_t sets) {
-  SetAttributes found(sets, nullptr);
-  for (const model::Attribute& attribute : primitive.attributes) {
-    const model::Semantic& semantic = attribute.semantic;
-    if (semantic.kind != kind || semantic.set >= sets) continue;
-    if (found[semantic.set] == nullptr) found[semantic.set] = &attribute;
-  }
-  return found;
-}
 
 class InfluencePhase {
  public:
@@ -174,7 +174,7 @@ class InfluencePhase {
   void check_mesh(std::uint32_t index, const model::Mesh& mesh, const Limit& limit) {
     if (mesh.has_holes && phase_.context.khronos()) return;
     for (std::uint32_t i = 0; i < mesh.primitives.size(); ++i) {
-      check_primitive({index, i, limit}, mesh.primitives[i]);
+      check_primitive({index, i, limit, {}, {}}, mesh.primitives[i]);
     }
   }
 
@@ -182,12 +182,13 @@ class InfluencePhase {
     const std::size_t sets = model::joint_sets(primitive);
     if (sets == 0) return;
     const std::uint64_t vertices = vertex_count(primitive);
-    const SetAttributes joints = by_set(primitive, SemanticKind::joints, sets);
-    const SetAttributes weights = by_set(primitive, SemanticKind::weights, sets);
+    skinned.joints = by_set(primitive, SemanticKind::joints, sets);
+    skinned.weights = by_set(primitive, SemanticKind::weights, sets);
     std::vector<std::optional<AccessorData>> data;
     for (std::size_t set = 0; set < sets; ++set) {
       for (const SemanticKind kind : {SemanticKind::joints, SemanticKind::weights}) {
-        const model::Attribute* attribute = (kind == SemanticKind::joints ? joints : weights)[set];
+        const model::Attribute* attribute =
+            (kind == SemanticKind::joints ? skinned.joints : skinned.weights)[set];
         if (!has_count(attribute, vertices)) return;
         data.push_back(open(*attribute, kind));
         // The Khronos validator reads until it meets what cannot be read.
@@ -199,16 +200,15 @@ class InfluencePhase {
       influences[set] = {data[set * 2] ? &*data[set * 2] : nullptr,
                          data[set * 2 + 1] ? &*data[set * 2 + 1] : nullptr};
     }
-    skinned.attributes = primitive.attributes_node;
+    const std::uint64_t joint_count = skinned.limit.joints;
     const double step = weight_step(influences);
     skinned.lossy = step != 0;
-    report_.begin(skinned);
+    report_.begin(std::move(skinned));
     // The Khronos validator sums up the weights of joints that it has not reported.
     const bool all_weights = !phase_.context.khronos();
-    check_influences_of(influences, skinned.limit.joints, all_weights,
-                        [&](const Influence& influence) {
-                          if (!is_rounding(influence, step, sets)) report_.note(influence);
-                        });
+    check_influences_of(influences, joint_count, all_weights, [&](const Influence& influence) {
+      if (!is_rounding(influence, step, sets)) report_.note(influence);
+    });
   }
 
   // How far apart quantised weights are; 0 when they are exact.
