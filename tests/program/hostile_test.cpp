@@ -221,5 +221,22 @@ TEST_F(Hostile, ABufferThatIsCutDuringTheRunIsAFindingAndNoSignal) {
   }
 }
 
+TEST_F(Hostile, SetsOfJointsByTheThousandAreCheckedOnceEach) {
+  const std::string sets = list(kMany, [](int i) {
+    const std::string n = std::to_string(i);
+    return "\"JOINTS_" + n + R"(": 1, "WEIGHTS_)" + n + "\": 2";
+  });
+  const Outcome outcome = check(asset(
+      R"("buffers": [{"byteLength": 16, "uri": "data:application/gltf-buffer;base64,AAAAAAAAAAAAAAAAAAAAAA=="}],
+         "bufferViews": [{"buffer": 0, "byteLength": 12}, {"buffer": 0, "byteLength": 4}, {"buffer": 0, "byteLength": 16}],
+         "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
+                       {"bufferView": 1, "componentType": 5121, "type": "VEC4", "count": 1},
+                       {"bufferView": 2, "componentType": 5126, "type": "VEC4", "count": 1}],
+         "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0, )" +
+      sets + R"(}}]}], "nodes": [{"mesh": 0, "skin": 0}], "skins": [{"joints": [0]}],
+         "scenes": [{"nodes": [0]}])"));
+  EXPECT_THAT(outcome.out, HasSubstr("ACCESSOR_WEIGHTS_NON_NORMALIZED"));
+}
+
 }  // namespace
 }  // namespace gltfx::program
