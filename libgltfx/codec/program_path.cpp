@@ -1,23 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "codec/program_path.hpp"
 
+#include <gltfx/codec_folder.hpp>
+
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <unistd.h>
 
-namespace gltfx::codec {
+namespace gltfx {
+namespace {
+
+std::mutex folder_mutex;
+// Not destroyed: what is decoded at the end of the program may ask for it.
+std::string& chosen_folder() {
+  static auto* const folder = new std::string;  // NOLINT(cppcoreguidelines-owning-memory)
+  return *folder;
+}
+
+// Set before main(), maybe before other variables of this file.
+std::atomic<const char*> package_header = nullptr;
+
+}  // namespace
+
+void set_codec_folder(const std::string& folder) {
+  const std::lock_guard lock(folder_mutex);
+  chosen_folder() = folder;
+}
+
+// Declared for programs that are built against a package.
+namespace detail {
+void set_package_header(const char* path);
+void set_package_header(const char* path) { package_header = path; }
+}  // namespace detail
+
+namespace codec {
 namespace {
 
 namespace fs = std::filesystem;
 
 bool is_program(const std::string& path) { return ::access(path.c_str(), X_OK) == 0; }
 
+std::string codec_folder() {
+  const std::lock_guard lock(folder_mutex);
+  return chosen_folder();
+}
+
 // Texts, not paths: where memory is missing, libstdc++ may lose count of what a path is made of.
 std::string joined(std::string folder, std::string_view name) {
   return folder.append("/").append(name);
+}
+
+// Of the headers that the program was built against. A relative path would lead elsewhere from
+// another working folder.
+std::string package_folder() {
+  const char* header = package_header;
+  if (header == nullptr || *header != '/') return {};
+  const std::string_view path = header;
+  return joined(std::string(path.substr(0, path.rfind('/'))), GLTFX_WORKERS_FROM_HEADERS);
 }
 
 }  // namespace
@@ -27,13 +72,19 @@ std::string program_path(const std::string& folder, const std::string& name) {
   // Nothing here changes the environment.
   const char* named = std::getenv("GLTFX_CODEC_WORKERS");  // NOLINT(concurrency-mt-unsafe)
   if (named != nullptr && *named != '\0') return joined(named, name);
+  if (std::string chosen = codec_folder(); !chosen.empty()) return joined(std::move(chosen), name);
   std::error_code fault;
   const std::string own = fs::read_symlink("/proc/self/exe", fault).parent_path().native();
   for (const char* way : {".", GLTFX_WORKERS_FROM_PROGRAMS}) {
     std::string path = joined(joined(own, way), name);
     if (is_program(path)) return path;
   }
+  if (const std::string package = package_folder(); !package.empty()) {
+    std::string path = joined(package, name);
+    if (is_program(path)) return path;
+  }
   return joined(GLTFX_WORKER_FOLDER, name);
 }
 
-}  // namespace gltfx::codec
+}  // namespace codec
+}  // namespace gltfx
