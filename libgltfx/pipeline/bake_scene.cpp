@@ -92,6 +92,7 @@ class Loader {
     FileReport report = validate::validate(asset_.container, path_, asset_.resolver, options);
     std::erase_if(report.diagnostics,
                   [](const Diagnostic& each) { return each.severity != Severity::error; });
+    report.repeats.clear();
     const std::uint64_t errors = report.counts.errors;
     report.counts = Counts{};
     report.counts.errors = errors;

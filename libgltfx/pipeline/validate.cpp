@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -29,7 +30,8 @@ namespace fs = std::filesystem;
 // The library does not throw: memory that cannot be had is one more reason why a file is
 // unreadable.
 template <class Work>
-FileReport guarded(const std::string& name, const ValidateOptions& options, const Work& work) {
+FileReport without_throwing(const std::string& name, const ValidateOptions& options,
+                            const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
@@ -37,6 +39,16 @@ FileReport guarded(const std::string& name, const ValidateOptions& options, cons
   } catch (const fs::filesystem_error&) {
     return validate::unreadable(name, "The path cannot be looked up.", options);
   }
+}
+
+template <class Work>
+FileReport guarded(const std::string& name, const ValidateOptions& options, const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  FileReport report = without_throwing(name, options, work);
+  const auto time = std::chrono::steady_clock::now() - start;
+  report.microseconds = static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(time).count());
+  return report;
 }
 
 FileReport validate_opened(const container::Container& opened, const std::string& name,

@@ -63,6 +63,7 @@ class AgentWriter final : public ReportWriter {
       out += fmt::format("; {} known to the baseline", counted(summary.suppressed, "finding"));
     }
     if (summary.left_out > 0) out += "; " + left_out_note(summary.left_out);
+    if (summary.unchanged > 0) out += "; " + unchanged_note(summary.unchanged);
     out += fmt::format("; profile {}, pixels {}\n", options_.profile, options_.pixel_level);
   }
 

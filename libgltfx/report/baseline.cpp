@@ -48,7 +48,7 @@ void take(Counts& counts, Severity severity, std::uint64_t known) {
   }
 }
 
-// The repeats of a folded finding are not kept apart, so nobody can say which of them is new.
+// A baseline counts the repeats of a folded finding: nobody can say which of them is new.
 void keep_new_ones(Diagnostic& finding, std::uint64_t known) {
   const std::uint64_t all = finding.count;
   finding.count -= known;
@@ -65,7 +65,10 @@ void Baseline::apply(FileReport& report) const {
   const std::string path = plain_path(report.path);
   FindingCounts used;
   std::vector<Diagnostic> fresh;
-  for (Diagnostic& finding : report.diagnostics) {
+  std::vector<Repeat> repeats;
+  auto repeat = report.repeats.begin();
+  for (std::size_t i = 0; i < report.diagnostics.size(); ++i) {
+    Diagnostic& finding = report.diagnostics[i];
     const FindingKey key = key_of(path, finding);
     const auto entry = known_.find(key);
     std::uint64_t known = 0;
@@ -77,10 +80,16 @@ void Baseline::apply(FileReport& report) const {
     report.suppressed += known;
     take(report.counts, finding.severity, known);
     if (known == finding.count) continue;
+    for (; repeat != report.repeats.end() && repeat->finding <= i; ++repeat) {
+      if (repeat->finding < i || known > 0) continue;
+      repeat->finding = fresh.size();
+      repeats.push_back(std::move(*repeat));
+    }
     if (known > 0) keep_new_ones(finding, known);
     fresh.push_back(std::move(finding));
   }
   report.diagnostics = std::move(fresh);
+  report.repeats = std::move(repeats);
 }
 
 void BaselineWriter::add(const FileReport& report) {

@@ -45,6 +45,7 @@ void RunSummary::add(const FileReport& report) {
   left_out += report.left_out;
   images_wanted += report.images_wanted;
   images_decoded += report.images_decoded;
+  unchanged += report.unchanged;
   counts += report.counts;
 }
 

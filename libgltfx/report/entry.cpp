@@ -73,6 +73,29 @@ void write_fix(json::Writer& writer, const ProposedFix& fix) {
   writer.end_object();
 }
 
+void write_repeat(json::Writer& writer, const Repeat& repeat) {
+  writer.begin_object();
+  writer.member("finding", std::uint64_t{repeat.finding});
+  writer.member("message", repeat.message);
+  if (!repeat.help.empty()) writer.member("help", repeat.help);
+  writer.member("pointer", repeat.pointer);
+  if (!repeat.object_name.empty()) writer.member("object", repeat.object_name);
+  if (repeat.location.length > 0) {
+    writer.key("location");
+    write_location(writer, repeat.location, Detail::full);
+  }
+  if (repeat.count > 1) writer.member("count", repeat.count);
+  writer.end_object();
+}
+
+void write_repeats(json::Writer& writer, const FileReport& report) {
+  if (report.repeats.empty()) return;
+  writer.key("repeats");
+  writer.begin_array();
+  for (const Repeat& repeat : report.repeats) write_repeat(writer, repeat);
+  writer.end_array();
+}
+
 void write_finding(json::Writer& writer, const Diagnostic& finding, bool readable, Detail detail) {
   writer.begin_object();
   writer.member("code", finding.code);
@@ -113,7 +136,7 @@ void write_counts(json::Writer& writer, const Counts& counts) {
 
 }  // namespace
 
-void write_entry(json::Writer& writer, const FileReport& report, Detail detail) {
+void write_entry(json::Writer& writer, const FileReport& report, Detail detail, bool timings) {
   writer.begin_object();
   if (detail == Detail::full) {
     writer.member("position", report.position);
@@ -123,6 +146,7 @@ void write_entry(json::Writer& writer, const FileReport& report, Detail detail) 
   }
   if (!report.mime_type.empty()) writer.member("mimeType", report.mime_type);
   writer.member("readable", report.readable);
+  if (timings) writer.member("microseconds", report.microseconds);
   writer.key("counts");
   writer.begin_object();
   write_counts(writer, report.counts);
@@ -130,6 +154,7 @@ void write_entry(json::Writer& writer, const FileReport& report, Detail detail) 
   writer.member("truncated", report.truncated);
   writer.member("suppressed", report.suppressed);
   writer.member("leftOut", report.left_out);
+  writer.member("unchanged", report.unchanged);
   writer.member("unverified", report.unverified);
   writer.member("imagesWanted", report.images_wanted);
   writer.member("imagesDecoded", report.images_decoded);
@@ -139,6 +164,7 @@ void write_entry(json::Writer& writer, const FileReport& report, Detail detail) 
     write_finding(writer, finding, report.readable, detail);
   }
   writer.end_array();
+  if (detail == Detail::full) write_repeats(writer, report);
   if (report.info) {
     writer.key("info");
     write_asset_info(writer, *report.info);
@@ -156,6 +182,7 @@ void write_summary(json::Writer& writer, const RunSummary& summary) {
   writer.member("leftOut", summary.left_out);
   writer.member("imagesWanted", summary.images_wanted);
   writer.member("imagesDecoded", summary.images_decoded);
+  writer.member("unchanged", summary.unchanged);
   write_counts(writer, summary.counts);
   writer.end_object();
 }

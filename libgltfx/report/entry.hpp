@@ -16,7 +16,9 @@ inline constexpr std::uint64_t kJsonFormat = 1;
 /// `full`: everything that any format needs, so that a report can be read back.
 enum class Detail : std::uint8_t { plain, full };
 
-void write_entry(json::Writer& writer, const FileReport& report, Detail detail);
+/// `timings`: how long it took as well.
+void write_entry(json::Writer& writer, const FileReport& report, Detail detail,
+                 bool timings = false);
 void write_summary(json::Writer& writer, const RunSummary& summary);
 
 }  // namespace gltfx::report

@@ -84,6 +84,9 @@ class GithubWriter final : public ReportWriter {
     if (summary.images_decoded < summary.images_wanted) {
       out += fmt::format("::notice title=gltfx::{}\n", pixels_note(summary, pixel_level_));
     }
+    if (summary.unchanged != 0) {
+      out += fmt::format("::notice title=gltfx::{}\n", unchanged_note(summary.unchanged));
+    }
     // A plain line of the log: worth knowing, but no annotation.
     if (!pixel_level_.empty()) {
       out += fmt::format("gltfx: {} checked, pixels: {}\n", counted(summary.files, "file"),

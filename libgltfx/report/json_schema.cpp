@@ -36,6 +36,7 @@ constexpr std::string_view kSchema = R"json({
         "leftOut": { "$ref": "#/$defs/count", "description": "Findings that assets ask to leave out." },
         "imagesWanted": { "$ref": "#/$defs/count", "description": "Images to decode (--pixels)." },
         "imagesDecoded": { "$ref": "#/$defs/count", "description": "Those that could be decoded." },
+        "unchanged": { "$ref": "#/$defs/count", "description": "Findings on lines that did not change (--diff-base)." },
         "errors": { "$ref": "#/$defs/count" },
         "warnings": { "$ref": "#/$defs/count" },
         "infos": { "$ref": "#/$defs/count" },
@@ -75,6 +76,7 @@ constexpr std::string_view kSchema = R"json({
         "leftOut": { "$ref": "#/$defs/count", "description": "Findings that assets ask to leave out." },
         "imagesWanted": { "$ref": "#/$defs/count", "description": "Images to decode (--pixels)." },
         "imagesDecoded": { "$ref": "#/$defs/count", "description": "Those that could be decoded." },
+        "unchanged": { "$ref": "#/$defs/count", "description": "Findings on lines that did not change (--diff-base)." },
         "unverified": { "$ref": "#/$defs/count", "description": "Git-LFS pointers met." },
         "findings": {
           "type": "array",

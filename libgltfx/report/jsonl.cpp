@@ -24,6 +24,7 @@ class JsonLinesWriter final : public ReportWriter {
       if (!options_.profile.empty()) writer.member("profile", options_.profile);
       if (!options_.pixel_level.empty()) writer.member("pixels", options_.pixel_level);
       writer.member("failOn", options_.fail_on ? severity_name(*options_.fail_on) : kNever);
+      if (options_.timings) writer.member("timings", true);
       writer.key("shard");
       writer.begin_object();
       writer.member("index", std::uint64_t{options_.shard.index});
@@ -34,7 +35,9 @@ class JsonLinesWriter final : public ReportWriter {
   }
 
   void file(const FileReport& report, std::string& out) override {
-    line(out, [&](json::Writer& writer) { write_entry(writer, report, Detail::full); });
+    line(out, [&](json::Writer& writer) {
+      write_entry(writer, report, Detail::full, options_.timings);
+    });
   }
 
   void end(const RunSummary& summary, std::string& out) override {

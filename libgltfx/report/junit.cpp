@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The XML of JUnit, which build servers show as tests: a suite a file, a test a finding. What is as
-// loud as --fail-on fails; the rest passes and says what it is. tests/report/junit.xsd has the
-// shape.
+// The XML of JUnit, which build servers show as tests: a suite a file, a test a finding, each
+// repeat of it too. What is as loud as --fail-on fails; the rest passes and says what it is. Tests
+// are called by what stays from run to run. tests/report/junit.xsd has the shape.
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "report/occurrences.hpp"
 #include "report/safe_text.hpp"
 #include "report/wording.hpp"
 #include "report/writers.hpp"
@@ -46,43 +48,75 @@ std::string xml(std::string_view text) {
   return out;
 }
 
+/// What the elements around tests say of them.
+struct Totals {
+  std::uint64_t tests = 0, failures = 0, errors = 0, microseconds = 0;
+
+  Totals& operator+=(const Totals& other) {
+    tests += other.tests;
+    failures += other.failures;
+    errors += other.errors;
+    microseconds += other.microseconds;
+    return *this;
+  }
+};
+
 class JunitWriter final : public ReportWriter {
  public:
   explicit JunitWriter(const FormatOptions& options) : options_(options) {}
 
-  void begin(std::string& out) override {
-    out += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"gltfx\">\n";
-  }
+  void begin(std::string&) override {}
 
-  void file(const FileReport& report, std::string& out) override {
+  // The totals stand before the suites.
+  void file(const FileReport& report, std::string&) override {
     const std::string path = xml(report.path);
-    begin_suite(report, path, out);
-    for (const Diagnostic& finding : report.diagnostics) test(report, path, finding, out);
-    if (report.diagnostics.empty()) {
-      out += fmt::format("    <testcase classname=\"{0}\" name=\"valid\" file=\"{0}\"/>\n", path);
+    Totals totals;
+    if (options_.timings) totals.microseconds = report.microseconds;
+    std::string tests;
+    Identities identities;
+    for_each_occurrence(report, [&](const Diagnostic& finding) {
+      test(report, path, finding, identities.next(finding), totals, tests);
+    });
+    if (totals.tests == 0) {
+      begin_test(path, "valid", totals, tests);
+      tests += "/>\n";
     }
+    suites_ += fmt::format("  <testsuite name=\"{}\" {}>\n", path, attributes(totals));
+    suites_ += properties();
+    suites_ += tests;
     if (report.truncated) {
-      out += fmt::format("    <system-out>{}</system-out>\n", xml(truncation_note(report)));
+      suites_ += fmt::format("    <system-out>{}</system-out>\n", xml(truncation_note(report)));
     }
-    out += "  </testsuite>\n";
+    suites_ += "  </testsuite>\n";
+    totals_ += totals;
   }
 
-  void end(const RunSummary&, std::string& out) override { out += "</testsuites>\n"; }
+  void end(const RunSummary&, std::string& out) override {
+    out += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+    out += fmt::format("<testsuites name=\"gltfx\" {}>\n", attributes(totals_));
+    out += suites_;
+    out += "</testsuites>\n";
+  }
 
  private:
   bool fails(const Diagnostic& finding) const {
     return options_.fail_on && finding.severity <= *options_.fail_on;
   }
 
-  void begin_suite(const FileReport& report, std::string_view path, std::string& out) const {
-    std::size_t failures = 0;
-    for (const Diagnostic& finding : report.diagnostics) failures += fails(finding) ? 1U : 0U;
-    const std::size_t tests = report.diagnostics.empty() ? 1 : report.diagnostics.size();
-    out += fmt::format(
-        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\">\n",
-        path, tests, report.readable ? failures : 0,
-        report.readable ? 0 : report.diagnostics.size());
-    out += fmt::format(
+  // Without timings it is 0: two runs over the same files give the same bytes.
+  std::string seconds(std::uint64_t microseconds) const {
+    constexpr std::uint64_t kMillion = 1'000'000;
+    if (!options_.timings) return "0";
+    return fmt::format("{}.{:06}", microseconds / kMillion, microseconds % kMillion);
+  }
+
+  std::string attributes(const Totals& totals) const {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\" time=\"{}\"",
+                       totals.tests, totals.failures, totals.errors, seconds(totals.microseconds));
+  }
+
+  std::string properties() const {
+    return fmt::format(
         "    <properties>\n"
         "      <property name=\"profile\" value=\"{}\"/>\n"
         "      <property name=\"pixels\" value=\"{}\"/>\n"
@@ -90,10 +124,17 @@ class JunitWriter final : public ReportWriter {
         xml(options_.profile), xml(options_.pixel_level));
   }
 
+  // The first test of a file has all of its time, so that sums over tests are right.
+  void begin_test(std::string_view path, std::string_view name, Totals& totals,
+                  std::string& out) const {
+    out += fmt::format("    <testcase classname=\"{0}\" name=\"{1}\" file=\"{0}\" time=\"{2}\"",
+                       path, name, seconds(totals.tests == 0 ? totals.microseconds : 0));
+    ++totals.tests;
+  }
+
   void test(const FileReport& report, std::string_view path, const Diagnostic& finding,
-            std::string& out) const {
-    out += fmt::format("    <testcase classname=\"{0}\" name=\"{1}{2}\" file=\"{0}\"", path,
-                       xml(finding.code), xml(document_place(finding)));
+            const Identity& identity, Totals& totals, std::string& out) const {
+    begin_test(path, xml(identity.label()), totals, out);
     if (finding.location.line > 0 && report.mime_type != "model/gltf-binary") {
       out += fmt::format(" line=\"{}\"", finding.location.line);
     }
@@ -103,6 +144,7 @@ class JunitWriter final : public ReportWriter {
       out += fmt::format("      <system-out>{}</system-out>\n", text);
     } else {
       const std::string_view element = report.readable ? "failure" : "error";
+      ++(report.readable ? totals.failures : totals.errors);
       out += fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", element,
                          xml(finding.code), xml(finding.message), text);
     }
@@ -120,6 +162,8 @@ class JunitWriter final : public ReportWriter {
   }
 
   FormatOptions options_;
+  Totals totals_;
+  std::string suites_;
 };
 
 }  // namespace

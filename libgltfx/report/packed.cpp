@@ -190,6 +190,13 @@ void carry_finding(Archive& archive, Finding& finding) {
       [&](auto& fix) { carry_fix(archive, fix); });
 }
 
+template <class Archive, class Repeat>
+void carry_repeat(Archive& archive, Repeat& repeat) {
+  carry_all(archive, repeat.finding, repeat.message, repeat.help, repeat.pointer,
+            repeat.object_name, repeat.count);
+  carry_location(archive, repeat.location);
+}
+
 template <class Archive, class Info>
 void carry_info(Archive& archive, Info& info) {
   const auto texts = [&](auto& list) {
@@ -221,6 +228,7 @@ void carry(Archive& archive, Report& report) {
   auto& counts = report.counts;
   carry_all(archive, counts.errors, counts.warnings, counts.infos, counts.hints);
   carry_list(archive, report.diagnostics, [&](auto& finding) { carry_finding(archive, finding); });
+  carry_list(archive, report.repeats, [&](auto& repeat) { carry_repeat(archive, repeat); });
   carry_optional(archive, report.info, [&](auto& info) { carry_info(archive, info); });
 }
 

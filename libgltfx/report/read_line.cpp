@@ -53,6 +53,7 @@ class Reader {
   Excerpt excerpt(NodeId node);
   std::shared_ptr<const ProposedFix> fix(NodeId node);
   Diagnostic finding(NodeId node);
+  Repeat repeat(NodeId node);
   ResourceInfo resource(NodeId node);
   AssetInfo info(NodeId node);
 
@@ -196,6 +197,20 @@ Diagnostic Reader::finding(NodeId node) {
   return finding;
 }
 
+Repeat Reader::repeat(NodeId node) {
+  Repeat repeat;
+  number(node, "finding", repeat.finding);
+  text(node, "message", repeat.message);
+  text(node, "help", repeat.help);
+  text(node, "pointer", repeat.pointer);
+  text(node, "object", repeat.object_name);
+  if (const NodeId at = object(node, "location"); at != json::kNoNode) {
+    repeat.location = location(at);
+  }
+  number(node, "count", repeat.count);
+  return repeat;
+}
+
 ResourceInfo Reader::resource(NodeId node) {
   ResourceInfo resource;
   text(node, "pointer", resource.pointer);
@@ -251,10 +266,13 @@ FileReport Reader::file(NodeId entry) {
   flag(entry, "truncated", report.truncated);
   number(entry, "suppressed", report.suppressed);
   number(entry, "leftOut", report.left_out);
+  number(entry, "unchanged", report.unchanged);
+  number(entry, "microseconds", report.microseconds);
   number(entry, "unverified", report.unverified);
   number(entry, "imagesWanted", report.images_wanted);
   number(entry, "imagesDecoded", report.images_decoded);
   list(entry, "findings", [&](NodeId element) { report.diagnostics.push_back(finding(element)); });
+  list(entry, "repeats", [&](NodeId element) { report.repeats.push_back(repeat(element)); });
   if (const NodeId at = object(entry, "info"); at != json::kNoNode) report.info = info(at);
   return report;
 }
@@ -271,6 +289,7 @@ RunHead Reader::head(NodeId line) {
   text(line, "failOn", loudness);
   head.fail_on = severity_from_name(loudness);
   if (!head.fail_on && loudness != kNever) blame("failOn");
+  flag(line, "timings", head.timings);
   if (const NodeId at = object(line, "shard"); at != json::kNoNode) {
     number(at, "index", head.shard.index);
     number(at, "count", head.shard.count);

@@ -22,6 +22,7 @@ struct RunHead {
   std::string version, profile, pixel_level;
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
   Shard shard;
+  bool timings = false;  ///< its entries say how long each file took
 };
 
 /// Its last line: without it the run was cut off.

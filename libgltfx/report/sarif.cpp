@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Static Analysis Results Interchange Format 2.1.0, for code scanning services and editors. What is
 // only known at the end of a run (rules that were met, files, outcome) stands behind the results.
+// Each repeat of a finding is a result of its own, because services follow results from run to run.
 // https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/sarif-v2.1.0-errata01.html
 #include <gltfx/version.hpp>
 
@@ -9,11 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "base/json_pointer.hpp"
+#include "base/hash.hpp"
 #include "json/writer.hpp"
 #include "report/file_uri.hpp"
+#include "report/occurrences.hpp"
 #include "report/safe_text.hpp"
 #include "report/sarif_parts.hpp"
+#include "report/sarif_results.hpp"
 #include "report/wording.hpp"
 #include "report/writers.hpp"
 
@@ -26,10 +29,13 @@ constexpr std::string_view kBase = "SRCROOT";
 
 bool is_binary(const FileReport& report) { return report.mime_type == "model/gltf-binary"; }
 
-// Lines of a GLB's JSON chunk are no lines of the file: there only bytes say where.
+// Lines of a GLB's JSON chunk are no lines of the file: there only bytes say where. Services show
+// nothing without a line, so the first one stands for the file.
 void write_region(json::Writer& writer, const FileReport& report, const Location& at) {
   writer.begin_object();
-  if (!is_binary(report)) {
+  if (is_binary(report)) {
+    writer.member("startLine", std::uint64_t{1});
+  } else {
     writer.member("startLine", std::uint64_t{at.line});
     writer.member("startColumn", std::uint64_t{at.utf16_column});
     writer.member("endLine", std::uint64_t{at.end_line});
@@ -54,6 +60,7 @@ FileUri uri_of(const FileReport& report, std::string_view folder) {
 
 void write_byte(json::Writer& writer, std::uint64_t offset) {
   writer.begin_object();
+  writer.member("startLine", std::uint64_t{1});
   writer.member("byteOffset", offset);
   writer.member("byteLength", std::uint64_t{0});
   writer.end_object();
@@ -68,13 +75,22 @@ void write_pointer(json::Writer& writer, std::string_view pointer) {
   writer.end_array();
 }
 
-// Stable where lines are added above or elements are put in front.
-void write_fingerprint(json::Writer& writer, const Diagnostic& finding) {
+// GitHub compares `primaryLocationLineHash` alone. What its upload action computes instead is the
+// same for all findings of one line, and a whole asset may stand on one.
+void write_fingerprint(json::Writer& writer, const Identity& identity) {
   writer.key("partialFingerprints");
   writer.begin_object();
-  writer.member("codeAndPointer/v1",
-                fmt::format("{} {}", finding.code, pointer_pattern(finding.pointer)));
+  writer.member("codeAndPlace/v2", identity.label());
+  writer.member("primaryLocationLineHash",
+                fmt::format("{:016x}:{}", hash_bytes(identity.text).low, identity.number));
   writer.end_object();
+}
+
+std::string left_out_text(const Counts& left_out) {
+  return fmt::format(
+      "Only {} results are listed, as many as code-scanning services show; left out: {}, {}, {}",
+      SarifResults::kMost, counted(left_out.errors, "error"), counted(left_out.warnings, "warning"),
+      counted(left_out.infos + left_out.hints, "note"));
 }
 
 class SarifWriter final : public ReportWriter {
@@ -93,16 +109,21 @@ class SarifWriter final : public ReportWriter {
     out += R"("results":[)";
   }
 
-  void file(const FileReport& report, std::string& out) override {
+  void file(const FileReport& report, std::string&) override {
     const FileUri uri = uri_of(report, options_.folder);
-    for (const Diagnostic& finding : report.diagnostics) {
-      const std::size_t from = out.size();
-      out += has_results_ ? ",\n" : "\n";
-      has_results_ = true;
-      json::Writer writer(out);
-      write_result(writer, report, uri, finding);
-      defuse_json(out, from);
-    }
+    Identities identities;
+    for_each_occurrence(report, [&](const Diagnostic& finding) {
+      const Identity identity = identities.next(finding);
+      if (!is_wanted(finding.severity)) {
+        notes_ += finding.count;
+        return;
+      }
+      results_.add(finding.severity, [&](std::string& text) {
+        json::Writer writer(text);
+        write_result(writer, report, uri, finding, identity);
+        defuse_json(text, 0);
+      });
+    });
     if (report.truncated) notify(Severity::warning, truncation_note(report), &uri);
     add_artifact(report, uri);
     ++files_;
@@ -115,7 +136,16 @@ class SarifWriter final : public ReportWriter {
     if (summary.unverified > 0) {
       notify(Severity::info, unverified_note(summary.unverified), nullptr);
     }
-    out += has_results_ ? "\n],\"tool\":" : "],\"tool\":";
+    if (summary.unchanged > 0) notify(Severity::info, unchanged_note(summary.unchanged), nullptr);
+    if (notes_ > 0) {
+      notify(Severity::info, counted(notes_, "note") + " not listed (--sarif-notes lists them)",
+             nullptr);
+    }
+    if (const Counts& left_out = results_.left_out(); left_out.at_least(Severity::hint) > 0) {
+      notify(Severity::warning, left_out_text(left_out), nullptr);
+    }
+    results_.write(out);
+    out += "\n],\"tool\":";
     rules_.write_tool(out);
     out.append(",\n\"artifacts\":[").append(artifacts_).append("],\n\"invocations\":[");
     write_invocation(summary, out);
@@ -129,6 +159,11 @@ class SarifWriter final : public ReportWriter {
   }
 
  private:
+  bool is_wanted(Severity severity) const {
+    return severity <= Severity::warning || options_.sarif_notes ||
+           (options_.fail_on && severity <= *options_.fail_on);
+  }
+
   void write_base(std::string& out) const {
     if (options_.folder.empty()) return;
     out += R"("originalUriBaseIds":)";
@@ -172,7 +207,7 @@ class SarifWriter final : public ReportWriter {
   }
 
   void write_result(json::Writer& writer, const FileReport& report, const FileUri& uri,
-                    const Diagnostic& finding) {
+                    const Diagnostic& finding, const Identity& identity) {
     writer.begin_object();
     writer.member("ruleId", finding.code);
     writer.member("ruleIndex", rules_.index_of(finding.code, finding.severity));
@@ -184,7 +219,7 @@ class SarifWriter final : public ReportWriter {
     write_location(writer, report, uri, finding);
     writer.end_array();
     write_repeats(writer, finding);
-    write_fingerprint(writer, finding);
+    write_fingerprint(writer, identity);
     if (finding.fix && !is_binary(report)) write_fix(writer, report, uri, *finding.fix);
     if (!finding.object_name.empty()) {
       writer.key("properties");
@@ -303,8 +338,9 @@ class SarifWriter final : public ReportWriter {
   FormatOptions options_;
   SarifRules rules_;
   std::string artifacts_, notifications_;
+  SarifResults results_;
   std::uint64_t files_ = 0;
-  bool has_results_ = false;
+  std::uint64_t notes_ = 0;  ///< findings that were not asked for
 };
 
 }  // namespace

@@ -72,7 +72,8 @@ class TextWriter final : public ReportWriter {
     add(Severity::info, counts.infos);
     add(Severity::hint, counts.hints);
     if (!text.empty()) return text;
-    return style_.paint(Ink::good, summary.suppressed > 0 ? "no new problems" : "no problems");
+    return style_.paint(
+        Ink::good, summary.suppressed + summary.unchanged > 0 ? "no new problems" : "no problems");
   }
 
   void print_summary(const RunSummary& summary, std::string& out) const {
@@ -86,6 +87,7 @@ class TextWriter final : public ReportWriter {
       out += counted(summary.suppressed, "finding") + " known to the baseline\n";
     }
     if (summary.left_out > 0) out += left_out_note(summary.left_out) + "\n";
+    if (summary.unchanged > 0) out += unchanged_note(summary.unchanged) + "\n";
     if (summary.counts.at_least(Severity::hint) > 0) {
       out += fmt::format("`{} explain CODE` tells more about a finding\n", safe(command_));
     }

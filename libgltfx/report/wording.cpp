@@ -68,6 +68,10 @@ std::string left_out_note(std::uint64_t left_out) {
   return counted(left_out, "finding") + " left out, as the assets ask";
 }
 
+std::string unchanged_note(std::uint64_t unchanged) {
+  return counted(unchanged, "finding") + " not shown, on lines that did not change (--diff-base)";
+}
+
 std::string unverified_note(std::uint64_t unverified) {
   return counted(unverified, "file") + " not verified (Git-LFS pointers)";
 }

@@ -33,6 +33,9 @@ std::string truncation_note(const FileReport& report);
 /// "2 findings left out, as the assets ask".
 std::string left_out_note(std::uint64_t left_out);
 
+/// "12 findings not shown, on lines that did not change (--diff-base)".
+std::string unchanged_note(std::uint64_t unchanged);
+
 /// "4 files not verified (Git-LFS pointers)".
 std::string unverified_note(std::uint64_t unverified);
 /// How many of the images that were to be decoded were; empty where none was to be.

@@ -98,7 +98,8 @@ Severity Collector::severity_of(const Finding& finding) const {
   return rule != nullptr ? rule->severity : Severity::error;
 }
 
-bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
+// Takes the text of the finding when it returns true.
+bool Collector::fold(Phase phase, const Path& path, Finding& finding) {
   if (options_.profile == Profile::khronos) return false;
   const auto at = static_cast<std::size_t>(phase);
   const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, finding), entries_[at].size());
@@ -110,15 +111,21 @@ bool Collector::fold(Phase phase, const Path& path, const Finding& finding) {
     }
     entry->second = places.last;
   }
-  Diagnostic& first = entries_[at][entry->second].diagnostic;
-  first.count += finding.count;
-  first.last_pointer = path.pointer();
+  Entry& first = entries_[at][entry->second];
+  first.diagnostic.count += finding.count;
+  first.diagnostic.last_pointer = path.pointer();
+  if (options_.max_issues != 0 || repeats_kept_ >= kMostRepeats) return true;
+  ++repeats_kept_;
+  first.repeats.push_back(
+      entry_of(phase, first.diagnostic.severity, std::move(finding), path.pointer()));
   return true;
 }
 
-bool Collector::wants(const Finding& finding, Severity severity) const {
+bool Collector::wants(const Finding& finding, Severity severity) {
   if (!accepts(options_, finding.code, severity)) return false;
-  return !changed_ || changed_->touches(finding.span);
+  if (!changed_ || changed_->touches(finding.span)) return true;
+  unchanged_ += finding.count;
+  return false;
 }
 
 void Collector::keep_text(SharedText text) {
@@ -149,6 +156,13 @@ void Collector::report_file(Phase phase, Finding finding) {
 
 void Collector::store(Phase phase, Severity severity, Finding finding, std::string pointer,
                       std::optional<std::uint64_t> offset) {
+  Entry entry = entry_of(phase, severity, std::move(finding), std::move(pointer));
+  entry.diagnostic.offset = offset;
+  entries_[static_cast<std::size_t>(phase)].push_back(std::move(entry));
+}
+
+Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding finding,
+                                     std::string pointer) const {
   // What is wrong between objects seldom tells what to do by itself; a wrong value does.
   const bool between_objects = phase == Phase::reference || phase == Phase::resources;
   const bool loud = severity == Severity::error || severity == Severity::warning;
@@ -164,9 +178,8 @@ void Collector::store(Phase phase, Severity severity, Finding finding, std::stri
   entry.diagnostic.help = std::move(finding.help);
   if (finding.count > 1) entry.diagnostic.last_pointer = pointer;
   entry.diagnostic.pointer = std::move(pointer);
-  entry.diagnostic.offset = offset;
   entry.diagnostic.count = finding.count;
-  entries_[static_cast<std::size_t>(phase)].push_back(std::move(entry));
+  return entry;
 }
 
 void Collector::finish(FileReport& report, const json::Document& document,
@@ -184,7 +197,26 @@ void Collector::finish(FileReport& report, const json::Document& document,
     if (options_.profile != Profile::khronos && !entries.empty()) {
       locate(entries, document, json_offset);
     }
-    for (Entry& entry : entries) report.diagnostics.push_back(std::move(entry.diagnostic));
+    move_to(report, entries);
+  }
+  report.unchanged = unchanged_;
+}
+
+void Collector::move_to(FileReport& report, std::vector<Entry>& entries) const {
+  for (Entry& entry : entries) {
+    for (Entry& one : entry.repeats) {
+      Diagnostic& from = one.diagnostic;
+      Repeat repeat;
+      repeat.finding = report.diagnostics.size();
+      repeat.message = std::move(from.message);
+      repeat.help = std::move(from.help);
+      repeat.pointer = std::move(from.pointer);
+      repeat.object_name = std::move(from.object_name);
+      repeat.location = from.location;
+      repeat.count = from.count;
+      report.repeats.push_back(std::move(repeat));
+    }
+    report.diagnostics.push_back(std::move(entry.diagnostic));
   }
 }
 
@@ -192,7 +224,10 @@ void Collector::finish(FileReport& report, const json::Document& document,
 std::size_t Collector::last_place() const {
   std::uint32_t last = 0;
   for (const std::vector<Entry>& entries : entries_) {
-    for (const Entry& entry : entries) last = std::max(last, entry.span.end);
+    for (const Entry& entry : entries) {
+      last = std::max(last, entry.span.end);
+      for (const Entry& repeat : entry.repeats) last = std::max(last, repeat.span.end);
+    }
   }
   return last;
 }
@@ -203,12 +238,16 @@ void Collector::locate(std::vector<Entry>& entries, const json::Document& docume
   if (!lines_) lines_.emplace(*text_, last_place());
   if (!lookup_) lookup_.emplace(document);
   for (Entry& entry : entries) {
-    entry.diagnostic.object_name = nearest_name(*lookup_, document, entry.diagnostic.pointer);
-    // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.
-    if (entry.span.end == 0) continue;
-    entry.diagnostic.location = lines_->locate(entry.span, json_offset);
-    entry.diagnostic.excerpt = lines_->excerpt(entry.span);
+    locate(entry, document, json_offset);
+    if (entry.span.end != 0) entry.diagnostic.excerpt = lines_->excerpt(entry.span);
+    for (Entry& repeat : entry.repeats) locate(repeat, document, json_offset);
   }
+}
+
+void Collector::locate(Entry& entry, const json::Document& document, std::uint64_t json_offset) {
+  entry.diagnostic.object_name = nearest_name(*lookup_, document, entry.diagnostic.pointer);
+  // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.
+  if (entry.span.end != 0) entry.diagnostic.location = lines_->locate(entry.span, json_offset);
 }
 
 }  // namespace gltfx::validate

@@ -39,7 +39,8 @@ bool is_heard(const ValidateOptions& options, std::string_view code);
 
 /// Findings of one asset. One about how objects go together that has no help of its own gets the
 /// rule's remedy. A repeat of a code at the same place, but for array indices, is folded
-/// into the first (not in the khronos profile), so a million faults cost a counter. So are those of
+/// into the first (not in the khronos profile), so a million faults cost a counter; the first
+/// thousands of repeats are kept beside it, unless max_issues asks for less. So are those of
 /// one code at ever new places, once very many have been listed: nobody reads on there.
 class Collector {
  public:
@@ -65,10 +66,12 @@ class Collector {
 
  private:
   static constexpr std::size_t kMostPlaces = 1000;
+  static constexpr std::size_t kMostRepeats = 5000;
 
   struct Entry {
     Diagnostic diagnostic;
     Span span;
+    std::vector<Entry> repeats = {};  ///< the first of those that are folded into it
   };
   /// Where a code was found, but for array indices.
   struct Places {
@@ -86,13 +89,16 @@ class Collector {
   };
 
   void add(Phase phase, const Path& path, Finding finding);
-  bool wants(const Finding& finding, Severity severity) const;
-  bool fold(Phase phase, const Path& path, const Finding& finding);
+  bool wants(const Finding& finding, Severity severity);
+  bool fold(Phase phase, const Path& path, Finding& finding);
   Severity severity_of(const Finding& finding) const;
+  Entry entry_of(Phase phase, Severity severity, Finding finding, std::string pointer) const;
   void store(Phase phase, Severity severity, Finding finding, std::string pointer,
              std::optional<std::uint64_t> offset);
+  void move_to(FileReport& report, std::vector<Entry>& entries) const;
   void locate(std::vector<Entry>& entries, const json::Document& document,
               std::uint64_t json_offset);
+  void locate(Entry& entry, const json::Document& document, std::uint64_t json_offset);
   std::size_t last_place() const;
 
   const ValidateOptions& options_;
@@ -103,6 +109,8 @@ class Collector {
   std::array<std::unordered_map<std::string_view, Places>, kPhaseCount> places_;
   SharedText text_;
   std::optional<ChangedLines> changed_;
+  std::uint64_t unchanged_ = 0;   ///< findings on other lines than `changed_`
+  std::size_t repeats_kept_ = 0;  ///< in all entries
   Suppressions* suppressions_ = nullptr;
   std::optional<json::LineIndex> lines_;
   std::optional<model::Lookup> lookup_;

@@ -53,6 +53,17 @@ TEST(Baseline, OfNothingIsEmptyAndReadsBack) {
   EXPECT_EQ(report.diagnostics.size(), 1u);
 }
 
+TEST(Baseline, RepeatsStayWithTheFindingsThatStay) {
+  FileReport report = file("a.gltf", {unused("/nodes/0"), unused("/meshes/0")});
+  keep_repeat(report, unused("/meshes/5"));
+  const FileReport left = after({file("a.gltf", {unused("/nodes/0")})}, report);
+  ASSERT_EQ(left.repeats.size(), 1U);
+  EXPECT_EQ(left.repeats[0].finding, 0U);
+  EXPECT_EQ(left.repeats[0].pointer, "/meshes/5");
+  EXPECT_TRUE(after({file("a.gltf", {unused("/meshes/0")})}, report).repeats.empty())
+      << "which of the two is known nobody can say";
+}
+
 TEST(Baseline, SilencesWhatItWasMadeOf) {
   for (const FileReport& report : sample_run()) {
     if (!report.readable || report.truncated) continue;

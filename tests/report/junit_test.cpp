@@ -21,19 +21,19 @@ std::string junit(const std::vector<FileReport>& reports,
 TEST(Junit, IsASuiteAFileAndATestAFinding) {
   EXPECT_EQ(junit({file("models/leaf.gltf", {wrong_type(), out_of_range()})}),
             R"xml(<?xml version="1.0" encoding="UTF-8"?>
-<testsuites name="gltfx">
-  <testsuite name="models/leaf.gltf" tests="2" failures="1" errors="0" skipped="0">
+<testsuites name="gltfx" tests="2" failures="1" errors="0" skipped="0" time="0">
+  <testsuite name="models/leaf.gltf" tests="2" failures="1" errors="0" skipped="0" time="0">
     <properties>
       <property name="profile" value="default"/>
       <property name="pixels" value="headers"/>
     </properties>
-    <testcase classname="models/leaf.gltf" name="TYPE_MISMATCH at /materials/0/pbrMetallicRoughness/metallicFactor ('Leaf')" file="models/leaf.gltf" line="7">
+    <testcase classname="models/leaf.gltf" name="TYPE_MISMATCH at /materials/*/pbrMetallicRoughness/metallicFactor ('Leaf')" file="models/leaf.gltf" time="0" line="7">
       <failure type="TYPE_MISMATCH" message="'metallicFactor' is a string; a number is expected.">error[TYPE_MISMATCH]: 'metallicFactor' is a string; a number is expected.
 place: models/leaf.gltf:7:27 at /materials/0/pbrMetallicRoughness/metallicFactor ('Leaf')
 help: write the number without quotes: 0.5
 note: repeated 41 more times, last at /materials/44/pbrMetallicRoughness/metallicFactor</failure>
     </testcase>
-    <testcase classname="models/leaf.gltf" name="VALUE_NOT_IN_RANGE at /materials/0/pbrMetallicRoughness/roughnessFactor" file="models/leaf.gltf" line="8">
+    <testcase classname="models/leaf.gltf" name="VALUE_NOT_IN_RANGE at /materials/*/pbrMetallicRoughness/roughnessFactor" file="models/leaf.gltf" time="0" line="8">
       <system-out>warning[VALUE_NOT_IN_RANGE]: 'roughnessFactor' is 1.75; 0 to 1 is allowed.
 place: models/leaf.gltf:8:28 at /materials/0/pbrMetallicRoughness/roughnessFactor</system-out>
     </testcase>
@@ -50,8 +50,9 @@ TEST(Junit, FailsWhereTheRunWould) {
 }
 
 TEST(Junit, AFileWithoutFindingsIsOnePassedTest) {
-  EXPECT_THAT(junit({file("a.gltf")}),
-              HasSubstr("<testcase classname=\"a.gltf\" name=\"valid\" file=\"a.gltf\"/>"));
+  EXPECT_THAT(
+      junit({file("a.gltf")}),
+      HasSubstr("<testcase classname=\"a.gltf\" name=\"valid\" file=\"a.gltf\" time=\"0\"/>"));
 }
 
 TEST(Junit, AFileThatCannotBeReadIsAnError) {
@@ -59,6 +60,44 @@ TEST(Junit, AFileThatCannotBeReadIsAnError) {
   EXPECT_THAT(text, HasSubstr("name=\"gone.gltf\" tests=\"1\" failures=\"0\" errors=\"1\""));
   EXPECT_THAT(text, HasSubstr("<error type=\"IO_ERROR\" message=\"No such file.\">"));
   EXPECT_THAT(text, HasSubstr("<system-out>3 more findings are not listed"));
+}
+
+TEST(Junit, TotalsAreThoseOfAllSuites) {
+  EXPECT_THAT(junit(sample_run()),
+              HasSubstr("<testsuites name=\"gltfx\" tests=\"6\" failures=\"2\" errors=\"1\" "
+                        "skipped=\"0\" time=\"0\">"));
+}
+
+TEST(Junit, EachRepeatIsATestWhoseNameHasNoIndex) {
+  const auto at_node = [](const char* pointer, const char* name) {
+    Diagnostic d = finding("X", Severity::error, "M.", pointer);
+    d.object_name = name;
+    return d;
+  };
+  FileReport report = file("a.gltf", {at_node("/nodes/0", "Oak")});
+  keep_repeat(report, at_node("/nodes/4", ""));
+  keep_repeat(report, at_node("/nodes/9", ""));
+  const std::string text = junit({report});
+  EXPECT_THAT(text, HasSubstr("tests=\"3\" failures=\"3\""));
+  EXPECT_THAT(text, HasSubstr("name=\"X at /nodes/* ('Oak')\""));
+  EXPECT_THAT(text, HasSubstr("name=\"X at /nodes/*\""));
+  EXPECT_THAT(text, HasSubstr("name=\"X at /nodes/* #2\""));
+  EXPECT_THAT(text, Not(HasSubstr("repeated")));
+}
+
+TEST(Junit, TimesAreSumsOfThoseOfFiles) {
+  FormatOptions options;
+  options.timings = true;
+  FileReport first = file("a.gltf", {wrong_type(), out_of_range()});
+  first.microseconds = 1'500'000;
+  FileReport second = file("b.gltf");
+  second.microseconds = 25;
+  const std::string text = run(ReportFormat::junit, {first, second}, options);
+  EXPECT_THAT(text, HasSubstr("skipped=\"0\" time=\"1.500025\">\n  <testsuite name=\"a.gltf\""));
+  EXPECT_THAT(text, HasSubstr("time=\"1.500000\">\n    <properties>"));
+  EXPECT_THAT(text, HasSubstr("time=\"1.500000\" line=\"7\">"));
+  EXPECT_THAT(text, HasSubstr("time=\"0.000000\" line=\"8\">"));
+  EXPECT_THAT(text, HasSubstr("name=\"valid\" file=\"b.gltf\" time=\"0.000025\"/>"));
 }
 
 TEST(Junit, TextStaysText) {

@@ -27,6 +27,12 @@ FileReport with_everything() {
   finding.excerpt.text = "a \xFF b";
   ProposedFix fix{"Mend it.", {{{1, 2, 3, 4, 5, 6, 7, 8}, "text"}, {{}, ""}}};
   finding.fix = std::make_shared<const ProposedFix>(std::move(fix));
+  Diagnostic again = out_of_range();
+  again.help = "Write less.";
+  again.object_name = "Stem";
+  again.count = 3;
+  keep_repeat(report, again);
+  keep_repeat(report, bad_chunk());
   report.truncated = true;
   report.suppressed = 3;
   report.left_out = 300;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <set>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -25,11 +27,12 @@ FormatOptions options() {
   options.pixel_level = "headers";
   options.rules = kRules;
   options.folder = "/home/anna b/assets";
+  options.sarif_notes = true;
   return options;
 }
 
-json sarif_run(const std::vector<FileReport>& reports) {
-  const json log = json::parse(run(ReportFormat::sarif, reports, options()));
+json sarif_run(const std::vector<FileReport>& reports, const FormatOptions& with = options()) {
+  const json log = json::parse(run(ReportFormat::sarif, reports, with));
   EXPECT_EQ(log["version"], "2.1.0");
   EXPECT_EQ(log["runs"].size(), 1U);
   return log["runs"][0];
@@ -57,8 +60,8 @@ TEST(Sarif, ResultNamesRuleLevelPlaceAndRepeats) {
   EXPECT_EQ(one["occurrenceCount"], 42);
   EXPECT_EQ(one["relatedLocations"][0]["logicalLocations"][0]["fullyQualifiedName"],
             "/materials/44/pbrMetallicRoughness/metallicFactor");
-  EXPECT_EQ(one["partialFingerprints"]["codeAndPointer/v1"],
-            "TYPE_MISMATCH /materials/*/pbrMetallicRoughness/metallicFactor");
+  EXPECT_EQ(one["partialFingerprints"]["codeAndPlace/v2"],
+            "TYPE_MISMATCH at /materials/*/pbrMetallicRoughness/metallicFactor ('Leaf')");
   EXPECT_EQ(one["properties"]["object"], "Leaf");
 }
 
@@ -70,13 +73,13 @@ TEST(Sarif, ColumnsAreUtf16CodeUnits) {
   EXPECT_EQ(sarif_run({})["columnKind"], "utf16CodeUnits");
 }
 
-TEST(Sarif, ABinaryFileHasBytesInsteadOfLines) {
+TEST(Sarif, ABinaryFileHasBytesAndItsFirstLine) {
   const Diagnostic inside =
       on(finding("X", Severity::error, "M.", "/scene"), "{\"scene\":7}", "7", 20);
   EXPECT_EQ(place(result(inside, "model/gltf-binary"))["region"],
-            json::parse(R"({"byteOffset": 29, "byteLength": 1})"));
+            json::parse(R"({"startLine": 1, "byteOffset": 29, "byteLength": 1})"));
   EXPECT_EQ(place(result(bad_chunk(), "model/gltf-binary"))["region"],
-            json::parse(R"({"byteOffset": 12, "byteLength": 0})"));
+            json::parse(R"({"startLine": 1, "byteOffset": 12, "byteLength": 0})"));
 }
 
 TEST(Sarif, AFindingOnTheFileStandsAtItsStart) {
@@ -141,6 +144,111 @@ TEST(Sarif, AFixIsGivenAsReplacements) {
   EXPECT_EQ(change["replacements"][0]["deletedRegion"]["startColumn"], 27);
   EXPECT_EQ(change["replacements"][0]["insertedContent"]["text"], "0.5");
   EXPECT_FALSE(result(d, "model/gltf-binary").contains("fixes"));
+}
+
+// The fingerprints of a file's results, in their order.
+std::vector<std::string> fingerprints(const FileReport& report, const std::string& name) {
+  std::vector<std::string> all;
+  const json run = sarif_run({report});
+  for (const json& result : run["results"]) {
+    all.push_back(result["partialFingerprints"][name]);
+  }
+  return all;
+}
+
+Diagnostic at_node(std::size_t index, std::string name) {
+  Diagnostic d = finding("UNUSED_OBJECT", Severity::warning, fmt::format("Node {}.", index),
+                         fmt::format("/nodes/{}", index));
+  d.object_name = std::move(name);
+  return d;
+}
+
+TEST(Sarif, EachRepeatIsAResultOfItsOwn) {
+  FileReport report = file("a.gltf", {at_node(0, "Oak")});
+  keep_repeat(report, at_node(3, "Elm"));
+  const json results = sarif_run({report})["results"];
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[1]["message"]["text"], "Node 3.");
+  EXPECT_EQ(results[1]["level"], "warning");
+  EXPECT_EQ(results[1]["locations"][0]["logicalLocations"][0]["fullyQualifiedName"], "/nodes/3");
+  EXPECT_EQ(results[1]["properties"]["object"], "Elm");
+  for (const json& result : results) EXPECT_FALSE(result.contains("occurrenceCount"));
+  EXPECT_EQ(fingerprints(report, "codeAndPlace/v2"),
+            (std::vector<std::string>{"UNUSED_OBJECT at /nodes/* ('Oak')",
+                                      "UNUSED_OBJECT at /nodes/* ('Elm')"}));
+}
+
+TEST(Sarif, RepeatsThatWereNotKeptStayWithTheFinding) {
+  FileReport report = file("a.gltf", {at_node(0, "Oak")});
+  keep_repeat(report, at_node(3, "Elm"));
+  report.diagnostics[0].count = 10;
+  report.diagnostics[0].last_pointer = "/nodes/90";
+  const json results = sarif_run({report})["results"];
+  EXPECT_EQ(results[0]["occurrenceCount"], 9);
+  EXPECT_EQ(results[0]["relatedLocations"][0]["logicalLocations"][0]["fullyQualifiedName"],
+            "/nodes/90");
+}
+
+TEST(Sarif, FingerprintsSurviveAnInsertedNode) {
+  const char* const kGitHub = "primaryLocationLineHash";
+  const FileReport before = file("a.gltf", {at_node(0, "Oak"), at_node(1, ""), at_node(2, "")});
+  const FileReport after = file("a.gltf", {at_node(1, "Oak"), at_node(2, ""), at_node(3, "")});
+  const std::vector<std::string> prints = fingerprints(before, kGitHub);
+  EXPECT_EQ(prints, fingerprints(after, kGitHub));
+  EXPECT_EQ(std::set<std::string>(prints.begin(), prints.end()).size(), 3U);
+  EXPECT_THAT(prints[1], ::testing::MatchesRegex("[0-9a-f]{16}:1"));
+  EXPECT_THAT(prints[2], ::testing::MatchesRegex("[0-9a-f]{16}:2"));
+}
+
+TEST(Sarif, NotesAreForThoseWhoAskForThem) {
+  const std::vector<FileReport> reports{
+      file("a.gltf", {finding("X", Severity::warning, "M."), finding("Y", Severity::info, "M."),
+                      finding("Z", Severity::hint, "M."), finding("Z", Severity::hint, "N.")})};
+  const auto codes = [&](const FormatOptions& with) {
+    std::string all;
+    const json run = sarif_run(reports, with);
+    for (const json& result : run["results"]) {
+      all += result["ruleId"].get<std::string>();
+    }
+    return all;
+  };
+  EXPECT_EQ(codes(options()), "XYZZ");
+  FormatOptions quiet = options();
+  quiet.sarif_notes = false;
+  EXPECT_EQ(codes(quiet), "X");
+  const json run = sarif_run(reports, quiet);
+  EXPECT_EQ(run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"],
+            "3 notes not listed (--sarif-notes lists them).");
+  EXPECT_EQ(run["tool"]["driver"]["rules"].size(), 1U);
+  quiet.fail_on = Severity::info;
+  EXPECT_EQ(codes(quiet), "XY") << "what fails the run is listed";
+}
+
+TEST(Sarif, ListsWhatServicesTakeTheMostSevereFirst) {
+  std::vector<Diagnostic> many;
+  for (int i = 0; i < 6000; ++i) {
+    const bool late_error = i >= 5990;
+    many.push_back(finding(late_error ? "E" : "W", late_error ? Severity::error : Severity::warning,
+                           "M.", fmt::format("/nodes/{}", i)));
+  }
+  const json run = sarif_run({file("a.gltf", many)});
+  ASSERT_EQ(run["results"].size(), 5000U);
+  EXPECT_EQ(run["results"][0]["locations"][0]["logicalLocations"][0]["fullyQualifiedName"],
+            "/nodes/0");
+  EXPECT_EQ(run["results"][4989]["ruleId"], "W");
+  EXPECT_EQ(run["results"][4990]["ruleId"], "E");
+  EXPECT_EQ(run["results"][4999]["ruleId"], "E");
+  EXPECT_EQ(run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"],
+            "Only 5000 results are listed, as many as code-scanning services show; left out: 0 "
+            "errors, 1000 warnings, 0 notes.");
+}
+
+TEST(Sarif, SaysHowManyFindingsLieOnLinesThatDidNotChange) {
+  FileReport report = file("a.gltf");
+  report.unchanged = 7;
+  EXPECT_EQ(
+      sarif_run({report})["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"],
+      "7 findings not shown, on lines that did not change (--diff-base).");
 }
 
 TEST(Sarif, AssetTextIsNoPlaceholderAndNoLink) {

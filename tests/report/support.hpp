@@ -44,6 +44,23 @@ inline Diagnostic times(Diagnostic diagnostic, std::uint64_t count, std::string 
   return diagnostic;
 }
 
+/// Folds a repeat into the last finding of a report and keeps it.
+inline void keep_repeat(FileReport& report, const Diagnostic& repeat) {
+  Repeat kept;
+  kept.finding = report.diagnostics.size() - 1;
+  kept.message = repeat.message;
+  kept.help = repeat.help;
+  kept.pointer = repeat.pointer;
+  kept.object_name = repeat.object_name;
+  kept.location = repeat.location;
+  kept.count = repeat.count;
+  report.repeats.push_back(std::move(kept));
+  Diagnostic& first = report.diagnostics.back();
+  first.count += repeat.count;
+  first.last_pointer = repeat.pointer;
+  report.counts.add(first.severity, repeat.count);
+}
+
 inline FileReport file(std::string path, std::vector<Diagnostic> diagnostics = {},
                        std::string mime_type = "model/gltf+json") {
   FileReport report;

@@ -35,6 +35,43 @@ TEST(Collector, FoldsRepeatsIntoTheFirst) {
   EXPECT_EQ(report.counts.warnings, 1000U);
 }
 
+TEST(Collector, KeepsTheFirstRepeatsWithPlaceAndName) {
+  const std::string text =
+      "{\"asset\": {\"version\": \"2.0\"}, \"materials\": [\n"
+      "{\"name\": \"Oak\", \"alphaCutoff\": -1},\n"
+      "{\"name\": \"Elm\", \"alphaCutoff\": -2}]}";
+  ValidateOptions options;
+  options.select = {"VALUE_NOT_IN_RANGE"};
+  const FileReport report = validate_bytes(text, "test", options);
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  ASSERT_EQ(report.repeats.size(), 1U);
+  const Repeat& repeat = report.repeats[0];
+  EXPECT_EQ(repeat.finding, 0U);
+  EXPECT_EQ(repeat.pointer, "/materials/1/alphaCutoff");
+  EXPECT_EQ(repeat.object_name, "Elm");
+  EXPECT_EQ(repeat.location.line, 3U);
+  EXPECT_EQ(text.substr(repeat.location.offset, repeat.location.length), "-2");
+  EXPECT_NE(repeat.message, report.diagnostics[0].message) << "each says its own value";
+}
+
+TEST(Collector, KeepsSomeThousandRepeatsAtMost) {
+  const FileReport report = validate_bytes(misspelt_nodes(6000), "test");
+  EXPECT_EQ(report.diagnostics[0].count, 6000U);
+  EXPECT_EQ(report.repeats.size(), 5000U);
+  ValidateOptions options;
+  options.max_issues = 10;
+  EXPECT_TRUE(validate_bytes(misspelt_nodes(100), "test", options).repeats.empty());
+}
+
+TEST(Collector, CountsWhatLiesOnOtherLines) {
+  ValidateOptions options;
+  options.changed_lines = {{1, 1}};
+  const FileReport report = validate_bytes(
+      "{\"asset\": {\"version\": \"2.0\", \"a\": 1},\n\"b\": 2,\n\"c\": 3}", "test", options);
+  EXPECT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.unchanged, 2U);
+}
+
 TEST(Collector, KhronosProfileListsEveryRepeat) {
   ValidateOptions options;
   options.profile = Profile::khronos;

@@ -31,6 +31,7 @@ void KnownFindings::apply(FileReport& report) {
   if (baseline_) baseline_->apply(report);
   if (max_issues_ == 0 || report.diagnostics.size() <= max_issues_) return;
   report.diagnostics.resize(max_issues_);
+  report.repeats.clear();
   report.truncated = true;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gltfx/diagnostic.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -53,6 +54,16 @@ struct AssetInfo {
   bool has_textures = false, has_default_scene = false;               ///< the same
 };
 
+/// A finding that was folded into another one of the report: the same code at another place.
+struct Repeat {
+  std::size_t finding = 0;    ///< position of that one in FileReport::diagnostics
+  std::string message, help;  ///< as in Diagnostic
+  std::string pointer;        ///< the same
+  std::string object_name;    ///< the same
+  Location location;          ///< the same
+  std::uint64_t count = 1;    ///< faults at that place
+};
+
 /// Everything said about one asset. Owns its text; independent of the asset.
 struct FileReport {
   std::string path;                     ///< as the user named it, "-" for standard input
@@ -61,12 +72,15 @@ struct FileReport {
   bool readable = true;                 ///< false: the file itself could not be opened
   std::vector<Diagnostic> diagnostics;  ///< in the order they were found
   Counts counts;                        ///< of all diagnostics, those not listed included
+  std::vector<Repeat> repeats;          ///< the first thousands of those folded, by `finding`
   bool truncated = false;               ///< --max-issues ended the listing
   std::uint64_t suppressed = 0;         ///< findings a baseline knew
   std::uint64_t left_out = 0;           ///< findings that the asset asks to leave out
+  std::uint64_t unchanged = 0;          ///< findings on other lines than those that were asked for
   std::uint64_t unverified = 0;         ///< resources not looked into: Git-LFS pointers
   std::uint64_t images_wanted = 0;      ///< whose pixels were to be looked at
   std::uint64_t images_decoded = 0;     ///< of those, the ones whose pixels could be had
+  std::uint64_t microseconds = 0;       ///< that the validation took
   std::optional<AssetInfo> info;        ///< where the JSON text could be read
 };
 
@@ -77,6 +91,7 @@ struct RunSummary {
   std::uint64_t unreadable = 0;                                ///< that could not be opened
   std::uint64_t unverified = 0, suppressed = 0, left_out = 0;  ///< sums of those of the files
   std::uint64_t images_wanted = 0, images_decoded = 0;         ///< the same
+  std::uint64_t unchanged = 0;                                 ///< the same
   Counts counts;                                               ///< the same
   std::optional<int> exit_code;        ///< what the program is about to end with, where it is known
   void add(const FileReport& report);  ///< takes in one more
@@ -113,6 +128,10 @@ struct FormatOptions {
   Shard shard;  ///< named in jsonl
   /// junit: what is as loud as this, or louder, is a failure; named in jsonl; nothing: never.
   std::optional<Severity> fail_on = Severity::error;
+  /// sarif: infos and hints as results, too; without it only those that `fail_on` asks for.
+  bool sarif_notes = false;
+  /// junit, jsonl: FileReport::microseconds are written. Two runs over the same files differ then.
+  bool timings = false;
 };
 
 /// Writes reports one after the other, so that a run of any length stays flat in memory.
