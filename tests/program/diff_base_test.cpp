@@ -58,6 +58,30 @@ TEST_F(DiffBase, OnlyChangedLinesAreSpokenOf) {
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
 }
 
+TEST_F(DiffBase, WhatIsHiddenIsCounted) {
+  folder_.write("a.gltf", materials("-1", "-2", "-1"));
+  const auto check = [&](const std::string& format) {
+    return gltfx({"validate", ".", "-f", format, "--select", "VALUE_NOT_IN_RANGE", "--diff-base",
+                  "HEAD"},
+                 {folder_.path().native(), {}, {}})
+        .out;
+  };
+  const std::string note = "5 findings not shown, on lines that did not change (--diff-base)";
+  for (const char* format : {"text", "agent", "github", "sarif"}) {
+    EXPECT_THAT(check(format), HasSubstr(note)) << format;
+  }
+  EXPECT_THAT(check("json"), HasSubstr("\"unchanged\":5"));
+  ASSERT_EQ(
+      shell("git add -A && git -c user.name=a -c user.email=a@example.com commit -q -m more").code,
+      0);
+  EXPECT_THAT(check("text"), HasSubstr("2 files checked: no new problems\n6 findings not shown"));
+}
+
+TEST_F(DiffBase, AChangeWithoutAssetsIsNoMistake) {
+  folder_.write("void/notes.txt", "");
+  EXPECT_EQ(since("HEAD", "void").code, 0);
+}
+
 TEST_F(DiffBase, FilesOfAnyNameAndFolderAreFound) {
   folder_.write("sub/b c.gltf", materials("-1", "-1", "-3"));
   EXPECT_THAT(since("HEAD", "b c.gltf", "sub").out, HasSubstr("b c.gltf:5:17"));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The machine formats of a whole run, names of hostile files included, before independent readers.
+#include <set>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +57,20 @@ TEST_F(Formats, SarifRefersToWhatItLists) {
   EXPECT_THAT(run["artifacts"].dump(),
               HasSubstr("%23%23vso%5Btask.complete%5D%E2%80%AE%1B%5B2J%0A%FF.gltf"));
   EXPECT_EQ(run["originalUriBaseIds"]["SRCROOT"]["uri"], "file://" + folder_.path().native() + "/");
+}
+
+TEST_F(Formats, SarifTellsAllFindingsOfAFileApart) {
+  const json run = json::parse(in("sarif").out)["runs"][0];
+  std::set<std::pair<json, json>> met;
+  for (const json& result : run["results"]) {
+    const json& place = result["locations"][0]["physicalLocation"];
+    EXPECT_GE(place["region"]["startLine"], 1);
+    for (const auto& [name, value] : result["partialFingerprints"].items()) {
+      const json whole = {result["ruleId"], name, value};
+      EXPECT_TRUE(met.emplace(place["artifactLocation"]["index"], whole).second) << whole;
+    }
+  }
+  EXPECT_GE(met.size(), 1000U);
 }
 
 TEST_F(Formats, AgentHasALineForEachFinding) {

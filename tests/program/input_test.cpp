@@ -15,7 +15,6 @@ namespace {
 using container::test::TempFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 class Input : public testing::Test {
  protected:
@@ -107,9 +106,12 @@ TEST_F(Input, AFileWhoseNameLooksLikeAGlobOrAListIsAFile) {
   EXPECT_THAT(checked({"[a,b].gltf"}), ElementsAre("[a,b].gltf"));
 }
 
-TEST_F(Input, AGlobWithoutMatchIsUnreadable) {
-  EXPECT_THAT(checked({"*.gltf"}), ElementsAre("*.gltf"));
+TEST_F(Input, AGlobWithoutMatchBesideAnAssetIsUnreadable) {
+  folder_.write("a.gltf", kSound);
+  EXPECT_THAT(checked({"*.glb", "a.gltf"}), ElementsAre("*.glb", "a.gltf"));
   EXPECT_EQ(outcome_.code, 3);
+  EXPECT_THAT(checked({"*.glb", "a.gltf", "--allow-empty"}), ElementsAre("a.gltf"));
+  EXPECT_EQ(outcome_.code, 0);
 }
 
 TEST_F(Input, PathsThatLookLikeVerbsOrOptionsArePaths) {
@@ -146,14 +148,88 @@ TEST_F(Input, AMissingFileDoesNotStopTheOthers) {
   EXPECT_EQ(outcome_.err, "");
 }
 
-TEST_F(Input, AFolderWithoutAssetsSaysSo) {
+TEST_F(Input, AFolderWithoutAssetsBesideOthersIsANote) {
   std::filesystem::create_directory(folder_.path() / "void");
-  EXPECT_THAT(checked({"void"}), IsEmpty());
+  folder_.write("a.gltf", kSound);
+  EXPECT_THAT(checked({"void", "a.gltf"}), ElementsAre("a.gltf"));
   EXPECT_EQ(outcome_.code, 0);
-  EXPECT_THAT(outcome_.err, HasSubstr("folder 'void' holds no .gltf or .glb file"));
-  checked({"void", "--quiet"});
+  EXPECT_EQ(outcome_.err, "gltfx: note: no .gltf or .glb in 'void'\n");
+  checked({"void", "a.gltf", "--quiet"});
   EXPECT_EQ(outcome_.err, "");
 }
+
+// What a verb is asked, without its inputs.
+struct Asked {
+  std::string verb;
+  std::vector<std::string> options;
+};
+
+void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.verb; }
+
+class NothingFound : public testing::TestWithParam<Asked> {
+ protected:
+  NothingFound() {
+    folder_.write("void/notes.txt", "");
+    folder_.write("more/deep/notes.txt", "");
+    folder_.write("list", "void\nmore\n");
+    folder_.write("empty list", "");
+  }
+  Outcome run(const std::vector<std::string>& inputs) const {
+    std::vector<std::string> words{GetParam().verb};
+    words.insert(words.end(), GetParam().options.begin(), GetParam().options.end());
+    words.insert(words.end(), inputs.begin(), inputs.end());
+    return gltfx(words, {folder_.path().native(), {}, {}});
+  }
+  bool takes_lists() const { return GetParam().verb != "inspect"; }
+
+  const TempFolder folder_;
+};
+
+TEST_P(NothingFound, IsAMistakeThatNamesTheInputs) {
+  struct Case {
+    std::vector<std::string> inputs;
+    std::string said;
+  };
+  std::vector<Case> cases{{{"void"}, "no .gltf or .glb in 'void'."},
+                          {{"void/"}, "no .gltf or .glb in 'void/'."},
+                          {{"**/*.glb"}, "no .gltf or .glb in '**/*.glb'."},
+                          {{"*/"}, "no .gltf or .glb in '*/'."},
+                          {{"void", "more", "-q"}, "no .gltf or .glb in 'void', 'more'."},
+                          {{"void", "more", "more/deep", "*.glb", "*.gltf"},
+                           "no .gltf or .glb in 'void', 'more', 'more/deep' and 2 more."}};
+  if (takes_lists()) {
+    cases.push_back({{"--files-from", "list"}, "no .gltf or .glb in 'void', 'more'."});
+    cases.push_back({{"void", "--files-from", "empty list"}, "no .gltf or .glb in 'void'."});
+    cases.push_back({{"void", "--shard", "2/3"}, "no .gltf or .glb in 'void'."});
+  }
+  for (const Case& each : cases) {
+    const Outcome outcome = run(each.inputs);
+    EXPECT_EQ(outcome.code, 2) << each.said;
+    EXPECT_THAT(outcome.err, HasSubstr("gltfx: " + each.said + " Use --allow-empty"));
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out")) << "nothing is written";
+  }
+}
+
+TEST_P(NothingFound, IsNoneWhenAllowed) {
+  for (const std::string input : {"void", "*.glb"}) {
+    const Outcome outcome = run({input, "--allow-empty"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("note: no .gltf or .glb in '" + input + "'"));
+    EXPECT_THAT(outcome.out + outcome.err, testing::Not(HasSubstr("contact-sheet")));
+  }
+  if (!takes_lists()) return;
+  const Outcome outcome = run({"--files-from", "empty list"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Verbs, NothingFound,
+    testing::Values(Asked{"validate", {}}, Asked{"validate", {"--format", "json"}},
+                    Asked{"upgrade", {}}, Asked{"upgrade", {"--check"}},
+                    Asked{"upgrade", {"-o", "out/"}}, Asked{"bake", {"-o", "out/"}},
+                    Asked{"bake", {"-o", "out/", "--size", "64"}}, Asked{"inspect", {}},
+                    Asked{"report", {"-o", "-", "--no-thumbnails"}}));
 
 TEST_F(Input, AFolderThatCannotBeListedIsUnreadable) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may list any folder";

@@ -54,6 +54,24 @@ TEST_F(Merge, ShardsTogetherSayWhatOneRunSays) {
   }
 }
 
+TEST_F(Merge, TimesAreThoseThatTheRunsRecorded) {
+  const Outcome one = validate({"--timings", "--format", "junit", "--format", "jsonl=1.jsonl"});
+  EXPECT_THAT(one.out, testing::ContainsRegex("<testsuites [^>]* time=\"[0-9]+\\.[0-9]{6}\">"));
+  EXPECT_EQ(merge({"1.jsonl", "--format", "junit"}).out, one.out);
+  ASSERT_EQ(validate({"--shard", "1/2", "--timings", "--format", "jsonl=1.jsonl"}).code, 0);
+  ASSERT_EQ(validate({"--shard", "2/2", "--format", "jsonl=2.jsonl"}).code, 0);
+  EXPECT_THAT(merge({"1.jsonl", "2.jsonl"}).err, HasSubstr("--timings"));
+}
+
+TEST_F(Merge, NotesOfSarifAreForThoseWhoAsk) {
+  run_shards(2);
+  const Outcome few = merge({"1.jsonl", "2.jsonl", "--format", "sarif"});
+  const Outcome all = merge({"1.jsonl", "2.jsonl", "--format", "sarif", "--sarif-notes"});
+  EXPECT_EQ(few.out.find("\"level\":\"note\",\"message\":{\"text\":\"Nothing"), std::string::npos);
+  EXPECT_GT(all.out.size(), few.out.size());
+  EXPECT_EQ(all.out, validate({"--format", "sarif", "--sarif-notes"}).out);
+}
+
 TEST_F(Merge, AShardThatWasRunTwiceCountsOnce) {
   run_shards(2);
   EXPECT_EQ(merge({"1.jsonl", "2.jsonl", "1.jsonl", "--format", "json"}).out,

@@ -159,8 +159,8 @@ Result<BakeRequest> request_of(const BakeWords& words) {
   Reading reading;
   BakeRequest request;
   read_common(reading, words.common, request.common);
-  check(reading, words);
   read_inputs(reading, words.inputs, "bake", request.paths);
+  check(reading, words);
   reading.set(request.bake.sizes, parse_sizes(words.sizes));
   reading.set(request.bake.layers, parse_layers(words.layers));
   reading.set(request.bake.turntable, parse_count("--turntable", words.turntable, 0, 3600));

@@ -46,9 +46,10 @@ class BakeRun {
   }
 
   ExitCode execute() {
-    const Inputs named = expand_paths(request_.paths, request_.quiet);
-    if (!request_.compare.empty()) return compare(named);
-    const auto places = place_pictures(named, request_);
+    const auto named = expand_paths(request_.paths, request_.quiet);
+    if (named && !request_.compare.empty()) return compare(*named);
+    const auto places =
+        named ? place_pictures(*named, request_) : Result<PicturePlaces>(named.error());
     if (!places) {
       complain(places.error().message);
       return ExitCode::usage;

@@ -25,11 +25,15 @@ class InspectRun {
         style_(colors_on_stdout(request.common.color)) {}
 
   ExitCode execute() {
-    const Inputs inputs = expand_paths(request_.paths, request_.quiet);
+    const auto inputs = expand_paths(request_.paths, request_.quiet);
+    if (!inputs) {
+      complain(inputs.error().message);
+      return ExitCode::usage;
+    }
     std::string text;
     if (json()) writer_.begin(text);
     say(text);
-    inspect_files(inputs.paths, options_, request_.common.jobs,
+    inspect_files(inputs->paths, options_, request_.common.jobs,
                   [this](InspectReport&& report) { take(report); });
     text.clear();
     if (json()) writer_.end(text);

@@ -15,6 +15,8 @@
 #include "command_table.hpp"
 #include "configuration.hpp"
 #include "help_text.hpp"
+#include "input_walk.hpp"
+#include "option_check.hpp"
 #include "suggestion.hpp"
 #include "version.hpp"
 #include "words.hpp"
@@ -60,6 +62,7 @@ class Declaration {
   std::string take_positionals();
   std::vector<std::string>* positionals(std::string_view verb);
   std::string unknown_verb(const std::string& word) const;
+  std::string verb_among(const std::vector<std::string>& words) const;
   CommandLine request(std::string_view verb) const;
 
   CLI::App app_{
@@ -155,7 +158,10 @@ std::string unknown_option(const CLI::App& app, const std::string& word) {
     for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  return fmt::format("unknown option {}.{}", gltfx::quoted(name), suggestion(name, candidates));
+  const std::string hint = is_asset_name(word)
+                               ? fmt::format(" Write './{}' for a file.", printable(word))
+                               : suggestion(name, candidates);
+  return fmt::format("unknown option {}.{}", gltfx::quoted(name), hint);
 }
 
 std::string Declaration::unknown_verb(const std::string& word) const {
@@ -191,6 +197,7 @@ std::string Declaration::take_positionals() {
     if (is_option(word)) return unknown_option(verb, word);
   }
   taken.insert(taken.end(), after_mark_.begin(), after_mark_.end());
+  if (std::find(taken.begin(), taken.end(), "") != taken.end()) return empty_argument();
   if (words == nullptr && !taken.empty()) {
     return fmt::format("{}: unexpected argument {}.", verb.get_name(),
                        gltfx::quoted(taken.front()));
@@ -251,12 +258,11 @@ CommandLine Declaration::request(std::string_view verb) const {
   return command_of(verb, configured(schema_));
 }
 
-// "--name=" would take the next argument for its value.
-std::string empty_value(int argc, const char* const* argv) {
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word.starts_with("--") && word.ends_with('=')) {
-      return fmt::format("option {} has no value after '='.", gltfx::quoted(word));
+// The verb that the words name, or an empty text.
+std::string Declaration::verb_among(const std::vector<std::string>& words) const {
+  for (const std::string& word : words) {
+    for (const CLI::App* verb : app_.get_subcommands(nullptr)) {
+      if (verb->get_name() == word) return word;
     }
   }
   return {};
@@ -273,17 +279,18 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
       std::find(argv + std::min(argc, 1), argv + argc, std::string_view("--"));
   if (mark != argv + argc) after_mark_.assign(mark + 1, argv + argc);
   argc = static_cast<int>(mark - argv);
-  if (const std::string problem = empty_value(argc, argv); !problem.empty()) {
-    return usage_error({}, problem);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (const std::string problem = option_mistake(table_of(app_), words); !problem.empty()) {
+    return usage_error(verb_among(words), problem);
   }
   try {
     app_.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     return Answer{help(), {}, ExitCode::ok};
-  } catch (const CLI::ParseError& error) {
-    const auto verbs = app_.get_subcommands();
-    return usage_error(verbs.empty() ? "" : verbs.front()->get_name(),
-                       printable(error.what()) + ".");
+  } catch (const CLI::ParseError&) {
+    // Nothing that option_mistake() lets pass is known to come here; the words of CLI11 are not for
+    // users.
+    return usage_error(verb_among(words), "the arguments cannot be understood.");
   }
   const auto verbs = app_.get_subcommands();
   const std::string verb = verbs.empty() ? std::string() : verbs.front()->get_name();

@@ -27,11 +27,20 @@ void add_formats(CLI::App& app, std::vector<std::string>& formats) {
            "text (default), json, jsonl, khronos, github, sarif, junit, agent; repeatable");
 }
 
+void add_sarif_notes(CLI::App& app, bool& sarif_notes) {
+  app.add_flag("--sarif-notes", sarif_notes, "sarif: infos and hints, too");
+}
+
 void add_inputs(CLI::App& app, InputWords& words) {
   add_word(app, "--files-from", words.files_from, "FILE",
            "More paths, one a line or before a NUL each; - is standard input");
   add_word(app, "--shard", words.shard, "I/N",
            "Only the files of part I of N, which their paths decide");
+  add_allow_empty(app, words.allow_empty);
+}
+
+void add_allow_empty(CLI::App& app, bool& allow_empty) {
+  app.add_flag("--allow-empty", allow_empty, "Exit with 0 when the paths hold no .gltf or .glb");
 }
 
 void add_root(CLI::App& app, std::string& root) {

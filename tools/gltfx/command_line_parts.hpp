@@ -29,8 +29,14 @@ void add_word(CLI::App& app, const char* name, std::string& word, const char* ty
 /// --format of the verbs that write reports.
 void add_formats(CLI::App& app, std::vector<std::string>& formats);
 
+/// --sarif-notes of the same verbs.
+void add_sarif_notes(CLI::App& app, bool& sarif_notes);
+
 /// Which of the inputs a run takes, besides the positional ones.
 void add_inputs(CLI::App& app, InputWords& words);
+
+/// --allow-empty of the verbs that open assets; add_inputs() has it.
+void add_allow_empty(CLI::App& app, bool& allow_empty);
 
 /// --root of the verbs that open what assets refer to.
 void add_root(CLI::App& app, std::string& root);

@@ -59,6 +59,8 @@ void declare_validate(CLI::App& app, ValidateWords& words) {
   describe_positional(app, "PATH",
                       "Files, folders (searched through), globs, or - for standard input");
   add_formats(app, words.formats);
+  add_sarif_notes(app, words.sarif_notes);
+  app.add_flag("--timings", words.timings, "junit, jsonl: how long each file took (junit: 0 else)");
   declare_checks(app, words);
   add_word(app, "--write-baseline", words.write_baseline, "FILE",
            "Record all findings in FILE and exit with 0 for them");

@@ -98,11 +98,12 @@ std::optional<Error> check_parts(const std::vector<ReportFile>& files) {
   for (const ReportFile& file : files) {
     const report::RunHead& head = file.head();
     const bool alike = head.profile == first.profile && head.pixel_level == first.pixel_level &&
-                       head.fail_on == first.fail_on && head.shard.count == first.shard.count;
+                       head.fail_on == first.fail_on && head.timings == first.timings &&
+                       head.shard.count == first.shard.count;
     if (!alike) {
       return Error{
-          fmt::format("{} was made with another profile, --pixels, --fail-on or number of shards "
-                      "than {}",
+          fmt::format("{} was made with another profile, --pixels, --fail-on, --timings or number "
+                      "of shards than {}",
                       quoted(file.path(), 200), quoted(files.front().path(), 200))};
     }
     if (head.shard.index <= there.size()) there[head.shard.index - 1] = true;
@@ -183,6 +184,7 @@ ExitCode run(const MergeRequest& request) {
     return ExitCode::unreadable;
   }
   MergeRequest loud = request;
+  loud.timings = files->front().head().timings;
   if (request.as_loud_as_runs) loud.fail_on = files->front().head().fail_on;
   return Merge(loud, *std::move(files)).execute();
 }

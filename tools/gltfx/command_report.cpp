@@ -51,8 +51,12 @@ class ReportRun {
       complain(output_.problem());
       return ExitCode::internal;
     }
-    note_useless_options(request_.validate);
     const ValidateRequest& validate = request_.validate;
+    if (const auto problem = nothing_found(validate.paths)) {
+      complain(problem->message);
+      return ExitCode::usage;
+    }
+    note_useless_options(validate);
     const auto found = look_ahead(validate.paths, {request_.output}, progress_.visible());
     if (!found) {
       complain(found.error().message);

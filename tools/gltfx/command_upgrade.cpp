@@ -73,8 +73,9 @@ class UpgradeRun {
         style_(colors_on_stdout(request.common.color)) {}
 
   ExitCode execute() {
-    const auto inputs =
-        place_outputs(expand_paths(request_.paths, request_.quiet), options_.output);
+    const auto named = expand_paths(request_.paths, request_.quiet);
+    const auto inputs = named ? place_outputs(*named, options_.output)
+                              : Result<std::vector<UpgradeInput>>(named.error());
     if (!inputs) {
       complain(inputs.error().message);
       return ExitCode::usage;

@@ -132,6 +132,10 @@ ExitCode Run::execute() {
     complain(problems);
     return ExitCode::internal;
   }
+  if (const auto problem = nothing_found(request_.paths)) {
+    complain(problem->message);
+    return ExitCode::usage;
+  }
   note_useless_options(request_);
   std::vector<std::string> outputs{request_.write_baseline};
   for (const FormatTarget& target : request_.targets) outputs.push_back(target.path);

@@ -5,13 +5,16 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "read_input.hpp"
 
 namespace gltfx::tool {
 
-Inputs expand_paths(const NamedPaths& named, bool quiet) {
+Result<Inputs> expand_paths(const NamedPaths& named, bool quiet) {
+  if (auto problem = nothing_found(named)) return *std::move(problem);
   InputWalk walk(named);
   Inputs inputs;
   while (auto input = walk.next_of_all()) {
@@ -24,13 +27,32 @@ Inputs expand_paths(const NamedPaths& named, bool quiet) {
   }
   inputs.folders = walk.folders();
   inputs.several = walk.several();
-  inputs.notes = walk.notes();
   if (!quiet) say_notes(walk);
   return inputs;
 }
 
 void say_notes(const InputWalk& walk) {
-  for (const std::string& note : walk.notes()) complain("note: " + note);
+  for (const std::string& name : walk.without_assets()) {
+    complain(fmt::format("note: no .gltf or .glb in {}", quoted(name, 200)));
+  }
+}
+
+std::optional<Error> nothing_found(const NamedPaths& named) {
+  constexpr std::size_t kMostNames = 3;
+  if (named.allow_empty) return std::nullopt;
+  InputWalk walk(named);
+  while (const auto input = walk.next_of_all()) {
+    if (!input->unmatched) return std::nullopt;
+  }
+  const std::vector<std::string>& all = walk.without_assets();
+  if (all.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::string& name : all) {
+    if (names.size() < kMostNames) names.push_back(quoted(name, 200));
+  }
+  std::string text = fmt::format("no .gltf or .glb in {}", fmt::join(names, ", "));
+  if (all.size() > kMostNames) text += fmt::format(" and {} more", all.size() - kMostNames);
+  return Error{text + ". Use --allow-empty if that is expected."};
 }
 
 Result<std::string> read_list(const std::string& file) {

@@ -26,15 +26,19 @@ struct Inputs {
   /// Folders among the arguments, and among what globs gave.
   std::vector<std::string> folders;
   bool several = false;  ///< what was named may be more than one file: a folder, a glob, two files
-  /// Sentences about arguments that name nothing to check.
-  std::vector<std::string> notes;
 };
 
-/// All that an InputWalk gives. Notes go to standard error unless `quiet`.
-Inputs expand_paths(const NamedPaths& named, bool quiet);
+/// All that an InputWalk gives; the Error of nothing_found(). Notes go to standard error unless
+/// `quiet`.
+Result<Inputs> expand_paths(const NamedPaths& named, bool quiet);
 
-/// Says them on standard error.
+/// Names the folders and globs without any asset on standard error. Call when `walk` is at its end.
 void say_notes(const InputWalk& walk);
+
+/// An Error when the inputs of all shards together hold no asset; nothing when they do, when
+/// nothing was named at all (an empty list) and when NamedPaths::allow_empty. Stops at the first
+/// asset.
+std::optional<Error> nothing_found(const NamedPaths& named);
 
 /// What `--files-from` names; "-" is standard input, nothing an empty list.
 Result<std::string> read_list(const std::string& file);

@@ -68,8 +68,11 @@ std::optional<Input> InputWalk::step() {
     matches_.pop_back();
     return enter(match);
   }
+  finish_word();
   const auto word = next_word();
   if (!word) return std::nullopt;
+  current_ = *word;
+  found_any_ = false;
   if (named_.literal) return take(*word, fs::path(*word).filename().native(), *word);
   std::error_code fault;
   const bool plain = listed_ > 0 || *word == "-" || !is_glob(*word) || fs::exists(*word, fault);
@@ -77,8 +80,16 @@ std::optional<Input> InputWalk::step() {
   several_ = true;
   matches_ = expand_glob(*word);
   std::reverse(matches_.begin(), matches_.end());
-  if (!matches_.empty()) return Input();
-  return take(*word, fs::path(*word).filename().native(), *word);
+  if (!matches_.empty() || named_.allow_empty) return Input();
+  auto unmatched = take(*word, fs::path(*word).filename().native(), *word);
+  unmatched->unmatched = true;
+  found_any_ = false;
+  return unmatched;
+}
+
+void InputWalk::finish_word() {
+  if (!found_any_) without_assets_.push_back(std::move(current_));
+  found_any_ = true;
 }
 
 // Arguments, then the lines of the list, which are no patterns.
@@ -102,8 +113,6 @@ std::optional<Input> InputWalk::enter(const std::string& path) {
   }
   several_ = true;
   folders_.push_back(path);
-  root_ = path;
-  found_any_ = false;
   root_length_ = path.size() + (path.ends_with('/') ? 0 : 1);
   if (!list(path)) return take(path, fs::path(path).filename().native(), path);
   return Input();
@@ -134,9 +143,6 @@ std::optional<Input> InputWalk::step_into_folders() {
   Listing& listing = open_.back();
   if (listing.order.empty()) {
     open_.pop_back();
-    if (open_.empty() && !found_any_) {
-      notes_.push_back("folder " + quoted(root_, 200) + " holds no .gltf or .glb file");
-    }
     return Input();
   }
   std::string path = listing.path + (listing.names.data() + listing.order.back());
@@ -145,7 +151,6 @@ std::optional<Input> InputWalk::step_into_folders() {
     path.pop_back();
     if (list(path)) return Input();
   }
-  found_any_ = true;
   std::string place = path.substr(std::min(root_length_, path.size()));
   const std::string key = place;
   return take(std::move(path), std::move(place), key);
@@ -157,6 +162,7 @@ std::optional<Input> InputWalk::take(std::string path, std::string place, const 
   const auto plain = [](const std::string& name) {
     return name == "-" ? name : fs::path(name).lexically_normal().native();
   };
+  found_any_ = true;
   if (may_repeat_ && !seen_.insert(hash_bytes(plain(path))).second) return Input();
   const std::uint64_t position = met_++;
   const Shard shard = named_.shard;

@@ -20,6 +20,7 @@ struct Input {
   std::string place;           ///< below the folder that was named; of one named itself its name
   std::uint64_t position = 0;  ///< among the inputs of all shards
   bool ours = true;            ///< belongs to this run's shard
+  bool unmatched = false;      ///< a glob that nothing matches
 };
 
 /// Inputs that are handed to the threads together: many enough to keep them busy, few enough for
@@ -28,7 +29,8 @@ inline constexpr std::size_t kBatch = 1024;
 
 /// Goes through words, lists and folders in the order of reports: that of the arguments, by bytes
 /// of the path within a folder or glob. Holds the names of the folders it is in, so that memory
-/// does not grow with the number of files. What is not there comes up as well: opening it says why.
+/// does not grow with the number of files. A path that does not exist is an input as well: opening
+/// it says why. So is a glob that nothing matches, unless NamedPaths::allow_empty.
 ///
 /// Folders are searched through for .gltf and .glb files (in any case of letters); folders that are
 /// symbolic links are entered only when named, `.git` never.
@@ -43,10 +45,10 @@ class InputWalk {
   std::optional<Input> next_of_all();
 
   /// Known at the end: folders among the arguments and what globs gave, whether more than one file
-  /// may be meant, and sentences about arguments that name nothing to check.
+  /// may be meant, and the folders and globs without any asset, as they were named.
   const std::vector<std::string>& folders() const { return folders_; }
   bool several() const { return several_ || met_ > 1; }
-  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<std::string>& without_assets() const { return without_assets_; }
 
  private:
   // What is left to visit of one folder: names that end in NUL, those of folders with '/' before.
@@ -59,6 +61,7 @@ class InputWalk {
   std::optional<Input> step();
   std::optional<Input> step_into_folders();
   std::optional<std::string> next_word();
+  void finish_word();
   std::optional<Input> enter(const std::string& path);
   bool list(const std::string& folder);
   std::optional<Input> take(std::string path, std::string place, const std::string& key);
@@ -70,15 +73,15 @@ class InputWalk {
   std::vector<std::string> matches_;  ///< of a glob, the last one is next
   std::vector<Listing> open_;         ///< from the folder that was named to that of the next file
   std::size_t root_length_ = 0;       ///< of the path of the folder that was named
-  bool found_any_ = false;            ///< in that folder
-  std::string root_;                  ///< as it was named
+  std::string current_;               ///< the word that is being expanded
+  bool found_any_ = true;             ///< by that word
   bool may_repeat_;
   struct HashOfHash {
     std::size_t operator()(const Hash128& hash) const { return static_cast<std::size_t>(hash.low); }
   };
   std::unordered_set<Hash128, HashOfHash> seen_;
   std::uint64_t met_ = 0;
-  std::vector<std::string> folders_, notes_;
+  std::vector<std::string> folders_, without_assets_;
   bool several_ = false;
 };
 

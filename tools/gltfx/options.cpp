@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "output.hpp"
 #include "suggestion.hpp"
 #include "value_words.hpp"
 
@@ -32,8 +33,22 @@ std::string upper_case(std::string_view text) {
   return upper;
 }
 
+// The parts of each text, of which "," has none.
+Result<std::vector<std::string_view>> code_parts(std::string_view option,
+                                                 const std::vector<std::string>& texts) {
+  std::vector<std::string_view> all;
+  for (const std::string& text : texts) {
+    const std::vector<std::string_view> parts = split_commas(text);
+    if (parts.empty())
+      return Error{fmt::format("{}: {} names no rule.", option, gltfx::quoted(text))};
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  return all;
+}
+
 Error unknown_code(std::string_view option, std::string_view code) {
-  return Error{fmt::format("{}: there is no rule {}.{}", option, quoted(code), suggest_code(code))};
+  return Error{
+      fmt::format("{}: there is no rule {}.{}", option, gltfx::quoted(code), suggest_code(code))};
 }
 
 Result<FormatTarget> parse_target(std::string_view text) {
@@ -46,7 +61,7 @@ Result<FormatTarget> parse_target(std::string_view text) {
   if (equals == std::string_view::npos) return target;
   target.path = text.substr(equals + 1);
   if (target.path.empty()) {
-    return Error{fmt::format("--format: {} names no file after '='.", quoted(text))};
+    return Error{fmt::format("--format: {} names no file after '='.", gltfx::quoted(text))};
   }
   if (target.path == "-") target.path.clear();
   return target;
@@ -56,8 +71,8 @@ Result<FormatTarget> parse_target(std::string_view text) {
 
 Error unknown_word(std::string_view option, std::string_view text,
                    std::span<const std::string_view> names) {
-  return Error{fmt::format("{}: {} is none of {}.{}", option, quoted(text), fmt::join(names, ", "),
-                           suggestion(text, names))};
+  return Error{fmt::format("{}: {} is none of {}.{}", option, gltfx::quoted(text),
+                           fmt::join(names, ", "), suggestion(text, names))};
 }
 
 Result<std::uint64_t> parse_number(std::string_view option, std::string_view text,
@@ -66,8 +81,8 @@ Result<std::uint64_t> parse_number(std::string_view option, std::string_view tex
   const char* end = text.data() + text.size();
   const auto [stop, fault] = std::from_chars(text.data(), end, value);
   if (fault != std::errc() || stop != end || value < minimum) {
-    return Error{
-        fmt::format("{}: {} is not a whole number of at least {}.", option, quoted(text), minimum)};
+    return Error{fmt::format("{}: {} is not a whole number of at least {}.", option,
+                             gltfx::quoted(text), minimum)};
   }
   return value;
 }
@@ -88,7 +103,8 @@ Result<Shard> parse_shard(std::string_view text) {
   if (index && count && *index <= *count && *count <= kMost) {
     return Shard{static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
   }
-  return Error{fmt::format("--shard: {} is not I/N with I from 1 to N, as 3/8.", quoted(text))};
+  return Error{
+      fmt::format("--shard: {} is not I/N with I from 1 to N, as 3/8.", gltfx::quoted(text))};
 }
 
 Result<ColorMode> parse_color(std::string_view text) {
@@ -122,9 +138,9 @@ Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& 
     auto target = parse_target(text);
     if (!target) return target.error();
     for (const FormatTarget& other : targets) {
-      if (other.path != target->path) continue;
+      if (!same_place(other.path, target->path)) continue;
       const std::string place =
-          other.path.empty() ? std::string("standard output") : quoted(other.path);
+          other.path.empty() ? std::string("standard output") : gltfx::quoted(other.path);
       return Error{
           fmt::format("--format: {} and {} both write to {}; give one a file of its own, "
                       "as in --format json=report.json.",
@@ -137,32 +153,32 @@ Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& 
 
 Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
                                                        const std::vector<std::string>& texts) {
+  const auto parts = code_parts(option, texts);
+  if (!parts) return parts.error();
   std::set<std::string, std::less<>> codes;
-  for (const std::string& text : texts) {
-    for (const std::string_view code : split_commas(text)) {
-      const RuleDescription* rule = rule_from_user(code);
-      if (rule == nullptr) return unknown_code(option, code);
-      codes.emplace(rule->code);
-    }
+  for (const std::string_view code : *parts) {
+    const RuleDescription* rule = rule_from_user(code);
+    if (rule == nullptr) return unknown_code(option, code);
+    codes.emplace(rule->code);
   }
   return codes;
 }
 
 Result<std::map<std::string, Severity, std::less<>>> parse_severities(
     const std::vector<std::string>& texts) {
+  const auto parts = code_parts("--severity", texts);
+  if (!parts) return parts.error();
   std::map<std::string, Severity, std::less<>> severities;
-  for (const std::string& text : texts) {
-    for (const std::string_view part : split_commas(text)) {
-      const std::size_t equals = std::min(part.find('='), part.size());
-      const RuleDescription* rule = rule_from_user(part.substr(0, equals));
-      if (rule == nullptr) return unknown_code("--severity", part.substr(0, equals));
-      const auto level = severity_from_name(part.substr(std::min(equals + 1, part.size())));
-      if (!level) {
-        return Error{fmt::format("--severity: {} should read {}=error, =warning, =info or =hint.",
-                                 quoted(part), rule->code)};
-      }
-      severities.insert_or_assign(std::string(rule->code), *level);
+  for (const std::string_view part : *parts) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const RuleDescription* rule = rule_from_user(part.substr(0, equals));
+    if (rule == nullptr) return unknown_code("--severity", part.substr(0, equals));
+    const auto level = severity_from_name(part.substr(std::min(equals + 1, part.size())));
+    if (!level) {
+      return Error{fmt::format("--severity: {} should read {}=error, =warning, =info or =hint.",
+                               gltfx::quoted(part), rule->code)};
     }
+    severities.insert_or_assign(std::string(rule->code), *level);
   }
   return severities;
 }

@@ -46,6 +46,8 @@ struct NamedPaths {
   /// More of them, files and folders, one a line, or each before a NUL if there is any.
   std::string listed = {};
   Shard shard = {};  ///< the part of all inputs that this run takes
+  /// No asset at all is no mistake.
+  bool allow_empty = false;
 };
 
 /// One `--format NAME[=FILE]`. An empty path, like "-", is standard output.
@@ -68,6 +70,8 @@ struct ReportRequest {
   CommonOptions common;
   std::vector<FormatTarget> targets;  ///< at least one, at most one of them to standard output
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
+  bool sarif_notes = false;                           ///< as in FormatOptions
+  bool timings = false;                               ///< the same
   bool quiet = false;
 };
 

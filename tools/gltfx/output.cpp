@@ -32,6 +32,11 @@ std::string resolved(const std::string& path) {
 
 }  // namespace
 
+bool same_place(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return a == b;
+  return fs::path(a).lexically_normal() == fs::path(b).lexically_normal();
+}
+
 Output::Output(std::string path) : path_(std::move(path)) {
   if (path_.empty()) {
     fd_ = STDOUT_FILENO;
@@ -44,6 +49,13 @@ void Output::open() {
   const std::string target = resolved(path_);
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
+  const fs::path folder = fs::path(path_).parent_path();
+  std::error_code fault;
+  if (!exists && !folder.empty() && !fs::is_directory(folder, fault)) {
+    problem_ = fmt::format("cannot write {}: there is no folder {}", quoted(path_, 200),
+                           quoted(folder.native(), 200));
+    return;
+  }
   if (!exists || S_ISREG(status.st_mode)) {
     file_ = std::make_unique<TemporaryFile>(target, exists ? kOwnerOnly : kAnyNewFile);
     note(file_->write({}));

@@ -15,6 +15,9 @@ namespace gltfx::tool {
 /// Bytes that are worth a write.
 inline constexpr std::size_t kOutputBuffer = std::size_t{1} << 16U;
 
+/// Whether both name one file, as far as the words tell; empty is standard output.
+bool same_place(const std::string& a, const std::string& b);
+
 /// One place to write to. Not thread-safe. Failures are kept and told by problem().
 class Output {
  public:

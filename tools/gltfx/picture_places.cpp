@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "output.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -51,17 +52,27 @@ std::optional<Error> check_name(const char* option, const std::string& name,
 Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& request) {
   const std::string& output = request.bake.output;
   PicturePlaces places;
-  places.sheet = request.sheet;
+  if (!inputs.paths.empty()) places.sheet = request.sheet;
   const bool folder = !output.empty() && is_folder(inputs, output);
   std::error_code fault;
   if (folder && fs::exists(output, fault) && !fs::is_directory(output, fault)) {
     return Error{fmt::format("--output: {} is a file, but a folder is needed for several assets.",
                              quoted(output, 200))};
   }
+  const bool to_be_made = folder && !output.ends_with('/') && !fs::exists(output, fault);
+  if (to_be_made && check_picture_name(output).empty()) {
+    return Error{fmt::format(
+        "--output: {} is called like one picture, but several assets may come; end it in '/' if it "
+        "is to be a folder.",
+        quoted(output, 200))};
+  }
   if (!folder) {
     if (const auto wrong = check_name("--output", output, request.format)) return *wrong;
   }
-  if (const auto wrong = check_name("--sheet", places.sheet, "png")) return *wrong;
+  if (const auto wrong = check_name("--sheet", request.sheet, "png")) return *wrong;
+  if (!folder && !request.sheet.empty() && same_place(request.sheet, output)) {
+    return Error{fmt::format("--sheet: {} is where --output writes.", quoted(request.sheet, 200))};
+  }
   const std::vector<std::string> names = picture_names(inputs, request.format);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     const std::string place = folder ? (fs::path(output) / names[i]).native() : output;
@@ -70,7 +81,7 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
     }
     places.inputs.push_back({inputs.paths[i], place});
   }
-  const bool all = request.paths.shard.count <= 1;
+  const bool all = request.paths.shard.count <= 1 && !inputs.paths.empty();
   if (folder && all && inputs.several && places.sheet.empty()) {
     places.sheet = (fs::path(output) / "contact-sheet.png").native();
   }

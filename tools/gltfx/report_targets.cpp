@@ -26,6 +26,8 @@ FormatOptions format_options(const ReportRequest& request, const ReportTargets::
   std::error_code fault;
   options.folder = std::filesystem::current_path(fault).native();
   options.fail_on = request.fail_on;
+  options.sarif_notes = request.sarif_notes;
+  options.timings = request.timings;
   return options;
 }
 

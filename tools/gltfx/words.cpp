@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "input_paths.hpp"
+#include "output.hpp"
 #include "reading.hpp"
 
 namespace gltfx::tool {
@@ -51,6 +53,7 @@ void read_inputs(Reading& reading, const InputWords& words, std::string_view wha
   reading.require(words.files_from != "-" || !names_stdin(words.paths),
                   "--files-from: standard input is either a list or an asset.");
   paths.words = words.paths;
+  paths.allow_empty = words.allow_empty;
   reading.set(paths.shard, parse_shard(words.shard));
   reading.set(paths.listed, read_list(words.files_from));
 }
@@ -78,7 +81,15 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   ValidateRequest request;
   read_common(reading, words.common, request.common);
   (words.hook ? read_hooked_inputs : read_inputs)(reading, words.inputs, "validate", request.paths);
+  // A change without assets is nothing unusual.
+  request.paths.allow_empty = request.paths.allow_empty || !words.diff_base.empty();
   reading.set(request.targets, parse_targets(words.formats));
+  for (const FormatTarget& target : request.targets) {
+    reading.require(
+        words.write_baseline.empty() || !same_place(target.path, words.write_baseline),
+        fmt::format("--write-baseline: {} is where --format {} writes.",
+                    quoted(words.write_baseline, 200), report_format_name(target.format)));
+  }
   read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
   read_word(reading, request.validation.profile, words.profile, parse_profile);
   read_word(reading, request.validation.pixels, words.pixels, parse_pixels);
@@ -91,6 +102,8 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   reading.set(request.validation.ignore, parse_codes("--ignore", words.ignore));
   reading.set(request.validation.severity, parse_severities(words.severities));
   request.validation.root = words.root;
+  request.sarif_notes = words.sarif_notes;
+  request.timings = words.timings;
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;
@@ -128,6 +141,7 @@ Result<MergeRequest> request_of(const MergeWords& words) {
   reading.set(request.targets, parse_targets(words.formats));
   read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
   request.as_loud_as_runs = words.fail_on.empty();
+  request.sarif_notes = words.sarif_notes;
   request.quiet = words.quiet;
   return reading.finish(request);
 }
@@ -175,6 +189,7 @@ Result<InspectRequest> request_of(const InspectWords& words) {
   reading.require(!words.paths.empty(), "inspect: name at least one file, folder or glob.");
   require_files(reading, words.paths, "inspect");
   request.paths.words = words.paths;
+  request.paths.allow_empty = words.allow_empty;
   reading.set(request.format, parse_table_format(words.format));
   std::uint64_t most = 0;
   reading.set(most, parse_number("--top", words.top, 0));

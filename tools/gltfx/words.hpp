@@ -19,6 +19,7 @@ struct CommonWords {
 struct InputWords {
   std::vector<std::string> paths;
   std::string files_from, shard;
+  bool allow_empty = false;
 };
 
 inline constexpr const char* kKeyWithoutCache =
@@ -33,7 +34,7 @@ struct ValidateWords {
   std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
   std::string max_texture_size, max_total_pixels, max_triangles, max_draw_calls, max_file_size;
   std::string root, cache, cache_key, baseline, write_baseline, diff_base;
-  bool quiet = false;
+  bool sarif_notes = false, timings = false, quiet = false;
   bool hook = false;  ///< the paths may be left out
 };
 
@@ -47,7 +48,7 @@ struct MergeWords {
   CommonWords common;
   std::vector<std::string> files, formats;
   std::string fail_on;
-  bool quiet = false;
+  bool sarif_notes = false, quiet = false;
 };
 
 struct UpgradeWords {
@@ -79,7 +80,7 @@ struct InspectWords {
   ConfigChoice configuration;
   std::vector<std::string> paths, schema_files, schema_folders;
   std::string format = "text", top = "10", root;
-  bool quiet = false;
+  bool quiet = false, allow_empty = false;
 };
 
 struct ExplainWords {
