@@ -8,6 +8,7 @@
 
 #include "base/utf8.hpp"
 #include "report/asset_info.hpp"
+#include "report/long_value.hpp"
 
 namespace gltfx::report {
 namespace {
@@ -105,16 +106,16 @@ void write_finding(json::Writer& writer, const Diagnostic& finding, bool readabl
   const bool full = detail == Detail::full;
   if (finding.offset) writer.member("offset", *finding.offset);
   if (full ? !finding.pointer.empty() : readable && !finding.offset) {
-    writer.member("pointer", finding.pointer);
+    writer.member("pointer", long_value(finding.pointer));
   }
   if (finding.location.line > 0 || (full && finding.location.length > 0)) {
     writer.key("location");
     write_location(writer, finding.location, detail);
   }
-  if (!finding.object_name.empty()) writer.member("object", finding.object_name);
+  if (!finding.object_name.empty()) writer.member("object", long_value(finding.object_name));
   if (finding.count > 1) {
     writer.member("count", finding.count);
-    writer.member("lastPointer", finding.last_pointer);
+    writer.member("lastPointer", long_value(finding.last_pointer));
   }
   if (full && finding.excerpt.width > 0) {
     writer.key("excerpt");

@@ -13,6 +13,7 @@
 #include "base/hash.hpp"
 #include "json/writer.hpp"
 #include "report/file_uri.hpp"
+#include "report/long_value.hpp"
 #include "report/occurrences.hpp"
 #include "report/safe_text.hpp"
 #include "report/sarif_parts.hpp"
@@ -80,7 +81,7 @@ void write_pointer(json::Writer& writer, std::string_view pointer) {
 void write_fingerprint(json::Writer& writer, const Identity& identity) {
   writer.key("partialFingerprints");
   writer.begin_object();
-  writer.member("codeAndPlace/v2", identity.label());
+  writer.member("codeAndPlace/v2", long_value(identity.label()));
   writer.member("primaryLocationLineHash",
                 fmt::format("{:016x}:{}", hash_bytes(identity.text).low, identity.number));
   writer.end_object();
@@ -202,7 +203,7 @@ class SarifWriter final : public ReportWriter {
       write_region(writer, report, finding.location.line > 0 ? finding.location : start_of_file());
     }
     writer.end_object();
-    if (!finding.pointer.empty()) write_pointer(writer, finding.pointer);
+    if (!finding.pointer.empty()) write_pointer(writer, long_value(finding.pointer));
     writer.end_object();
   }
 
@@ -224,7 +225,7 @@ class SarifWriter final : public ReportWriter {
     if (!finding.object_name.empty()) {
       writer.key("properties");
       writer.begin_object();
-      writer.member("object", finding.object_name);
+      writer.member("object", long_value(finding.object_name));
       writer.end_object();
     }
     writer.end_object();
@@ -245,7 +246,7 @@ class SarifWriter final : public ReportWriter {
     writer.begin_object();
     writer.key("message");
     write_sarif_message(writer, "The last of the repeats.");
-    write_pointer(writer, finding.last_pointer);
+    write_pointer(writer, long_value(finding.last_pointer));
     writer.end_object();
     writer.end_array();
   }
