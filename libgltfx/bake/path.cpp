@@ -126,7 +126,7 @@ class Path {
   // A wall that lets light in is a window for what shines from behind it. The environment counts
   // once along a path: through the wall, and not again by what the wall reflects.
   void look_through(const Hit& hit, const Surface& wall) {
-    if (viewing_ || !media_.empty() || (!far_light() && s_.setting.emitters.empty())) return;
+    if (viewing_ || !media_.empty()) return;
     const bool open =
         light_through(s_, ray_, hit, wall, key(), [this](const Hit& lamp, const Surface& surface) {
           const Vec3d v = surface.frame.to_local(-ray_.direction);
