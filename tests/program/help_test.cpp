@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// --help, --version, explain and rules: what the program says about itself.
+#include <iterator>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,132 +25,48 @@ struct Verb {
   std::vector<std::string> options;
 };
 
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> kVerbs{
       {"validate",
-       {"PATH",
-        "--format",
-        "--fail-on",
-        "--profile",
-        "--select",
-        "--ignore",
-        "--severity",
-        "--inline-suppressions",
-        "--diff-base",
-        "--config",
-        "--isolated",
-        "--unsandboxed-decoders",
-        "--max-issues",
-        "--pixels",
-        "--max-texture-size",
-        "--max-total-pixels",
-        "--max-triangles",
-        "--max-draw-calls",
-        "--max-file-size",
-        "--quiet",
-        "--root",
-        "--schema",
-        "--schema-dir",
-        "--lfs",
-        "--files-from",
-        "--shard",
-        "--allow-empty",
-        "--sarif-notes",
-        "--timings",
-        "--cache",
-        "--cache-key",
-        "--baseline",
-        "--write-baseline",
-        "--jobs",
-        "--color"}},
+       words("PATH --format --fail-on --profile --select --ignore --severity "
+             "--inline-suppressions --diff-base --config --isolated --unsandboxed-decoders "
+             "--max-issues --pixels --max-texture-size --max-total-pixels --max-triangles "
+             "--max-draw-calls --max-file-size --quiet --root --schema --schema-dir --lfs "
+             "--files-from --shard --allow-empty --sarif-notes --timings --cache --cache-key "
+             "--baseline --write-baseline --jobs --color")},
       {"upgrade",
-       {"PATH",
-        "--in-place",
-        "--output",
-        "--backup",
-        "--check",
-        "--diff",
-        "--unsafe",
-        "--strict",
-        "--only",
-        "--to",
-        "--ior",
-        "--pack",
-        "--prune",
-        "--generation",
-        "--root",
-        "--schema",
-        "--schema-dir",
-        "--config",
-        "--files-from",
-        "--shard",
-        "--allow-empty",
-        "--isolated",
-        "--unsandboxed-decoders",
-        "--quiet",
-        "--jobs",
-        "--color"}},
-      {"hook", {"VERB"}},
-      {"bake", {"PATH",          "--output",      "--format",
-                "--sheet",       "--size",        "--turntable",
-                "--layer",       "--transparent", "--embed",
-                "--compare",     "--camera",      "--lights",
-                "--environment", "--exposure",    "--scene",
-                "--animation",   "--time",        "--variant",
-                "--force",       "--samples",     "--bounces",
-                "--seed",        "--denoise",     "--noise",
-                "--time-budget", "--shader",      "--root",
-                "--schema",      "--schema-dir",  "--quiet",
-                "--config",      "--isolated",    "--unsandboxed-decoders",
-                "--jobs",        "--color",       "--files-from",
-                "--shard",       "--allow-empty", "--cache",
-                "--cache-key"}},
+       words("PATH --in-place --output --backup --check --diff --unsafe --strict --only --to "
+             "--ior --pack --prune --generation --root --schema --schema-dir --config "
+             "--files-from --shard --allow-empty --isolated --unsandboxed-decoders --quiet "
+             "--jobs --color")},
+      {"hook", words("VERB")},
+      {"bake",
+       words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "
+             "--compare --camera --lights --environment --exposure --scene --animation --time "
+             "--variant --force --samples --bounces --seed --denoise --noise --time-budget "
+             "--shader --root --schema --schema-dir --quiet --config --isolated "
+             "--unsandboxed-decoders --jobs --color --files-from --shard --allow-empty --cache "
+             "--cache-key")},
       {"report",
-       {"PATH",
-        "--output",
-        "--title",
-        "--no-thumbnails",
-        "--thumbnail-size",
-        "--fail-on",
-        "--profile",
-        "--select",
-        "--ignore",
-        "--severity",
-        "--inline-suppressions",
-        "--config",
-        "--isolated",
-        "--unsandboxed-decoders",
-        "--max-issues",
-        "--pixels",
-        "--max-texture-size",
-        "--max-total-pixels",
-        "--max-triangles",
-        "--max-draw-calls",
-        "--max-file-size",
-        "--quiet",
-        "--root",
-        "--schema",
-        "--schema-dir",
-        "--lfs",
-        "--files-from",
-        "--shard",
-        "--allow-empty",
-        "--cache",
-        "--cache-key",
-        "--baseline",
-        "--jobs",
-        "--color"}},
+       words("PATH --output --title --no-thumbnails --thumbnail-size --fail-on --profile "
+             "--select --ignore --severity --inline-suppressions --config --isolated "
+             "--unsandboxed-decoders --max-issues --pixels --max-texture-size "
+             "--max-total-pixels --max-triangles --max-draw-calls --max-file-size --quiet "
+             "--root --schema --schema-dir --lfs --files-from --shard --allow-empty --cache "
+             "--cache-key --baseline --jobs --color")},
       {"inspect",
-       {"PATH", "--format", "--top", "--allow-empty", "--root", "--schema", "--schema-dir",
-        "--quiet", "--config", "--isolated", "--jobs", "--color"}},
-      {"merge",
-       {"REPORT", "--format", "--sarif-notes", "--fail-on", "--quiet", "--jobs", "--color"}},
-      {"explain", {"CODE", "--jobs", "--color"}},
-      {"rules", {"--format", "--jobs", "--color"}},
-      {"schema",
-       {"NAME", "--format", "--schema", "--schema-dir", "--config", "--isolated", "--jobs",
-        "--color"}},
-      {"config", {"PATH", "--config", "--isolated", "--jobs", "--color"}},
+       words("PATH --format --top --allow-empty --root --schema --schema-dir --quiet --config "
+             "--isolated --jobs --color")},
+      {"merge", words("REPORT --format --sarif-notes --fail-on --quiet --jobs --color")},
+      {"explain", words("CODE --jobs --color")},
+      {"rules", words("--format --jobs --color")},
+      {"schema", words("NAME --format --schema --schema-dir --config --isolated --jobs --color")},
+      {"config", words("PATH --config --isolated --jobs --color")},
   };
   return kVerbs;
 }
