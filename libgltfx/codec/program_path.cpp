@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "codec/program_path.hpp"
 
-#include <gltfx/codec_folder.hpp>
+#include <gltfx/decoders.hpp>
 
 #include <atomic>
 #include <cstdlib>

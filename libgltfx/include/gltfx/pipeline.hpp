@@ -4,7 +4,7 @@
 #pragma once
 
 #include <gltfx/bake.hpp>
-#include <gltfx/codec_folder.hpp>
+#include <gltfx/decoders.hpp>
 #include <gltfx/inspect.hpp>
 #include <gltfx/page.hpp>
 #include <gltfx/report.hpp>

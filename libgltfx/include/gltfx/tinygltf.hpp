@@ -6,7 +6,7 @@
 /// found then.
 #pragma once
 
-#include <gltfx/codec_folder.hpp>
+#include <gltfx/decoders.hpp>
 #include <gltfx/report.hpp>
 
 #include <cstdint>
