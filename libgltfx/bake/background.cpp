@@ -26,7 +26,8 @@ double floor_shadow(const PathSetting& setting, const Ray& ray, const Float2& ra
   const EnvironmentSample light = s.environment->sample(random);
   if (!(light.pdf > 0) || light.direction.y <= 0) return 0;
   ++rays;
-  const double kept = 1 - static_cast<double>(setting.bvh.visibility({point, light.direction}, s.eye));
+  const double kept =
+      1 - static_cast<double>(setting.bvh.visibility({point, light.direction}, s.eye));
   if (kept == 0) return 0;
   const double share = luminance(s.environment->radiance(light)) * light.direction.y / light.pdf;
   return kept * share / s.floor->irradiance * kDepth;

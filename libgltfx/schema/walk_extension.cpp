@@ -58,7 +58,11 @@ bool Walker::looks_into(ExtensionId id, std::string_view name) const {
 
 std::string Walker::undeclared_help(std::string_view name) {
   std::string_view meant;
-  if (!khronos() && suggestions_left_-- > 0) meant = misspelt_extension(set_, name);
+  const std::size_t comparisons = set_.extensions().size();
+  if (!khronos() && comparisons <= comparisons_left_) {
+    comparisons_left_ -= comparisons;
+    meant = misspelt_extension(set_, name);
+  }
   if (!meant.empty()) return "did you mean " + quoted(meant) + "?";
   return "add \"" + printable(name) + "\" to \"extensionsUsed\"";
 }

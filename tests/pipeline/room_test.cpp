@@ -23,7 +23,7 @@ void furnish(AssetText& asset) {
   asset.draw(box({-1.4F, 0.5F, -1.9F}, {0.2F, 0.65F, -1.3F}), dielectric({0.6, 0.2, 0.2, 1}, 0.8));
   asset.draw(box({1.3F, 0, -1.9F}, {2.3F, 2, -1.3F}), dielectric({0.4, 0.25, 0.15, 1}, 0.4));
   asset.draw(box({0.9F, 0.7F, 0.3F}, {2.1F, 0.75F, 1.2F}), dielectric({0.5, 0.35, 0.2, 1}, 0.3));
-  for (const float x : {0.95F, 2}) {
+  for (const float x : {0.95F, 2.0F}) {
     for (const float z : {0.35F, 1.1F}) {
       asset.draw(box({x, 0, z}, {x + 0.06F, 0.7F, z + 0.06F}), dielectric({0.3, 0.2, 0.1, 1}, 0.5));
     }
