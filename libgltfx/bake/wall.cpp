@@ -24,9 +24,11 @@ Plane plane_of(const Scene& scene, const Hit& hit) {
 
 }  // namespace
 
+// An unlit surface has its color alone: no factor lets light through it.
 bool is_wall(const SceneMaterial& material) {
-  return is_culled(material) && material.factors.transmission <= 0 &&
-         material.factors.diffuse_transmission <= 0;
+  const Material& m = material.factors;
+  const bool transmits = !m.unlit && (m.transmission > 0 || m.diffuse_transmission > 0);
+  return is_culled(material) && !transmits;
 }
 
 bool turns_back(const Scene& scene, const Hit& hit, const std::optional<Eye>& eye) {
