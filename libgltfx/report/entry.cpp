@@ -79,8 +79,8 @@ void write_repeat(json::Writer& writer, const Repeat& repeat) {
   writer.member("finding", std::uint64_t{repeat.finding});
   writer.member("message", repeat.message);
   if (!repeat.help.empty()) writer.member("help", repeat.help);
-  writer.member("pointer", repeat.pointer);
-  if (!repeat.object_name.empty()) writer.member("object", repeat.object_name);
+  writer.member("pointer", long_value(repeat.pointer));
+  if (!repeat.object_name.empty()) writer.member("object", long_value(repeat.object_name));
   if (repeat.location.length > 0) {
     writer.key("location");
     write_location(writer, repeat.location, Detail::full);
