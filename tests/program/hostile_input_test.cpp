@@ -9,6 +9,7 @@
 
 #include "container/temp_folder.hpp"
 #include "process.hpp"
+#include "sanitized.hpp"
 
 namespace gltfx::program {
 namespace {
@@ -41,7 +42,7 @@ class HostileInput : public testing::Test {
       const Outcome outcome = run(words);
       EXPECT_EQ(outcome.code, code) << words.front() << " " << file << ": " << outcome.err;
       EXPECT_THAT(outcome.err, HasSubstr(file));
-      EXPECT_LT(outcome.peak_kib, 256 << 10U) << file;
+      EXPECT_TRUE(kSanitized || outcome.peak_kib < (256 << 10U)) << file << outcome.peak_kib;
     }
   }
 
@@ -87,7 +88,7 @@ TEST_F(HostileInput, APartOfCountlessPartsIsOneMistake) {
   ASSERT_EQ(bash(R"(sed -i '1s/"count":1/"count":4000000000/' r.jsonl)", setting_).code, 0);
   const Outcome merged = run({"merge", "r.jsonl"});
   EXPECT_EQ(merged.code, 3);
-  EXPECT_LT(merged.peak_kib, 256 << 10U);
+  EXPECT_TRUE(kSanitized || merged.peak_kib < (256 << 10U)) << merged.peak_kib;
   EXPECT_THAT(merged.err, HasSubstr("2/4000000000 is missing"));
 }
 

@@ -12,6 +12,7 @@
 
 #include "container/temp_folder.hpp"
 #include "process.hpp"
+#include "sanitized.hpp"
 
 namespace gltfx::program {
 namespace {
@@ -54,14 +55,6 @@ std::string with_accessor(const std::string& accessor, const std::string& view,
                R"(}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
                "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])");
 }
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kSanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
 
 class Hostile : public testing::Test {
  protected:

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <sys/xattr.h>
 
+#include "program/sanitized.hpp"
 #include "program/upgrade_support.hpp"
 
 namespace gltfx::program {
@@ -18,14 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kSanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
 
 class Rewrite : public UpgradeTest {
  protected:
