@@ -227,8 +227,8 @@ class Reader {
 
 Result<ConfigFile> parse_config(std::string_view text, const std::string& name) {
   Reader reader(name);
-  if (const std::uint32_t line = line_of_deep_nesting(text); line > 0) {
-    reader.complain(line, "this is nested more deeply than any configuration");
+  if (const ConfigObstacle obstacle = find_obstacle(text); obstacle.line > 0) {
+    reader.complain(obstacle.line, obstacle.problem);
     return reader.finish();
   }
   const toml::parse_result root = toml::parse(text);

@@ -9,6 +9,7 @@ namespace gltfx::tool {
 namespace {
 
 constexpr int kDeepest = 16;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kEnd = std::string_view::npos;
 
 // Behind the string that begins at `at`; kEnd where it does not end as it must.
@@ -40,18 +41,22 @@ std::uint32_t line_at(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::uint32_t line_of_deep_nesting(std::string_view text) {
+ConfigObstacle find_obstacle(std::string_view text) {
   int depth = 0, dots = 0;
-  for (std::size_t at = 0; at < text.size();) {
+  for (std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+       at < text.size();) {
     const char c = text[at];
     if (c == '"' || c == '\'') {
       at = behind_string(text, at);
-      if (at == kEnd) return 0;
+      if (at == kEnd) return {};
       continue;
     }
     if (c == '#') {
       at = std::min(text.find('\n', at), text.size());
       continue;
+    }
+    if (static_cast<unsigned char>(c) > 0x7F) {
+      return {line_at(text, at), "only strings and comments may have characters beyond ASCII"};
     }
     if (c == '[' || c == '{') ++depth;
     if ((c == ']' || c == '}') && depth > 0) --depth;
@@ -60,10 +65,12 @@ std::uint32_t line_of_deep_nesting(std::string_view text) {
     } else if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') {
       dots = 0;
     }
-    if (depth > kDeepest || dots > kDeepest) return line_at(text, at);
+    if (depth > kDeepest || dots > kDeepest) {
+      return {line_at(text, at), "this is nested more deeply than any configuration"};
+    }
     ++at;
   }
-  return 0;
+  return {};
 }
 
 }  // namespace gltfx::tool

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How deep a TOML text nests, before it is parsed: toml++ recurses on tables and arrays in one
-/// another, also when it frees them.
+/// What toml++ does not survive, found before it parses: it recurses on tables and arrays in one
+/// another, and some characters beyond ASCII are undefined behaviour outside of strings.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,14 @@
 
 namespace gltfx::tool {
 
-/// The line where brackets are nested in more than 16 others, or a key has more than 17 parts; 0
-/// when there is none. Behind a fault that every parser stops at it does not look.
-std::uint32_t line_of_deep_nesting(std::string_view text);
+struct ConfigObstacle {
+  std::uint32_t line = 0;  ///< 0: there is none
+  std::string_view problem;
+};
+
+/// Brackets that are nested in more than 16 others, a key of more than 17 parts, or a character
+/// beyond ASCII outside of strings and comments. Behind a fault that every parser stops at it does
+/// not look.
+ConfigObstacle find_obstacle(std::string_view text);
 
 }  // namespace gltfx::tool
