@@ -15,7 +15,6 @@
 
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
-#include "base/unique_fd.hpp"
 #include "container/file.hpp"
 
 namespace gltfx {
@@ -68,7 +67,7 @@ std::string new_secret() {
   return text;
 }
 
-// Of several processes that make one at once the first wins.
+// Fails where another process was first.
 std::optional<Error> make_secret(const fs::path& path) {
   std::error_code fault;
   fs::create_directories(path.parent_path().parent_path(), fault);
@@ -76,16 +75,10 @@ std::optional<Error> make_secret(const fs::path& path) {
     return file_error("create", path.parent_path(), errno);
   }
   if (fault) return file_error("create", path.parent_path().parent_path(), fault.value());
-  const std::string text = new_secret();
-  const std::string fresh = path.native() + "." + text.substr(0, 16);
-  UniqueFd fd(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
-  if (!fd) return file_error("create", fresh, errno);
-  bool made = write_all(fd.get(), text) && ::fsync(fd.get()) == 0;
-  made = made && (::link(fresh.c_str(), path.c_str()) == 0 || errno == EEXIST);
-  const int error = errno;
-  ::unlink(fresh.c_str());
-  if (made) return std::nullopt;
-  return file_error("create", path, error);
+  TemporaryFile file(path, S_IRUSR | S_IWUSR);
+  if (auto problem = file.write(new_secret())) return problem;
+  if (auto problem = file.make_durable()) return problem;
+  return file.move_to_free_place();
 }
 
 }  // namespace
@@ -121,9 +114,11 @@ Result<std::string> users_secret() {
   const fs::path path = folder / "cache.key";
   auto secret = read_secret(path);
   if (!secret || !secret->empty()) return secret;
-  if (auto problem = make_secret(path)) return *std::move(problem);
+  auto problem = make_secret(path);
   secret = read_secret(path);
-  if (secret && secret->empty()) return file_error("read the key", path, ENOENT);
+  if (secret && secret->empty()) {
+    return problem ? *std::move(problem) : file_error("read the key", path, ENOENT);
+  }
   return secret;
 }
 
