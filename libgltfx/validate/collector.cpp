@@ -19,10 +19,15 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
   return hash * 0xff51afd7ed558ccdULL;
 }
 
-// Hash of a code, what it is about and of the path with every array index made equal.
-std::uint64_t fold_key(const Path& path, const Finding& finding) {
-  std::uint64_t hash = mix(std::hash<std::string_view>{}(finding.code),
-                           std::hash<std::string_view>{}(finding.about));
+// Hash of a code at one severity: an error is never folded into an info.
+std::uint64_t code_key(const Finding& finding, Severity severity) {
+  return mix(std::hash<std::string_view>{}(finding.code), static_cast<std::uint64_t>(severity));
+}
+
+// Hash of that, what the finding is about and of the path with every array index made equal.
+std::uint64_t fold_key(const Path& path, const Finding& finding, Severity severity) {
+  std::uint64_t hash =
+      mix(code_key(finding, severity), std::hash<std::string_view>{}(finding.about));
   for (const Path* step = &path; step->parent() != nullptr; step = step->parent()) {
     hash = mix(hash, step->is_index() ? 1 : std::hash<std::string_view>{}(step->key()));
   }
@@ -99,12 +104,13 @@ Severity Collector::severity_of(const Finding& finding) const {
 }
 
 // Takes the text of the finding when it returns true.
-bool Collector::fold(Phase phase, const Path& path, Finding& finding) {
+bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& finding) {
   if (options_.profile == Profile::khronos) return false;
   const auto at = static_cast<std::size_t>(phase);
-  const auto [entry, fresh] = folded_[at].try_emplace(fold_key(path, finding), entries_[at].size());
+  const auto [entry, fresh] =
+      folded_[at].try_emplace(fold_key(path, finding, severity), entries_[at].size());
   if (fresh) {
-    Places& places = places_[at][finding.code];
+    Places& places = places_[at][code_key(finding, severity)];
     if (places.count++ < kMostPlaces) {
       places.last = entries_[at].size();
       return false;
@@ -116,8 +122,7 @@ bool Collector::fold(Phase phase, const Path& path, Finding& finding) {
   first.diagnostic.last_pointer = path.pointer();
   if (options_.max_issues != 0 || repeats_kept_ >= kMostRepeats) return true;
   ++repeats_kept_;
-  first.repeats.push_back(
-      entry_of(phase, first.diagnostic.severity, std::move(finding), path.pointer()));
+  first.repeats.push_back(entry_of(phase, severity, std::move(finding), path.pointer()));
   return true;
 }
 
@@ -140,7 +145,7 @@ void Collector::add(Phase phase, const Path& path, Finding finding) {
       suppressions_->covers(finding.code, path, static_cast<std::size_t>(phase), finding.count)) {
     return;
   }
-  if (fold(phase, path, finding)) return;
+  if (fold(phase, severity, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
 

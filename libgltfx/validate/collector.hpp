@@ -73,7 +73,7 @@ class Collector {
     Span span;
     std::vector<Entry> repeats = {};  ///< the first of those that are folded into it
   };
-  /// Where a code was found, but for array indices.
+  /// Where a code was found at one severity, but for array indices.
   struct Places {
     std::size_t count = 0;
     std::size_t last = 0;  ///< the last one that is listed: position in entries_ of its phase
@@ -90,7 +90,7 @@ class Collector {
 
   void add(Phase phase, const Path& path, Finding finding);
   bool wants(const Finding& finding, Severity severity);
-  bool fold(Phase phase, const Path& path, Finding& finding);
+  bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);
   Severity severity_of(const Finding& finding) const;
   Entry entry_of(Phase phase, Severity severity, Finding finding, std::string pointer) const;
   void store(Phase phase, Severity severity, Finding finding, std::string pointer,
@@ -106,7 +106,7 @@ class Collector {
   std::array<PhaseSink, kPhaseCount> sinks_;
   /// Fold key -> position in entries_ of its phase.
   std::array<std::unordered_map<std::uint64_t, std::size_t>, kPhaseCount> folded_;
-  std::array<std::unordered_map<std::string_view, Places>, kPhaseCount> places_;
+  std::array<std::unordered_map<std::uint64_t, Places>, kPhaseCount> places_;
   SharedText text_;
   std::optional<ChangedLines> changed_;
   std::uint64_t unchanged_ = 0;   ///< findings on other lines than `changed_`

@@ -35,6 +35,22 @@ TEST(Collector, FoldsRepeatsIntoTheFirst) {
   EXPECT_EQ(report.counts.warnings, 1000U);
 }
 
+// A value that an unknown extension may add is a warning, a misspelt one of the list an error.
+TEST(Collector, NeverFoldsFindingsOfOneSeverityIntoThoseOfAnother) {
+  for (const char* const modes : {R"({"alphaMode": "FOG"}, {"alphaMode": "MASKED"})",
+                                  R"({"alphaMode": "MASKED"}, {"alphaMode": "FOG"})"}) {
+    ValidateOptions options;
+    options.select = {"VALUE_NOT_IN_LIST"};
+    const FileReport report = validate_bytes(
+        R"({"asset": {"version": "2.0"}, "extensionsUsed": ["ACME_fog"], "materials": [)" +
+            std::string(modes) + "]}",
+        "test", options);
+    EXPECT_EQ(report.diagnostics.size(), 2U) << modes;
+    EXPECT_EQ(report.counts.errors, 1U) << modes;
+    EXPECT_EQ(report.counts.warnings, 1U) << modes;
+  }
+}
+
 TEST(Collector, KeepsTheFirstRepeatsWithPlaceAndName) {
   const std::string text =
       "{\"asset\": {\"version\": \"2.0\"}, \"materials\": [\n"
