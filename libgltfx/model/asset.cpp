@@ -37,9 +37,9 @@ std::uint64_t root_objects(const json::Document& document) {
   return count;
 }
 
-Asset::Asset(const json::Document& document) : document_(&document) {
+Asset::Asset(const json::Document& document, bool any_amount) : document_(&document) {
   if (document.empty()) return;
-  if (root_objects(document) > most_root_objects(document.text().size())) return;
+  if (!any_amount && root_objects(document) > most_root_objects(document.text().size())) return;
   for (std::size_t i = 0; i < kRootArrayCount; ++i) {
     elements_[i] = collect(document, document.find(document.root(), kNames[i]));
   }

@@ -37,7 +37,8 @@ std::string_view root_array_name(RootArray array);
 /// Any number of threads may read it.
 class Asset {
  public:
-  explicit Asset(const json::Document& document);
+  /// `any_amount`: also more root objects than most_root_objects(), of which there are none else.
+  explicit Asset(const json::Document& document, bool any_amount = false);
 
   const json::Document& document() const { return *document_; }
 

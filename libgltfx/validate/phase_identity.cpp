@@ -73,7 +73,7 @@ bool check_amount(const Context& context, Collector& collector) {
   Finding finding;
   finding.code = "TOO_MANY_OBJECTS";
   finding.message = fmt::format(
-      "The arrays of the root have {} elements, at most {} are expected in {} bytes; nothing more "
+      "The root arrays have {} elements; at most {} are expected in {} bytes of JSON. Nothing more "
       "is checked.",
       count, most, context.document.text().size());
   finding.span = first_character(context.document, 0);

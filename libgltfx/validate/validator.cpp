@@ -122,10 +122,10 @@ FileReport validate(const container::Container& container, const std::string& na
   const bool has_text = check_container(container, name, report, collector);
   if (has_text && parse_document(container, options, collector, document)) {
     const auto set = options.schemas ? options.schemas : schema::builtin_set();
-    const model::Asset asset(document);
     Sink& forms = collector.sink(Phase::schema);
     Sink& links = collector.sink(Phase::reference);
     const bool khronos = options.profile == Profile::khronos;
+    const model::Asset asset(document, khronos);  // that validator has no limit
     const bool earlier = !khronos && !earlier_interactivity(document).empty();
     OutsideInteractivity outside_forms(forms);
     OutsideInteractivity outside_links(links);

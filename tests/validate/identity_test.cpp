@@ -69,6 +69,15 @@ TEST(Identity, MoreObjectsThanTextForThemAreOneFinding) {
   EXPECT_NE(test::verdict(nodes(900'000, "0")), Lines{"TOO_MANY_OBJECTS "});
   const std::string real = R"({"extras":"0123456789012345678901"})";
   EXPECT_NE(test::verdict(nodes(1'200'000, real)), Lines{"TOO_MANY_OBJECTS "});
+  // The Khronos validator has no such limit: nothing is passed over in silence.
+  ValidateOptions options;
+  options.profile = Profile::khronos;
+  options.select = {"UNRESOLVED_REFERENCE"};
+  const std::string broken = R"({"mesh":0})";
+  EXPECT_EQ(validate_bytes(nodes(1, broken), "test", options).counts.errors, 1U);
+  EXPECT_EQ(validate_bytes(nodes(1'200'000, "{}").insert(30, R"("scene": 7, )"), "test", options)
+                .counts.errors,
+            1U);
 }
 
 TEST(Identity, NamesAGitLfsPointer) {
