@@ -56,10 +56,10 @@ bool Walker::looks_into(ExtensionId id, std::string_view name) const {
   return !khronos() || (set_.extensions()[id].khronos_validator && is_declared(name));
 }
 
-std::string Walker::undeclared_help(std::string_view name) {
+std::string Walker::undeclared_help(ExtensionId id, std::string_view name) {
   std::string_view meant;
   const std::size_t comparisons = set_.extensions().size();
-  if (!khronos() && comparisons <= comparisons_left_) {
+  if (id == kNone && !khronos() && comparisons <= comparisons_left_) {
     comparisons_left_ -= comparisons;
     meant = misspelt_extension(set_, name);
   }
@@ -85,7 +85,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
   const ExtensionId id = names_.extension(key);
   if (!is_declared(key)) {
     report(path, "UNDECLARED_EXTENSION", document_.span(node - 1),
-           quoted(name) + " is used here but not declared.", undeclared_help(name));
+           quoted(name) + " is used here but not declared.", undeclared_help(id, name));
   }
   if (!looks_into(id, name)) return false;
   const ShapeId shape = home(frame, id, path, node);

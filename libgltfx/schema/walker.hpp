@@ -148,7 +148,7 @@ class Walker {
   bool push_extensions(Frame& host);
   void extensions_step(Frame& frame);
   bool extension_member(Frame& frame, json::KeyId key, json::NodeId value);
-  std::string undeclared_help(std::string_view name);
+  std::string undeclared_help(ExtensionId id, std::string_view name);
   ShapeId home(const Frame& host, ExtensionId extension, const Path& path, json::NodeId value);
   void neighbours(Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
   void exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);

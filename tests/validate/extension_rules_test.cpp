@@ -90,6 +90,13 @@ TEST(Interactivity, AnEarlierDraftIsToldOnceAndNotChecked) {
   }
 }
 
+TEST(Interactivity, AnEarlierDraftIsToldToBeUndeclaredToo) {
+  const Lines found = test::verdict(
+      R"({"asset": {"version": "2.0"}, "extensions": {"KHR_interactivity": {"graphs": [{"customEvents": []}]}}})");
+  EXPECT_EQ(found, (Lines{"UNDECLARED_EXTENSION /extensions/KHR_interactivity",
+                          "INTERACTIVITY_EARLIER_DRAFT /extensions/KHR_interactivity"}));
+}
+
 TEST(Interactivity, ASingleSlipIsNoEarlierDraft) {
   const std::string graph =
       R"({"graph": 0, "graphs": [{"declarations": [{"op": "a/b"}], "nodes": [{"declaration": 0, "flows": {}}]}]})";

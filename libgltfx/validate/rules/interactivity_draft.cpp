@@ -27,7 +27,7 @@ std::string_view mark_of_node(const json::Document& document, json::NodeId node)
     const json::NodeId map = document.find(node, name);
     if (map == json::kNoNode) continue;
     if (document.is_array(map)) return "the sockets of nodes are lists";
-    if (document.object_size(map) == 0) ++empty;
+    if (document.is_object(map) && document.object_size(map) == 0) ++empty;
   }
   // One alone may be a slip.
   return empty < 2 ? "" : "what is empty is written out";

@@ -16,17 +16,20 @@ inline constexpr std::string_view kEarlierInteractivity = "INTERACTIVITY_EARLIER
 /// nothing does, or there are none.
 std::string_view earlier_interactivity(const json::Document& document);
 
-/// Passes on what is found outside of the graphs of an asset, and that they are earlier ones.
+/// Passes on what is found outside of the graphs of an asset, that they are earlier ones, and that
+/// their extension is not declared.
 class OutsideInteractivity final : public Sink {
  public:
   explicit OutsideInteractivity(Sink& next) : next_(next) {}
   void report(const Path& path, Finding finding) override {
-    if (finding.code == kEarlierInteractivity || !is_inside(path)) {
+    const bool told = finding.code == kEarlierInteractivity || finding.code == kUndeclared;
+    if (told || !is_inside(path)) {
       next_.report(path, std::move(finding));
     }
   }
 
  private:
+  static constexpr std::string_view kUndeclared = "UNDECLARED_EXTENSION";
   static bool is_inside(const Path& path);
   Sink& next_;
 };

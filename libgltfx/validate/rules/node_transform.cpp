@@ -142,17 +142,20 @@ std::vector<bool> animated_scales(const Context& context) {
 // A scale that an animation begins or ends with is how glTF hides parts for a while.
 void check_scales(const Context& context) {
   if (context.khronos()) return;
-  const std::vector<bool> animated = animated_scales(context);
-  const Animated by_pointer(context);
+  std::optional<std::vector<bool>> animated;  // made at the first zero
+  std::optional<Animated> by_pointer;
   const auto& nodes = context.views.nodes;
   const Path root;
   const Path list(root, "nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].scale == json::kNoNode || animated[i]) continue;
+    if (nodes[i].scale == json::kNoNode) continue;
     const auto scale = model::float_array<3>(context.document, nodes[i].scale);
     if (!scale) continue;
     const auto zeros = std::count(scale->begin(), scale->end(), 0.0F);
-    if (zeros == 0 || by_pointer.contains(fmt::format("/nodes/{}/scale", i))) continue;
+    if (zeros == 0) continue;
+    if (!animated) animated = animated_scales(context);
+    if (!by_pointer) by_pointer.emplace(context);
+    if ((*animated)[i] || by_pointer->contains(fmt::format("/nodes/{}/scale", i))) continue;
     const Path node(list, std::uint64_t{i});
     report_link(context, Path(node, "scale"), nodes[i].scale, "NODE_SCALE_ZERO",
                 zeros == 3 ? "The scale is zero: the node and all below it are not seen."
