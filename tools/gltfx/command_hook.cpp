@@ -96,6 +96,7 @@ class Hook {
   // Whoever stages a part of a file chooses what else of it goes into the commit.
   std::optional<Error> check_half_staged(const UpgradeRequest& request,
                                          const std::vector<RepositoryName>& assets) {
+    if (assets.empty()) return std::nullopt;
     auto schemas = load_schemas(request.schema_files, request.schema_folders);
     if (!schemas) return schemas.error();
     const auto set = *schemas ? *std::move(schemas) : schema::builtin_set();

@@ -63,7 +63,7 @@ void declare_bake(CLI::App& app, BakeWords& words) {
   add_word(app, "--cache", words.cache, "DIR",
            "Note there what was drawn, and leave pictures that are there and as they should be");
   add_word(app, "--cache-key", words.cache_key, "FILE",
-           "Key of --cache (default: $GLTFX_CACHE_KEY, or the user's own)");
+           "File with the key of --cache (default: $GLTFX_CACHE_KEY or your own)");
   add_root(app, words.root);
   add_schema_sources(app, words.schema_files, words.schema_folders);
   app.add_flag("-q,--quiet", words.quiet, "Problems only: no progress, no list of files");

@@ -28,7 +28,7 @@ void add_formats(CLI::App& app, std::vector<std::string>& formats) {
 }
 
 void add_sarif_notes(CLI::App& app, bool& sarif_notes) {
-  app.add_flag("--sarif-notes", sarif_notes, "sarif: infos and hints, too");
+  app.add_flag("--sarif-notes", sarif_notes, "Include infos and hints in SARIF");
 }
 
 void add_inputs(CLI::App& app, InputWords& words) {
@@ -62,7 +62,7 @@ void add_common(CLI::App& app, CommonWords& words) {
 
 void add_decoders(CLI::App& app, CommonWords& words) {
   app.add_flag("--unsandboxed-decoders", words.unsandboxed_decoders,
-               "Decode images and meshes also where the system cannot confine the decoders");
+               "Run decoders even where the system cannot sandbox them");
 }
 
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,

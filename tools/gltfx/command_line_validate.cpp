@@ -49,7 +49,7 @@ void declare_checks(CLI::App& app, ValidateWords& words) {
   add_word(app, "--cache", words.cache, "DIR",
            "Keep reports there, and take those of files that did not change from there");
   add_word(app, "--cache-key", words.cache_key, "FILE",
-           "Key of --cache (default: $GLTFX_CACHE_KEY, or the user's own)");
+           "File with the key of --cache (default: $GLTFX_CACHE_KEY or your own)");
   add_word(app, "--baseline", words.baseline, "FILE", "Leave out findings that FILE knows");
 }
 
@@ -60,7 +60,7 @@ void declare_validate(CLI::App& app, ValidateWords& words) {
                       "Files, folders (searched through), globs, or - for standard input");
   add_formats(app, words.formats);
   add_sarif_notes(app, words.sarif_notes);
-  app.add_flag("--timings", words.timings, "junit, jsonl: how long each file took (junit: 0 else)");
+  app.add_flag("--timings", words.timings, "Record how long each file took (junit, jsonl)");
   declare_checks(app, words);
   add_word(app, "--write-baseline", words.write_baseline, "FILE",
            "Record all findings in FILE and exit with 0 for them");

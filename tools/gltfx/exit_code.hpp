@@ -28,7 +28,8 @@ inline constexpr std::array<ExitCodeEntry, 5> kExitCodes{{
     {ExitCode::findings,
      "findings at or above --fail-on, or something is left to upgrade or cannot be drawn"},
     {ExitCode::usage,
-     "the command, a configuration, schema file or baseline was not understood, or no asset found"},
+     "the command, a configuration, schema file or baseline was not understood, or no asset was "
+     "found"},
     {ExitCode::unreadable, "an input could not be opened or read"},
     {ExitCode::internal, "gltfx failed, or could not write its output"},
 }};

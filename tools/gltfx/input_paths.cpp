@@ -12,12 +12,29 @@
 #include "read_input.hpp"
 
 namespace gltfx::tool {
+namespace {
+
+// Of a walk that has found none.
+Error no_assets(const InputWalk& walk) {
+  constexpr std::size_t kMostNames = 3;
+  const std::vector<std::string>& all = walk.without_assets();
+  std::vector<std::string> names;
+  for (const std::string& name : all) {
+    if (names.size() < kMostNames) names.push_back(quoted(name, 200));
+  }
+  std::string text = fmt::format("no .gltf or .glb in {}", fmt::join(names, ", "));
+  if (all.size() > kMostNames) text += fmt::format(" and {} more", all.size() - kMostNames);
+  return Error{text + ". Use --allow-empty if that is expected."};
+}
+
+}  // namespace
 
 Result<Inputs> expand_paths(const NamedPaths& named, bool quiet) {
-  if (auto problem = nothing_found(named)) return *std::move(problem);
   InputWalk walk(named);
   Inputs inputs;
+  bool found = false;
   while (auto input = walk.next_of_all()) {
+    found = found || !input->unmatched;
     if (!input->ours) {
       inputs.places_of_others.push_back(std::move(input->place));
       continue;
@@ -25,6 +42,7 @@ Result<Inputs> expand_paths(const NamedPaths& named, bool quiet) {
     inputs.paths.push_back(std::move(input->path));
     inputs.places.push_back(std::move(input->place));
   }
+  if (!found && !named.allow_empty && !walk.without_assets().empty()) return no_assets(walk);
   inputs.folders = walk.folders();
   inputs.several = walk.several();
   if (!quiet) say_notes(walk);
@@ -38,21 +56,13 @@ void say_notes(const InputWalk& walk) {
 }
 
 std::optional<Error> nothing_found(const NamedPaths& named) {
-  constexpr std::size_t kMostNames = 3;
   if (named.allow_empty) return std::nullopt;
   InputWalk walk(named);
   while (const auto input = walk.next_of_all()) {
     if (!input->unmatched) return std::nullopt;
   }
-  const std::vector<std::string>& all = walk.without_assets();
-  if (all.empty()) return std::nullopt;
-  std::vector<std::string> names;
-  for (const std::string& name : all) {
-    if (names.size() < kMostNames) names.push_back(quoted(name, 200));
-  }
-  std::string text = fmt::format("no .gltf or .glb in {}", fmt::join(names, ", "));
-  if (all.size() > kMostNames) text += fmt::format(" and {} more", all.size() - kMostNames);
-  return Error{text + ". Use --allow-empty if that is expected."};
+  if (walk.without_assets().empty()) return std::nullopt;
+  return no_assets(walk);
 }
 
 Result<std::string> read_list(const std::string& file) {

@@ -81,8 +81,6 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   ValidateRequest request;
   read_common(reading, words.common, request.common);
   (words.hook ? read_hooked_inputs : read_inputs)(reading, words.inputs, "validate", request.paths);
-  // A change without assets is nothing unusual.
-  request.paths.allow_empty = request.paths.allow_empty || !words.diff_base.empty();
   reading.set(request.targets, parse_targets(words.formats));
   for (const FormatTarget& target : request.targets) {
     reading.require(
