@@ -138,7 +138,7 @@ void check_process(Jpeg& jpeg) {
 void read_components(Cursor at, std::uint8_t count, std::uint16_t length, Jpeg& jpeg) {
   if (length != 8U + 3U * count) {
     return jpeg.refuse(fmt::format(
-        "The frame header of the JPEG has another length than its {} components make.", count));
+        "The length of the frame header of the JPEG does not fit its {} components.", count));
   }
   for (std::uint8_t i = 0; i < count; ++i) {
     const std::uint8_t id = at.u8(), sampling = at.u8(), table = at.u8();
@@ -172,7 +172,9 @@ std::optional<HeaderFault> read_frame_header(Segment segment, Jpeg& jpeg) {
   if (header.width == 0) {
     doubt(header, "The JPEG has no pixels.");
   } else if (header.height == 0) {
-    doubt(header, "The frame header of the JPEG gives no height; readers look for none elsewhere.");
+    doubt(
+        header,
+        "The frame header of the JPEG gives no height, and readers do not look for it elsewhere.");
   }
   check_process(jpeg);
   if (header.bits != 8) {
@@ -232,7 +234,7 @@ void check_scan(Segment segment, Jpeg& jpeg) {
     const auto found = std::find_if(jpeg.components.begin(), jpeg.components.end(),
                                     [id](const Component& each) { return each.id == id; });
     if (found == jpeg.components.end()) {
-      return jpeg.refuse("The first scan of the JPEG names a component that there is not.");
+      return jpeg.refuse("The first scan of the JPEG names a component that does not exist.");
     }
     check_scan_component(*found, tables, !progressive || band[0] == 0, !progressive || band[0] != 0,
                          jpeg);

@@ -80,17 +80,17 @@ void check_gaps(Ktx2Reading& reading, std::uint64_t index_end) {
   };
   if (reading.descriptor.length == 0 || !reading.file.faults.empty()) return;
   if (reading.descriptor.offset != index_end) {
-    bad("The data format descriptor does not follow the level index at once.");
+    bad("The data format descriptor does not follow the level index immediately.");
   }
   std::uint64_t end = reading.descriptor.end();
   if (reading.metadata.length != 0) {
     if (reading.metadata.offset != end) {
-      bad("The metadata do not follow the data format descriptor at once.");
+      bad("The metadata do not follow the data format descriptor immediately.");
     }
     end = reading.metadata.end();
   }
   if (reading.global.length != 0 && reading.global.offset != (end + 7) / 8 * 8) {
-    bad("The supercompression global data do not follow the metadata at once.");
+    bad("The supercompression global data do not follow the metadata immediately.");
   }
 }
 

@@ -98,7 +98,7 @@ void check_universal_blocks(Ktx2Reading& reading) {
     if (sample.offset != offset || sample.bits != bytes * 8) {
       return reading.tolerated_fault(
           "KTX2_DESCRIPTOR_INVALID",
-          fmt::format("The samples are not of {} bits one after the other.", bytes * 8));
+          fmt::format("The samples are not {} bits each, one after another.", bytes * 8));
     }
     offset += sample.bits;
   }

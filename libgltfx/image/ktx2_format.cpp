@@ -240,7 +240,7 @@ class FormatCheck {
     const bool plain = format_.type.ends_with("INT") || is_depth_or_stencil(format_);
     if (plain && (file.transfer != 0 || file.primaries != 0)) {
       reading_.tolerated_fault("KTX2_FORMAT_MISMATCH",
-                               sentence("the descriptor gives its numbers a color space"));
+                               sentence("the descriptor gives its numbers a colour space"));
     }
   }
 

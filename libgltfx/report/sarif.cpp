@@ -81,7 +81,7 @@ void write_pointer(json::Writer& writer, std::string_view pointer) {
 void write_fingerprint(json::Writer& writer, const Identity& identity) {
   writer.key("partialFingerprints");
   writer.begin_object();
-  writer.member("codeAndPlace/v2", long_value(identity.label()));
+  writer.member("codeAndPlace/v2", identity.label());
   writer.member("primaryLocationLineHash",
                 fmt::format("{:016x}:{}", hash_bytes(identity.text).low, identity.number));
   writer.end_object();

@@ -225,7 +225,7 @@ TEST(Ktx2, TexelBlocksHaveTheirBytes) {
   EXPECT_EQ(found(patched(Ktx2Builder::etc1s().file(), kPlanes, le(0, 1))), kNone)
       << "as former editions wanted it";
   EXPECT_EQ(found(patched(uastc, kSample + 2, le(63, 1))),
-            std::vector<std::string>{"!The samples are not of 128 bits one after the other."});
+            std::vector<std::string>{"!The samples are not 128 bits each, one after another."});
   EXPECT_EQ(found(patched(uastc, kSample, le(8, 2))).size(), 1U);
 }
 
@@ -244,13 +244,13 @@ TEST(Ktx2, PartsFollowEachOther) {
   EXPECT_EQ(problems(builder.file(), "KTX2_INDEX_INVALID"), kNone);
   EXPECT_EQ(gap(builder, kBlock),
             std::vector<std::string>{
-                "!The data format descriptor does not follow the level index at once."});
-  EXPECT_EQ(
-      gap(builder, kEntries),
-      std::vector<std::string>{"!The metadata do not follow the data format descriptor at once."});
+                "!The data format descriptor does not follow the level index immediately."});
+  EXPECT_EQ(gap(builder, kEntries),
+            std::vector<std::string>{
+                "!The metadata do not follow the data format descriptor immediately."});
   EXPECT_EQ(gap(builder, kEntries + 16),
             std::vector<std::string>{
-                "!The supercompression global data do not follow the metadata at once."});
+                "!The supercompression global data do not follow the metadata immediately."});
 }
 
 TEST(Ktx2, MetadataHaveTheirValues) {
