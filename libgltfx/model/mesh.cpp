@@ -44,6 +44,7 @@ std::vector<Attribute> read_attributes(const Asset& asset, json::NodeId object) 
   std::vector<Attribute> attributes;
   const json::Document& document = asset.document();
   if (object == json::kNoNode || !document.is_object(object)) return attributes;
+  attributes.reserve(document.object_size(object));
   for (const auto member : document.members(object)) {
     Attribute attribute;
     attribute.name = document.key(member.key_id);
