@@ -26,14 +26,15 @@ void report_image(const TexturePhase& phase, std::uint32_t image, std::string_vi
 
 void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::Fault& fault) {
   const bool malformed = fault.kind == codec::FaultKind::malformed;
+  const bool stalled = fault.kind == codec::FaultKind::stalled;  // need not be due to the bytes
   const std::string label = image_label(phase.context, image);
   const std::string reason = printable(fault.message);
-  report_image(phase, image, malformed ? "IMAGE_PIXELS_INVALID" : "IMAGE_NOT_DECODED",
-               malformed
-                   ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
-                                 label, reason)
-                   : fmt::format("The pixels of {} were not looked at: {}", label, reason),
-               codec::is_costly(fault) ? std::optional(Severity::warning) : std::nullopt);
+  report_image(
+      phase, image, malformed ? "IMAGE_PIXELS_INVALID" : "IMAGE_NOT_DECODED",
+      malformed ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
+                              label, reason)
+                : fmt::format("The pixels of {} were not looked at: {}", label, reason),
+      codec::is_costly(fault) && !stalled ? std::optional(Severity::warning) : std::nullopt);
 }
 
 // A decoder that went on where the data was damaged shows something, each its own.
@@ -84,6 +85,7 @@ bool reads_constant_alpha(const TextureSlot& slot, const codec::Image& image) {
 void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t index,
                   const codec::Image& image) {
   const bool full = image.alpha().least == image.full();
+  const bool stalled = fault.kind == codec::FaultKind::stalled;  // need not be due to the bytes
   const std::string label = image_label(phase.context, index);
   std::string message =
       full ? fmt::format("{} reads A, but that of {} is 1 in every texel: it has no effect.",
@@ -158,6 +160,7 @@ void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::u
   const bool whole = slot.effective.has('r') && slot.effective.has('g') && slot.effective.has('b');
   if (!slot.normal_map || !whole || image.channels < 3 || image.normals.vectors == 0) return;
   const codec::NormalStatistics& normals = image.normals;
+  const bool stalled = fault.kind == codec::FaultKind::stalled;  // need not be due to the bytes
   const std::string label = image_label(phase.context, index);
   const double inward = share(normals.inward, normals);
   if (image.statistics[2].greatest == 0) {
