@@ -28,9 +28,8 @@ void note(j_common_ptr jpeg) {
 
 // libjpeg reports a failure by a jump, over frames that have nothing to destroy.
 [[noreturn]] void fail(j_common_ptr jpeg) {
-  Messages& messages = messages_of(jpeg);
-  messages.manager.format_message(jpeg, messages.first);
-  std::longjmp(messages.failed, 1);
+  note(jpeg);
+  std::longjmp(messages_of(jpeg).failed, 1);
 }
 
 // libjpeg keeps this pointer, and has no const in its interface.

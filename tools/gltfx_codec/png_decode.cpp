@@ -71,6 +71,7 @@ class PngDecoder {
         png_read_row(png_, byte(texels + y * row), nullptr);
       }
     }
+    png_read_end(png_, nullptr);  // checks what comes behind the last pass
     return true;
   }
 

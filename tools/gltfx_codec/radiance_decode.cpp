@@ -61,11 +61,11 @@ std::uint32_t number(std::string_view& line, std::string_view before) {
 
 Image read_header(Bytes& bytes) {
   if (!bytes.line().starts_with("#?")) refuse("It is not a Radiance picture.");
+  bool rgbe = false;
   for (std::string_view line = bytes.line(); !line.empty(); line = bytes.line()) {
-    if (line.starts_with("FORMAT=") && !line.starts_with("FORMAT=32-bit_rle_rgbe")) {
-      refuse("Its texels are not RGBE.");
-    }
+    rgbe = rgbe || line.starts_with("FORMAT=32-bit_rle_rgbe");
   }
+  if (!rgbe) refuse("Its texels are not RGBE.");
   std::string_view size = bytes.line();
   Image image;
   image.height = number(size, "-Y ");
