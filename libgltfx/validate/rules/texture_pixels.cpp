@@ -85,7 +85,6 @@ bool reads_constant_alpha(const TextureSlot& slot, const codec::Image& image) {
 void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t index,
                   const codec::Image& image) {
   const bool full = image.alpha().least == image.full();
-  const bool stalled = fault.kind == codec::FaultKind::stalled;  // need not be due to the bytes
   const std::string label = image_label(phase.context, index);
   std::string message =
       full ? fmt::format("{} reads A, but that of {} is 1 in every texel: it has no effect.",
@@ -160,7 +159,6 @@ void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::u
   const bool whole = slot.effective.has('r') && slot.effective.has('g') && slot.effective.has('b');
   if (!slot.normal_map || !whole || image.channels < 3 || image.normals.vectors == 0) return;
   const codec::NormalStatistics& normals = image.normals;
-  const bool stalled = fault.kind == codec::FaultKind::stalled;  // need not be due to the bytes
   const std::string label = image_label(phase.context, index);
   const double inward = share(normals.inward, normals);
   if (image.statistics[2].greatest == 0) {
