@@ -25,11 +25,11 @@ void permit_unsandboxed_decoders(bool permitted) { unfiltered_permitted = permit
 namespace codec {
 namespace {
 
-// Loading libraries takes a second; whoever needs more is caught in a loop.
+// Loading libraries takes a second at most: a program that takes longer is in an endless loop.
 constexpr std::chrono::minutes kStartTime{2};
 
-constexpr const char* kWrongGreeting = "it does not greet as the decoders of this version do";
-constexpr const char* kSilent = "it stands still and does not greet";
+constexpr const char* kWrongGreeting = "it does not speak the protocol of this version";
+constexpr const char* kSilent = "it does not respond";
 constexpr const char* kUnfiltered =
     "its system calls are not filtered (--unsandboxed-decoders permits that)";
 
@@ -60,7 +60,7 @@ Launcher::Trouble Launcher::launch() {
   if (silent_) return kSilent;
   if (process_ && ready_) return std::nullopt;
   if (!process_) process_ = std::make_unique<Process>(program_);
-  Trouble trouble = process_->started() ? greet() : Trouble("there is no such program to run");
+  Trouble trouble = process_->started() ? greet() : Trouble(process_->start_error());
   ready_ = !trouble;
   if (trouble) process_.reset();
   return trouble;
@@ -77,11 +77,7 @@ Launcher::Trouble Launcher::greet() {
 
 Launcher::Trouble Launcher::greet(Worker& worker) {
   const Watch watched = watch(worker.socket(), worker.id(), {kStartTime, standstill_});
-  if (watched != Watch::ready) {
-    const std::lock_guard lock(mutex_);
-    silent_ = true;
-    return kSilent;
-  }
+  if (watched != Watch::ready) return kSilent;
   const auto packet = receive_packet(worker.socket());
   const auto hello = packet ? read_hello(packet->bytes) : std::nullopt;
   if (!hello) return kWrongGreeting;

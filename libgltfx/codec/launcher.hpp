@@ -26,7 +26,7 @@ class Worker;
 /// Thread-safe. Workers must not outlive it.
 class Launcher {
  public:
-  /// A program that stands still for so long before it greets is not asked again.
+  /// A program that uses no processor time for `standstill` before it greets is not started again.
   Launcher(std::string program, std::chrono::milliseconds standstill)
       : program_(std::move(program)), standstill_(standstill) {}
 
@@ -51,7 +51,7 @@ class Launcher {
   std::mutex mutex_;
   std::unique_ptr<Process> process_;  ///< null: not started, or it has failed
   bool ready_ = false;                ///< the process has greeted
-  bool silent_ = false;               ///< it stood still instead; nobody waits for it again
+  bool silent_ = false;               ///< it did not respond; it is not started again
 };
 
 /// A worker process; its end ends the process.

@@ -151,7 +151,7 @@ Reply Pool::answer_of(Kept worker, const Job& job, int result, Kept& sound) cons
       watch(worker->socket(), worker->id(), {milliseconds(job.milliseconds) + kGrace, standstill_});
   if (watched == Watch::overrun) return overrun(job);
   if (watched == Watch::standstill) {
-    return fault(FaultKind::stalled, "The decoder stands still.");
+    return fault(FaultKind::stalled, "The decoder stopped responding.");
   }
   const auto packet = receive_packet(worker->socket());
   if (!packet) return epitaph(*worker, job);

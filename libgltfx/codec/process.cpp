@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -47,13 +48,12 @@ class Preparation {
     ::posix_spawnattr_destroy(&attributes_);
   }
 
-  pid_t spawn(const std::string& program) const {
+  // Gives 0, or the number of the error.
+  int spawn(const std::string& program, pid_t& id) const {
     std::array<char*, 2> arguments{const_cast<char*>(program.c_str()), nullptr};
-    pid_t id = -1;
     char* const environment[] = {nullptr};
-    const int fault =
-        ::posix_spawn(&id, program.c_str(), &actions_, &attributes_, arguments.data(), environment);
-    return fault == 0 ? id : -1;
+    return ::posix_spawn(&id, program.c_str(), &actions_, &attributes_, arguments.data(),
+                         environment);
   }
 
  private:
@@ -77,10 +77,18 @@ Ends Ends::create() {
 
 Process::Process(const std::string& program) {
   Ends ends = Ends::create();
-  if (!ends.complete()) return;
-  id_ = Preparation(ends).spawn(program);
+  if (!ends.complete()) {
+    start_error_ = errno;
+    return;
+  }
+  start_error_ = Preparation(ends).spawn(program, id_);
+  if (start_error_ != 0) id_ = -1;
   socket_ = std::move(ends.socket);
   lifeline_ = std::move(ends.lifeline);
+}
+
+std::string Process::start_error() const {
+  return std::error_code(start_error_, std::generic_category()).message();
 }
 
 // The signal changes nothing for a process that is about to end.

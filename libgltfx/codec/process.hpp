@@ -36,6 +36,8 @@ class Process {
   ~Process() { end(); }
 
   bool started() const { return id_ > 0; }
+  /// Why it was not started. Precondition: !started().
+  std::string start_error() const;
   pid_t id() const { return id_; }
   int socket() const { return socket_.get(); }
   /// Ends the process if it has not ended, and says how it did: half a sentence.
@@ -43,6 +45,7 @@ class Process {
 
  private:
   pid_t id_ = -1;
+  int start_error_ = 0;
   UniqueFd socket_, lifeline_;
 };
 

@@ -16,13 +16,13 @@ std::optional<std::chrono::nanoseconds> processor_time(pid_t process);
 /// What a process may take.
 struct Patience {
   std::chrono::milliseconds processor_time;  ///< from the beginning of the wait
-  std::chrono::milliseconds standstill;      ///< without using any processor time
+  std::chrono::milliseconds standstill;      ///< without using 10 ms of processor time
 };
 
 enum class Watch {
   ready,       ///< there is a packet, or the other side has closed
   overrun,     ///< more processor time
-  standstill,  ///< the process uses no processor time and does not answer
+  standstill,  ///< the process uses next to no processor time and does not answer
 };
 
 /// Waits for a packet of `process` at `socket`.

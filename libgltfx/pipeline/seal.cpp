@@ -58,7 +58,14 @@ Result<std::string> read_secret(const fs::path& path) {
   return Error{"the key " + quoted(path.native(), 200) + " is too short; delete it for a new one"};
 }
 
+// Once for all threads. libsodium wants it before any other call.
+void prepare_sodium() {
+  static const int ready = sodium_init();
+  static_cast<void>(ready);
+}
+
 std::string new_secret() {
+  prepare_sodium();
   std::array<unsigned char, 32> random{};
   randombytes_buf(random.data(), random.size());
   std::string text(2 * random.size() + 1, '\0');
@@ -84,8 +91,7 @@ std::optional<Error> make_secret(const fs::path& path) {
 }  // namespace
 
 Seal::Seal(std::string_view secret) {
-  static const int ready = sodium_init();  // once for all threads
-  static_cast<void>(ready);
+  prepare_sodium();
   crypto_generichash(key_.data(), key_.size(), bytes_of(secret), secret.size(), nullptr, 0);
   name_ = of({"name of the key"});
 }

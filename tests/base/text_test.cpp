@@ -45,6 +45,7 @@ TEST(Printable, ShowsWhatIsNotSeen) {
   // Private use, noncharacters, and planes where only ignorable characters may come to stand.
   EXPECT_EQ(printable("\ue000\uf8ff\U000f0000\U0010fffd"), "\\ue000\\uf8ff\\u{f0000}\\u{10fffd}");
   EXPECT_EQ(printable("\ufdd0\uffff\U0001fffe\U000e0fff"), "\\ufdd0\\uffff\\u{1fffe}\\u{e0fff}");
+  EXPECT_EQ(printable("\U0004fffe\U0007ffff\U000dffff"), "\\u{4fffe}\\u{7ffff}\\u{dffff}");
   // Their neighbours are seen.
   EXPECT_EQ(printable("\u00ac\u00ae\u180a\ufdcf\ufe10\u2801"),
             "\u00ac\u00ae\u180a\ufdcf\ufe10\u2801");

@@ -258,6 +258,18 @@ TEST(Client, WithoutAWorkerNothingIsSaidOfTheBytes) {
   ASSERT_TRUE(std::holds_alternative<Fault>(result));
   EXPECT_EQ(std::get<Fault>(result).kind, FaultKind::unavailable);
   EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("/nonexistent/gltfx-codec-draco"));
+  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("No such file"));
+}
+
+TEST(Client, AFileThatMayNotBeRunIsNamedAsThat) {
+  const container::test::TempFolder folder;
+  folder.write("gltfx-codec-draco", "#!/bin/sh\n");
+  Settings settings;
+  settings.folder = folder.path().native();
+  Client client(settings);
+  const DracoResult result = client.decode_draco({});
+  ASSERT_TRUE(std::holds_alternative<Fault>(result));
+  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("Permission denied"));
 }
 
 TEST(Client, AProgramThatIsNoWorkerIsNotOne) {
@@ -302,13 +314,13 @@ TEST_F(Decoders, OneThatEndsIsNamedWithItsExitCode) {
 TEST_F(Decoders, OneThatGreetsWronglyIsNamed) {
   const Fault fault = ask("rude");
   EXPECT_EQ(fault.kind, FaultKind::unavailable);
-  EXPECT_THAT(fault.message, HasSubstr("does not greet as"));
+  EXPECT_THAT(fault.message, HasSubstr("protocol of this version"));
 }
 
 TEST_F(Decoders, SilenceIsWaitedForOnce) {
   const Fault fault = ask("mute");
   EXPECT_EQ(fault.kind, FaultKind::unavailable);
-  EXPECT_THAT(fault.message, HasSubstr("stands still"));
+  EXPECT_THAT(fault.message, HasSubstr("does not respond"));
   EXPECT_EQ(std::filesystem::file_size(folder_.path() / "mute/starts"), 1U);
 }
 

@@ -113,7 +113,8 @@ TEST(Encode, ExrHoldsFloats) {
   ASSERT_GT(file.size(), 4U);
   EXPECT_EQ(std::memcmp(file.data(), "\x76\x2F\x31\x01", 4), 0);
   const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
-  EXPECT_THAT(text, testing::HasSubstr("1970:01:01 00:00:00")) << "not the present";
+  EXPECT_THAT(text, testing::Not(HasSubstr("capDate"))) << "bytes would differ by time";
+  EXPECT_TRUE(equal(decode(file, ImageFormat::openexr).pixels, pixels));
   const EncodeResult again = encode(EncodedFormat::exr, raster, pixels);
   EXPECT_TRUE(equal(file, bytes_of(again)));
 }

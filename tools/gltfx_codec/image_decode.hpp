@@ -5,24 +5,54 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "codec/server.hpp"
+#include "codec/statistics.hpp"
 
 namespace gltfx::codec {
 
 /// That there are more texels than asked for.
 Fault too_many_texels();
 
-/// That a decoder which needs `bytes` of memory would not get them, or nothing: libraries in C do
-/// not tell that memory has run out from bytes that are wrong.
+/// Whether so many texels take more memory than a job has.
 bool exceeds_memory(const Job& job, std::uint64_t texels, std::uint64_t bytes_per_texel);
 Fault no_memory();
 
 /// Room for the pixels of `image` where they were asked for, else none. Throws std::bad_alloc.
 std::span<std::byte> create_pixels(const Image& image, const Job& job, Output& output);
 
-/// WebP, with libwebp itself: OpenImageIO 2.4 multiplies alpha into its colours whatever it is
-/// told.
+/// Takes the rows of an image from the top, band by band: no image is held for its statistics.
+class Rows {
+ public:
+  /// With `pixels` the rows go there.
+  Rows(const Image& image, const Job& job, std::span<std::byte> pixels);
+
+  /// Where the next row goes. The row before it has been written.
+  std::byte* next();
+  /// The image with its statistics. Precondition: all rows have been written.
+  Image finish();
+
+ private:
+  void flush();
+
+  Image image_;
+  Statistics statistics_;
+  std::size_t row_;
+  std::size_t rows_in_band_;
+  std::vector<std::byte> own_;  ///< one band, where there are no pixels
+  std::span<std::byte> pixels_;
+  std::byte* band_;
+  std::size_t filled_ = 0;  ///< rows of the band
+};
+
+// Each decodes one format. May throw std::exception, which becomes a fault.
+
+Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& output);
+Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& output);
 Answer decode_webp(const Job& job, std::span<const std::byte> bytes, Output& output);
+Answer decode_radiance(const Job& job, std::span<const std::byte> bytes, Output& output);
+Answer decode_exr(const Job& job, std::span<const std::byte> bytes, Output& output);
 
 }  // namespace gltfx::codec

@@ -18,9 +18,8 @@ Answer hand_over(std::span<const std::byte> file, Output& output);
 Answer encode_png(const Job& job, std::span<const std::byte> texels, Output& output);
 /// WebP, lossless with quality 0; colours of transparent texels are kept.
 Answer encode_webp(const Job& job, std::span<const std::byte> texels, Output& output);
-/// JPEG and EXR, with OpenImageIO.
-Answer encode_with_plugin(const Job& job, std::span<const std::byte> texels, Output& output);
-/// What OpenImageIO's encoders load when they are first asked for.
-void prepare_plugins();
+Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, Output& output);
+/// EXR of floats, compressed without loss.
+Answer encode_exr(const Job& job, std::span<const std::byte> texels, Output& output);
 
 }  // namespace gltfx::codec

@@ -26,14 +26,15 @@ void report_image(const TexturePhase& phase, std::uint32_t image, std::string_vi
 
 void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::Fault& fault) {
   const bool malformed = fault.kind == codec::FaultKind::malformed;
+  const bool stalled = fault.kind == codec::FaultKind::stalled;  // need not be due to the bytes
   const std::string label = image_label(phase.context, image);
   const std::string reason = printable(fault.message);
-  report_image(phase, image, malformed ? "IMAGE_PIXELS_INVALID" : "IMAGE_NOT_DECODED",
-               malformed
-                   ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
-                                 label, reason)
-                   : fmt::format("The pixels of {} were not looked at: {}", label, reason),
-               codec::is_costly(fault) ? std::optional(Severity::warning) : std::nullopt);
+  report_image(
+      phase, image, malformed ? "IMAGE_PIXELS_INVALID" : "IMAGE_NOT_DECODED",
+      malformed ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
+                              label, reason)
+                : fmt::format("The pixels of {} were not looked at: {}", label, reason),
+      codec::is_costly(fault) && !stalled ? std::optional(Severity::warning) : std::nullopt);
 }
 
 // A decoder that went on where the data was damaged shows something, each its own.
