@@ -88,7 +88,7 @@ Rgb Fresnel::inside_or_iridescent(double cosine) const {
 
 namespace {
 
-Film film_of(const Material& m, ShaderMode mode) {
+ThinFilm film_of(const Material& m, ShaderMode mode) {
   const double most = mode == ShaderMode::conserving ? 1 : std::numeric_limits<double>::infinity();
   return {m.iridescence, m.iridescence_ior, m.iridescence_thickness, most};
 }

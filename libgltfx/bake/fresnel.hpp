@@ -20,7 +20,7 @@ inline Rgb schlick(const Rgb& f0, const Rgb& f90, double cosine) {
 inline double schlick(double f0, double cosine) { return f0 + (1 - f0) * pow5(1 - cosine); }
 
 /// A thin film on the surface, with an IOR of 1 outside of it.
-struct Film {
+struct ThinFilm {
   double strength = 0;  ///< `iridescence`; 0: no film
   double ior = 1.3;
   double thickness = 0;  ///< nanometres
@@ -39,7 +39,7 @@ struct Fresnel {
   /// IOR behind the surface over that on the viewer's side; 1 for thin-walled surfaces. Below 1
   /// there is total reflection.
   double eta = 1;
-  Film film;
+  ThinFilm film;
 
   Rgb at(double cosine) const {
     return eta < 1 || film.strength > 0 ? inside_or_iridescent(cosine) : schlick(f0, f90, cosine);

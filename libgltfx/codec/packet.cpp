@@ -16,11 +16,11 @@ namespace gltfx::codec {
 namespace {
 
 // Room for the control message that carries the descriptors.
-struct Control {
+struct ControlMessage {
   alignas(cmsghdr) std::array<char, CMSG_SPACE(kMostDescriptors * sizeof(int))> bytes{};
 };
 
-void put_descriptors(msghdr& message, Control& control, std::span<const int> descriptors) {
+void put_descriptors(msghdr& message, ControlMessage& control, std::span<const int> descriptors) {
   if (descriptors.empty()) return;
   message.msg_control = control.bytes.data();
   message.msg_controllen = CMSG_SPACE(descriptors.size_bytes());
@@ -51,7 +51,7 @@ bool send_packet(int socket, std::span<const std::byte> bytes, std::span<const i
   msghdr message{};
   message.msg_iov = &part;
   message.msg_iovlen = 1;
-  Control control;
+  ControlMessage control;
   put_descriptors(message, control, descriptors);
   ssize_t sent = 0;
   do {
@@ -67,7 +67,7 @@ std::optional<Packet> receive_packet(int socket) {
   msghdr message{};
   message.msg_iov = &part;
   message.msg_iovlen = 1;
-  Control control;
+  ControlMessage control;
   message.msg_control = control.bytes.data();
   message.msg_controllen = control.bytes.size();
   ssize_t size = 0;

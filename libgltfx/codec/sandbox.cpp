@@ -66,10 +66,10 @@ std::uint64_t address_space() {
   return read ? pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) : 0;
 }
 
-void set_timer(std::uint64_t milliseconds) {
+void set_timer(std::uint64_t duration_ms) {
   itimerval timer{};
-  timer.it_value.tv_sec = static_cast<time_t>(milliseconds / 1000);
-  timer.it_value.tv_usec = static_cast<suseconds_t>(milliseconds % 1000 * 1000);
+  timer.it_value.tv_sec = static_cast<time_t>(duration_ms / 1000);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(duration_ms % 1000 * 1000);
   ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 

@@ -12,21 +12,19 @@
 namespace gltfx::report {
 namespace {
 
-using nlohmann::json;
-
-const json* member(const json& object, const char* name) {
+const nlohmann::json* member(const nlohmann::json& object, const char* name) {
   if (!object.is_object()) return nullptr;
   const auto found = object.find(name);
   return found != object.end() ? &*found : nullptr;
 }
 
-const std::string* text_member(const json& object, const char* name) {
-  const json* value = member(object, name);
+const std::string* text_member(const nlohmann::json& object, const char* name) {
+  const nlohmann::json* value = member(object, name);
   return value != nullptr ? value->get_ptr<const std::string*>() : nullptr;
 }
 
-std::optional<std::uint64_t> count_member(const json& object) {
-  const json* value = member(object, "count");
+std::optional<std::uint64_t> count_member(const nlohmann::json& object) {
+  const nlohmann::json* value = member(object, "count");
   const auto* count = value != nullptr ? value->get_ptr<const std::uint64_t*>() : nullptr;
   if (count == nullptr || *count == 0) return std::nullopt;
   return *count;
@@ -48,22 +46,22 @@ void add(FindingCounts& counts, FindingKey key, std::uint64_t count) {
 }  // namespace
 
 Result<Baseline> Baseline::parse(std::string_view text) {
-  const json root = json::parse(text.begin(), text.end(), nullptr, false);
+  const nlohmann::json root = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
   if (root.is_discarded()) {
     return Error{"The baseline is not valid JSON; write it anew with --write-baseline."};
   }
-  const json* format = member(root, "gltfx-baseline");
+  const nlohmann::json* format = member(root, "gltfx-baseline");
   if (format == nullptr) return Error{"The file has no 'gltfx-baseline': it is not a baseline."};
   if (*format != 1) {
     return Error{"The baseline is in a format that this version of gltfx does not know."};
   }
-  const json* findings = member(root, "findings");
+  const nlohmann::json* findings = member(root, "findings");
   if (findings == nullptr || !findings->is_array()) {
     return Error{"The baseline has no list 'findings'."};
   }
   Baseline baseline;
   for (std::size_t i = 0; i < findings->size(); ++i) {
-    const json& entry = (*findings)[i];
+    const nlohmann::json& entry = (*findings)[i];
     const std::string* path = text_member(entry, "path");
     const std::string* code = text_member(entry, "code");
     const std::string* pointer = text_member(entry, "pointer");

@@ -89,7 +89,7 @@ ExitCode run(const ExplainRequest& request) {
     const RuleDescription* rule = rule_from_user(name);
     if (rule == nullptr) {
       complain(fmt::format("explain: there is no rule {}.{} 'gltfx rules' lists them all.",
-                           quoted(name), suggest_code(name)));
+                           gltfx::quoted(name), suggest_code(name)));
       code = ExitCode::usage;
       continue;
     }

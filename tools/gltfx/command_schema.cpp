@@ -21,7 +21,7 @@ std::string unknown_name(const schema::Set& set, const std::string& name) {
   std::vector<std::string_view> names = core_type_names(set);
   for (const schema::Extension& extension : set.extensions()) names.push_back(extension.name);
   return fmt::format("schema: nothing is known of {}.{} 'gltfx schema' lists all names.",
-                     quoted(name), suggestion(name, names));
+                     gltfx::quoted(name), suggestion(name, names));
 }
 
 ExitCode print_schema(const schema::Set& set, const SchemaRequest& request) {

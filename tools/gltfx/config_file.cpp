@@ -95,10 +95,10 @@ class Reader {
         read_member(inner, value, "budgets.", by_path, values);
       }
     } else if (known != nullptr) {
-      complain(line_of(key),
-               fmt::format("{} holds for all paths: it cannot stand in an override", quoted(name)));
+      complain(line_of(key), fmt::format("{} holds for all paths: it cannot stand in an override",
+                                         gltfx::quoted(name)));
     } else {
-      complain(line_of(key), fmt::format("there is no key {}.{}", quoted(name),
+      complain(line_of(key), fmt::format("there is no key {}.{}", gltfx::quoted(name),
                                          suggestion(name, names(by_path))));
     }
   }
@@ -169,7 +169,7 @@ class Reader {
     }
     const auto read = request_of(words);
     if (word.empty() || (list && word.find(',') != std::string::npos)) {
-      complain(line_of(node), fmt::format("{}: {} is no value", key.name, quoted(word)));
+      complain(line_of(node), fmt::format("{}: {} is no value", key.name, gltfx::quoted(word)));
     } else if (!read) {
       const std::string& message = read.error().message;
       complain(line_of(node),

@@ -10,6 +10,8 @@ target_include_directories(gltfx_schema_core PUBLIC
   $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(gltfx_schema_core PUBLIC gltfx_json PRIVATE gltfx_options fmt::fmt)
+# make_set.cpp needs the schemas that this library does not have; a program that has none does not take it.
+gltfx_group(gltfx_schema_core ALONE schema/make_set.cpp)
 
 add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/embed.cpp)
 target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options)
