@@ -27,7 +27,7 @@ bool begins_glb(std::string_view head) {
   return head.starts_with(kMagic) || kMagic.starts_with(head);
 }
 
-bool is_control(char c) {
+bool is_binary_byte(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte < 0x20 && (byte < '\t' || byte > '\r');
 }
@@ -52,7 +52,7 @@ Format sniff(std::string_view head, std::size_t file_size, std::string_view name
   if (is_git_lfs_pointer(head, file_size)) return Format::git_lfs_pointer;
   if (begins_json(head)) return Format::gltf;
   if (named_glb(name)) return Format::glb;
-  return std::any_of(head.begin(), head.end(), is_control) ? Format::unknown : Format::gltf;
+  return std::any_of(head.begin(), head.end(), is_binary_byte) ? Format::unknown : Format::gltf;
 }
 
 }  // namespace gltfx::container
