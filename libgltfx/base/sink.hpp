@@ -9,7 +9,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "base/code.hpp"
 #include "base/json_pointer.hpp"
 #include "base/span.hpp"
 
@@ -17,10 +19,19 @@ namespace gltfx {
 
 /// One finding as a phase hands it over.
 struct Finding {
-  std::string_view code;  ///< static storage: the code of a rule
-  std::string message;    ///< one sentence; asset text in it is neutralised by the formatters
-  std::string help;       ///< what to do in this very case; may be empty
-  Span span;              ///< bytes of the JSON text to mark; empty: no place in the text
+  explicit Finding(Code rule) : code(rule) {}
+  Finding(Code rule, std::string text, std::string what_to_do = {}, Span place = {},
+          std::optional<Severity> level = {})
+      : code(rule),
+        message(std::move(text)),
+        help(std::move(what_to_do)),
+        span(place),
+        severity(level) {}
+
+  Code code;
+  std::string message;  ///< one sentence; asset text in it is neutralised by the formatters
+  std::string help;     ///< what to do in this very case; may be empty
+  Span span;            ///< bytes of the JSON text to mark; empty: no place in the text
   std::optional<Severity> severity;  ///< instead of the rule's default
   std::uint64_t count = 1;           ///< faults of this kind that one finding stands for
   /// Tells findings of one code at one place apart, such as the member that an object lacks: those

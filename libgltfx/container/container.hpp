@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/code.hpp"
 #include "base/result.hpp"
 #include "base/shared_text.hpp"
 #include "base/span.hpp"
@@ -33,7 +34,7 @@ enum class Format : std::uint8_t {
 
 /// A fault of the container. `code` is a rule's code (Khronos names for GLB faults).
 struct ContainerFault {
-  std::string_view code;
+  Code code;
   std::uint64_t offset = 0;  ///< byte in the file
   std::string message;
   std::string help;

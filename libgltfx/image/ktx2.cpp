@@ -6,6 +6,7 @@
 #include <bit>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "image/ktx2_parts.hpp"
 
 namespace gltfx::image {
@@ -33,7 +34,7 @@ void read_fields(Cursor& at, Ktx2& file) {
 void check_fields(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   const auto bad = [&](std::string problem) {
-    reading.fault("KTX2_HEADER_INVALID", std::move(problem));
+    reading.fault(Code::KTX2_HEADER_INVALID, std::move(problem));
   };
   if (file.width == 0) bad("pixelWidth is 0.");
   if (file.depth != 0 && file.height == 0) bad("pixelDepth is given without pixelHeight.");
@@ -59,7 +60,7 @@ void check_fields(Ktx2Reading& reading) {
 Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
                std::uint64_t alignment) {
   const auto bad = [&](std::string problem) {
-    reading.fault("KTX2_INDEX_INVALID", std::string(name) + std::move(problem));
+    reading.fault(Code::KTX2_INDEX_INVALID, std::string(name) + std::move(problem));
     return Ktx2Range();
   };
   if (range.length == 0) return range.offset == 0 ? range : bad(" has an offset but no bytes.");
@@ -76,7 +77,7 @@ Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
 // index do not notice. After other faults nobody knows where the parts begin.
 void check_gaps(Ktx2Reading& reading, std::uint64_t index_end) {
   const auto bad = [&](std::string problem) {
-    reading.tolerated_fault("KTX2_INDEX_INVALID", std::move(problem));
+    reading.tolerated_fault(Code::KTX2_INDEX_INVALID, std::move(problem));
   };
   if (reading.descriptor.length == 0 || !reading.file.faults.empty()) return;
   if (reading.descriptor.offset != index_end) {
@@ -100,7 +101,7 @@ void check_order(Ktx2Reading& reading, std::uint64_t index_end) {
   for (const Ktx2Range& range : {reading.descriptor, reading.metadata, reading.global}) {
     if (range.length == 0) continue;
     if (range.offset < end) {
-      reading.fault("KTX2_INDEX_INVALID", "Parts of the file overlap or are out of order.");
+      reading.fault(Code::KTX2_INDEX_INVALID, "Parts of the file overlap or are out of order.");
       return;
     }
     end = range.end();
@@ -162,15 +163,16 @@ Ktx2 read_ktx2(std::span<const std::byte> bytes) {
   Cursor at(bytes);
   at.skip(kIdentifierBytes);
   if (bytes.size() < kKtx2HeaderBytes) {
-    reading.fault("IMAGE_UNEXPECTED_EOS", "The image ends after " + std::to_string(bytes.size()) +
-                                              " bytes, before its header does.");
+    reading.fault(
+        Code::IMAGE_UNEXPECTED_EOS,
+        "The image ends after " + std::to_string(bytes.size()) + " bytes, before its header does.");
     return file;
   }
   read_fields(at, file);
   check_fields(reading);
   read_index(at, reading);
   if (!read_levels(at, file)) {
-    reading.fault("IMAGE_UNEXPECTED_EOS", "The image ends inside its level index.");
+    reading.fault(Code::IMAGE_UNEXPECTED_EOS, "The image ends inside its level index.");
     return file;
   }
   check_order(reading, kKtx2HeaderBytes + kKtx2LevelBytes * file.levels.size());

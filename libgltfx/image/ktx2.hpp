@@ -30,6 +30,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/code.hpp"
 #include "image/header.hpp"
 
 namespace gltfx::image {
@@ -45,7 +46,7 @@ struct Ktx2Level {
 };
 
 struct Ktx2Fault {
-  std::string_view code;   ///< static storage: the code of a rule
+  Code code;
   std::string problem;     ///< one sentence
   bool tolerated = false;  ///< readers show the image all the same, though not always as meant
 };

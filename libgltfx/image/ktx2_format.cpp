@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "image/ktx2_parts.hpp"
 #include "image/vk_format.hpp"
 
@@ -162,8 +163,8 @@ class FormatCheck {
   void check() {
     const Ktx2& file = reading_.file;
     if (const std::uint32_t size = type_size(format_); file.type_size != size) {
-      reading_.fault("KTX2_HEADER_INVALID", fmt::format("typeSize is {}; for {} it is {}.",
-                                                        file.type_size, format_.name(), size));
+      reading_.fault(Code::KTX2_HEADER_INVALID, fmt::format("typeSize is {}; for {} it is {}.",
+                                                            file.type_size, format_.name(), size));
     }
     const Blocks blocks = blocks_of(format_);
     if (reading_.color_model != blocks.model) {
@@ -180,7 +181,9 @@ class FormatCheck {
     return fmt::format("vkFormat is {} ({}), but {}.", reading_.file.vk_format, format_.name(),
                        problem);
   }
-  void bad(std::string_view problem) { reading_.fault("KTX2_FORMAT_MISMATCH", sentence(problem)); }
+  void bad(std::string_view problem) {
+    reading_.fault(Code::KTX2_FORMAT_MISMATCH, sentence(problem));
+  }
 
   // Former editions wrote no bytes where data are supercompressed.
   void check_blocks(const Blocks& blocks) {
@@ -233,13 +236,13 @@ class FormatCheck {
       bad(fmt::format("the transfer function of the descriptor is {}, not that of sRGB",
                       file.transfer));
     } else if (declared && !format_.is_srgb() && format_.has_srgb_variant) {
-      reading_.tolerated_fault("KTX2_FORMAT_MISMATCH",
+      reading_.tolerated_fault(Code::KTX2_FORMAT_MISMATCH,
                                sentence("the transfer function of the descriptor is that of sRGB, "
                                         "for which there is another vkFormat"));
     }
     const bool plain = format_.type.ends_with("INT") || is_depth_or_stencil(format_);
     if (plain && (file.transfer != 0 || file.primaries != 0)) {
-      reading_.tolerated_fault("KTX2_FORMAT_MISMATCH",
+      reading_.tolerated_fault(Code::KTX2_FORMAT_MISMATCH,
                                sentence("the descriptor gives its numbers a colour space"));
     }
   }
@@ -257,7 +260,7 @@ std::string named(std::uint32_t value) {
 void check_universal(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (file.vk_format != 0) {
-    reading.fault("KTX2_FORMAT_MISMATCH",
+    reading.fault(Code::KTX2_FORMAT_MISMATCH,
                   fmt::format("vkFormat is {}, but colorModel of the descriptor is {}, for which "
                               "it must be 0.",
                               named(file.vk_format), model_text(reading)));
@@ -266,7 +269,7 @@ void check_universal(Ktx2Reading& reading) {
   const bool etc1s = file.model == Ktx2Model::etc1s;
   if (etc1s && !vendor && !reading.has_scheme(Ktx2Scheme::basis_lz)) {
     reading.fault(
-        "KTX2_HEADER_INVALID",
+        Code::KTX2_HEADER_INVALID,
         fmt::format("supercompressionScheme is {}, but ETC1S needs 1, BasisLZ.", file.scheme));
   }
 }
@@ -276,12 +279,13 @@ void check_universal(Ktx2Reading& reading) {
 void check_ktx2_format(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (is_prohibited_vk_format(file.vk_format)) {
-    return reading.fault("KTX2_HEADER_INVALID", fmt::format("vkFormat is {}, which KTX2 prohibits.",
-                                                            named(file.vk_format)));
+    return reading.fault(
+        Code::KTX2_HEADER_INVALID,
+        fmt::format("vkFormat is {}, which KTX2 prohibits.", named(file.vk_format)));
   }
   if (!file.described) return;
   if (reading.has_scheme(Ktx2Scheme::basis_lz) && file.model != Ktx2Model::etc1s) {
-    reading.fault("KTX2_HEADER_INVALID",
+    reading.fault(Code::KTX2_HEADER_INVALID,
                   "supercompressionScheme is 1, BasisLZ, but the descriptor does not say ETC1S.");
   }
   if (file.model == Ktx2Model::etc1s || file.model == Ktx2Model::uastc) {
@@ -290,7 +294,7 @@ void check_ktx2_format(Ktx2Reading& reading) {
   const auto format = vk_format(file.vk_format);
   if (format) return FormatCheck(reading, *format).check();
   if (file.vk_format == 0 && is_known_to_vulkan(reading.color_model)) {
-    reading.fault("KTX2_FORMAT_MISMATCH",
+    reading.fault(Code::KTX2_FORMAT_MISMATCH,
                   fmt::format("vkFormat is 0, but colorModel of the descriptor is {}, for which "
                               "Vulkan has formats.",
                               model_text(reading)));

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "image/ktx2_parts.hpp"
 
 namespace gltfx::image {
@@ -76,7 +77,7 @@ class LevelCheck {
   }
 
   void bad(std::size_t index, std::string problem) {
-    reading_.fault("KTX2_LEVEL_INVALID", "Level " + std::to_string(index) + ' ' + problem);
+    reading_.fault(Code::KTX2_LEVEL_INVALID, "Level " + std::to_string(index) + ' ' + problem);
   }
 
   // Only bytes that are not supercompressed are aligned, to texel blocks and to 4.
@@ -158,13 +159,13 @@ void check_images(Ktx2Reading& reading, Cursor at) {
     for (std::uint64_t i = 0; i < images; ++i) {
       const std::uint32_t flags = at.le32();
       if ((flags & ~kInterFrame) != 0 || (flags != 0 && i == 0)) {
-        return reading.tolerated_fault("KTX2_GLOBAL_DATA_INVALID",
+        return reading.tolerated_fault(Code::KTX2_GLOBAL_DATA_INVALID,
                                        "The flags of image " + std::to_string(i) + " of level " +
                                            std::to_string(index) + " are " + std::to_string(flags) +
                                            ", which is not possible.");
       }
       if (is_image_sound(at, file.levels[index], alpha)) continue;
-      reading.fault("KTX2_GLOBAL_DATA_INVALID",
+      reading.fault(Code::KTX2_GLOBAL_DATA_INVALID,
                     "The slices of level " + std::to_string(index) + " do not lie inside it.");
       return;
     }
@@ -176,10 +177,10 @@ void check_images(Ktx2Reading& reading, Cursor at) {
 void check_ktx2_levels(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (file.level_count == 0 && is_block_model(reading)) {
-    reading.fault("KTX2_HEADER_INVALID", "levelCount is 0, but blocks cannot be scaled down.");
+    reading.fault(Code::KTX2_HEADER_INVALID, "levelCount is 0, but blocks cannot be scaled down.");
   }
   if (file.height == 0 && is_block_model(reading)) {
-    reading.fault("KTX2_HEADER_INVALID", "pixelHeight is 0, but blocks have a height.");
+    reading.fault(Code::KTX2_HEADER_INVALID, "pixelHeight is 0, but blocks have a height.");
   }
   LevelCheck check(reading);
   for (std::size_t i = 0; i < file.levels.size(); ++i) check.check(i);
@@ -187,7 +188,7 @@ void check_ktx2_levels(Ktx2Reading& reading) {
 
 void check_ktx2_global(Ktx2Reading& reading) {
   const auto bad = [&](std::string problem) {
-    reading.fault("KTX2_GLOBAL_DATA_INVALID", std::move(problem));
+    reading.fault(Code::KTX2_GLOBAL_DATA_INVALID, std::move(problem));
   };
   const Ktx2& file = reading.file;
   if (!reading.has_scheme(Ktx2Scheme::basis_lz)) {

@@ -39,10 +39,10 @@ struct Ktx2Reading {
   std::array<std::uint8_t, 2> plane_bytes{};  ///< of a texel block in the first two planes
   std::vector<Ktx2Sample> samples;
 
-  void fault(std::string_view code, std::string problem) {
+  void fault(Code code, std::string problem) {
     file.faults.push_back({code, std::move(problem), false});
   }
-  void tolerated_fault(std::string_view code, std::string problem) {
+  void tolerated_fault(Code code, std::string problem) {
     file.faults.push_back({code, std::move(problem), true});
   }
   bool has_scheme(Ktx2Scheme scheme) const {

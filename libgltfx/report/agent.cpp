@@ -72,7 +72,7 @@ class AgentWriter final : public ReportWriter {
   std::string help_for(const Diagnostic& finding) const {
     if (!finding.help.empty()) return safe(finding.help);
     const RuleDescription* rule = find_rule_in(options_.rules, finding.code);
-    return rule != nullptr ? std::string(rule->remedy) : std::string();
+    return rule != nullptr ? std::string(rule->help) : std::string();
   }
 
   static void remark(std::string_view label, std::string_view text, std::string& out) {

@@ -115,7 +115,7 @@ void write_rule(Writer& writer, const RuleDescription& rule) {
   writer.begin_object();
   writer.member("summary", rule.summary);
   writer.member("why", rule.why);
-  writer.member("remedy", rule.remedy);
+  writer.member("help", rule.help);
   writer.end_object();
 }
 

@@ -24,10 +24,17 @@ std::string code_block(std::string_view text) {
 }
 
 std::string help_markdown(const RuleDescription& rule) {
-  std::string text = fmt::format("{}\n\n**What to do:** {}\n", rule.why, rule.remedy);
+  std::string text = fmt::format("{}\n\n**How to fix it:** {}\n", rule.why, rule.help);
   if (!rule.bad.empty()) text += "\nAn asset that raises it:\n\n" + code_block(rule.bad);
-  if (!rule.good.empty()) text += "\nThe same asset, mended:\n\n" + code_block(rule.good);
+  if (!rule.good.empty()) text += "\nThe same asset, fixed:\n\n" + code_block(rule.good);
   return text;
+}
+
+// The page of the rule where the build knows of one, else the section of the specification.
+std::string help_uri(const RuleDescription& rule) {
+  constexpr std::string_view kDocs = GLTFX_DOCS_URL;
+  if (!kDocs.empty()) return fmt::format("{}/schema/rules/{}.md", kDocs, rule.code);
+  return std::string(rule.link.empty() ? kSpecification : rule.link);
 }
 
 // "UNUSED_OBJECT" as "UnusedObject".
@@ -85,13 +92,13 @@ void SarifRules::write_rule(json::Writer& writer, const Met& met) const {
   if (rule != nullptr) {
     writer.member("name", friendly_name(met.code));
     write_text(writer, "shortDescription", fmt::format("{}.", rule->summary));
-    write_text(writer, "fullDescription", rule->why);
+    write_text(writer, "fullDescription", rule->checks);
     writer.key("help");
     writer.begin_object();
-    writer.member("text", fmt::format("{} {}", rule->why, rule->remedy));
+    writer.member("text", fmt::format("{} {}", rule->why, rule->help));
     writer.member("markdown", help_markdown(*rule));
     writer.end_object();
-    writer.member("helpUri", kSpecification);
+    writer.member("helpUri", help_uri(*rule));
   }
   writer.key("defaultConfiguration");
   writer.begin_object();

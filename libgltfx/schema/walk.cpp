@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -33,7 +34,7 @@ Walker::Walker(const json::Document& document, const Set& set, const CheckOption
 CheckResult Walker::run() {
   const json::NodeId root = document_.root();
   if (!document_.is_object(root)) {
-    report({}, "TYPE_MISMATCH", document_.span(root),
+    report({}, Code::TYPE_MISMATCH, document_.span(root),
            "The document is " + shown(values_, {root}) + "; it must be an object.",
            "a glTF document begins with { and has at least \"asset\": { \"version\": \"2.0\" }");
     return std::move(result_);
@@ -114,10 +115,9 @@ Path Walker::path_of(json::NodeId node, Step step) const {
   return top_->path;
 }
 
-void Walker::report(const Path& path, std::string_view code, Span span, std::string message,
-                    std::string help, std::optional<Severity> severity) {
-  Finding finding;
-  finding.code = code;
+void Walker::report(const Path& path, Code code, Span span, std::string message, std::string help,
+                    std::optional<Severity> severity) {
+  Finding finding(code);
   finding.message = std::move(message);
   finding.help = std::move(help);
   finding.span = span;

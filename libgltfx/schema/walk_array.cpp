@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -183,7 +184,7 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
       judge(items, value, {path, index});
     }
     if (shape.unique_items && !seen.insert(number)) {
-      report({path, index}, "DUPLICATE_ELEMENTS", at.number().span,
+      report({path, index}, Code::DUPLICATE_ELEMENTS, at.number().span,
              name_of(path) + " has " + shown(values_, value) + " more than once.");
     }
   }
@@ -192,7 +193,7 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
 void Walker::count_items(const Shape& shape, std::uint64_t size, Value value, const Path& path) {
   unset_ = true;
   if (size == 0) {
-    report(path, "EMPTY_ENTITY", values_.span(value),
+    report(path, Code::EMPTY_ENTITY, values_.span(value),
            name_of(path) + " is an empty array; it must have " +
                count_phrase(shape.min_items, shape.max_items, "element", "elements") + ".",
            path.parent() != nullptr && shape.min_items == 1
@@ -200,7 +201,7 @@ void Walker::count_items(const Shape& shape, std::uint64_t size, Value value, co
                : "");
     return;
   }
-  report(path, "ARRAY_LENGTH_NOT_IN_LIST", values_.span(value),
+  report(path, Code::ARRAY_LENGTH_NOT_IN_LIST, values_.span(value),
          name_of(path) + " has " + std::to_string(size) + (size == 1 ? " element" : " elements") +
              "; it must have " +
              count_phrase(shape.min_items, shape.max_items, "element", "elements") + ".");
@@ -284,7 +285,7 @@ void Walker::unique_items(const Frame& frame) {
     if (document_.is_string(element))
       content.replace(1, std::string::npos, document_.string(element));
     if (!seen.insert(std::move(content)).second) {
-      report({frame.path, index}, "DUPLICATE_ELEMENTS", document_.span(element),
+      report({frame.path, index}, Code::DUPLICATE_ELEMENTS, document_.span(element),
              name_of(frame.path) + " has " + shown(values_, {element}) + " more than once.");
     }
     ++index;
@@ -298,7 +299,7 @@ bool Walker::bad_index(ShapeId id, Value value, const Path& path) {
   if (!shape.ref || shape.types != kInteger) return false;
   if (values_.has_type(value, kInteger) && values_.number(value).value >= 0) return false;
   lose_reference(id);
-  report(path, "INVALID_INDEX", values_.span(value),
+  report(path, Code::INVALID_INDEX, values_.span(value),
          name_of(path) + " is " + shown(values_, value) + "; it must be an index, counted from 0.");
   return true;
 }
@@ -317,13 +318,13 @@ bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uin
                               "; it must be " + type_phrase(shape.types) + ".";
   const std::string help = type_help(set_, values_, shape, value);
   if (shape.types == kObject && is_root_array) {
-    report({array, index}, "TYPE_MISMATCH", values_.span(value), message, help);
+    report({array, index}, Code::TYPE_MISMATCH, values_.span(value), message, help);
   } else if (at_element) {
     unset_ = true;
-    report({array, index}, "ARRAY_TYPE_MISMATCH", values_.span(value), message, help);
+    report({array, index}, Code::ARRAY_TYPE_MISMATCH, values_.span(value), message, help);
   } else if (khronos() || !told) {
     told = unset_ = true;
-    report(array, "ARRAY_TYPE_MISMATCH", values_.span(value), message, help);
+    report(array, Code::ARRAY_TYPE_MISMATCH, values_.span(value), message, help);
   }
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -41,7 +42,7 @@ void Walker::further(ShapeId id, Value value, const Path& path, bool walked) {
   } else if (values_.kind(value) != json::Kind::number_array) {
     judge(id, value, path);
   } else if (!holds_(id, value)) {
-    report(path, "CONDITION_MISMATCH", values_.span(value),
+    report(path, Code::CONDITION_MISMATCH, values_.span(value),
            name_of(path) + " does not have the form it must have here.");
   }
 }
@@ -59,7 +60,7 @@ void Walker::alternatives(ShapeId id, const std::vector<ShapeId>& branches, bool
         if (there && std::find(both.begin(), both.end(), name) == both.end()) both.push_back(name);
       }
     }
-    report(path, both.empty() ? "CONDITION_MISMATCH" : "ONE_OF_MISMATCH",
+    report(path, both.empty() ? Code::CONDITION_MISMATCH : Code::ONE_OF_MISMATCH,
            both.empty() || value.element != nullptr ? values_.span(value) : opening(value.node),
            both.empty()
                ? name_of(path) + " fits several forms that exclude each other."
@@ -83,7 +84,8 @@ void Walker::no_alternative(const std::vector<ShapeId>& branches, bool exactly_o
   }
   const json::Kind kind = values_.kind(value);
   if (kind == json::Kind::object && wanted.size() == branches.size()) {
-    report(path, exactly_one ? "ONE_OF_MISMATCH" : "UNDEFINED_PROPERTY", opening(value.node),
+    report(path, exactly_one ? Code::ONE_OF_MISMATCH : Code::UNDEFINED_PROPERTY,
+           opening(value.node),
            name_of(path) + " must have " + join_or(wanted) + "; it has " +
                (wanted.size() == 2 ? "neither" : "none") + ".");
     return;
@@ -95,7 +97,8 @@ void Walker::no_alternative(const std::vector<ShapeId>& branches, bool exactly_o
   std::string message =
       name_of(path) + " is " + shown(values_, value) + "; it must be " + join_or(forms) + ".";
   if (list) return report_unlisted(path, span, std::move(message), {});
-  report(path, number ? "VALUE_NOT_IN_RANGE" : "CONDITION_MISMATCH", span, std::move(message));
+  report(path, number ? Code::VALUE_NOT_IN_RANGE : Code::CONDITION_MISMATCH, span,
+         std::move(message));
 }
 
 void Walker::forbidden(const Shape& shape, Value value, const Path& path) {
@@ -109,14 +112,14 @@ void Walker::forbidden(const Shape& shape, Value value, const Path& path) {
   if (names.size() == 1) {
     const json::NodeId member = document_.find(value.node, names.front());
     const Path place(path, key_of(member));
-    report(place, "CONDITION_MISMATCH", document_.span(member - 1),
+    report(place, Code::CONDITION_MISMATCH, document_.span(member - 1),
            quoted(names.front()) + " must not be here beside the other members.",
            "remove the member");
   } else if (names.size() > 1) {
-    report(path, "ONE_OF_MISMATCH", opening(value.node),
+    report(path, Code::ONE_OF_MISMATCH, opening(value.node),
            all_of_phrase(names) + " exclude each other; only one of them may be there.");
   } else {
-    report(path, "CONDITION_MISMATCH", object ? opening(value.node) : values_.span(value),
+    report(path, Code::CONDITION_MISMATCH, object ? opening(value.node) : values_.span(value),
            name_of(path) + " is " + shown(values_, value) + ", which is not allowed here.");
   }
 }
@@ -133,7 +136,7 @@ void Walker::dependencies(const Frame& frame) {
     if (needed != json::kNoNode && !is_hidden(needed)) continue;
     const std::string name = quoted(*plan.name);
     const std::string other = quoted(*plan.other);
-    report({frame.path, key_of(member)}, "UNSATISFIED_DEPENDENCY", document_.span(member - 1),
+    report({frame.path, key_of(member)}, Code::UNSATISFIED_DEPENDENCY, document_.span(member - 1),
            fmt::format("{} needs {} beside it.", name, other),
            fmt::format("add {}, or remove {}", other, name));
   }

@@ -2,6 +2,7 @@
 // extensionsUsed and extensionsRequired.
 #include <cstddef>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/extension_names.hpp"
 #include "schema/form_check.hpp"
@@ -60,23 +61,23 @@ void Walker::declarations() {
     // In the default profile rules behind the walk say so: they know what names are in use, and
     // what is used.
     if (khronos() && !is_extension_name(name)) {
-      report(path, "INVALID_EXTENSION_NAME_FORMAT", span,
+      report(path, Code::INVALID_EXTENSION_NAME_FORMAT, span,
              quoted(name) + " is no name of an extension; names look like VENDOR_what_it_does.");
     }
     const ExtensionId id = set_.find_extension(name);
     if (khronos() && !looks_into(id, name)) {
-      report(path, "UNSUPPORTED_EXTENSION", span,
+      report(path, Code::UNSUPPORTED_EXTENSION, span,
              quoted(name) + " is not supported: what it says was not checked.");
     }
     if (!looks_into(id, name) || is_required(name)) return;
     if (set_.extensions()[id].must_be_required != MustBeRequired::always) return;
-    report(path, "NON_REQUIRED_EXTENSION", span,
+    report(path, Code::NON_REQUIRED_EXTENSION, span,
            quoted(name) + " cannot be optional: readers without it read the asset wrongly.",
            "add \"" + name + "\" to \"extensionsRequired\"");
   });
   each("extensionsRequired", [&](const Path& path, const std::string& name, Span span) {
     if (is_declared(name)) return;
-    report(path, "UNUSED_EXTENSION_REQUIRED", span,
+    report(path, Code::UNUSED_EXTENSION_REQUIRED, span,
            quoted(name) + " is required but not listed in 'extensionsUsed'.",
            "add \"" + printable(name) + "\" to \"extensionsUsed\"");
   });

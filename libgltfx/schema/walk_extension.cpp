@@ -2,6 +2,7 @@
 // The objects inside `extensions`: declared, at home, in good company.
 #include <algorithm>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/extension_names.hpp"
 #include "schema/phrases.hpp"
@@ -15,7 +16,7 @@ bool Walker::push_extensions(Frame& host) {
   if (node == json::kNoNode || host.further) return false;
   const Path path(host.path, "extensions");
   if (!document_.is_object(node)) {
-    report(path, "TYPE_MISMATCH", document_.span(node),
+    report(path, Code::TYPE_MISMATCH, document_.span(node),
            "'extensions' is " + shown(values_, {node}) + "; it must be an object.",
            document_.is_array(node) ? "write { \"KHR_…\": { … } }" : "");
     drop(node);
@@ -75,7 +76,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
     result_.extensions_seen.emplace_back(name);
   }
   if (!document_.is_object(node)) {
-    report(path, "TYPE_MISMATCH", document_.span(node),
+    report(path, Code::TYPE_MISMATCH, document_.span(node),
            quoted(name) + " is " + shown(values_, {node}) + "; an extension must be an object.",
            "write { }");
     // For the Khronos validator it has no members, which may be another fault.
@@ -84,7 +85,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
   }
   const ExtensionId id = names_.extension(key);
   if (!is_declared(key)) {
-    report(path, "UNDECLARED_EXTENSION", document_.span(node - 1),
+    report(path, Code::UNDECLARED_EXTENSION, document_.span(node - 1),
            quoted(name) + " is used here but not declared.", undeclared_help(id, name));
   }
   if (!looks_into(id, name)) return false;
@@ -108,7 +109,7 @@ ShapeId Walker::home(const Frame& frame, ExtensionId id, const Path& path, json:
   const Extension& extension = set_.extensions()[id];
   std::vector<std::string> homes;
   for (const auto& entry : extension.homes) homes.push_back(set_.type(entry.first).name);
-  report(path, "UNEXPECTED_EXTENSION_OBJECT", document_.span(node - 1),
+  report(path, Code::UNEXPECTED_EXTENSION_OBJECT, document_.span(node - 1),
          quoted(extension.name) + " has no meaning on " + quoted(set_.type(frame.type).name) + ".",
          homes.empty() ? "it has no object; name it in \"extensionsUsed\" only"
                        : "it belongs on " + join_or(homes));
@@ -151,7 +152,7 @@ void Walker::exclusions(const Frame& frame, ExtensionId id, const Path& path, js
     if (plan.other != kNone && excludes(plan.other, id) && position(plan.other) < position(id))
       continue;
     const std::string& name = set_.extensions()[id].name;
-    report(path, "EXTENSION_EXCLUDED", document_.span(node - 1),
+    report(path, Code::EXTENSION_EXCLUDED, document_.span(node - 1),
            quoted(name) + " and " + quoted(plan.relation->extension) +
                " exclude each other: " + plan.relation->because,
            "remove one of the two");
@@ -164,16 +165,16 @@ void Walker::companions(const Frame& frame, ExtensionId id, const Path& path, js
   for (const RelationPlan& needed : plan.requires_) {
     if (is_present(frame, needed)) continue;
     const std::string& other = needed.relation->extension;
-    Finding finding{
-        "EXTENSION_COMPANION_MISSING",
+    Finding finding(
+        Code::EXTENSION_COMPANION_MISSING,
         quoted(name) + " needs " + quoted(other) + " beside it: " + needed.relation->because,
-        "add " + quoted(other) + " to the same object", document_.span(node - 1), std::nullopt};
-    finding.severity = needed.relation->error ? Severity::error : Severity::warning;
+        "add " + quoted(other) + " to the same object", document_.span(node - 1),
+        needed.relation->error ? Severity::error : Severity::warning);
     schema_sink_.report(path, std::move(finding));
   }
   for (const RelationPlan& stronger : plan.overridden_by) {
     if (!is_present(frame, stronger) || !has_effect(frame, stronger)) continue;
-    report(path, "EXTENSION_OVERRIDDEN", document_.span(node - 1),
+    report(path, Code::EXTENSION_OVERRIDDEN, document_.span(node - 1),
            quoted(name) + " is overridden by " + quoted(stronger.relation->extension) + ": " +
                stronger.relation->because);
   }
@@ -210,7 +211,7 @@ void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, js
     if (other != id && !told) others.push_back(quoted(document_.key(key)));
   }
   if (others.empty()) return;
-  report(path, "MULTIPLE_EXTENSIONS", document_.span(node - 1),
+  report(path, Code::MULTIPLE_EXTENSIONS, document_.span(node - 1),
          quoted(set_.extensions()[id].name) + " is meant to stand alone; here it stands beside " +
              join_or(others, 4) + ".");
 }
@@ -230,7 +231,7 @@ void Walker::fallback(const Frame& frame, ExtensionId id, const Path& path, json
     return other.must_be_required == MustBeRequired::without_fallback && is_required(other.name);
   };
   if (std::any_of(frame.siblings.begin(), frame.siblings.end(), guards)) return;
-  report(path, "NON_REQUIRED_EXTENSION", document_.span(node - 1),
+  report(path, Code::NON_REQUIRED_EXTENSION, document_.span(node - 1),
          quoted(extension.name) + " stands here without " + quoted(extension.fallback) +
              ", so that readers without the extension have nothing.",
          "add \"" + extension.name + "\" to \"extensionsRequired\", or add " +

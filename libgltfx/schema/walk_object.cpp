@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -88,7 +89,7 @@ void Walker::other_name(Frame& frame, json::KeyId key, json::NodeId value) {
   if (type.open || other_shape(frame, document_.key(key)) != kNone) return;
   if (!frame.further) return unexpected(frame, key, value);
   if (!type.strict) return;
-  report({frame.path, document_.key(key)}, "CONDITION_MISMATCH", document_.span(value - 1),
+  report({frame.path, document_.key(key)}, Code::CONDITION_MISMATCH, document_.span(value - 1),
          quoted(document_.key(key)) + " must not be here beside the other members.");
 }
 
@@ -102,7 +103,7 @@ void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
   if (help.empty() && set_.find_extension(document_.key(key)) != kNone) {
     help = "put it inside \"extensions\": { … }";
   }
-  report({frame.path, document_.key(key)}, "UNEXPECTED_PROPERTY", document_.span(value - 1),
+  report({frame.path, document_.key(key)}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1),
          quoted(document_.key(key)) + " is not a property of " + quoted(type.name) + ".",
          std::move(help));
 }
@@ -110,11 +111,11 @@ void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
 void Walker::renamed(const Frame& frame, const Property& property, json::NodeId value) {
   const std::string_view name = key_of(value);
   if (khronos()) {
-    report({frame.path, name}, "UNEXPECTED_PROPERTY", document_.span(value - 1),
+    report({frame.path, name}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1),
            quoted(name) + " is not a property of " + quoted(set_.type(frame.type).name) + ".");
     return;
   }
-  report({frame.path, name}, "PROPERTY_RENAMED", document_.span(value - 1),
+  report({frame.path, name}, Code::PROPERTY_RENAMED, document_.span(value - 1),
          quoted(name) + " was the name of " + quoted(property.name) + " in an earlier draft.",
          "rename it to " + quoted(property.name));
 }
@@ -166,7 +167,7 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
   const PropertyPlan& plan = tables_.types[frame.type].properties[index];
   if (plan.deprecated && !khronos()) {
     const Property& property = set_.type(frame.type).properties[index];
-    report({frame.path, key_of(node)}, "PROPERTY_DEPRECATED", document_.span(node - 1),
+    report({frame.path, key_of(node)}, Code::PROPERTY_DEPRECATED, document_.span(node - 1),
            quoted(property.name) + " is no longer to be used: " + property.deprecated + ".");
   }
   if (plan.shape == kNone) return false;
@@ -219,8 +220,7 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
     const Property* own = set_.find_property(frame.parent->type, property.name);
     if (own != nullptr) described = own;
   }
-  Finding finding;
-  finding.code = "UNDEFINED_PROPERTY";
+  Finding finding(Code::UNDEFINED_PROPERTY);
   finding.message = quoted(property.name) + " is missing; it is required here.";
   finding.help = missing_help(set_, *described);
   finding.span = opening(frame.node);
@@ -277,11 +277,11 @@ bool Walker::count_members(const Frame& frame) {
   const std::size_t count = document_.object_size(frame.node);
   if (count >= shape.min_properties && count <= shape.max_properties) return true;
   if (count == 0) {
-    report(frame.path, "EMPTY_ENTITY", document_.span(frame.node),
+    report(frame.path, Code::EMPTY_ENTITY, document_.span(frame.node),
            name_of(frame.path) + " is empty; it must have at least one member.");
     return false;
   }
-  report(frame.path, "PROPERTY_COUNT_NOT_IN_RANGE", opening(frame.node),
+  report(frame.path, Code::PROPERTY_COUNT_NOT_IN_RANGE, opening(frame.node),
          name_of(frame.path) + " has " + std::to_string(count) + " members; it must have " +
              count_phrase(shape.min_properties, shape.max_properties, "member", "members") + ".");
   return false;
@@ -300,7 +300,7 @@ void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId va
     return l.kind == Literal::Kind::string && l.string == name;
   };
   if (shape.pattern != kNone && !set_.matches(shape.pattern, name)) {
-    report(path, "PATTERN_MISMATCH", span,
+    report(path, Code::PATTERN_MISMATCH, span,
            "The name " + quoted(name) + " is not allowed here; names must match " +
                std::string(set_.pattern_text(shape.pattern)) + ".");
   } else if (!shape.literals.empty() &&
@@ -312,7 +312,7 @@ void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId va
   }
   const std::size_t length = count_code_points(name);
   if (length >= shape.min_length && length <= shape.max_length) return;
-  report(path, "STRING_LENGTH_NOT_IN_RANGE", span,
+  report(path, Code::STRING_LENGTH_NOT_IN_RANGE, span,
          "The name " + quoted(name) + " must have " +
              count_phrase(shape.min_length, shape.max_length, "character", "characters") + ".");
 }
@@ -321,7 +321,7 @@ void Walker::leave(Frame& frame) {
   const bool has_extras = frame.extras != json::kNoNode && !frame.further &&
                           !(khronos() && document_.kind(frame.extras) == json::Kind::null);
   if (has_extras && !document_.is_object(frame.extras)) {
-    report({frame.path, "extras"}, "NON_OBJECT_EXTRAS", document_.span(frame.extras),
+    report({frame.path, "extras"}, Code::NON_OBJECT_EXTRAS, document_.span(frame.extras),
            "'extras' is " + shown(values_, {frame.extras}) + "; an object is easier to share.",
            "put the value under a name of its own inside an object");
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Indices and names that refer to other objects.
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -71,15 +72,16 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
         array->size == 1 ? "there is only 1." : "there are " + std::to_string(array->size) + ".";
   }
   Sink& sink = options_.part == Part::form ? schema_sink_ : reference_sink_;
-  sink.report(path,
-              {"UNRESOLVED_REFERENCE", std::move(message), {}, values_.span(value), std::nullopt});
+  sink.report(
+      path,
+      {Code::UNRESOLVED_REFERENCE, std::move(message), {}, values_.span(value), std::nullopt});
 }
 
 void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const Path& path) {
   const std::uint32_t target = tables_.name_target_of[shape];
   if (targets_.has_name(target, name)) return;
   reference_sink_.report(path,
-                         {"UNRESOLVED_NAME",
+                         {Code::UNRESOLVED_NAME,
                           name_of(path) + " is " + shown(values_, value) + ", but nothing at " +
                               set_.shape(shape).ref_name->text + " has that name.",
                           {},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -129,7 +130,8 @@ bool Walker::in_full(ShapeId id, json::NodeId node, Step step) {
 void Walker::judge(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (shape.never) {
-    report(path, "CONDITION_MISMATCH", values_.span(value), name_of(path) + " must not be here.");
+    report(path, Code::CONDITION_MISMATCH, values_.span(value),
+           name_of(path) + " must not be here.");
     return;
   }
   if (!judge_type(id, value, path)) return;
@@ -144,7 +146,7 @@ bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
   if (values_.has_type(value, shape.types)) return true;
   if (shape.ref) lose_reference(id);
   unset_ = true;
-  report(path, "TYPE_MISMATCH", values_.span(value),
+  report(path, Code::TYPE_MISMATCH, values_.span(value),
          name_of(path) + " is " + shown(values_, value) + "; it must be " +
              type_phrase(shape.types) + ".",
          type_help(set_, values_, shape, value));
@@ -168,7 +170,8 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
   std::string message =
       name_of(path) + " is " + shown(values_, value) + "; it must be " + list_phrase(shape) + ".";
   if (shape.is_const && !khronos()) {
-    report(path, "CONDITION_MISMATCH", values_.span(value), std::move(message), std::move(help));
+    report(path, Code::CONDITION_MISMATCH, values_.span(value), std::move(message),
+           std::move(help));
   } else {
     report_unlisted(path, values_.span(value), std::move(message), std::move(help));
   }
@@ -182,7 +185,7 @@ void Walker::report_unlisted(const Path& path, Span span, std::string message, s
            ", of which nothing is known here, adds the value, use one of the list";
   }
   const bool warning = khronos() || perhaps_added;
-  report(path, "VALUE_NOT_IN_LIST", span, std::move(message), std::move(help),
+  report(path, Code::VALUE_NOT_IN_LIST, span, std::move(message), std::move(help),
          warning ? Severity::warning : std::optional<Severity>());
 }
 
@@ -204,7 +207,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   if (is_reference && number < 0) {
     lose_reference(id);
     unset_ = true;
-    report(path, "INVALID_INDEX", values_.span(value),
+    report(path, Code::INVALID_INDEX, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; an index counts from 0.");
     return;
   }
@@ -213,7 +216,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   if (low || high || !std::isfinite(number)) {
     const std::string range = range_phrase(shape);
     unset_ = true;
-    report(path, "VALUE_NOT_IN_RANGE", values_.span(value),
+    report(path, Code::VALUE_NOT_IN_RANGE, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be " +
                (range.empty() ? "a finite number" : range) + ".",
            range_help(shape, number, path));
@@ -221,7 +224,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   }
   // A rule tells the Khronos validator's only one, for it comes behind other members.
   if (shape.multiple_of != 0 && !khronos() && !is_multiple(number, shape.multiple_of)) {
-    report(path, "VALUE_MULTIPLE_OF", values_.span(value),
+    report(path, Code::VALUE_MULTIPLE_OF, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a multiple of " +
                number_text(shape.multiple_of) + ".");
   }
@@ -235,20 +238,20 @@ void Walker::judge_text(ShapeId id, Value value, const Path& path) {
   if (shape.min_length != 0 || shape.max_length != UINT64_MAX) {
     const std::size_t length = count_code_points(text);
     if (length < shape.min_length || length > shape.max_length) {
-      report(path, "STRING_LENGTH_NOT_IN_RANGE", values_.span(value),
+      report(path, Code::STRING_LENGTH_NOT_IN_RANGE, values_.span(value),
              name_of(path) + " has " + std::to_string(length) + " characters; it must have " +
                  count_phrase(shape.min_length, shape.max_length, "character", "characters") + ".");
     }
   }
   if (shape.pattern != kNone && !set_.matches(shape.pattern, text)) {
     unset_ = true;
-    report(path, "PATTERN_MISMATCH", values_.span(value),
+    report(path, Code::PATTERN_MISMATCH, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must match " +
                std::string(set_.pattern_text(shape.pattern)) + ".");
   }
   if (shape.format == "json-pointer" && !is_json_pointer(text)) {
     unset_ = true;
-    report(path, "PATTERN_MISMATCH", values_.span(value),
+    report(path, Code::PATTERN_MISMATCH, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a JSON pointer.",
            "a pointer begins with '/', and '~' in a name is written ~0");
   }

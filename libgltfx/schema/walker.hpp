@@ -172,8 +172,8 @@ class Walker {
   bool is_hidden(json::NodeId value) const { return document_.is_hidden(value); }
   void drop(json::NodeId value);
   void lose(const Frame& frame);
-  void report(const Path& path, std::string_view code, Span span, std::string message,
-              std::string help = {}, std::optional<Severity> severity = {});
+  void report(const Path& path, Code code, Span span, std::string message, std::string help = {},
+              std::optional<Severity> severity = {});
   /// A value outside a list.
   void report_unlisted(const Path& path, Span span, std::string message, std::string help);
   Span opening(json::NodeId object) const;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/codes.hpp"
+
 namespace gltfx::upgrade {
 namespace {
 
@@ -26,10 +28,10 @@ std::string_view without_padding(std::string_view json) {
 }
 
 // What keeps nobody from finding the chunks: wrong lengths are counted anew, the rest is kept.
-constexpr std::array<std::string_view, 9> kHarmless{
-    "GLB_CHUNK_LENGTH_UNALIGNED", "GLB_CHUNK_TOO_BIG",        "GLB_DUPLICATE_CHUNK",
-    "GLB_EMPTY_BIN_CHUNK",        "GLB_EXTRA_DATA",           "GLB_LENGTH_MISMATCH",
-    "GLB_LENGTH_TOO_SMALL",       "GLB_UNEXPECTED_BIN_CHUNK", "GLB_UNKNOWN_CHUNK_TYPE"};
+constexpr std::array<Code, 9> kHarmless{
+    Code::GLB_CHUNK_LENGTH_UNALIGNED, Code::GLB_CHUNK_TOO_BIG,        Code::GLB_DUPLICATE_CHUNK,
+    Code::GLB_EMPTY_BIN_CHUNK,        Code::GLB_EXTRA_DATA,           Code::GLB_LENGTH_MISMATCH,
+    Code::GLB_LENGTH_TOO_SMALL,       Code::GLB_UNEXPECTED_BIN_CHUNK, Code::GLB_UNKNOWN_CHUNK_TYPE};
 
 bool is_harmless(const container::ContainerFault& fault) {
   return std::find(kHarmless.begin(), kHarmless.end(), fault.code) != kHarmless.end();

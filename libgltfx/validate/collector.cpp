@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "json/lines.hpp"
 
 namespace gltfx::validate {
@@ -21,7 +22,7 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
 
 // Hash of a code at one severity: an error is never folded into an info.
 std::uint64_t code_key(const Finding& finding, Severity severity) {
-  return mix(std::hash<std::string_view>{}(finding.code), static_cast<std::uint64_t>(severity));
+  return mix(static_cast<std::uint64_t>(finding.code), static_cast<std::uint64_t>(severity));
 }
 
 // Hash of that, what the finding is about and of the path with every array index made equal.
@@ -50,9 +51,9 @@ std::string nearest_name(model::Lookup& lookup, const json::Document& document,
   return name != json::kNoNode && document.is_string(name) ? document.string(name) : std::string();
 }
 
-// A remedy in the form of the other helps: no capital, no full stop where it is one sentence.
-std::string as_help(std::string_view remedy) {
-  std::string help(remedy);
+// The help of a rule in the form of the others: no capital, no full stop where it is one sentence.
+std::string as_help(std::string_view text) {
+  std::string help(text);
   const bool word = help.size() > 1 && help[1] >= 'a' && help[1] <= 'z';
   if (word && help[0] >= 'A' && help[0] <= 'Z') help[0] = static_cast<char>(help[0] + 32);
   if (help.find(". ") == std::string::npos && !help.empty() && help.back() == '.') help.pop_back();
@@ -61,23 +62,20 @@ std::string as_help(std::string_view remedy) {
 
 }  // namespace
 
-bool accepts(const ValidateOptions& options, std::string_view code, Severity severity) {
-  if (!options.select.empty() && options.select.find(code) == options.select.end()) return false;
-  if (options.ignore.find(code) != options.ignore.end()) return false;
-  if (options.profile == Profile::khronos) {
-    const RuleDescription* rule = find_rule(code);
-    return rule == nullptr || rule->khronos;
-  }
+bool accepts(const ValidateOptions& options, Code code, Severity severity) {
+  const RuleDescription& rule = description(code);
+  if (!options.select.empty() && !options.select.contains(rule.code)) return false;
+  if (options.ignore.contains(rule.code)) return false;
+  if (options.profile == Profile::khronos) return rule.khronos;
   // Hints are for those who ask: by profile, by name, or by a severity of their own.
   return severity != Severity::hint || options.profile == Profile::strict ||
-         options.select.find(code) != options.select.end();
+         options.select.contains(rule.code);
 }
 
-bool is_heard(const ValidateOptions& options, std::string_view code) {
-  const RuleDescription* rule = find_rule(code);
-  if (rule == nullptr) return false;
-  const auto wanted = options.severity.find(code);
-  return accepts(options, code, wanted != options.severity.end() ? wanted->second : rule->severity);
+bool is_heard(const ValidateOptions& options, Code code) {
+  const RuleDescription& rule = description(code);
+  const auto wanted = options.severity.find(rule.code);
+  return accepts(options, code, wanted != options.severity.end() ? wanted->second : rule.severity);
 }
 
 Collector::Collector(const ValidateOptions& options) : options_(options) {
@@ -95,12 +93,12 @@ void Collector::PhaseSink::report(const Path& path, Finding finding) {
 }
 
 Severity Collector::severity_of(const Finding& finding) const {
-  const auto wanted = options_.severity.find(finding.code);
+  const RuleDescription& rule = description(finding.code);
+  const auto wanted = options_.severity.find(rule.code);
   if (wanted != options_.severity.end()) return wanted->second;
-  if (options_.lfs == LfsPolicy::error && finding.code == "GIT_LFS_POINTER") return Severity::error;
-  if (finding.severity) return *finding.severity;
-  const RuleDescription* rule = find_rule(finding.code);
-  return rule != nullptr ? rule->severity : Severity::error;
+  if (options_.lfs == LfsPolicy::error && finding.code == Code::GIT_LFS_POINTER)
+    return Severity::error;
+  return finding.severity.value_or(rule.severity);
 }
 
 // Takes the text of the finding when it returns true.
@@ -172,12 +170,11 @@ Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding fin
   const bool between_objects = phase == Phase::reference || phase == Phase::resources;
   const bool loud = severity == Severity::error || severity == Severity::warning;
   if (finding.help.empty() && between_objects && loud && options_.profile != Profile::khronos) {
-    const RuleDescription* rule = find_rule(finding.code);
-    if (rule != nullptr) finding.help = as_help(rule->remedy);
+    finding.help = as_help(description(finding.code).help);
   }
   Entry entry;
   entry.span = finding.span;
-  entry.diagnostic.code = finding.code;
+  entry.diagnostic.code = code_name(finding.code);
   entry.diagnostic.severity = severity;
   entry.diagnostic.message = std::move(finding.message);
   entry.diagnostic.help = std::move(finding.help);

@@ -31,11 +31,11 @@ inline constexpr std::size_t kPhaseCount = 6;
 static_assert(kPhaseCount <= Suppressions::kMostPhases);
 
 /// Whether the options ask for findings of that code and severity.
-bool accepts(const ValidateOptions& options, std::string_view code, Severity severity);
+bool accepts(const ValidateOptions& options, Code code, Severity severity);
 
 /// Whether a rule would be heard as loud as its table says, or as the options say instead: what
 /// nobody hears need not be computed.
-bool is_heard(const ValidateOptions& options, std::string_view code);
+bool is_heard(const ValidateOptions& options, Code code);
 
 /// Findings of one asset. One about how objects go together that has no help of its own gets the
 /// rule's remedy. A repeat of a code at the same place, but for array indices, is folded

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/json_pointer.hpp"
 #include "base/sink.hpp"
@@ -78,19 +79,25 @@ struct MemberRuleEntry {
 using MapRule = void (*)(const Context& context, std::string_view name, json::NodeId value,
                          const Path& map_path);
 
-/// What a file of rules/ contributes: its table first, then what runs. Object rules of one type run
-/// in the order of the families, link rules in the order of `families()`.
+/// What a file of rules/ contributes to the walk over the objects and to the phase of links. It
+/// defines `const Family& NAME_family()`, which the build finds.
 struct Family {
-  std::string_view name;
-  std::span<const RuleDescription> rules;
-  std::span<const ObjectRuleEntry> object_rules;
-  std::span<const LinkRule> link_rules;
+  /// Rules of one kind run by ascending order of their families: the parts of the specification
+  /// from the bottom up, then extensions, then what depends on them all.
+  unsigned order = 0;
+  std::span<const ObjectRuleEntry> object_rules = {};
+  std::span<const LinkRule> link_rules = {};
   std::span<const MemberRuleEntry> member_rules = {};
   std::span<const MapRule> map_rules = {};
 };
 
-/// All families, in the order their link rules run. One line a file in rules/families.cpp.
+/// All families, sorted by their order.
 std::span<const Family> families();
+/// As the build lists them, in no order of meaning.
+std::vector<Family> all_families();
+
+/// What is known of a rule.
+const RuleDescription& description(Code code);
 
 /// Span of a member's value, or of the first character of the object when it has no such member.
 Span member_span(const json::Document& document, json::NodeId object, std::string_view member);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "container/content.hpp"
 #include "model/fields.hpp"
@@ -88,12 +89,12 @@ class ImageCheck {
         report_unrecognized(*data.bytes);
         break;
       case HeaderFault::Kind::unexpected_end:
-        resource_.find("IMAGE_UNEXPECTED_EOS", "",
+        resource_.find(Code::IMAGE_UNEXPECTED_EOS, "",
                        fmt::format("The image ends after {} bytes, before its header does.",
                                    data.bytes->size()));
         break;
       case HeaderFault::Kind::invalid:
-        resource_.find("IMAGE_DATA_INVALID", "", fault.problem);
+        resource_.find(Code::IMAGE_DATA_INVALID, "", fault.problem);
         break;
     }
   }
@@ -111,7 +112,7 @@ class ImageCheck {
   }
 
   void report_unrecognized(const container::Bytes& bytes) const {
-    constexpr std::string_view kCode = "IMAGE_UNRECOGNIZED_FORMAT";
+    constexpr Code kCode = Code::IMAGE_UNRECOGNIZED_FORMAT;
     if (khronos()) {
       resource_.find(kCode, "", "The first bytes are those of no image format known here.", {},
                      Severity::warning);
@@ -149,12 +150,12 @@ class ImageCheck {
   void check_format(image::Format format) const {
     const std::string_view type = image::media_type(format);
     if (!contains(enabled_, type)) {
-      resource_.find("IMAGE_NON_ENABLED_MIME_TYPE", "",
+      resource_.find(Code::IMAGE_NON_ENABLED_MIME_TYPE, "",
                      fmt::format("The image is {}; that format needs an extension.", type));
     }
     const std::string said = declared_.empty() || declared_ == type ? uri_type() : declared_;
     if (said.empty() || said == type) return;
-    resource_.find("IMAGE_MIME_TYPE_INVALID",
+    resource_.find(Code::IMAGE_MIME_TYPE_INVALID,
                    resource_.info.storage == "buffer-view" ? "bufferView" : "uri",
                    fmt::format("The image says it is {}, but its bytes are those of {}.",
                                gltfx::quoted(said), type));
@@ -184,27 +185,27 @@ class ImageCheck {
 
   void check_header(const Header& header) const {
     if (!header.doubt.empty() && !khronos()) {
-      resource_.find("IMAGE_DATA_INVALID", "", header.doubt);
+      resource_.find(Code::IMAGE_DATA_INVALID, "", header.doubt);
       return;
     }
     if (!header.remark.empty() && !khronos()) {
-      resource_.find("IMAGE_DATA_INVALID", "", header.remark, {},
+      resource_.find(Code::IMAGE_DATA_INVALID, "", header.remark, {},
                      header.readers_differ ? Severity::warning : Severity::info);
     }
     const auto power_of_two = [](std::uint32_t size) {
       return size != 0 && (size & (size - 1)) == 0;
     };
     if (!power_of_two(header.width) || !power_of_two(header.height)) {
-      resource_.find("IMAGE_NPOT_DIMENSIONS", "",
+      resource_.find(Code::IMAGE_NPOT_DIMENSIONS, "",
                      fmt::format("The image has {} by {} pixels.", header.width, header.height), {},
                      khronos() ? std::optional<Severity>() : Severity::hint);
     }
     if (header.bits == 16) {
-      resource_.find("IMAGE_16_BIT", "", "The image has 16 bits a channel.");
+      resource_.find(Code::IMAGE_16_BIT, "", "The image has 16 bits a channel.");
     }
     if (header.interlaced) {
       resource_.find(
-          "IMAGE_INTERLACED", "",
+          Code::IMAGE_INTERLACED, "",
           fmt::format("The image is {}.",
                       header.format == image::Format::jpeg ? "progressive" : "interlaced"));
     }
@@ -228,7 +229,7 @@ class ImageCheck {
     add(header.exif && !khronos(), "EXIF metadata");
     add(header.animated && webp && khronos(), "an animation");
     if (!features.empty()) {
-      resource_.find("IMAGE_FEATURES_UNSUPPORTED", "",
+      resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
                      fmt::format("The image has {}; glTF ignores it.", features), {},
                      khronos() ? std::nullopt : std::optional(Severity::info));
     }
@@ -237,7 +238,7 @@ class ImageCheck {
 
   // A PNG has a still image beside its frames, a WebP has frames only.
   void check_animation(bool webp) const {
-    resource_.find("IMAGE_FEATURES_UNSUPPORTED", "",
+    resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
                    webp ? "The image is animated: some readers show its first frame, others fail."
                         : "The image is animated; glTF shows its still image only.");
   }
@@ -283,7 +284,7 @@ struct TextureCheck {
     if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
     // A format that no extension brings is a fault of the image, and has been reported there.
     if (!contains(enabled, type) && !context.khronos()) return;
-    report_member(sink, context, path, object, "source", "TEXTURE_INVALID_IMAGE_MIME_TYPE",
+    report_member(sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,
                   fmt::format("Image {} is {}; it must be {} here.", *source, gltfx::quoted(type),
                               join_or(allowed)));
   }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/extension_walk.hpp"
 
@@ -94,7 +95,7 @@ void check_light_profiles(const Context& context, const model::ResourceData& res
     if (!bytes) continue;
     const std::span<const std::byte> view = bytes->view();
     std::string fault = fault_of({reinterpret_cast<const char*>(view.data()), view.size()});
-    if (!fault.empty()) resource.find("IES_PROFILE_INVALID", "", std::move(fault));
+    if (!fault.empty()) resource.find(Code::IES_PROFILE_INVALID, "", std::move(fault));
   }
 }
 

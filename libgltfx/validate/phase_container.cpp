@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
+#include "base/codes.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
@@ -16,9 +17,8 @@ bool ends_with_ignoring_case(std::string_view text, std::string_view ending) {
   return true;
 }
 
-Finding make(std::string_view code, std::string message, std::string help = {}) {
-  Finding finding;
-  finding.code = code;
+Finding make(Code code, std::string message, std::string help = {}) {
+  Finding finding(code);
   finding.message = std::move(message);
   finding.help = std::move(help);
   return finding;
@@ -36,13 +36,13 @@ bool check_promised_glb(const container::Container& container, Collector& collec
   if (container.format == container::Format::glb) return true;
   if (container.format == container::Format::empty) {
     collector.report_offset(Phase::container, 0,
-                            make("GLB_UNEXPECTED_END_OF_HEADER", "The file is empty."));
+                            make(Code::GLB_UNEXPECTED_END_OF_HEADER, "The file is empty."));
     return false;
   }
   const bool json = container.format == container::Format::gltf;
   collector.report_offset(
       Phase::container, 0,
-      make("GLB_INVALID_MAGIC", "The file does not begin with the four bytes 'glTF'.",
+      make(Code::GLB_INVALID_MAGIC, "The file does not begin with the four bytes 'glTF'.",
            json ? "this looks like JSON text: rename the file to .gltf" : ""));
   return false;
 }
@@ -57,7 +57,7 @@ bool check_container(const container::Container& container, const std::string& n
     report.unverified = 1;
     collector.report_file(
         Phase::container,
-        make("GIT_LFS_POINTER", "The file is a Git-LFS pointer; the asset itself is not here.",
+        make(Code::GIT_LFS_POINTER, "The file is a Git-LFS pointer; the asset itself is not here.",
              "fetch it with 'git lfs pull'"));
     return false;
   }
@@ -67,15 +67,16 @@ bool check_container(const container::Container& container, const std::string& n
   if (container.format == container::Format::glb && ends_with_ignoring_case(name, ".gltf")) {
     collector.report_file(
         Phase::container,
-        make("FILE_EXTENSION_MISMATCH", "The file is named .gltf but holds a binary GLB.",
+        make(Code::FILE_EXTENSION_MISMATCH, "The file is named .gltf but holds a binary GLB.",
              "rename it to .glb: loaders choose their reader by the name"));
   }
   if (container.format == container::Format::unknown ||
       container.format == container::Format::empty) {
     const bool empty = container.format == container::Format::empty;
-    collector.report_file(Phase::container,
-                          make("INVALID_JSON", empty ? "The file is empty."
-                                                     : "The file is neither JSON text nor a GLB."));
+    collector.report_file(
+        Phase::container,
+        make(Code::INVALID_JSON,
+             empty ? "The file is empty." : "The file is neither JSON text nor a GLB."));
     return false;
   }
   return container.json != nullptr;

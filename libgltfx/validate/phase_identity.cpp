@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/format_version.hpp"
 #include "model/limits.hpp"
@@ -25,8 +26,7 @@ bool check_version_1(const Context& context, Collector& collector) {
   if (!old_glb && !model::is_gltf_1(context.document)) return false;
   json::NodeId place = json::kNoNode;
   asset_version(context.document, place);
-  Finding finding;
-  finding.code = "GLTF_VERSION_1";
+  Finding finding(Code::GLTF_VERSION_1);
   finding.message = "This is a glTF 1.0 asset; only glTF 2.0 can be checked.";
   finding.span =
       place != json::kNoNode ? context.document.span(place) : first_character(context.document, 0);
@@ -40,8 +40,7 @@ void name_draft(const Context& context) {
   const Path root;
   const Path asset(root, "asset");
   const Path version(asset, "version");
-  Finding finding;
-  finding.code = "GLTF_VERSION_2_1_DRAFT";
+  Finding finding(Code::GLTF_VERSION_2_1_DRAFT);
   finding.message = "The asset says it is glTF 2.1, a draft; it is checked by the rules of 2.0.";
   finding.span = context.document.span(place);
   context.schema_sink.report(version, std::move(finding));
@@ -55,8 +54,7 @@ void name_vrm(const Context& context) {
   for (const std::string_view name : {std::string_view("VRM"), std::string_view("VRMC_vrm")}) {
     const json::NodeId object = context.document.find(extensions, name);
     if (object == json::kNoNode) continue;
-    Finding finding;
-    finding.code = "VRM_ASSET";
+    Finding finding(Code::VRM_ASSET);
     finding.message = fmt::format(
         "This is a VRM {} avatar; it is checked as glTF, without the "
         "rules of VRM.",
@@ -70,8 +68,7 @@ bool check_amount(const Context& context, Collector& collector) {
   const std::uint64_t count = model::root_objects(context.document);
   const std::uint64_t most = model::most_root_objects(context.document.text().size());
   if (count <= most) return true;
-  Finding finding;
-  finding.code = "TOO_MANY_OBJECTS";
+  Finding finding(Code::TOO_MANY_OBJECTS);
   finding.message = fmt::format(
       "The root arrays have {} elements; at most {} are expected in {} bytes of JSON. Nothing more "
       "is checked.",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "json/parse.hpp"
 #include "validate/phases.hpp"
@@ -10,26 +11,26 @@
 namespace gltfx::validate {
 namespace {
 
-std::string_view code_of(json::Fault fault) {
+Code code_of(json::Fault fault) {
   switch (fault) {
     case json::Fault::invalid_utf8:
-      return "JSON_INVALID_UTF8";
+      return Code::JSON_INVALID_UTF8;
     case json::Fault::too_deep:
-      return "JSON_TOO_DEEP";
+      return Code::JSON_TOO_DEEP;
     case json::Fault::trailing_data:
-      return "JSON_TRAILING_DATA";
+      return Code::JSON_TRAILING_DATA;
     case json::Fault::byte_order_mark:
-      return "JSON_BYTE_ORDER_MARK";
+      return Code::JSON_BYTE_ORDER_MARK;
     case json::Fault::trailing_comma:
-      return "JSON_TRAILING_COMMA";
+      return Code::JSON_TRAILING_COMMA;
     case json::Fault::missing_comma:
-      return "JSON_MISSING_COMMA";
+      return Code::JSON_MISSING_COMMA;
     case json::Fault::duplicate_key:
-      return "JSON_DUPLICATE_KEY";
+      return Code::JSON_DUPLICATE_KEY;
     case json::Fault::lone_surrogate:
-      return "JSON_LONE_SURROGATE";
+      return Code::JSON_LONE_SURROGATE;
     case json::Fault::number_out_of_range:
-      return "JSON_NUMBER_OUT_OF_RANGE";
+      return Code::JSON_NUMBER_OUT_OF_RANGE;
     case json::Fault::syntax:
     case json::Fault::unexpected_end:
     case json::Fault::control_character:
@@ -39,7 +40,7 @@ std::string_view code_of(json::Fault fault) {
     case json::Fault::too_large:
       break;
   }
-  return "INVALID_JSON";
+  return Code::INVALID_JSON;
 }
 
 std::string default_message(json::Fault fault) {
@@ -126,8 +127,7 @@ std::string help_for(const json::ParseFault& fault, std::string_view text,
 
 void report_fault(const json::ParseFault& fault, std::string_view text,
                   const json::LineIndex& lines, bool khronos, Collector& collector) {
-  Finding finding;
-  finding.code = khronos ? std::string_view("INVALID_JSON") : code_of(fault.fault);
+  Finding finding(khronos ? Code::INVALID_JSON : code_of(fault.fault));
   finding.message = sentence(fault.detail.empty() ? default_message(fault.fault) : fault.detail);
   finding.help = help_for(fault, text, lines);
   finding.span = fault.span;
@@ -137,8 +137,7 @@ void report_fault(const json::ParseFault& fault, std::string_view text,
 // A text with thousands of equal faults is told once that there are more.
 void report_unlisted(std::uint64_t count, Collector& collector) {
   if (count == 0) return;
-  Finding finding;
-  finding.code = "INVALID_JSON";
+  Finding finding(Code::INVALID_JSON);
   finding.message = fmt::format("The text has {} more faults like these.", count);
   collector.report_file(Phase::json, std::move(finding));
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "base/codes.hpp"
 #include "container/content.hpp"
 #include "container/mapping.hpp"
 #include "container/uri.hpp"
@@ -40,13 +41,13 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared)
   resource.info.storage = "glb";
   if (!glb.bin) {
     if (!glb.cut_short) {
-      resource.find("BUFFER_MISSING_GLB_DATA", "",
+      resource.find(Code::BUFFER_MISSING_GLB_DATA, "",
                     "The buffer has no uri, so it is the BIN chunk, but the file has none.");
     }
     return std::nullopt;
   }
   if (glb.bin->length > padded(declared)) {
-    resource.find("BUFFER_GLB_CHUNK_TOO_BIG", "",
+    resource.find(Code::BUFFER_GLB_CHUNK_TOO_BIG, "",
                   fmt::format("The BIN chunk has {} bytes more than the buffer and its padding.",
                               glb.bin->length - padded(declared)));
   }
@@ -60,8 +61,7 @@ std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uin
   if (bytes.size() >= declared) return bytes;
   if (cut_short) return std::nullopt;  // said of the container
   const json::NodeId member = resource.context.document.find(resource.object, "byteLength");
-  Finding finding;
-  finding.code = "BUFFER_BYTE_LENGTH_MISMATCH";
+  Finding finding(Code::BUFFER_BYTE_LENGTH_MISMATCH);
   finding.message =
       fmt::format("The buffer declares {} bytes, but only {} are there.", declared, bytes.size());
   finding.span = resource.context.document.span(member);
@@ -126,7 +126,7 @@ bool is_torn_file(const Context& context, json::NodeId object, bool buffer,
 }
 
 void report_torn(const Context& context, model::RootArray array, std::size_t index, Sink& sink) {
-  report_element(sink, context, array, index, "IO_ERROR",
+  report_element(sink, context, array, index, Code::IO_ERROR,
                  "The file became shorter while it was read; what was missing counts as zeros.");
 }
 

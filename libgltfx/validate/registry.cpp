@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every rule of every family, sorted by code: what `explain`, `rules` and the collector look things
-// up in.
+// Rules by code and by name, and families in order.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -8,19 +7,6 @@
 #include "validate/context.hpp"
 
 namespace gltfx {
-
-std::span<const RuleDescription> rules() {
-  static const std::vector<RuleDescription> sorted = [] {
-    std::vector<RuleDescription> all;
-    for (const validate::Family& family : validate::families()) {
-      all.insert(all.end(), family.rules.begin(), family.rules.end());
-    }
-    std::sort(all.begin(), all.end(),
-              [](const RuleDescription& a, const RuleDescription& b) { return a.code < b.code; });
-    return all;
-  }();
-  return sorted;
-}
 
 std::string_view pixel_level_name(PixelLevel level) {
   constexpr std::array<std::string_view, 3> kNames{"headers", "needed", "all"};
@@ -40,5 +26,21 @@ const RuleDescription* find_rule(std::string_view code) {
       [](const RuleDescription& rule, std::string_view wanted) { return rule.code < wanted; });
   return at != all.end() && at->code == code ? &*at : nullptr;
 }
+
+namespace validate {
+
+std::span<const Family> families() {
+  static const std::vector<Family> sorted = [] {
+    std::vector<Family> all = all_families();
+    std::sort(all.begin(), all.end(),
+              [](const Family& a, const Family& b) { return a.order < b.order; });
+    return all;
+  }();
+  return sorted;
+}
+
+const RuleDescription& description(Code code) { return rules()[static_cast<std::size_t>(code)]; }
+
+}  // namespace validate
 
 }  // namespace gltfx

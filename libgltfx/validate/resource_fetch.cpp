@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "container/resolve_fault.hpp"
 #include "container/uri.hpp"
@@ -16,22 +17,22 @@ namespace {
 
 using container::ResolveFault;
 
-std::string_view code_of(ResolveFault fault) {
+Code code_of(ResolveFault fault) {
   switch (fault) {
     case ResolveFault::outside_root:
-      return "URI_OUTSIDE_ROOT";
+      return Code::URI_OUTSIDE_ROOT;
     case ResolveFault::not_regular:
-      return "RESOURCE_NOT_A_FILE";
+      return Code::RESOURCE_NOT_A_FILE;
     case ResolveFault::no_root:
-      return "RESOURCE_NOT_CHECKED";
+      return Code::RESOURCE_NOT_CHECKED;
     default:
-      return "IO_ERROR";
+      return Code::IO_ERROR;
   }
 }
 
 void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
   ++resource.report.unverified;
-  resource.find("GIT_LFS_POINTER", "uri",
+  resource.find(Code::GIT_LFS_POINTER, "uri",
                 fmt::format("{} is a Git-LFS pointer; its content is not here.",
                             gltfx::quoted(uri.normalized)),
                 "fetch it with 'git lfs pull'");
@@ -43,7 +44,7 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
   resource.info.uri = uri.normalized;
   container::Resolved resolved = resource.context.resolver.open(uri.path);
   if (resolved.fault != ResolveFault::none) {
-    resource.find(resource.context.khronos() ? "IO_ERROR" : code_of(resolved.fault), "uri",
+    resource.find(resource.context.khronos() ? Code::IO_ERROR : code_of(resolved.fault), "uri",
                   container::describe(resolved.fault, uri.normalized, resolved.problem),
                   std::string(container::remedy(resolved.fault)));
     return std::nullopt;
@@ -77,10 +78,9 @@ std::optional<container::Bytes> data_of(const Resource& resource, json::NodeId m
 
 }  // namespace
 
-void Resource::find(std::string_view code, std::string_view member, std::string message,
-                    std::string help, std::optional<Severity> severity) const {
-  Finding finding;
-  finding.code = code;
+void Resource::find(Code code, std::string_view member, std::string message, std::string help,
+                    std::optional<Severity> severity) const {
+  Finding finding(code);
   finding.message = std::move(message);
   finding.help = std::move(help);
   finding.severity = severity;

@@ -24,8 +24,8 @@ struct Resource {
   ResourceInfo& info;  ///< storage and uri are filled in
 
   /// A finding on the object, or on its member where one is named.
-  void find(std::string_view code, std::string_view member, std::string message,
-            std::string help = {}, std::optional<Severity> severity = {}) const;
+  void find(Code code, std::string_view member, std::string message, std::string help = {},
+            std::optional<Severity> severity = {}) const;
 };
 
 /// The bytes that the member `uri` names: mapped, copied or decoded. Nothing when there is no such

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
@@ -113,15 +114,10 @@ std::string nearest_code(std::string_view word) {
 }
 
 // Rules that speak up only in runs that look into pixels, or set budgets, say nothing in others.
-bool may_be_silent(std::string_view code, const ValidateOptions& options) {
-  if (code.substr(0, 7) == "BUDGET_") return true;
-  if (pixel_level(options) != PixelLevel::headers) return false;
-  for (const Family& family : families()) {
-    if (family.name != "texture_pixels") continue;
-    return std::any_of(family.rules.begin(), family.rules.end(),
-                       [&](const RuleDescription& rule) { return rule.code == code; });
-  }
-  return false;
+bool may_be_silent(Code code, const ValidateOptions& options) {
+  const RuleDescription& rule = description(code);
+  if (rule.code.starts_with("BUDGET_")) return true;
+  return rule.pixels && pixel_level(options) == PixelLevel::headers;
 }
 
 }  // namespace
@@ -133,7 +129,7 @@ std::uint64_t Suppressions::Entry::total() const {
 Suppressions::Suppressions(const json::Document& document) : document_(&document) {
   Walk(document).run([this](json::NodeId wish, const std::string& host) { read(wish, host); });
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (!entries_[i].code.empty()) by_code_[entries_[i].code].emplace(entries_[i].host, i);
+    if (entries_[i].code) by_code_[*entries_[i].code].emplace(entries_[i].host, i);
   }
 }
 
@@ -161,7 +157,7 @@ void Suppressions::read_entry(json::NodeId item, const std::string& host, std::s
   if (code == json::kNoNode || !document_->is_string(code)) {
     entry.problem = "an entry of 'ignore' names a rule by its 'code'";
   } else if (const RuleDescription* rule = find_rule(document_->string(code)); rule != nullptr) {
-    entry.code = rule->code;
+    entry.code = static_cast<Code>(rule - rules().data());
   } else {
     const std::string word = document_->string(code);
     entry.problem = fmt::format("there is no rule {}{}", gltfx::quoted(word), nearest_code(word));
@@ -169,8 +165,7 @@ void Suppressions::read_entry(json::NodeId item, const std::string& host, std::s
   entries_.push_back(std::move(entry));
 }
 
-bool Suppressions::covers(std::string_view code, const Path& path, std::size_t phase,
-                          std::uint64_t count) {
+bool Suppressions::covers(Code code, const Path& path, std::size_t phase, std::uint64_t count) {
   const auto places = by_code_.find(code);
   if (places == by_code_.end()) return false;
   std::string pointer = path.pointer();
@@ -196,7 +191,7 @@ void Suppressions::report(const ValidateOptions& options, Sink& sink) const {
 
 void Suppressions::report_entry(const Entry& entry, const ValidateOptions& options,
                                 Sink& sink) const {
-  const auto say = [&](std::string_view code, std::string message, std::string help) {
+  const auto say = [&](Code code, std::string message, std::string help) {
     with_path(entry.place, [&](const Path& path) {
       sink.report(
           path,
@@ -204,18 +199,20 @@ void Suppressions::report_entry(const Entry& entry, const ValidateOptions& optio
     });
   };
   if (!entry.problem.empty()) {
-    return say("SUPPRESSION_INVALID",
+    return say(Code::SUPPRESSION_INVALID,
                fmt::format("This leaves nothing out: {}{}", entry.problem,
                            entry.problem.back() == '?' ? "" : "."),
                R"(write {"ignore": [{"code": "UNUSED_OBJECT", "reason": "..."}]})");
   }
   if (!entry.has_reason) {
-    say("SUPPRESSION_WITHOUT_REASON",
-        fmt::format("{} is left out here without a reason.", entry.code), "say why in 'reason'");
+    say(Code::SUPPRESSION_WITHOUT_REASON,
+        fmt::format("{} is left out here without a reason.", code_name(*entry.code)),
+        "say why in 'reason'");
   }
-  if (entry.total() == 0 && is_heard(options, entry.code) && !may_be_silent(entry.code, options)) {
-    say("SUPPRESSION_UNUSED",
-        fmt::format("{} is not found here, so nothing is left out.", entry.code),
+  if (entry.total() == 0 && is_heard(options, *entry.code) &&
+      !may_be_silent(*entry.code, options)) {
+    say(Code::SUPPRESSION_UNUSED,
+        fmt::format("{} is not found here, so nothing is left out.", code_name(*entry.code)),
         "remove the entry");
   }
 }

@@ -35,7 +35,7 @@ class Suppressions {
 
   bool empty() const { return entries_.empty(); }
   /// Whether a finding at `path` is left out, counted for `phase` (below kMostPhases).
-  bool covers(std::string_view code, const Path& path, std::size_t phase, std::uint64_t count);
+  bool covers(Code code, const Path& path, std::size_t phase, std::uint64_t count);
   /// Findings left out.
   std::uint64_t total() const;
   /// Reports entries that are not understood, have no reason or left nothing out. For when all
@@ -47,8 +47,8 @@ class Suppressions {
     std::string host;   ///< pointer of the object
     std::string place;  ///< pointer of the entry itself
     json::NodeId node;
-    std::string_view code;  ///< of a rule; empty: none that is known
-    std::string problem;    ///< why it is not understood
+    std::optional<Code> code;  ///< nothing: none that is known
+    std::string problem;       ///< why it is not understood
     bool has_reason = false;
     std::array<std::uint64_t, kMostPhases> hits{};
     std::uint64_t total() const;
@@ -61,7 +61,7 @@ class Suppressions {
 
   const json::Document* document_ = nullptr;
   std::vector<Entry> entries_;
-  std::unordered_map<std::string_view, Places> by_code_;  ///< code -> host -> entry
+  std::unordered_map<Code, Places> by_code_;  ///< code -> host -> entry
 };
 
 }  // namespace gltfx::validate

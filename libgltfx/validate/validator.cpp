@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "base/parallel.hpp"
 #include "json/parse.hpp"
 #include "model/info.hpp"
@@ -164,8 +165,7 @@ FileReport unreadable(const std::string& name, const std::string& reason,
   report.path = name;
   report.readable = false;
   Collector collector(options);
-  Finding finding;
-  finding.code = "IO_ERROR";
+  Finding finding(Code::IO_ERROR);
   finding.message = reason;
   collector.report_file(Phase::container, std::move(finding));
   collector.finish(report, json::Document(), 0);

@@ -19,7 +19,7 @@ constexpr std::uint32_t kJsonEnd = 12 + 8 + 28;  // of header and the usual JSON
 std::vector<std::string> codes(const std::vector<ContainerFault>& faults) {
   std::vector<std::string> out;
   for (const ContainerFault& fault : faults) {
-    out.push_back(std::string(fault.code) + "@" + std::to_string(fault.offset));
+    out.push_back(std::string(code_name(fault.code)) + "@" + std::to_string(fault.offset));
   }
   return out;
 }
@@ -251,8 +251,8 @@ TEST(Glb, EveryMessageIsASentenceAndEveryHelpToo) {
   const Container container = open_glb(everything);
   EXPECT_GE(container.faults.size(), 10U);
   for (const ContainerFault& fault : container.faults) {
-    EXPECT_EQ(fault.message.back(), '.') << fault.code;
-    EXPECT_EQ(fault.help.back(), '.') << fault.code;
+    EXPECT_EQ(fault.message.back(), '.') << code_name(fault.code);
+    EXPECT_EQ(fault.help.back(), '.') << code_name(fault.code);
   }
 }
 

@@ -28,7 +28,7 @@ class Promises : public Sink {
  public:
   explicit Promises(const json::Document& document) : document_(document) {}
   void report(const Path& path, Finding finding) override {
-    require(!finding.code.empty() && !finding.message.empty());
+    require(!finding.message.empty());
     require(finding.span.begin < finding.span.end && finding.span.end <= document_.text().size());
     std::optional<std::uint64_t> element;
     require(document_.resolve(path.pointer(), &element) != json::kNoNode);

@@ -11,8 +11,16 @@ namespace {
 using ::testing::EndsWith;
 
 std::string agent(const std::vector<FileReport>& reports, bool quiet = false) {
-  static constexpr std::array<RuleDescription, 1> kRules{
-      {{"VALUE_NOT_IN_RANGE", Severity::error, "S", "W.", "Use another number.", "", ""}}};
+  static constexpr std::array<RuleDescription, 1> kRules{{{.code = "VALUE_NOT_IN_RANGE",
+                                                           .severity = Severity::error,
+                                                           .summary = "S",
+                                                           .checks = "S.",
+                                                           .why = "W.",
+                                                           .help = "Use another number.",
+                                                           .section = "",
+                                                           .link = "",
+                                                           .bad = "",
+                                                           .good = ""}}};
   FormatOptions options;
   options.profile = "default";
   options.pixel_level = "headers";

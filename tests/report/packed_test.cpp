@@ -68,7 +68,8 @@ std::span<const RuleDescription> known() {
     }
     std::vector<RuleDescription> found;
     for (const std::string_view code : codes) {
-      found.push_back({code, Severity::error, {}, {}, {}, {}, {}});
+      found.emplace_back();
+      found.back().code = code;
     }
     return found;
   }();

@@ -19,9 +19,26 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr std::array<RuleDescription, 2> kRules{
-    {{"A_RULE", Severity::error, "It is <b>so", "why", "what to do", "{}", "{}"},
-     {"OTHER_RULE", Severity::info, "other", "why", "what to do", "{}", "{}"}}};
+constexpr std::array<RuleDescription, 2> kRules{{{.code = "A_RULE",
+                                                  .severity = Severity::error,
+                                                  .summary = "It is <b>so",
+                                                  .checks = "It is <b>so.",
+                                                  .why = "why",
+                                                  .help = "what to do",
+                                                  .section = "",
+                                                  .link = "",
+                                                  .bad = "{}",
+                                                  .good = "{}"},
+                                                 {.code = "OTHER_RULE",
+                                                  .severity = Severity::info,
+                                                  .summary = "other",
+                                                  .checks = "other.",
+                                                  .why = "why",
+                                                  .help = "what to do",
+                                                  .section = "",
+                                                  .link = "",
+                                                  .bad = "{}",
+                                                  .good = "{}"}}};
 
 std::string page_of(const std::vector<PageAsset>& assets) {
   PageOptions options;

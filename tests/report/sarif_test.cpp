@@ -16,10 +16,26 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 constexpr std::array<RuleDescription, 2> kRules{
-    {{"TYPE_MISMATCH", Severity::error, "A value has the wrong type", "Readers refuse it.",
-      "Write the right type.", "{\"a\": 1}", "", Fix::none, true},
-     {"UNUSED_OBJECT", Severity::info, "Nothing uses an object", "It costs space.", "Remove it.",
-      "", "", Fix::none, true}}};
+    {{.code = "TYPE_MISMATCH",
+      .severity = Severity::error,
+      .summary = "A value has the wrong type",
+      .checks = "A value has the wrong type. All of it.",
+      .why = "Readers refuse it.",
+      .help = "Write the right type.",
+      .section = "glTF 2.0, Accessors",
+      .link = "https://example.org/gltf#accessors",
+      .bad = "{\"a\": 1}",
+      .good = ""},
+     {.code = "UNUSED_OBJECT",
+      .severity = Severity::info,
+      .summary = "Nothing uses an object",
+      .checks = "Nothing uses an object.",
+      .why = "It costs space.",
+      .help = "Remove it.",
+      .section = "",
+      .link = "",
+      .bad = "",
+      .good = ""}}};
 
 FormatOptions options() {
   FormatOptions options;

@@ -86,8 +86,6 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "compares the two angles of a spot light: a relation between values"},
     {"libgltfx/validate/rules/material_extensions.cpp",
      "rules that compare properties of one extension, or ask for tangents beside a texture"},
-    {"libgltfx/validate/rules/material_extensions_table.cpp",
-     "the texts of those rules tell which extension to add or to leave out"},
     {"libgltfx/validate/rules/variants.hpp",
      "variants are indices into an array elsewhere that must not repeat over all mappings"},
 };

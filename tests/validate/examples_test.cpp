@@ -77,7 +77,7 @@ TEST_P(Examples, TextIsComplete) {
   EXPECT_FALSE(rule.summary.empty());
   EXPECT_NE(rule.summary.back(), '.');
   EXPECT_FALSE(rule.why.empty());
-  EXPECT_FALSE(rule.remedy.empty());
+  EXPECT_FALSE(rule.help.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Rules, Examples, ::testing::ValuesIn(rules().begin(), rules().end()),

@@ -43,11 +43,11 @@ std::string_view fix_text(Fix fix) {
     case Fix::none:
       return "by hand";
     case Fix::safe:
-      return "can be automatic, the picture stays the same";
+      return "can be automated; the picture stays the same";
     case Fix::unsafe:
       break;
   }
-  return "can be automatic, but may change the picture";
+  return "can be automated, but may change the picture";
 }
 
 std::string explanation(const RuleDescription& rule, bool color) {
@@ -58,24 +58,23 @@ std::string explanation(const RuleDescription& rule, bool color) {
   };
   text += fmt::format("{} ({}): {}.\n", style.bold(rule.code),
                       style.severity(rule.severity, severity_name(rule.severity)), rule.summary);
+  heading("What it checks");
+  text += wrapped(rule.checks, kIndent + 2);
   heading("Why it matters");
   text += wrapped(rule.why, kIndent + 2);
-  heading("What to do");
-  text += wrapped(rule.remedy, kIndent + 2);
-  if (!rule.bad.empty()) {
-    heading("An asset that raises it");
-    text += example_text(rule.bad);
-    heading("which is reported as");
-    text += indented(verdict_on(rule, color), kIndent + 2);
-  }
-  if (!rule.good.empty()) {
-    heading("The same asset, mended");
-    text += example_text(rule.good);
-  }
-  heading("Also");
-  text += fmt::format("    mending: {}\n", fix_text(rule.fix));
-  text += rule.khronos ? "    the Khronos validator reports this code too\n"
-                       : "    a rule of gltfx; the Khronos validator does not have it\n";
+  heading("How to fix it");
+  text += wrapped(rule.help, kIndent + 2);
+  heading("Bad");
+  text += example_text(rule.bad);
+  heading("Reported as");
+  text += indented(verdict_on(rule, color), kIndent + 2);
+  heading("Good");
+  text += example_text(rule.good);
+  heading("See also");
+  if (!rule.section.empty()) text += fmt::format("    {}: {}\n", rule.section, rule.link);
+  text += fmt::format("    fix: {}\n", fix_text(rule.fix));
+  text += rule.khronos ? "    the Khronos validator has the same code\n"
+                       : "    the Khronos validator has no such code\n";
   return text;
 }
 

@@ -28,12 +28,16 @@ void write_rule(json::Writer& writer, const RuleDescription& rule) {
   writer.member("code", rule.code);
   writer.member("severity", severity_name(rule.severity));
   writer.member("summary", rule.summary);
+  writer.member("checks", rule.checks);
   writer.member("why", rule.why);
-  writer.member("remedy", rule.remedy);
+  writer.member("help", rule.help);
+  writer.member("section", rule.section);
+  writer.member("link", rule.link);
   writer.member("bad", rule.bad);
   writer.member("good", rule.good);
   writer.member("fix", fix_name(rule.fix));
   writer.member("khronos", rule.khronos);
+  writer.member("pixels", rule.pixels);
   writer.end_object();
 }
 

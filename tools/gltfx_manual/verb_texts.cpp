@@ -78,7 +78,7 @@ which of them is missing.)";
 
 constexpr std::string_view kExplain =
     R"(Prints why a rule exists, what to do about a finding, an asset that raises it, how that is
-reported, and the same asset mended.)";
+reported, and the same asset fixed.)";
 
 constexpr std::string_view kRules =
     R"(Prints the code, severity and summary of every rule. With `--format json` all that

@@ -30,13 +30,16 @@ struct RuleDescription {
   std::string_view code;     ///< SCREAMING_SNAKE, stable once released
   Severity severity;         ///< default severity
   std::string_view summary;  ///< one line, no full stop
+  std::string_view checks;   ///< one paragraph that begins with the summary
   std::string_view why;      ///< one paragraph: what goes wrong in practice
-  std::string_view remedy;   ///< what to do about it, one or two sentences
-  std::string_view
-      bad;  ///< smallest asset that raises exactly this code, as `example_bytes` reads it
-  std::string_view good;  ///< the same asset, mended: raises nothing
-  Fix fix = Fix::none;    ///< what `gltfx upgrade` can do about it
-  bool khronos = false;   ///< the Khronos validator has a code of this name and meaning
+  std::string_view help;     ///< how to fix it, one or two sentences
+  std::string_view section;  ///< of the specification or an extension; empty: a rule of gltfx alone
+  std::string_view link;     ///< URL of the section; empty where there is none
+  std::string_view bad;      ///< smallest asset that raises the rule, as `example_bytes` reads it
+  std::string_view good;     ///< the same asset, fixed: raises nothing
+  Fix fix = Fix::none;       ///< what `gltfx upgrade` can do about it
+  bool khronos = false;      ///< the Khronos validator has a code of this name and meaning
+  bool pixels = false;       ///< needs decoded pixels: see PixelLevel
 };
 
 /// A place in a JSON text. Lines and columns count from 1, columns in UTF-8 characters (code

@@ -42,7 +42,7 @@ function repeats(finding) {
 
 function findingItem(finding) {
   const rule = report.rules[finding.code];
-  const help = finding.help || (rule ? rule.remedy : "");
+  const help = finding.help || (rule ? rule.help : "");
   return make("li.finding." + finding.severity, {},
     make("p", {}, make("span.label.is-" + finding.severity, {}, finding.severity), " ", isolated(finding.message)),
     place(finding),

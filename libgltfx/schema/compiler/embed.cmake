@@ -13,8 +13,14 @@ target_link_libraries(gltfx_schema_core PUBLIC gltfx_json PRIVATE gltfx_options 
 # make_set.cpp needs the schemas that this library does not have; a program that has none does not take it.
 gltfx_group(gltfx_schema_core ALONE schema/make_set.cpp)
 
-add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/embed.cpp)
+add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/embed.cpp
+  schema/compiler/literal.cpp)
 target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options)
+
+add_executable(gltfx_rule_compiler schema/compiler/rule_main.cpp schema/compiler/rule_page.cpp
+  schema/compiler/literal.cpp)
+target_link_libraries(gltfx_rule_compiler PRIVATE gltfx_options)
+target_include_directories(gltfx_rule_compiler PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)
 
 set(schema_root ${PROJECT_SOURCE_DIR}/schema)
 file(GLOB schema_files CONFIGURE_DEPENDS RELATIVE ${schema_root}

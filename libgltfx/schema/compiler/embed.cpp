@@ -1,33 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schema/compiler/embed.hpp"
 
+#include "schema/compiler/literal.hpp"
+
 namespace gltfx::schema {
 namespace {
-
-// As an ordinary string literal, a line at a time; bytes beyond ASCII in octal.
-std::string literal(const std::string& text) {
-  std::string out = "\n    \"";
-  std::size_t column = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\' || c == '?') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20 || byte >= 0x7F) {
-      const char digits[] = {'\\', static_cast<char>('0' + (byte >> 6)),
-                             static_cast<char>('0' + ((byte >> 3) & 7)),
-                             static_cast<char>('0' + (byte & 7))};
-      out.append(digits, 4);
-    } else {
-      out += c;
-    }
-    if (++column == 100) {
-      out += "\"\n    \"";
-      column = 0;
-    }
-  }
-  return out + "\"";
-}
 
 std::string byte_list(const std::string& bytes) {
   std::string out;
@@ -67,10 +44,10 @@ std::string embed(const std::vector<SourceFile>& files, const std::string& image
     const std::string name = "kText" + std::to_string(i);
     out += "constexpr std::string_view " + name + "[]{";
     for (std::size_t at = 0; at < text.size(); at += kPiece) {
-      out += literal(text.substr(at, kPiece)) + ",";
+      out += cpp_literal(text.substr(at, kPiece)) + ",";
     }
     out += "};\n";
-    table += "    {" + literal(files[i].name) + ", " + name + "},\n";
+    table += "    {" + cpp_literal(files[i].name) + ", " + name + "},\n";
   }
   out += "constexpr EmbeddedFile kFiles[]{\n" + table + "};\n\n";
   out +=

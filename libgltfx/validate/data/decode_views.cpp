@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/meshopt_decode.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -22,15 +23,15 @@ std::string_view mode_text(meshopt::Mode mode) {
   return kTexts[static_cast<std::size_t>(mode)];
 }
 
-std::string_view code_of(Fault fault) {
+Code code_of(Fault fault) {
   switch (fault) {
     case Fault::header:
     case Fault::version:
-      return "MESHOPT_INVALID_HEADER";
+      return Code::MESHOPT_INVALID_HEADER;
     case Fault::trailing:
-      return "MESHOPT_TRAILING_BYTES";
+      return Code::MESHOPT_TRAILING_BYTES;
     default:
-      return "MESHOPT_DECODE_FAILED";
+      return Code::MESHOPT_DECODE_FAILED;
   }
 }
 
@@ -76,7 +77,7 @@ class Reporting {
   }
 
  private:
-  void report(const Job& job, std::string_view code, std::string message) const {
+  void report(const Job& job, Code code, std::string message) const {
     const Path root;
     const Path views(root, "bufferViews");
     const Path view(views, std::uint64_t{job.index});
@@ -89,19 +90,20 @@ class Reporting {
     const meshopt::Layout& layout = job.view.layout;
     if (job.fault != Fault::none) return report(job, code_of(job.fault), sentence(job, job.fault));
     if (!job.affordable) {
-      return report(job, "MESHOPT_NOT_DECODED",
+      return report(job, Code::MESHOPT_NOT_DECODED,
                     fmt::format("{} bytes of stream hold {} elements of {} bytes, too many to "
                                 "decode; they were not looked at.",
                                 job.stream.size(), layout.count, layout.stride));
     }
     if (job.misfits.count != 0) {
-      return report(job, "MESHOPT_FILTER_INPUT_INVALID",
+      return report(job, Code::MESHOPT_FILTER_INPUT_INVALID,
                     fmt::format("{} of {} elements are nothing that the filter can take; the "
                                 "first is element {}.",
                                 job.misfits.count, layout.count, job.misfits.first));
     }
     if (job.differs) {
-      report(job, "MESHOPT_FALLBACK_DIFFERS", "The plain copy has other bytes than the stream.");
+      report(job, Code::MESHOPT_FALLBACK_DIFFERS,
+             "The plain copy has other bytes than the stream.");
     }
     if (job.plain) return;
     const bool rounded = layout.filter != meshopt::Filter::none;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "validate/data/kernels.hpp"
 #include "validate/rules/finding.hpp"
@@ -14,22 +15,22 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::array<std::string_view, kFaultKinds> kCodes{
-    "ACCESSOR_INVALID_FLOAT",
-    "ACCESSOR_VECTOR3_NON_UNIT",
-    "ACCESSOR_INVALID_SIGN",
-    "ACCESSOR_NON_CLAMPED",
-    "ACCESSOR_INDEX_OOB",
-    "ACCESSOR_INDEX_PRIMITIVE_RESTART",
-    "ACCESSOR_ANIMATION_INPUT_NEGATIVE",
-    "ACCESSOR_ANIMATION_INPUT_NON_INCREASING",
-    "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION",
-    "ACCESSOR_INVALID_IBM",
-    "INSTANCING_ROTATION_NON_UNIT",
-    "SPLAT_ROTATION_NON_UNIT",
-    "SPLAT_SCALE_NEGATIVE",
-    "SPLAT_OPACITY_OUT_OF_RANGE",
-    "ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE",
+constexpr std::array<Code, kFaultKinds> kCodes{
+    Code::ACCESSOR_INVALID_FLOAT,
+    Code::ACCESSOR_VECTOR3_NON_UNIT,
+    Code::ACCESSOR_INVALID_SIGN,
+    Code::ACCESSOR_NON_CLAMPED,
+    Code::ACCESSOR_INDEX_OOB,
+    Code::ACCESSOR_INDEX_PRIMITIVE_RESTART,
+    Code::ACCESSOR_ANIMATION_INPUT_NEGATIVE,
+    Code::ACCESSOR_ANIMATION_INPUT_NON_INCREASING,
+    Code::ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION,
+    Code::ACCESSOR_INVALID_IBM,
+    Code::INSTANCING_ROTATION_NON_UNIT,
+    Code::SPLAT_ROTATION_NON_UNIT,
+    Code::SPLAT_SCALE_NEGATIVE,
+    Code::SPLAT_OPACITY_OUT_OF_RANGE,
+    Code::ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE,
 };
 
 std::string place_text(const Looked& looked, const Fault& fault) {
@@ -117,9 +118,8 @@ void soften(const Looked& looked, Finding& finding) {
 }
 
 Finding finding_at_bound(const Looked& looked, const Check& check, const BoundFault& fault,
-                         std::string_view code, std::string message) {
-  Finding finding;
-  finding.code = code;
+                         Code code, std::string message) {
+  Finding finding(code);
   finding.message = std::move(message);
   soften(looked, finding);
   finding.span = element_span(looked.context.document, check.place.node, fault.component);
@@ -158,7 +158,7 @@ Finding describe(const Looked& looked, const Check& check, const Fault& fault,
 Finding describe_mismatch(const Looked& looked, const Check& check, const BoundFault& fault) {
   const bool minimum = check.kind == CheckKind::minimum;
   return finding_at_bound(
-      looked, check, fault, minimum ? "ACCESSOR_MIN_MISMATCH" : "ACCESSOR_MAX_MISMATCH",
+      looked, check, fault, minimum ? Code::ACCESSOR_MIN_MISMATCH : Code::ACCESSOR_MAX_MISMATCH,
       fmt::format("The {} is declared as {}, but is {}.", minimum ? "minimum" : "maximum",
                   value_text(fault.declared), value_text(fault.actual)));
 }
@@ -167,7 +167,7 @@ Finding describe_outside(const Looked& looked, const Check& check, const BoundFa
   const bool minimum = check.kind == CheckKind::minimum;
   return finding_at_bound(
       looked, check, fault,
-      minimum ? "ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND" : "ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND",
+      minimum ? Code::ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND : Code::ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND,
       fmt::format("{} of {} elements lie {} the declared {}, {}.", fault.outside, looked.count,
                   minimum ? "below" : "above", minimum ? "minimum" : "maximum",
                   value_text(fault.declared)));
@@ -175,7 +175,7 @@ Finding describe_outside(const Looked& looked, const Check& check, const BoundFa
 
 Finding describe_degenerate(const Looked& looked, const Check& check, std::uint64_t count) {
   return finding_on(
-      looked.context, check.place.node, "ACCESSOR_INDEX_TRIANGLE_DEGENERATE",
+      looked.context, check.place.node, Code::ACCESSOR_INDEX_TRIANGLE_DEGENERATE,
       fmt::format("{} of {} triangles have two equal corners.", count, looked.count / 3));
 }
 

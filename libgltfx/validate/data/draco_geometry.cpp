@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "codec/client.hpp"
 #include "model/draco.hpp"
 #include "validate/data/draco_primitive.hpp"
@@ -54,9 +55,9 @@ class GeometryDecoding {
     const auto* fault = std::get_if<codec::Fault>(decoded);
     const bool known = fault != nullptr && fault->kind != codec::FaultKind::unavailable &&
                        fault->kind != codec::FaultKind::stalled;
-    const std::string_view code = !known             ? "DRACO_NOT_CHECKED"
-                                  : is_limit(*fault) ? "DRACO_LIMIT_EXCEEDED"
-                                                     : "DRACO_DECODE_FAILED";
+    const Code code = !known             ? Code::DRACO_NOT_CHECKED
+                      : is_limit(*fault) ? Code::DRACO_LIMIT_EXCEEDED
+                                         : Code::DRACO_DECODE_FAILED;
     std::string message = fault != nullptr
                               ? fault->message
                               : "Earlier bitstreams of this file took all that decoding may take.";

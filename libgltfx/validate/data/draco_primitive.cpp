@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/rules/finding.hpp"
@@ -65,8 +66,7 @@ class PrimitiveCheck {
     return phase_.context.views.accessors[index];
   }
 
-  void report(std::string_view name, json::NodeId value, std::string_view code,
-              std::string message) {
+  void report(std::string_view name, json::NodeId value, Code code, std::string message) {
     with_draco_path(site_, extension_, [&](const Path& path) {
       const Path attributes(path, "attributes");
       phase_.sink.report(Path(attributes, name),
@@ -74,7 +74,7 @@ class PrimitiveCheck {
     });
   }
 
-  void report_indices(std::string_view code, std::string message) {
+  void report_indices(Code code, std::string message) {
     with_primitive_path(site_, [&](const Path& path) {
       phase_.sink.report(
           Path(path, "indices"),
@@ -89,7 +89,7 @@ class PrimitiveCheck {
     if (attribute == plain.end()) return;  // said of the extension
     const codec::DracoAttribute* decoded = model::find_attribute(mesh_, id);
     if (decoded == nullptr) {
-      return report(name, value, "DRACO_ATTRIBUTE_ID_UNKNOWN",
+      return report(name, value, Code::DRACO_ATTRIBUTE_ID_UNKNOWN,
                     fmt::format("The bitstream has no attribute with id {}.", id));
     }
     if (!attribute->accessor) return;
@@ -104,7 +104,7 @@ class PrimitiveCheck {
     const Format& format = accessor(index).format;
     if (!format.known()) return false;
     if (model::format_of(decoded, format.normalized) == format) return true;
-    report(name, value, "DRACO_FORMAT_MISMATCH",
+    report(name, value, Code::DRACO_FORMAT_MISMATCH,
            fmt::format("The bitstream holds {}, but accessor {} is {}.", text_of(decoded), index,
                        model::format_text(format)));
     return false;
@@ -115,7 +115,7 @@ class PrimitiveCheck {
     const auto& count = accessor(index).count;
     if (!count || *count == mesh_.points) return count.has_value();
     if (!reported_counts_.insert(*count).second) return false;
-    report(name, value, "DRACO_COUNT_MISMATCH",
+    report(name, value, Code::DRACO_COUNT_MISMATCH,
            fmt::format("The bitstream holds {} points, but accessor {} has {} elements.",
                        mesh_.points, index, *count));
     return false;
@@ -145,7 +145,7 @@ class PrimitiveCheck {
     // said.
     if (!reported_counts_.empty()) return;
     if (*target.count != count) {
-      return report_indices("DRACO_COUNT_MISMATCH",
+      return report_indices(Code::DRACO_COUNT_MISMATCH,
                             fmt::format("The bitstream holds {} triangles, {} indices; accessor {} "
                                         "has {} elements.",
                                         mesh_.faces, count, index, *target.count));
@@ -154,7 +154,7 @@ class PrimitiveCheck {
     if (!model::can_index_elements(type) || target.format.type != model::ElementType::scalar)
       return;
     if (mesh_.points > 0 && !model::value_range(type).contains(mesh_.points - 1.0)) {
-      return report_indices("DRACO_INDEX_TYPE_TOO_SMALL",
+      return report_indices(Code::DRACO_INDEX_TYPE_TOO_SMALL,
                             fmt::format("The bitstream holds {} points, which {} cannot count.",
                                         mesh_.points, model::component_type_name(type)));
     }

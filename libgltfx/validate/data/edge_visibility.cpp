@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "validate/data/kernels.hpp"
 #include "validate/data/mesh_edges.hpp"
 #include "validate/data/topology.hpp"
@@ -60,7 +61,7 @@ class VisibilityCheck {
     const auto mode = primitive_.mode;
     if (mode && *mode < model::Mode::triangles) {
       phase_.sink.report(path_,
-                         finding_on(context_, object_, "EDGE_VISIBILITY_INVALID_MODE",
+                         finding_on(context_, object_, Code::EDGE_VISIBILITY_INVALID_MODE,
                                     fmt::format("The primitive is {}.", model::mode_name(*mode))));
       return;
     }
@@ -76,7 +77,7 @@ class VisibilityCheck {
     return context_.asset.index(object_, member, model::RootArray::accessors);
   }
 
-  void report(std::string_view member, std::string_view code, std::string message) const {
+  void report(std::string_view member, Code code, std::string message) const {
     report_member(phase_.sink, context_, path_, object_, member, code, std::move(message));
   }
 
@@ -101,7 +102,7 @@ class VisibilityCheck {
       }
     }
     if (bits % 8 != 0 && (bytes->back() >> (bits % 8)) != 0) {
-      report("visibility", "EDGE_VISIBILITY_PADDING",
+      report("visibility", Code::EDGE_VISIBILITY_PADDING,
              fmt::format("Bits are set behind the {} edges of {} triangles.", coded.size(),
                          triangles.size()));
     }
@@ -114,7 +115,7 @@ class VisibilityCheck {
     const bool visible = std::any_of(coded.begin(), coded.end(),
                                      [](const CodedEdge& each) { return each.value != 0; });
     if (!visible && !coded.empty()) {
-      report("visibility", "EDGE_VISIBILITY_EMPTY", "All edges are hidden.");
+      report("visibility", Code::EDGE_VISIBILITY_EMPTY, "All edges are hidden.");
     }
     check_normals(silhouettes);
     std::sort(coded.begin(), coded.end(),
@@ -131,7 +132,7 @@ class VisibilityCheck {
                           edge_text(edge), tally.of[0], tally.of[1], tally.of[2], tally.of[3]);
     }
     if (faults != 0) {
-      report("visibility", "EDGE_VISIBILITY_REPEATED", first_of(std::move(first), faults));
+      report("visibility", Code::EDGE_VISIBILITY_REPEATED, first_of(std::move(first), faults));
     }
   }
 
@@ -141,7 +142,7 @@ class VisibilityCheck {
     const auto index = accessor("silhouetteNormals");
     const bool given = context_.document.find(object_, "silhouetteNormals") != json::kNoNode;
     if (!given && silhouettes == 0) return;
-    const std::string_view code = "EDGE_SILHOUETTE_NORMALS_MISMATCH";
+    const Code code = Code::EDGE_SILHOUETTE_NORMALS_MISMATCH;
     if (!given || silhouettes == 0) {
       report("silhouetteNormals", code,
              given ? std::string("There are normals, but no silhouette edges.")
@@ -179,7 +180,8 @@ class VisibilityCheck {
       });
     });
     if (faults != 0) {
-      report("silhouetteNormals", "ACCESSOR_VECTOR3_NON_UNIT", first_of(std::move(first), faults));
+      report("silhouetteNormals", Code::ACCESSOR_VECTOR3_NON_UNIT,
+             first_of(std::move(first), faults));
     }
   }
 
@@ -239,11 +241,11 @@ class VisibilityCheck {
     }
     end_run(indices.size());
     if (!fault.empty()) {
-      report_member(phase_.sink, context_, path, line, "indices", "EDGE_LINE_STRING_INVALID",
+      report_member(phase_.sink, context_, path, line, "indices", Code::EDGE_LINE_STRING_INVALID,
                     std::move(fault));
     }
     if (!repeat.empty()) {
-      report_member(phase_.sink, context_, path, line, "indices", "EDGE_LINE_STRING_REPEATED",
+      report_member(phase_.sink, context_, path, line, "indices", Code::EDGE_LINE_STRING_REPEATED,
                     std::move(repeat));
     }
   }

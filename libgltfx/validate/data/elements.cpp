@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/parallel.hpp"
 #include "validate/data/describe.hpp"
 #include "validate/data/phases.hpp"
@@ -102,7 +103,7 @@ std::size_t distinct(const std::vector<Check>& checks) {
 void report_unchecked(DataPhase& phase, std::uint32_t index) {
   const model::Accessor& accessor = phase.context.views.accessors[index];
   report_element(phase.sink, phase.context, model::RootArray::accessors, index,
-                 "ACCESSOR_DATA_NOT_CHECKED",
+                 Code::ACCESSOR_DATA_NOT_CHECKED,
                  fmt::format("The accessor has {} elements, far more than the file has bytes for; "
                              "they were not looked at.",
                              *accessor.count));

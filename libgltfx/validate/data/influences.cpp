@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
 #include "model/skin.hpp"
@@ -103,10 +104,11 @@ class InfluenceReport {
     std::uint64_t count = 1;
   };
 
-  static std::string_view code(InfluenceFault fault) {
-    static constexpr std::array<std::string_view, kInfluenceFaults> kCodes{
-        "ACCESSOR_JOINTS_INDEX_OOB", "ACCESSOR_JOINTS_INDEX_DUPLICATE", "ACCESSOR_WEIGHTS_NEGATIVE",
-        "ACCESSOR_JOINTS_USED_ZERO_WEIGHT", "ACCESSOR_WEIGHTS_NON_NORMALIZED"};
+  static Code code(InfluenceFault fault) {
+    static constexpr std::array<Code, kInfluenceFaults> kCodes{
+        Code::ACCESSOR_JOINTS_INDEX_OOB, Code::ACCESSOR_JOINTS_INDEX_DUPLICATE,
+        Code::ACCESSOR_WEIGHTS_NEGATIVE, Code::ACCESSOR_JOINTS_USED_ZERO_WEIGHT,
+        Code::ACCESSOR_WEIGHTS_NON_NORMALIZED};
     return kCodes[static_cast<std::size_t>(fault)];
   }
 

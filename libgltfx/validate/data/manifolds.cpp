@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "validate/data/mesh_edges.hpp"
 #include "validate/data/topology.hpp"
 #include "validate/rules/extension_walk.hpp"
@@ -39,7 +40,7 @@ class ManifoldCheck {
   }
 
  private:
-  void report(std::string_view member, std::string_view code, std::string message) const {
+  void report(std::string_view member, Code code, std::string message) const {
     report_member(phase_.sink, context_, path_, object_, member, code, std::move(message));
   }
 
@@ -62,7 +63,7 @@ class ManifoldCheck {
       if (faults++ == 0) first = sides[i];
     }
     if (faults == 0) return;
-    report("manifoldPrimitive", "MANIFOLD_NOT_CLOSED",
+    report("manifoldPrimitive", Code::MANIFOLD_NOT_CLOSED,
            fmt::format("The side from vertex {} to {} has not exactly one that runs back. {} of {} "
                        "sides are like that.",
                        first >> 32U, first & UINT32_MAX, faults, sides.size()));
@@ -109,7 +110,7 @@ class ManifoldCheck {
     }
     if (unlisted != 0) {
       report(
-          "mergeIndices", "MANIFOLD_MERGE_INVALID",
+          "mergeIndices", Code::MANIFOLD_MERGE_INVALID,
           fmt::format("{} indices of the manifold are neither those that are drawn nor those that "
                       "are listed in their place.",
                       unlisted));
@@ -123,7 +124,7 @@ class ManifoldCheck {
     const auto what = read_indices(phase_, values);
     if (!where || !what) return false;
     if (where->size() != what->size()) {
-      report("mergeIndices", "MANIFOLD_MERGE_INVALID",
+      report("mergeIndices", Code::MANIFOLD_MERGE_INVALID,
              fmt::format("{} places have {} new vertices.", where->size(), what->size()));
       return false;
     }
@@ -142,7 +143,7 @@ class ManifoldCheck {
     };
     for (std::size_t i = 0; i < merged.size(); ++i) {
       if (place(merged[i]) == place(drawn[i])) continue;
-      report("mergeValues", "MANIFOLD_MERGE_INVALID",
+      report("mergeValues", Code::MANIFOLD_MERGE_INVALID,
              fmt::format("Index {} leads to vertex {} instead of {}, which lies elsewhere.", i,
                          merged[i], drawn[i]));
       return;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "validate/data/mesh_edges.hpp"
 #include "validate/data/topology.hpp"
 #include "validate/rules/extension_walk.hpp"
@@ -27,7 +28,7 @@ void check_pairs(DataPhase& phase, json::NodeId object, const Indices& pairs,
   std::string message = fmt::format("No triangle has an edge between vertices {} and {}.",
                                     pairs[first], pairs[first + 1]);
   if (faults > 1) message += fmt::format(" It is the first of {}.", faults);
-  report_member(phase.sink, phase.context, path, object, "indices", "OUTLINE_NOT_AN_EDGE",
+  report_member(phase.sink, phase.context, path, object, "indices", Code::OUTLINE_NOT_AN_EDGE,
                 std::move(message));
 }
 
@@ -36,7 +37,7 @@ void check_outline(DataPhase& phase, const ExtensionPlace& place, const Path& pa
   const model::Primitive primitive = model::read_primitive(context.asset, place.host);
   if (primitive.mode &&
       (*primitive.mode != model::Mode::triangles || primitive.indices_node == json::kNoNode)) {
-    phase.sink.report(path, finding_on(context, place.object, "OUTLINE_NOT_TRIANGLES",
+    phase.sink.report(path, finding_on(context, place.object, Code::OUTLINE_NOT_TRIANGLES,
                                        *primitive.mode == model::Mode::triangles
                                            ? std::string("The triangles have no indices.")
                                            : fmt::format("The primitive is {}.",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "validate/data/phases.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -44,10 +45,10 @@ class SparseReport {
                             fault.position, fault.index, fault.other);
     if (count > 1) message += fmt::format(" It is the first of {}.", count);
     const json::NodeId sparse = phase_.context.views.accessors[accessor_].sparse;
-    Finding finding =
-        finding_on(phase_.context, sparse,
-                   order ? "ACCESSOR_SPARSE_INDICES_NON_INCREASING" : "ACCESSOR_SPARSE_INDEX_OOB",
-                   std::move(message));
+    Finding finding = finding_on(
+        phase_.context, sparse,
+        order ? Code::ACCESSOR_SPARSE_INDICES_NON_INCREASING : Code::ACCESSOR_SPARSE_INDEX_OOB,
+        std::move(message));
     finding.count = count;
     const Path root;
     const Path array(root, "accessors");

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "validate/collector.hpp"
 #include "validate/data/mesh_edges.hpp"
@@ -93,7 +94,7 @@ void check_mesh(DataPhase& phase, const model::Mesh& mesh, std::size_t index) {
   const std::size_t open = boundary.open_edges();
   if (open == 0) return;
   report_element(phase.sink, context, model::RootArray::meshes, index,
-                 "KHR_MATERIALS_VOLUME_NOT_CLOSED",
+                 Code::KHR_MATERIALS_VOLUME_NOT_CLOSED,
                  fmt::format("The mesh encloses a volume, but {} of its edges have no triangle on "
                              "the other side.",
                              open));
@@ -102,7 +103,7 @@ void check_mesh(DataPhase& phase, const model::Mesh& mesh, std::size_t index) {
 }  // namespace
 
 void check_volumes(DataPhase& phase) {
-  if (!is_heard(phase.context.options, "KHR_MATERIALS_VOLUME_NOT_CLOSED")) return;
+  if (!is_heard(phase.context.options, Code::KHR_MATERIALS_VOLUME_NOT_CLOSED)) return;
   const auto& meshes = phase.context.views.meshes;
   for (std::size_t i = 0; i < meshes.size(); ++i) check_mesh(phase, meshes[i], i);
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -14,7 +15,7 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
   const bool aligned = offset % extent.component_size == 0;
   if (!aligned) {
     report_member(context.link_sink, context, path, extent.object, "byteOffset",
-                  "ACCESSOR_OFFSET_ALIGNMENT",
+                  Code::ACCESSOR_OFFSET_ALIGNMENT,
                   fmt::format("{} is no multiple of the component size, {} bytes.", offset,
                               extent.component_size));
   }
@@ -23,7 +24,7 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
   const std::uint64_t view_offset = context.views.buffer_views[extent.view].byte_offset.value_or(0);
   const Checked total = checked_add(view_offset, offset);
   if (!total || *total % extent.component_size == 0) return;
-  report_link(context, path, extent.object, "ACCESSOR_TOTAL_OFFSET_ALIGNMENT",
+  report_link(context, path, extent.object, Code::ACCESSOR_TOTAL_OFFSET_ALIGNMENT,
               fmt::format("The data begins at byte {} of the buffer ({} of view {}, and {} "
                           "more), which is no multiple of the component size, {} bytes.",
                           *total, view_offset, extent.view, offset, extent.component_size));
@@ -53,9 +54,9 @@ void check_extent(const Context& context, const Extent& extent, const Path& path
                   offset, extent.view, view.byte_length.value_or(0));
   if (!view.byte_length || offset > *view.byte_length) {
     report_member(context.link_sink, context, path, extent.object, "byteOffset",
-                  "ACCESSOR_TOO_LONG", std::move(message));
+                  Code::ACCESSOR_TOO_LONG, std::move(message));
   } else {
-    report_link(context, path, extent.object, "ACCESSOR_TOO_LONG", std::move(message));
+    report_link(context, path, extent.object, Code::ACCESSOR_TOO_LONG, std::move(message));
   }
 }
 

@@ -2,90 +2,15 @@
 // Where the elements of accessors lie: on the right boundaries and inside their buffer view.
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/accessor_extent.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "byteOffset": 4, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 16, "byteStride": 12, "target": 34962}],
- "buffers": [{"byteLength": 20, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAA="}]})";
-
-constexpr std::string_view kGoodSparse =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_HEAT": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5126, "type": "SCALAR", "count": 1, "sparse": {"count": 1,
-   "indices": {"bufferView": 0, "componentType": 5121}, "values": {"bufferView": 1}}}],
- "bufferViews": [{"buffer": 0, "byteLength": 4}, {"buffer": 0, "byteOffset": 4, "byteLength": 8}],
- "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"ACCESSOR_OFFSET_ALIGNMENT", Severity::error,
-     "The offset of an accessor is no multiple of its component size",
-     "Numbers that straddle boundaries cannot be read as they lie: typed arrays throw, GPUs refuse "
-     "the buffer.",
-     "Pad the data, and make byteOffset a multiple of the component size.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "byteOffset": 2, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 16, "byteStride": 12, "target": 34962}],
- "buffers": [{"byteLength": 20, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAA="}]})",
-     kGood, Fix::none, true},
-    {"ACCESSOR_SMALL_BYTESTRIDE", Severity::error,
-     "Elements of an accessor overlap: the stride of the view is smaller than one of them",
-     "The stride leads to the next vertex before this one has ended.",
-     "Write the true distance between vertices into byteStride.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "byteOffset": 4, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 16, "byteStride": 8, "target": 34962}],
- "buffers": [{"byteLength": 20, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAA="}]})",
-     kGood, Fix::none, true},
-    {"ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE", Severity::error,
-     "A sparse accessor replaces more elements than it has",
-     "Every replaced element has an index of its own, so there cannot be more of them than "
-     "elements.",
-     "Correct sparse.count or count.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_HEAT": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5126, "type": "SCALAR", "count": 1, "sparse": {"count": 2,
-   "indices": {"bufferView": 0, "componentType": 5121}, "values": {"bufferView": 1}}}],
- "bufferViews": [{"buffer": 0, "byteLength": 4}, {"buffer": 0, "byteOffset": 4, "byteLength": 8}],
- "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
-     kGoodSparse, Fix::none, true},
-    {"ACCESSOR_TOO_LONG", Severity::error,
-     "The elements of an accessor reach beyond the end of its buffer view",
-     "What lies behind the view belongs to something else or to nobody; readers refuse the asset "
-     "or show torn geometry.",
-     "Correct count and byteOffset, or make the view longer.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "byteOffset": 4, "componentType": 5126, "type": "VEC3", "count": 2, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 16, "byteStride": 12, "target": 34962}],
- "buffers": [{"byteLength": 20, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAA="}]})",
-     kGood, Fix::none, true},
-    {"ACCESSOR_TOTAL_OFFSET_ALIGNMENT", Severity::error,
-     "The elements of an accessor begin at a byte of the buffer that is no multiple of the "
-     "component size",
-     "The offsets of the accessor and of its view add up. Numbers that straddle boundaries cannot "
-     "be read as they lie.",
-     "Move the buffer view to a multiple of the component size.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "byteOffset": 4, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "bufferViews": [{"buffer": 0, "byteOffset": 2, "byteLength": 16, "byteStride": 12, "target": 34962}],
- "buffers": [{"byteLength": 20, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAA="}]})",
-     kGood, Fix::none, true},
-};
 
 Checked length_of(const model::Accessor& accessor, std::uint64_t stride) {
   const Checked before_last = checked_mul(*accessor.count - 1, stride);
@@ -98,7 +23,7 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
   if (view == nullptr) return;
   const std::uint64_t size = model::element_size(accessor.format);
   if (view->byte_stride && *view->byte_stride < size) {
-    report_link(context, path, accessor.node, "ACCESSOR_SMALL_BYTESTRIDE",
+    report_link(context, path, accessor.node, Code::ACCESSOR_SMALL_BYTESTRIDE,
                 fmt::format("The stride of view {} is {} bytes, but an element ({}) takes {}.",
                             *accessor.buffer_view, *view->byte_stride,
                             model::format_text(accessor.format), size));
@@ -120,7 +45,7 @@ void check_part(const Context& context, const model::SparsePart& part, std::uint
   report_view_use(context, *part.buffer_view, model::ViewUse::other, place,
                   Path(path, "bufferView"));
   if (context.views.buffer_views[*part.buffer_view].byte_stride) {
-    report_link(context, Path(path, "bufferView"), place, "BUFFER_VIEW_INVALID_BYTE_STRIDE",
+    report_link(context, Path(path, "bufferView"), place, Code::BUFFER_VIEW_INVALID_BYTE_STRIDE,
                 fmt::format("View {} has a byteStride, but holds a part of a sparse accessor.",
                             *part.buffer_view));
   }
@@ -140,7 +65,7 @@ void check_sparse(const Context& context, const model::Accessor& accessor, const
   const Path at(path, "sparse");
   if (*sparse->count > *accessor.count) {
     report_member(context.link_sink, context, at, accessor.sparse, "count",
-                  "ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE",
+                  Code::ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE,
                   fmt::format("{} elements are replaced, but the accessor has only {}.",
                               *sparse->count, *accessor.count));
   }
@@ -165,7 +90,7 @@ constexpr LinkRule kLinkRules[] = {check_accessors};
 }  // namespace
 
 const Family& accessor_layout_family() {
-  static const Family family{"accessor_layout", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 260, .link_rules = kLinkRules};
   return family;
 }
 

@@ -5,62 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/accessor.hpp"
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr RuleDescription kRules[] = {
-    {"ACCESSOR_MATRIX_ALIGNMENT", Severity::error,
-     "The matrices of an accessor do not begin at a multiple of four bytes",
-     "Columns of matrices lie on four-byte boundaries, so that they can be copied as they are.",
-     "Move the data, and make byteOffset a multiple of 4.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_TWIST": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"bufferView": 0, "byteOffset": 2, "componentType": 5121, "type": "MAT2", "count": 1}],
- "bufferViews": [{"buffer": 0, "byteLength": 12, "byteStride": 8, "target": 34962}],
- "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_TWIST": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"bufferView": 0, "byteOffset": 4, "componentType": 5121, "type": "MAT2", "count": 1}],
- "bufferViews": [{"buffer": 0, "byteLength": 12, "byteStride": 8, "target": 34962}],
- "buffers": [{"byteLength": 12, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA"}]})",
-     Fix::none, true},
-    {"ACCESSOR_NORMALIZED_INVALID", Severity::error,
-     "An accessor of floats or 32-bit integers is normalized",
-     "Normalization maps small integers to fractions. For other types it has no meaning, and "
-     "readers differ in what they do.",
-     "Remove normalized.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_HEAT": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5126, "type": "SCALAR", "count": 1, "normalized": true}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_HEAT": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5126, "type": "SCALAR", "count": 1}]})",
-     Fix::none, true},
-    {"INVALID_GL_VALUE", Severity::error,
-     "A bound of an accessor cannot be a value of its component type",
-     "min and max hold values as they are stored. One that does not fit the type was most often "
-     "taken before packing, and readers that allocate or cull by it go wrong.",
-     "Write the smallest and largest stored values.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5121, "type": "SCALAR", "count": 1, "min": [0], "max": [300]}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5121, "type": "SCALAR", "count": 1, "min": [0], "max": [0]}]})",
-     Fix::none, true},
-};
 
 void check_bound_values(const Context& context, const model::Accessor& accessor, json::NodeId array,
                         const Path& path) {
@@ -74,7 +27,7 @@ void check_bound_values(const Context& context, const model::Accessor& accessor,
     if (whole && range.contains(value)) continue;
     if (!std::isfinite(value)) continue;
     Finding finding = finding_on(
-        context, array, whole ? "INVALID_GL_VALUE" : "ARRAY_TYPE_MISMATCH",
+        context, array, whole ? Code::INVALID_GL_VALUE : Code::ARRAY_TYPE_MISMATCH,
         whole ? fmt::format("{} is no value of a component of type {}, which goes from {} to {}.",
                             number_text(value), type, number_text(range.least),
                             number_text(range.most))
@@ -90,7 +43,7 @@ void report_bound_length(const Context& context, const model::Accessor& accessor
                          json::NodeId array, std::size_t size, const Path& path) {
   const unsigned components = model::component_count(accessor.format.type);
   context.schema_sink.report(
-      path, finding_on(context, array, "ARRAY_LENGTH_NOT_IN_LIST",
+      path, finding_on(context, array, Code::ARRAY_LENGTH_NOT_IN_LIST,
                        fmt::format("A bound of {} elements has {} number{}, not {}.",
                                    model::element_type_name(accessor.format.type), components,
                                    components == 1 ? "" : "s", size)));
@@ -116,7 +69,7 @@ void check_normalized(const Context& context, const model::Accessor& accessor, c
   if (model::component_size(type) <= 2 && model::is_core_component(type)) return;
   report_member(
       context.schema_sink, context, path, accessor.node, "normalized",
-      "ACCESSOR_NORMALIZED_INVALID",
+      Code::ACCESSOR_NORMALIZED_INVALID,
       fmt::format("Components of type {} cannot be normalized.", model::component_type_name(type)));
 }
 
@@ -126,7 +79,8 @@ void check_matrix_offset(const Context& context, const model::Accessor& accessor
   if (context.document.find(accessor.node, "bufferView") == json::kNoNode) return;
   if (*accessor.byte_offset % 4 == 0) return;
   report_member(
-      context.schema_sink, context, path, accessor.node, "byteOffset", "ACCESSOR_MATRIX_ALIGNMENT",
+      context.schema_sink, context, path, accessor.node, "byteOffset",
+      Code::ACCESSOR_MATRIX_ALIGNMENT,
       fmt::format("Matrices begin at multiples of 4 bytes; {} is none.", *accessor.byte_offset));
 }
 
@@ -147,7 +101,7 @@ schema::Reading read_offset(const Context& context, json::NodeId object, json::N
   if (context.document.find(object, "bufferView") != json::kNoNode) return schema::Reading::judge;
   context.schema_sink.report(
       Path(path, "byteOffset"),
-      finding_on(context, value, "UNSATISFIED_DEPENDENCY", "'byteOffset' needs 'bufferView'."));
+      finding_on(context, value, Code::UNSATISFIED_DEPENDENCY, "'byteOffset' needs 'bufferView'."));
   return schema::Reading::drop;
 }
 
@@ -161,7 +115,7 @@ schema::Reading read_integers(const Context& context, const model::Accessor& acc
     if (whole && range.contains(value)) return;
     sound = false;
     Finding finding =
-        finding_on(context, array, whole ? "INVALID_GL_VALUE" : "ARRAY_TYPE_MISMATCH",
+        finding_on(context, array, whole ? Code::INVALID_GL_VALUE : Code::ARRAY_TYPE_MISMATCH,
                    fmt::format("A bound of components of type {} has other values.",
                                model::component_type_name(accessor.format.component)));
     finding.span = span;
@@ -215,7 +169,8 @@ constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offs
 }  // namespace
 
 const Family& accessor_values_family() {
-  static const Family family{"accessor_values", kRules, kObjectRules, {}, kMemberRules};
+  static constexpr Family family{
+      .order = 250, .object_rules = kObjectRules, .member_rules = kMemberRules};
   return family;
 }
 

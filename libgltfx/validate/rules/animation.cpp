@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "model/skin.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/animation_output.hpp"
 #include "validate/rules/animation_paths.hpp"
-#include "validate/rules/animation_table.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/same_targets.hpp"
 #include "validate/rules/unseen_use.hpp"
@@ -76,13 +76,13 @@ class AnimationCheck {
                      const Path& samplers) {
     for (std::size_t i = 0; i < used.size() && unseen_.empty(); ++i) {
       if (used[i] != 0) continue;
-      report_link(context_, Path(samplers, i), animation.samplers[i].object, "UNUSED_OBJECT",
+      report_link(context_, Path(samplers, i), animation.samplers[i].object, Code::UNUSED_OBJECT,
                   "No channel uses this sampler.");
     }
   }
 
   void report_at(const Path& path, const AnimationSampler& sampler, std::string_view member,
-                 std::string_view code, std::string message) {
+                 Code code, std::string message) {
     report_member(context_.link_sink, context_, path, sampler.object, member, code,
                   std::move(message));
   }
@@ -112,18 +112,18 @@ class AnimationCheck {
   void check_times(const AnimationSampler& sampler, const model::Accessor& times,
                    const Path& path) {
     if ((times.format.known() || context_.khronos()) && times.format != kTimes) {
-      report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT",
+      report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT,
                 fmt::format("Accessor {} with the times is {} instead of {}.", *sampler.input,
                             format_text(times.format), format_text(kTimes)));
     }
     if (times.min == json::kNoNode || times.max == json::kNoNode) {
-      report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS",
+      report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS,
                 fmt::format("Accessor {} with the times has no {}.", *sampler.input,
                             times.min == json::kNoNode ? "min" : "max"));
     }
     const bool few = context_.khronos() ? times.count.value_or(0) < 2 : times.count == 1U;
     if (sampler.interpolation == model::Interpolation::cubic_spline && few) {
-      report_at(path, sampler, "input", "ANIMATION_SAMPLER_INPUT_ACCESSOR_TOO_FEW_ELEMENTS",
+      report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_TOO_FEW_ELEMENTS,
                 "A CUBICSPLINE has one keyframe; a curve needs two.");
     }
   }
@@ -133,13 +133,13 @@ class AnimationCheck {
     const model::Accessor& accessor = context_.views.accessors[index];
     const model::BufferView* view = context_.views.view_of(accessor);
     if (view == nullptr || !view->byte_stride) return;
-    report_at(path, sampler, member, "ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE",
+    report_at(path, sampler, member, Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE,
               fmt::format("Accessor {} lies in buffer view {}, which has a byteStride.", index,
                           *accessor.buffer_view));
   }
 
   void report_duplicate(const AnimationChannel& channel, std::size_t later, const Path& path) {
-    report_link(context_, Path(path, "target"), channel.target, "ANIMATION_DUPLICATE_TARGETS",
+    report_link(context_, Path(path, "target"), channel.target, Code::ANIMATION_DUPLICATE_TARGETS,
                 fmt::format("Channel {} moves the same property, too.", later));
   }
 
@@ -157,13 +157,13 @@ class AnimationCheck {
 
   void check_transform(const AnimationChannel& channel, const model::Node& node, const Path& at) {
     if (model::float_array<16>(context_.document, node.matrix)) {
-      report_link(context_, at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_MATRIX",
+      report_link(context_, at, channel.target, Code::ANIMATION_CHANNEL_TARGET_NODE_MATRIX,
                   fmt::format("The channel moves the {} of node {}, which has a matrix.",
                               model::animation_path_name(channel.path), *channel.node));
     }
     if (node.skin) {
       report_member(context_.link_sink, context_, at, channel.target, "path",
-                    "ANIMATION_CHANNEL_TARGET_NODE_SKIN",
+                    Code::ANIMATION_CHANNEL_TARGET_NODE_SKIN,
                     fmt::format("Node {} has a skinned mesh, which follows its joints alone.",
                                 *channel.node));
     }
@@ -175,7 +175,7 @@ class AnimationCheck {
     if (morph_targets(node) != 0) return;
     if (!context_.khronos() && (unresolved || (node.mesh && !known))) return;
     report_link(
-        context_, at, channel.target, "ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS",
+        context_, at, channel.target, Code::ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS,
         fmt::format("Node {} has no mesh with morph targets, so there are no weights to move.",
                     *channel.node));
   }
@@ -215,7 +215,7 @@ constexpr LinkRule kLinkRules[] = {check_animations};
 }  // namespace
 
 const Family& animation_family() {
-  static const Family family{"animation", animation_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 440, .link_rules = kLinkRules};
   return family;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "base/codes.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -79,7 +80,7 @@ void check_output_count(const Context& context, const model::AnimationSampler& s
   }
   if (values != 1) reckoning += fmt::format(" of {} values", values);
   report_member(context.link_sink, context, channel_path, channel, "sampler",
-                "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_COUNT",
+                Code::ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_COUNT,
                 fmt::format("Output accessor {} has {} elements instead of {}, for {}.",
                             *sampler.output, *found, *expected, reckoning));
 }
@@ -88,7 +89,7 @@ void report_output_format(const Context& context, const model::AnimationSampler&
                           std::string_view what, std::string_view wanted, json::NodeId channel,
                           const Path& channel_path) {
   report_member(context.link_sink, context, channel_path, channel, "sampler",
-                "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT",
+                Code::ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT,
                 fmt::format("Output accessor {} for {} is {} instead of {}.", *sampler.output, what,
                             format_text(context.views.accessors[*sampler.output].format), wanted));
 }

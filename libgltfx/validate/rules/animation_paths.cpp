@@ -2,7 +2,7 @@
 #include "validate/rules/animation_paths.hpp"
 
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -40,7 +40,7 @@ bool is_linked(const Context& context, const model::Animation& animation) {
 }
 
 const Family& animation_paths_family() {
-  static const Family family{"animation_paths", {}, {}, kLinkRules};
+  static constexpr Family family{.order = 460, .link_rules = kLinkRules};
   return family;
 }
 

@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/animation.hpp"
 #include "model/fields.hpp"
 #include "model/object_model.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/animation_output.hpp"
 #include "validate/rules/animation_paths.hpp"
-#include "validate/rules/animation_pointer_table.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -139,20 +139,20 @@ class PointerCheck {
   void check_plain(const AnimationChannel& channel, const Path& path) {
     if (model::string_member(context_.document, channel.target, "path") != kPath) return;
     report_link(
-        context_, Path(path, "target"), channel.target, "ANIMATION_POINTER_MISSING",
+        context_, Path(path, "target"), channel.target, Code::ANIMATION_POINTER_MISSING,
         fmt::format("The path is 'pointer', but there is no {} with the pointer.", kExtension));
   }
 
   void check_target(const AnimationChannel& channel, bool linked, json::NodeId extension,
                     const Path& place) {
     if (context_.khronos()) {
-      report_link(context_, place, extension, "INCOMPLETE_EXTENSION_SUPPORT",
+      report_link(context_, place, extension, Code::INCOMPLETE_EXTENSION_SUPPORT,
                   "In this profile the pointer is not resolved: what it names may be wrong.");
     }
     const json::NodeId node = context_.document.find(channel.target, "node");
     const bool given = node != json::kNoNode && context_.document.unsigned_integer(node);
     if (context_.khronos() ? linked && channel.node : given) {
-      report_link(context_, place, node, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE",
+      report_link(context_, place, node, Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE,
                   "The target has a node beside the pointer.");
     }
     const json::NodeId path = context_.document.find(channel.target, "path");
@@ -160,7 +160,7 @@ class PointerCheck {
     if (!text && !context_.khronos()) return;
     const std::string name = text ? context_.document.string(path) : std::string();
     if (name == kPath) return;
-    report_link(context_, place, path, "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH",
+    report_link(context_, place, path, Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH,
                 fmt::format("The path is {} instead of 'pointer'.", gltfx::quoted(name)));
   }
 
@@ -177,12 +177,12 @@ class PointerCheck {
       case PropertyTarget::Status::malformed:
         return;  // told by the schema walk
       case PropertyTarget::Status::unresolved:
-        report_link(context_, at, value, "ANIMATION_POINTER_UNRESOLVED",
+        report_link(context_, at, value, Code::ANIMATION_POINTER_UNRESOLVED,
                     fmt::format("The pointer leads nowhere: {}.", target.reason), help);
         return;
       case PropertyTarget::Status::immutable:
         report_link(
-            context_, at, value, "ANIMATION_POINTER_NOT_MUTABLE",
+            context_, at, value, Code::ANIMATION_POINTER_NOT_MUTABLE,
             fmt::format("The pointer names nothing that can be animated: {}.", target.reason));
         return;
       default:
@@ -199,7 +199,7 @@ class PointerCheck {
   }
 
   void report_duplicate(const Path& at, json::NodeId value, std::size_t other) {
-    report_link(context_, at, value, "ANIMATION_POINTER_DUPLICATE",
+    report_link(context_, at, value, Code::ANIMATION_POINTER_DUPLICATE,
                 fmt::format("Channel {} of this animation moves the same property.", other));
   }
 
@@ -211,7 +211,7 @@ class PointerCheck {
                               sampler.interpolation == model::Interpolation::cubic_spline;
     if (is_discrete(target.type) && interpolates) {
       report_member(context_.link_sink, context_, path, channel.object, "sampler",
-                    "ANIMATION_POINTER_INTERPOLATION",
+                    Code::ANIMATION_POINTER_INTERPOLATION,
                     fmt::format("{} is of type {}, which has nothing between two keyframes; "
                                 "sampler {} is {}.",
                                 printable(target.property), property_type_name(target.type),
@@ -248,7 +248,7 @@ constexpr LinkRule kLinkRules[] = {check_pointers};
 }  // namespace
 
 const Family& animation_pointer_family() {
-  static const Family family{"animation_pointer", animation_pointer_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 450, .link_rules = kLinkRules};
   return family;
 }
 

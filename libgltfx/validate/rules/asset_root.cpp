@@ -5,31 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kMinimal = R"({"asset": {"version": "2.0"}})";
-
-constexpr RuleDescription kRules[] = {
-    {"ASSET_MIN_VERSION_GREATER_THAN_VERSION", Severity::error,
-     "The asset asks for a newer glTF than the one it is written in",
-     "A reader that looks at minVersion refuses an asset that it could read.",
-     "Lower minVersion, or leave it out.", R"({"asset": {"version": "2.0", "minVersion": "2.5"}})",
-     R"({"asset": {"version": "2.0", "minVersion": "2.0"}})", Fix::none, true},
-    {"UNKNOWN_ASSET_MAJOR_VERSION", Severity::error,
-     "The asset is written in another glTF than version 2",
-     "Major versions are different formats: nothing of the asset can be relied on.",
-     "Export the asset as glTF 2.0.", R"({"asset": {"version": "3.0"}})", kMinimal, Fix::none,
-     true},
-    {"UNKNOWN_ASSET_MINOR_VERSION", Severity::warning,
-     "The asset names a minor version of glTF that does not exist",
-     "Readers treat the asset as glTF 2.0; what a newer version brings is ignored.",
-     "Write version 2.0.", R"({"asset": {"version": "2.7"}})", kMinimal, Fix::none, true},
-};
 
 struct Version {
   std::uint32_t major = 0;
@@ -62,7 +44,7 @@ void check_min_version(const Context& context, json::NodeId asset, const Path& p
   const auto least = parse_version(model::string_member(context.document, asset, "minVersion"));
   if (!least || !(version < *least)) return;
   report_member(context.schema_sink, context, path, asset, "minVersion",
-                "ASSET_MIN_VERSION_GREATER_THAN_VERSION",
+                Code::ASSET_MIN_VERSION_GREATER_THAN_VERSION,
                 fmt::format("minVersion {}.{} is above version {}.{}.", least->major, least->minor,
                             version.major, version.minor));
 }
@@ -72,12 +54,12 @@ void check_known(const Context& context, json::NodeId asset, const Path& path,
                  const Version& version) {
   if (version.major != 2) {
     report_member(context.schema_sink, context, path, asset, "version",
-                  "UNKNOWN_ASSET_MAJOR_VERSION",
+                  Code::UNKNOWN_ASSET_MAJOR_VERSION,
                   fmt::format("The asset is glTF {}.{}; only version 2 is known.", version.major,
                               version.minor));
   } else if (version.minor > (context.khronos() ? 0U : 1U)) {
     report_member(
-        context.schema_sink, context, path, asset, "version", "UNKNOWN_ASSET_MINOR_VERSION",
+        context.schema_sink, context, path, asset, "version", Code::UNKNOWN_ASSET_MINOR_VERSION,
         fmt::format("There is no glTF 2.{}; the asset is checked as 2.0.", version.minor));
   }
 }
@@ -94,7 +76,7 @@ constexpr ObjectRuleEntry kObjectRules[] = {{"asset", check_asset}};
 }  // namespace
 
 const Family& asset_root_family() {
-  static const Family family{"asset_root", kRules, kObjectRules, {}};
+  static constexpr Family family{.order = 230, .object_rules = kObjectRules};
   return family;
 }
 

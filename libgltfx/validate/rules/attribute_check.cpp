@@ -2,8 +2,9 @@
 // One vertex attribute: its use, bounds, format and alignment.
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/mesh_state.hpp"
 #include "validate/rules/use.hpp"
@@ -11,81 +12,8 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"bufferView": 0, "byteOffset": 12, "componentType": 5121, "normalized": true, "type": "VEC4", "count": 1}],
- "bufferViews": [{"buffer": 0, "byteLength": 16, "byteStride": 16, "target": 34962}],
- "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"MESH_PRIMITIVE_ACCESSOR_UNALIGNED", Severity::error,
-     "A vertex attribute does not lie on four-byte boundaries",
-     "Many GPUs read attributes only from multiples of four bytes; readers copy the data first, or "
-     "refuse it.",
-     "Pad each element, and make byteOffset and byteStride multiples of 4.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"bufferView": 0, "byteOffset": 13, "componentType": 5121, "normalized": true, "type": "VEC3", "count": 1}],
- "bufferViews": [{"buffer": 0, "byteLength": 16, "byteStride": 16, "target": 34962}],
- "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}]})",
-     kGood, Fix::none, true},
-    {"MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE", Severity::error,
-     "Several attributes share a buffer view that has no stride",
-     "Without byteStride it is not said whether the attributes are interleaved; readers disagree.",
-     "Add byteStride to the view, or give each attribute a view of its own.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
- "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"bufferView": 0, "byteOffset": 12, "componentType": 5121, "normalized": true, "type": "VEC4", "count": 1}],
- "bufferViews": [{"buffer": 0, "byteLength": 16, "target": 34962}],
- "buffers": [{"byteLength": 16, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAA=="}]})",
-     kGood, Fix::none, true},
-    {"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT", Severity::error,
-     "A vertex attribute has a format that it cannot have",
-     "Readers bind attributes by the formats of the specification; others are dropped or read as "
-     "something else.",
-     "Convert the data to one of the formats that the message names.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5121, "type": "VEC4", "count": 1}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5121, "normalized": true, "type": "VEC4", "count": 1}]})",
-     Fix::none, true},
-    {"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT", Severity::error,
-     "A vertex attribute consists of 32-bit integers",
-     "Not every graphics API has them for attributes; they are for indices only.",
-     "Use 16-bit integers or floats.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_ID": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5125, "type": "SCALAR", "count": 1}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "_ID": 1}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5123, "type": "SCALAR", "count": 1}]})",
-     Fix::none, true},
-    {"MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS", Severity::error,
-     "Positions have no minimum and maximum",
-     "Readers take the bounding box of a model from min and max, to frame and to cull it, before "
-     "they have seen a vertex.",
-     "Write the smallest and largest position into min and max.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     Fix::safe, true},
-};
-
-void report(const MeshState& state, const AttributeUse& use, const Path& path,
-            std::string_view code, std::string message, std::string help = {}) {
+void report(const MeshState& state, const AttributeUse& use, const Path& path, Code code,
+            std::string message, std::string help = {}) {
   report_link(state.context, path, use.attribute.value, code, std::move(message), std::move(help));
 }
 
@@ -100,7 +28,7 @@ void check_bounds(const MeshState& state, const AttributeUse& use, const Path& p
   if (use.attribute.semantic.kind != model::SemanticKind::position) return;
   if (has_bounds(state.context, use.accessor)) return;
   report(
-      state, use, path, "MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS",
+      state, use, path, Code::MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS,
       fmt::format("Accessor {} holds positions, but has no min and max.", *use.attribute.accessor));
 }
 
@@ -120,7 +48,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   const FormatList* allowed = state.formats.find(use.attribute, use.target);
   if (allowed == nullptr) {
     if (use.target || format.component != model::ComponentType::uint32) return true;
-    report(state, use, path, "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT",
+    report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT,
            fmt::format("{} is {}, but attributes cannot have 32-bit integers.",
                        quoted(use.attribute.name), model::format_text(format)));
     return false;
@@ -128,7 +56,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   if (format.known() && allows(*allowed, format)) return true;
   // A type that glTF does not have is a fault of the accessor, not of its use.
   if (!judged && !state.context.khronos()) return true;
-  report(state, use, path, "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT",
+  report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT,
          fmt::format("{} is {}; it may be {}.", quoted(use.attribute.name),
                      model::format_text(format), formats_text(*allowed)),
          format_help(state, use));
@@ -168,7 +96,7 @@ void check_attribute(MeshState& state, const AttributeUse& use, const Path& path
   check_bounds(state, use, path);
   const bool good_format = check_format(state, use, path);
   if (!is_misaligned(state, use.accessor, good_format)) return;
-  report(state, use, path, "MESH_PRIMITIVE_ACCESSOR_UNALIGNED", alignment_text(use.accessor));
+  report(state, use, path, Code::MESH_PRIMITIVE_ACCESSOR_UNALIGNED, alignment_text(use.accessor));
 }
 
 void check_shared_view(MeshState& state, const AttributeUse& use, const Path& path) {
@@ -180,14 +108,9 @@ void check_shared_view(MeshState& state, const AttributeUse& use, const Path& pa
   const bool shared = state.views_in_use[view_index];
   state.views_in_use[view_index] = true;
   if (!shared) return;
-  report(state, use, path, "MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE",
+  report(state, use, path, Code::MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE,
          fmt::format("View {} holds several attributes, but has no byteStride.", view_index),
          fmt::format("add byteStride to buffer view {}", view_index));
-}
-
-const Family& attribute_formats_family() {
-  static const Family family{"attribute_formats", kRules, {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of vertex attributes, and which of them go together.
-#include "validate/rules/attribute_names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -73,7 +73,7 @@ void check_name(const Context& context, std::string_view name, json::NodeId valu
   if (good) return;
   context.schema_sink.report(
       Path(path, name),
-      finding_on(context, value, "MESH_PRIMITIVE_INVALID_ATTRIBUTE",
+      finding_on(context, value, Code::MESH_PRIMITIVE_INVALID_ATTRIBUTE,
                  target && skinning ? fmt::format("{} cannot be morphed.", quoted(name))
                                     : fmt::format("{} is no attribute of glTF.", quoted(name)),
                  target && skinning ? std::string() : suggestion(name)));
@@ -111,14 +111,14 @@ void check_presence(const Context& context, const model::Primitive& primitive, c
   const auto& attributes = primitive.attributes;
   if (!has(attributes, SemanticKind::position) && !may_bring_positions(context, primitive.node)) {
     context.schema_sink.report(
-        path, finding_on(context, primitive.attributes_node, "MESH_PRIMITIVE_NO_POSITION",
+        path, finding_on(context, primitive.attributes_node, Code::MESH_PRIMITIVE_NO_POSITION,
                          "The primitive has no POSITION, so nothing is drawn."));
   }
   const Attribute* tangent = primitive.find(SemanticKind::tangent);
   if (tangent == nullptr || has(attributes, SemanticKind::normal)) return;
   context.schema_sink.report(
       Path(path, tangent->name),
-      finding_on(context, tangent->value, "MESH_PRIMITIVE_TANGENT_WITHOUT_NORMAL",
+      finding_on(context, tangent->value, Code::MESH_PRIMITIVE_TANGENT_WITHOUT_NORMAL,
                  "TANGENT is ignored, because the primitive has no NORMAL."));
 }
 
@@ -128,7 +128,8 @@ void check_continuity(const Context& context, const model::Primitive& primitive,
   const std::string_view name = model::semantic_prefix(kind);
   context.schema_sink.report(
       path,
-      finding_on(context, primitive.attributes_node, "MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY",
+      finding_on(context, primitive.attributes_node,
+                 Code::MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY,
                  fmt::format("{0} sets are numbered from 0 without gaps, but the highest of {1} is "
                              "{0}_{2}.",
                              name, sets.count, sets.highest)));
@@ -149,9 +150,10 @@ void check_sets(const Context& context, const model::Primitive& primitive, const
   const std::uint64_t weight_sets = weights.continuous() ? weights.count : 0;
   if (joint_sets == weight_sets) return;
   context.schema_sink.report(
-      path, finding_on(context, primitive.attributes_node, "MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH",
-                       fmt::format("The primitive has {} JOINTS but {} WEIGHTS.", joint_sets,
-                                   weight_sets)));
+      path,
+      finding_on(
+          context, primitive.attributes_node, Code::MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH,
+          fmt::format("The primitive has {} JOINTS but {} WEIGHTS.", joint_sets, weight_sets)));
 }
 
 void check_primitive(const Context& context, json::NodeId object, const Path& path) {
@@ -175,8 +177,8 @@ constexpr MapRule kMapRules[] = {check_entry};
 }  // namespace
 
 const Family& attribute_names_family() {
-  static const Family family{"attribute_names", attribute_name_rules(), kObjectRules, {}, {},
-                             kMapRules};
+  static constexpr Family family{
+      .order = 320, .object_rules = kObjectRules, .map_rules = kMapRules};
   return family;
 }
 

@@ -3,37 +3,14 @@
 // extension.
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MPEG_audio_spatial", "MPEG_accessor_timed"],
- "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"extensions": {"MPEG_audio_spatial": {"sources": [{"id": 1, "type": "Object", "accessors": [0, 1],
-  "reverbFeed": [7], "reverbFeedGain": [0]}],
-  "reverbs": [{"id": 7, "properties": [{"frequency": 100, "RT60": 1, "DSR": 1}]}]}}}],
- "accessors": [{"componentType": 5126, "type": "SCALAR", "count": 100, "extensions": {"MPEG_accessor_timed": {}}},
-  {"componentType": 5126, "type": "SCALAR", "count": 100, "extensions": {"MPEG_accessor_timed": {}}}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"AUDIO_GAIN_COUNT", Severity::error,
-     "A source of sound has not one gain for each reverb that it feeds",
-     "Which gain belongs to which reverb cannot be told.",
-     "Write as many numbers into reverbFeedGain as into reverbFeed.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MPEG_audio_spatial", "MPEG_accessor_timed"],
- "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"extensions": {"MPEG_audio_spatial": {"sources": [{"id": 1, "type": "Object", "accessors": [0, 1],
-  "reverbFeed": [7], "reverbFeedGain": [0, 3]}],
-  "reverbs": [{"id": 7, "properties": [{"frequency": 100, "RT60": 1, "DSR": 1}]}]}}}],
- "accessors": [{"componentType": 5126, "type": "SCALAR", "count": 100, "extensions": {"MPEG_accessor_timed": {}}},
-  {"componentType": 5126, "type": "SCALAR", "count": 100, "extensions": {"MPEG_accessor_timed": {}}}]})",
-     kGood, Fix::none, false},
-};
 
 constexpr std::string_view kAudio = "MPEG_audio_spatial";
 
@@ -48,7 +25,7 @@ void check_gains(const Context& context, json::NodeId source, const Path& path) 
   const auto feeds = length_of(context.document, source, "reverbFeed");
   const auto gains = length_of(context.document, source, "reverbFeedGain");
   if (!feeds || !gains || *feeds == *gains) return;
-  report_member(context.link_sink, context, path, source, "reverbFeedGain", "AUDIO_GAIN_COUNT",
+  report_member(context.link_sink, context, path, source, "reverbFeedGain", Code::AUDIO_GAIN_COUNT,
                 fmt::format("There are {} gains for {} reverbs.", *gains, *feeds));
 }
 
@@ -78,7 +55,7 @@ constexpr LinkRule kLinkRules[] = {check_audio};
 }  // namespace
 
 const Family& audio_family() {
-  static const Family family{"audio", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 580, .link_rules = kLinkRules};
   return family;
 }
 

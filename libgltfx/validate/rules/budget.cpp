@@ -11,76 +11,13 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
-#include "validate/rules/families.hpp"
+#include "base/codes.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_slots.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr RuleDescription kRules[] = {
-    {"BUDGET_DRAW_CALLS", Severity::error, "An asset has more primitives than the budget allows",
-     "Each primitive is a call to the graphics card; many small ones take longer than few "
-     "large ones.",
-     "Merge primitives that share a material, or raise --max-draw-calls.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}, "mode": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     Fix::none, false},
-    {"BUDGET_FILE_SIZE", Severity::error, "An asset takes more bytes than the budget allows",
-     "The file and those it refers to are what a user waits for.",
-     "Compress images and meshes, or raise --max-file-size.",
-     R"({"asset": {"version": "2.0"}, "extras": {"text": "{{. *3000}}"}})",
-     R"({"asset": {"version": "2.0"}})", Fix::none, false},
-    {"BUDGET_TEXTURE_SIZE", Severity::error, "An image is larger than the budget allows",
-     "Textures take memory by their size in pixels, however well their file is compressed, "
-     "and devices have limits.",
-     "Scale the image down, or raise --max-texture-size.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
- "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
- "textures": [{"source": 0}],
- "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAgAAAABCAIAAABsYngUAAAAIUlEQVR42mNgYGRiZmFlY+fg5OLm4eXjFxAUEhYRFRMHAAkVARU2O3Z5AAAAAElFTkSuQmCC"}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
- "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
- "textures": [{"source": 0}],
- "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mNoaPgPAAODAgA+WCglAAAAAElFTkSuQmCC"}]})",
-     Fix::none, false},
-    {"BUDGET_TOTAL_PIXELS", Severity::error,
-     "The images of an asset have more pixels than the budget allows",
-     "All of them lie in the memory of the graphics card at once, four bytes a pixel and "
-     "more.",
-     "Scale images down, share them, or raise --max-total-pixels.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
- "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
- "textures": [{"source": 0}],
- "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAAPElEQVR42mNgYGRiZmFlY+fg5OJm4OHl4xcQFBIWERUTZ5CQlJKWkZWTV1BUUmZQUVVT19DU0tbR1dMHAEv4BGmv2/YYAAAAAElFTkSuQmCC"}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "mode": 0, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}, {"componentType": 5126, "type": "VEC2", "count": 1}],
- "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
- "textures": [{"source": 0}],
- "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mNoaPgPAAODAgA+WCglAAAAAElFTkSuQmCC"}]})",
-     Fix::none, false},
-    {"BUDGET_TRIANGLES", Severity::error, "An asset has more triangles than the budget allows",
-     "Triangles are the work of every frame; phones draw a few hundred thousand.",
-     "Simplify the meshes, or raise --max-triangles.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 9, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 6, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     Fix::none, false},
-};
 
 class BudgetCheck {
  public:
@@ -96,17 +33,17 @@ class BudgetCheck {
       total = saturating_add(total, std::uint64_t{header->width} * header->height);
       if (within(std::max(header->width, header->height), budgets.texture_size)) continue;
       const auto index = static_cast<std::uint32_t>(i);
-      report_element(sink_, context_, model::RootArray::images, i, "BUDGET_TEXTURE_SIZE",
+      report_element(sink_, context_, model::RootArray::images, i, Code::BUDGET_TEXTURE_SIZE,
                      fmt::format("{} has {} by {} pixels; the budget is {} along a side.",
                                  image_label(context_, index), header->width, header->height,
                                  budgets.texture_size));
     }
-    check_sum("images", total, budgets.total_pixels, "BUDGET_TOTAL_PIXELS", "pixels");
+    check_sum("images", total, budgets.total_pixels, Code::BUDGET_TOTAL_PIXELS, "pixels");
   }
 
   // A sum over a root array.
-  void check_sum(std::string_view array, std::uint64_t sum, std::uint64_t limit,
-                 std::string_view code, std::string_view what) const {
+  void check_sum(std::string_view array, std::uint64_t sum, std::uint64_t limit, Code code,
+                 std::string_view what) const {
     if (within(sum, limit)) return;
     const json::Document& document = context_.document;
     const Path root;
@@ -127,7 +64,7 @@ class BudgetCheck {
     if (within(bytes, limit)) return;
     const Path root;
     sink_.report(root,
-                 finding_on(context_, context_.document.root(), "BUDGET_FILE_SIZE",
+                 finding_on(context_, context_.document.root(), Code::BUDGET_FILE_SIZE,
                             fmt::format("The asset takes {} bytes in {} file{}; the budget "
                                         "is {}.",
                                         bytes, seen.size() + 1, seen.empty() ? "" : "s", limit)));
@@ -161,16 +98,11 @@ void check_budgets(const Context& context, const model::ResourceData& resources,
   const Budgets& budgets = context.options.budgets;
   const BudgetCheck check(context, resources, sink);
   check.check_images();
-  check.check_sum("meshes", info.total_triangle_count, budgets.triangles, "BUDGET_TRIANGLES",
+  check.check_sum("meshes", info.total_triangle_count, budgets.triangles, Code::BUDGET_TRIANGLES,
                   "triangles");
-  check.check_sum("meshes", info.draw_call_count, budgets.draw_calls, "BUDGET_DRAW_CALLS",
+  check.check_sum("meshes", info.draw_call_count, budgets.draw_calls, Code::BUDGET_DRAW_CALLS,
                   "primitives");
   check.check_files(listed);
-}
-
-const Family& budget_family() {
-  static const Family family{"budget", kRules, {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

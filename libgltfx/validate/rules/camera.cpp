@@ -4,50 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGoodPerspective =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1, "zfar": 100}}]})";
-
-constexpr std::string_view kGoodOrthographic =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 1, "znear": 0, "zfar": 10}}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"CAMERA_XMAG_YMAG_NEGATIVE", Severity::warning, "An orthographic camera mirrors the picture",
-     "A negative magnification turns the view inside out; some viewers mirror, others take the "
-     "absolute value.",
-     "Use the positive value; mirror with a node's scale where that is wanted.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "orthographic", "orthographic": {"xmag": -2, "ymag": 1, "znear": 0, "zfar": 10}}]})",
-     kGoodOrthographic, Fix::none, true},
-    {"CAMERA_XMAG_YMAG_ZERO", Severity::error, "An orthographic camera sees an area of no size",
-     "The projection divides by this number.", "Set half the width or height of the view.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "orthographic", "orthographic": {"xmag": 0, "ymag": 1, "znear": 0, "zfar": 10}}]})",
-     kGoodOrthographic, Fix::none, true},
-    {"CAMERA_YFOV_GEQUAL_PI", Severity::warning,
-     "A perspective camera opens by half a turn or more",
-     "No flat picture can show half a turn; most often the angle was given in degrees.",
-     "Give the vertical angle in radians, less than pi.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 45, "znear": 0.1, "zfar": 100}}]})",
-     kGoodPerspective, Fix::none, true},
-    {"CAMERA_ZFAR_LEQUAL_ZNEAR", Severity::error,
-     "The far clipping plane is not behind the near one",
-     "Nothing lies between the planes, so nothing is drawn, or the projection divides by zero.",
-     "Make zfar larger than znear, or leave it out of a perspective camera for an infinite view.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 100, "zfar": 0.1}}]})",
-     kGoodPerspective, Fix::none, true},
-};
 
 // A member that the schema walk takes as it is; what breaks its range is reported there.
 std::optional<double> positive(const Context& context, json::NodeId object, std::string_view name,
@@ -62,9 +26,10 @@ void check_planes(const Context& context, json::NodeId object, const Path& path,
   const auto near_plane = positive(context, object, "znear", near_may_be_zero);
   if (!far_plane || !near_plane || *far_plane > *near_plane) return;
   context.schema_sink.report(
-      path, finding_on(context, context.document.find(object, "zfar"), "CAMERA_ZFAR_LEQUAL_ZNEAR",
-                       fmt::format("zfar is {}, which does not lie behind znear at {}.",
-                                   number_text(*far_plane), number_text(*near_plane))));
+      path,
+      finding_on(context, context.document.find(object, "zfar"), Code::CAMERA_ZFAR_LEQUAL_ZNEAR,
+                 fmt::format("zfar is {}, which does not lie behind znear at {}.",
+                             number_text(*far_plane), number_text(*near_plane))));
 }
 
 void check_magnification(const Context& context, json::NodeId object, const Path& path,
@@ -72,7 +37,7 @@ void check_magnification(const Context& context, json::NodeId object, const Path
   const auto value = model::number_member(context.document, object, name);
   if (!value || (zero ? *value != 0 : *value >= 0)) return;
   report_member(context.schema_sink, context, path, object, name,
-                zero ? "CAMERA_XMAG_YMAG_ZERO" : "CAMERA_XMAG_YMAG_NEGATIVE",
+                zero ? Code::CAMERA_XMAG_YMAG_ZERO : Code::CAMERA_XMAG_YMAG_NEGATIVE,
                 zero ? fmt::format("{} is 0: the camera has no view.", name)
                      : fmt::format("{} is {}: a magnification should be positive.", name,
                                    number_text(*value)));
@@ -92,7 +57,7 @@ void check_angle(const Context& context, json::NodeId object, const Path& path) 
     const bool degrees = *angle > 6.3 && *angle < 180;
     context.schema_sink.report(
         path,
-        finding_on(context, context.document.find(object, "yfov"), "CAMERA_YFOV_GEQUAL_PI",
+        finding_on(context, context.document.find(object, "yfov"), Code::CAMERA_YFOV_GEQUAL_PI,
                    fmt::format("yfov is {} radians, half a turn or more.", number_text(*angle)),
                    degrees ? fmt::format("if {} degrees are meant, write {:.6g}",
                                          number_text(*angle), *angle * std::numbers::pi / 180)
@@ -144,7 +109,7 @@ void check_given(const Context& context, json::NodeId camera, const Path& path,
   if (!context.khronos() || model::string_member(context.document, camera, "type") != name) return;
   const json::NodeId value = context.document.find_in_text(camera, name);
   if (value == json::kNoNode || context.document.kind(value) != json::Kind::null) return;
-  context.schema_sink.report(path, finding_on(context, camera, "UNDEFINED_PROPERTY",
+  context.schema_sink.report(path, finding_on(context, camera, Code::UNDEFINED_PROPERTY,
                                               fmt::format("The camera has no {}.", name)));
 }
 void check_orthographic_given(const Context& context, json::NodeId camera, const Path& path) {
@@ -167,7 +132,8 @@ constexpr MemberRuleEntry kMemberRules[] = {{"camera", "orthographic", read_orth
 }  // namespace
 
 const Family& camera_family() {
-  static const Family family{"camera", kRules, kObjectRules, {}, kMemberRules};
+  static constexpr Family family{
+      .order = 370, .object_rules = kObjectRules, .member_rules = kMemberRules};
   return family;
 }
 

@@ -3,47 +3,14 @@
 // a member is an accessor, not of what; so each stands in a table here, by extension.
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/accessor.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["CESIUM_primitive_outline"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1,
-  "extensions": {"CESIUM_primitive_outline": {"indices": 2}}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5123, "type": "SCALAR", "count": 3}, {"componentType": 5123, "type": "SCALAR", "count": 6}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"EXTENSION_ACCESSOR_INVALID_COUNT", Severity::error,
-     "An accessor of an extension has a count that cannot be",
-     "Its elements belong to edges or triangles in a fixed number; readers run past the end or "
-     "lose the rest.",
-     "Write as many elements as the extension asks for.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["CESIUM_primitive_outline"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1,
-  "extensions": {"CESIUM_primitive_outline": {"indices": 2}}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5123, "type": "SCALAR", "count": 3}, {"componentType": 5123, "type": "SCALAR", "count": 5}]})",
-     kGood, Fix::none, false},
-    {"EXTENSION_ACCESSOR_INVALID_FORMAT", Severity::error,
-     "An accessor of an extension has a format that the extension does not allow",
-     "Readers take the elements as the format that the extension states.",
-     "Write the accessor in the format of the extension.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["CESIUM_primitive_outline"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1,
-  "extensions": {"CESIUM_primitive_outline": {"indices": 2}}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5123, "type": "SCALAR", "count": 3}, {"componentType": 5126, "type": "SCALAR", "count": 6}]})",
-     kGood, Fix::none, false},
-};
 
 using model::ComponentType;
 using model::ElementType;
@@ -151,7 +118,7 @@ void check_member(const Context& context, json::NodeId object, const Wanted& wan
   const ElementType type = wanted.type.value_or(format.type);
   if (format.type == type && allows(wanted.components, format)) return;
   report_member(context.link_sink, context, path, object, wanted.member,
-                "EXTENSION_ACCESSOR_INVALID_FORMAT",
+                Code::EXTENSION_ACCESSOR_INVALID_FORMAT,
                 fmt::format("Accessor {} is {} instead of {} of {}.", *index, format_text(format),
                             model::element_type_name(type), components_text(wanted.components)));
 }
@@ -199,7 +166,7 @@ std::optional<std::uint64_t> count_of(const Context& context, json::NodeId objec
 void report_count(const Context& context, const Path& path, json::NodeId object,
                   std::string_view member, std::string message) {
   report_member(context.link_sink, context, path, object, member,
-                "EXTENSION_ACCESSOR_INVALID_COUNT", std::move(message));
+                Code::EXTENSION_ACCESSOR_INVALID_COUNT, std::move(message));
 }
 
 // Two indices an edge.
@@ -237,7 +204,7 @@ constexpr LinkRule kLinkRules[] = {check_formats, check_outlines, check_visibili
 }  // namespace
 
 const Family& extension_accessors_family() {
-  static const Family family{"extension_accessors", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 570, .link_rules = kLinkRules};
   return family;
 }
 

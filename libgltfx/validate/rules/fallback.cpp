@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "validate/rules/families.hpp"
+#include "base/codes.hpp"
+#include "validate/context.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -67,11 +68,10 @@ void check_object(const Context& context, json::NodeId object, const Path& path,
         !lacks(context, object, member.value)) {
       continue;
     }
-    Finding finding;
+    Finding finding(Code::NON_REQUIRED_EXTENSION);
     // An accessor or buffer without bytes is legal in itself and reads as zeros: the asset loads
     // everywhere and looks wrong, so this is a warning and no error.
     finding.severity = Severity::warning;
-    finding.code = "NON_REQUIRED_EXTENSION";
     finding.message = fmt::format(
         "The data is only there in the form of {}, but the asset does not require it.", name);
     finding.help = fmt::format("add \"{}\" to extensionsRequired", name);
@@ -114,7 +114,7 @@ constexpr LinkRule kLinkRules[] = {check_buffer_views, check_primitives};
 }  // namespace
 
 const Family& fallback_family() {
-  static const Family family{"fallback", {}, {}, kLinkRules};
+  static constexpr Family family{.order = 60, .link_rules = kLinkRules};
   return family;
 }
 

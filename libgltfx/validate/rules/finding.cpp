@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::validate {
 
-Finding finding_on(const Context& context, json::NodeId value, std::string_view code,
-                   std::string message, std::string help) {
+Finding finding_on(const Context& context, json::NodeId value, Code code, std::string message,
+                   std::string help) {
   const json::Document& document = context.document;
-  Finding finding;
-  finding.code = code;
+  Finding finding(code);
   finding.message = std::move(message);
   finding.help = std::move(help);
   if (value != json::kNoNode) {
@@ -26,20 +26,19 @@ Finding finding_on(const Context& context, json::NodeId value, std::string_view 
 }
 
 void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
-                   std::string_view member, std::string_view code, std::string message,
-                   std::string help) {
+                   std::string_view member, Code code, std::string message, std::string help) {
   const json::NodeId value = context.document.find(object, member);
   sink.report(Path(path, member), finding_on(context, value != json::kNoNode ? value : object, code,
                                              std::move(message), std::move(help)));
 }
 
-void report_link(const Context& context, const Path& path, json::NodeId place,
-                 std::string_view code, std::string message, std::string help) {
+void report_link(const Context& context, const Path& path, json::NodeId place, Code code,
+                 std::string message, std::string help) {
   context.link_sink.report(path,
                            finding_on(context, place, code, std::move(message), std::move(help)));
 }
 
-void report_link(const Context& context, const Path& path, Span span, std::string_view code,
+void report_link(const Context& context, const Path& path, Span span, Code code,
                  std::string message) {
   Finding finding = finding_on(context, json::kNoNode, code, std::move(message));
   finding.span = span;
@@ -47,7 +46,7 @@ void report_link(const Context& context, const Path& path, Span span, std::strin
 }
 
 void report_element(Sink& sink, const Context& context, model::RootArray array, std::size_t index,
-                    std::string_view code, std::string message, std::optional<Severity> severity) {
+                    Code code, std::string message, std::optional<Severity> severity) {
   const Path root;
   const Path list(root, model::root_array_name(array));
   Finding finding =
@@ -86,7 +85,7 @@ bool check_root_extension(const Context& context, std::string_view extension, js
                           const Path& path) {
   const json::Document& document = context.document;
   if (model::extension_object(document, document.root(), extension) != json::kNoNode) return true;
-  report_link(context, path, object, "UNSATISFIED_DEPENDENCY",
+  report_link(context, path, object, Code::UNSATISFIED_DEPENDENCY,
               fmt::format("{} is not defined at the root of the asset.", extension));
   return false;
 }

@@ -13,26 +13,24 @@ namespace gltfx::validate {
 
 /// A finding that marks `value`: all of a scalar, only the first character of an object or array.
 /// With json::kNoNode it marks nothing.
-Finding finding_on(const Context& context, json::NodeId value, std::string_view code,
-                   std::string message, std::string help = {});
+Finding finding_on(const Context& context, json::NodeId value, Code code, std::string message,
+                   std::string help = {});
 
 /// Reports a finding on a member of the object at `path`: at the member when it is there, and
 /// otherwise at the object, with the pointer of the member in both cases.
 void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
-                   std::string_view member, std::string_view code, std::string message,
-                   std::string help = {});
+                   std::string_view member, Code code, std::string message, std::string help = {});
 
 /// Reports a finding of phase 4 at `path` that marks `place` (as finding_on() does) or exactly the
 /// span, such as one number of an array.
-void report_link(const Context& context, const Path& path, json::NodeId place,
-                 std::string_view code, std::string message, std::string help = {});
-void report_link(const Context& context, const Path& path, Span span, std::string_view code,
+void report_link(const Context& context, const Path& path, json::NodeId place, Code code,
+                 std::string message, std::string help = {});
+void report_link(const Context& context, const Path& path, Span span, Code code,
                  std::string message);
 
 /// Reports a finding on element `index` of a root array.
 void report_element(Sink& sink, const Context& context, model::RootArray array, std::size_t index,
-                    std::string_view code, std::string message,
-                    std::optional<Severity> severity = {});
+                    Code code, std::string message, std::optional<Severity> severity = {});
 
 /// khronos profile: reports the broken references inside `value` that have not been, at the point
 /// where that validator comes to them. Elsewhere the walk has reported them. Nothing for

@@ -6,41 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/node.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_slots.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr RuleDescription kRules[] = {
-    {"IMAGE_BASED_LIGHT_FACE_SIZE", Severity::error,
-     "A face of an environment light has the wrong size",
-     "The faces of one level make a cube, and levels a pyramid; the graphics card takes them only "
-     "if their sizes go together.",
-     "Make all faces square, of a power of two, level 0 of specularImageSize and each further "
-     "level "
-     "half as large.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_lights_image_based"],
- "scene": 0, "scenes": [{"nodes": [0], "extensions": {"EXT_lights_image_based": {"light": 0}}}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
- "extensions": {"EXT_lights_image_based": {"lights": [{"specularImageSize": 4,
-  "specularImages": [[0, 0, 0, 0, 0, 0], [1, 1, 1, 1, 1, 1]],
-  "irradianceCoefficients": [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]]}]}},
- "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAADklEQVR4nGPgBAMGCAUAAwIAbRcppVIAAAAASUVORK5CYII="},
-  {"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGPg5OQEAAA6ABztCJuOAAAAAElFTkSuQmCC"}]})",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_lights_image_based"],
- "scene": 0, "scenes": [{"nodes": [0], "extensions": {"EXT_lights_image_based": {"light": 0}}}], "nodes": [{"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
- "extensions": {"EXT_lights_image_based": {"lights": [{"specularImageSize": 2,
-  "specularImages": [[0, 0, 0, 0, 0, 0], [1, 1, 1, 1, 1, 1]],
-  "irradianceCoefficients": [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]]}]}},
- "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAADklEQVR4nGPgBAMGCAUAAwIAbRcppVIAAAAASUVORK5CYII="},
-  {"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGPg5OQEAAA6ABztCJuOAAAAAElFTkSuQmCC"}]})",
-     Fix::none, false},
-};
 
 constexpr std::string_view kExtension = "EXT_lights_image_based";
 
@@ -89,7 +63,7 @@ class LightCheck {
     if (!header || !header->doubt.empty()) return;
     const std::string fault = fault_of(*header, level, size);
     if (fault.empty()) return;
-    Finding finding = finding_on(context_, json::kNoNode, "IMAGE_BASED_LIGHT_FACE_SIZE",
+    Finding finding = finding_on(context_, json::kNoNode, Code::IMAGE_BASED_LIGHT_FACE_SIZE,
                                  fmt::format("{} {}.", image_label(context_, image), fault));
     finding.span = span;
     sink_.report(path, std::move(finding));
@@ -115,11 +89,6 @@ void check_image_based_lights(const Context& context, const model::ResourceData&
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (lights[i] != json::kNoNode) check.check(lights[i], Path(list, i));
   }
-}
-
-const Family& image_based_light_family() {
-  static const Family family{"image_based_light", kRules, {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

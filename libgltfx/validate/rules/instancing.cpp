@@ -3,12 +3,12 @@
 // may be, is said by the schema files (`instanceAttributes`).
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/accessor.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/instancing_table.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -58,10 +58,10 @@ class InstancingCheck {
  private:
   void check_host(const ExtensionPlace& place, const Path& path) {
     if (context_.document.find(place.host, "mesh") == json::kNoNode) {
-      report_link(context_, path, place.object, "INSTANCING_NODE_WITHOUT_MESH",
+      report_link(context_, path, place.object, Code::INSTANCING_NODE_WITHOUT_MESH,
                   fmt::format("Node {} has no mesh to draw many times.", place.index));
     } else if (context_.asset.index(place.host, "skin", model::RootArray::skins)) {
-      report_link(context_, path, place.object, "INSTANCING_NODE_WITH_SKIN",
+      report_link(context_, path, place.object, Code::INSTANCING_NODE_WITH_SKIN,
                   fmt::format("Node {} is skinned and drawn many times.", place.index));
     }
   }
@@ -74,7 +74,7 @@ class InstancingCheck {
         contains(wanted->components, schema_name(format))) {
       return;
     }
-    report_link(context_, path, attribute.value, "INSTANCING_ACCESSOR_INVALID_FORMAT",
+    report_link(context_, path, attribute.value, Code::INSTANCING_ACCESSOR_INVALID_FORMAT,
                 fmt::format("Accessor {} for {} is {} instead of {} of {}.", *attribute.accessor,
                             attribute.name, format_text(format), fmt::join(wanted->types, " or "),
                             fmt::join(wanted->components, " or ")));
@@ -82,7 +82,7 @@ class InstancingCheck {
 
   void report_count(const model::Attribute& attribute, std::uint64_t own, std::uint64_t first,
                     const Path& path) {
-    report_link(context_, path, attribute.value, "INSTANCING_UNEQUAL_COUNT",
+    report_link(context_, path, attribute.value, Code::INSTANCING_UNEQUAL_COUNT,
                 fmt::format("{} has {} instances, the first attribute has {}.",
                             gltfx::quoted(attribute.name), own, first));
   }
@@ -106,7 +106,7 @@ constexpr LinkRule kLinkRules[] = {check_instances};
 }  // namespace
 
 const Family& instancing_family() {
-  static const Family family{"instancing", instancing_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 520, .link_rules = kLinkRules};
   return family;
 }
 

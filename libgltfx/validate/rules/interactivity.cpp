@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/json_pointer.hpp"
 #include "base/text.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/interactivity_draft.hpp"
-#include "validate/rules/interactivity_table.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -82,7 +82,7 @@ class GraphCheck {
       if (fresh) continue;
       const Path at(list, types_.size() - 1);
       report_link(context_, Path(at, "signature"), document_.find(type, "signature"),
-                  "INTERACTIVITY_TYPE_REPEATED",
+                  Code::INTERACTIVITY_TYPE_REPEATED,
                   fmt::format("Type {} has the signature {}, too.", first->second, quoted(name)));
     }
   }
@@ -112,7 +112,7 @@ class GraphCheck {
       if (id == json::kNoNode || !document_.is_string(id)) continue;
       const auto [first, fresh] = known.try_emplace(document_.string(id), i);
       if (fresh) continue;
-      report_link(context_, Path(at, "id"), id, "INTERACTIVITY_EVENT_REPEATED",
+      report_link(context_, Path(at, "id"), id, Code::INTERACTIVITY_EVENT_REPEATED,
                   fmt::format("Event {} has the id {}, too.", first->second, quoted(first->first)));
     }
   }
@@ -139,11 +139,11 @@ class GraphCheck {
     const std::size_t length = document_.array_size(value);
     const Path at(path, "value");
     if (length != signature->length) {
-      report_link(context_, at, value, "INTERACTIVITY_VALUE_LENGTH",
+      report_link(context_, at, value, Code::INTERACTIVITY_VALUE_LENGTH,
                   fmt::format("The value has {} element{}, a {} has {}.", length,
                               length == 1 ? "" : "s", signature->name, signature->length));
     } else if (!has_kind(*signature, value)) {
-      report_link(context_, at, value, "INTERACTIVITY_VALUE_KIND",
+      report_link(context_, at, value, Code::INTERACTIVITY_VALUE_KIND,
                   fmt::format("The elements are no {} values.", signature->name));
     }
   }
@@ -186,7 +186,7 @@ class GraphCheck {
       if (!other || (flows ? *other > index : *other < index)) continue;
       const Path socket(at, document_.key(each.key_id));
       report_link(context_, Path(socket, "node"), document_.find(each.value, "node"),
-                  "INTERACTIVITY_NODE_ORDER",
+                  Code::INTERACTIVITY_NODE_ORDER,
                   flows
                       ? fmt::format("The flow of node {} goes to node {}, which is not behind it.",
                                     index, *other)
@@ -211,7 +211,7 @@ class GraphCheck {
         continue;
       }
       report_link(
-          context_, Path(list, position), number.span, "INTERACTIVITY_INDEX_UNRESOLVED",
+          context_, Path(list, position), number.span, Code::INTERACTIVITY_INDEX_UNRESOLVED,
           fmt::format("{} names element {} of {}, of which there are {}.",
                       quoted(setting.operation), number_text(number.value), setting.list, count));
     }
@@ -262,7 +262,7 @@ constexpr LinkRule kLinkRules[] = {check_graphs};
 }  // namespace
 
 const Family& interactivity_family() {
-  static const Family family{"interactivity", interactivity_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 550, .link_rules = kLinkRules};
   return family;
 }
 

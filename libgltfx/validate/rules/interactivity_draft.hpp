@@ -5,12 +5,13 @@
 #include <string_view>
 #include <utility>
 
+#include "base/codes.hpp"
 #include "base/sink.hpp"
 #include "json/document.hpp"
 
 namespace gltfx::validate {
 
-inline constexpr std::string_view kEarlierInteractivity = "INTERACTIVITY_EARLIER_DRAFT";
+inline constexpr Code kEarlierInteractivity = Code::INTERACTIVITY_EARLIER_DRAFT;
 
 /// What tells that the graphs of an asset follow an earlier draft, as the end of a sentence. Empty:
 /// nothing does, or there are none.
@@ -29,7 +30,7 @@ class OutsideInteractivity final : public Sink {
   }
 
  private:
-  static constexpr std::string_view kUndeclared = "UNDECLARED_EXTENSION";
+  static constexpr Code kUndeclared = Code::UNDECLARED_EXTENSION;
   static bool is_inside(const Path& path);
   Sink& next_;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What extensions ask of KTX2 images, and slots and samplers of those that they show. The faults of
 // a file in itself are found where its header is read; only their table is here.
-#include "validate/rules/ktx2.hpp"
 
 #include <map>
 #include <string>
@@ -10,9 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_phase.hpp"
 
@@ -30,7 +30,7 @@ struct ImageUse {
   std::uint32_t image;
   const Ktx2& file;
 
-  void report(std::string_view code, std::string message) const {
+  void report(Code code, std::string message) const {
     report_element(phase.sink, phase.context, model::RootArray::images, image, code,
                    std::move(message));
   }
@@ -50,7 +50,7 @@ void check_payload(const ImageUse& use, std::string_view extension) {
   const bool basis = extension == "KHR_texture_basisu";
   const bool right = astc ? use.file.model == Ktx2Model::astc : !basis || is_basis(use.file);
   if (right) return;
-  use.report("KTX2_PAYLOAD_INVALID",
+  use.report(Code::KTX2_PAYLOAD_INVALID,
              fmt::format("The image does not hold what {} asks for: {}.", extension,
                          astc ? "ASTC"
                               : "ETC1S with BasisLZ, or UASTC alone or with Zstandard, of RGB, "
@@ -59,11 +59,12 @@ void check_payload(const ImageUse& use, std::string_view extension) {
 
 void check_extents(const ImageUse& use, std::string_view extension) {
   if (!use.file.is_2d()) {
-    use.report("KTX2_NOT_2D", "The image is no single flat picture, as textures of materials are.");
+    use.report(Code::KTX2_NOT_2D,
+               "The image is no single flat picture, as textures of materials are.");
   }
   if (extension != "KHR_texture_basisu") return;
   if (use.file.width % 4 != 0 || use.file.height % 4 != 0) {
-    use.report("KTX2_DIMENSIONS_NOT_MULTIPLE_OF_4",
+    use.report(Code::KTX2_DIMENSIONS_NOT_MULTIPLE_OF_4,
                fmt::format("The image has {} by {} pixels, which are no multiples of 4.",
                            use.file.width, use.file.height));
   }
@@ -72,16 +73,16 @@ void check_extents(const ImageUse& use, std::string_view extension) {
 void check_metadata(const ImageUse& use) {
   const Ktx2& file = use.file;
   if (file.orientation && *file.orientation != "rd") {
-    use.report("KTX2_ORIENTATION_INVALID",
+    use.report(Code::KTX2_ORIENTATION_INVALID,
                fmt::format("KTXorientation is {}; textures run to the right and down: 'rd'.",
                            gltfx::quoted(*file.orientation)));
   }
   if (file.swizzle && *file.swizzle != "rgba") {
-    use.report("KTX2_SWIZZLE_INVALID", fmt::format("KTXswizzle is {}; only 'rgba' is allowed.",
-                                                   gltfx::quoted(*file.swizzle)));
+    use.report(Code::KTX2_SWIZZLE_INVALID, fmt::format("KTXswizzle is {}; only 'rgba' is allowed.",
+                                                       gltfx::quoted(*file.swizzle)));
   }
   if (file.premultiplied) {
-    use.report("KTX2_PREMULTIPLIED_ALPHA", "The colours of the image are multiplied by alpha.");
+    use.report(Code::KTX2_PREMULTIPLIED_ALPHA, "The colours of the image are multiplied by alpha.");
   }
 }
 
@@ -102,7 +103,7 @@ void check_levels(const ImageUse& use, json::NodeId texture, json::NodeId object
   const std::uint32_t full = use.file.full_pyramid();
   if (use.file.level_count >= full || !wants_levels(use.phase.context, texture)) return;
   report_member(use.phase.sink, use.phase.context, path, object, "source",
-                "KTX2_MIP_LEVELS_MISSING",
+                Code::KTX2_MIP_LEVELS_MISSING,
                 fmt::format("The sampler reads smaller levels, but {} has {} of {}.",
                             image_label(use.phase.context, use.image), use.file.level_count, full));
 }
@@ -149,7 +150,7 @@ void check_contents(const TexturePhase& phase, const TextureSlot& slot, std::uin
   if (!file.contents) return;
   for (const char channel : {'g', 'b'}) {
     if (!slot.effective.has(channel) || holds(*file.contents, channel)) continue;
-    report_slot(phase.context, phase.sink, slot, "KTX2_CHANNELS_MISSING",
+    report_slot(phase.context, phase.sink, slot, Code::KTX2_CHANNELS_MISSING,
                 fmt::format("{} reads {}, but {} holds {} only.", slot.property,
                             slot.effective.text(), image_label(phase.context, image),
                             *file.contents == image::Channels::red ? "R" : "R and G"));
@@ -168,7 +169,7 @@ void check_color_space(const TexturePhase& phase, const TextureSlot& slot, std::
   const std::string_view wanted =
       wrong_transfer ? (slot.srgb ? "the transfer function of sRGB" : "a linear transfer function")
                      : (slot.srgb ? "the primaries of BT.709" : "no primaries");
-  report_slot(phase.context, phase.sink, slot, "KTX2_COLOR_SPACE_INVALID",
+  report_slot(phase.context, phase.sink, slot, Code::KTX2_COLOR_SPACE_INVALID,
               fmt::format("{} needs {}, which {} does not declare.", slot.property, wanted,
                           image_label(phase.context, image)),
               {}, wrong_transfer ? std::nullopt : std::optional(Severity::warning));
@@ -192,11 +193,6 @@ void check_ktx2_slots(const TexturePhase& phase) {
       check_color_space(phase, slot, image, *file);
     }
   }
-}
-
-const Family& ktx2_family() {
-  static const Family family{"ktx2", ktx2_rules(), {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

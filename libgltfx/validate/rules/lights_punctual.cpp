@@ -3,38 +3,15 @@
 // it.
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/active_extensions.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr RuleDescription kRules[] = {
-    {"EXTRA_PROPERTY", Severity::info, "A property stands where nothing reads it",
-     "It is dead weight, and suggests that the object is of another kind than it says.",
-     "Remove the property, or correct the type of the object.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
- "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "range": 10}]}},
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
- "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "range": 10}]}},
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
-     Fix::safe, true},
-    {"KHR_LIGHTS_PUNCTUAL_LIGHT_SPOT_ANGLES", Severity::error,
-     "The inner cone of a spot light is not inside the outer one",
-     "Light fades between the two angles; renderers divide by their difference.",
-     "Make outerConeAngle larger than innerConeAngle. It is 0.785 (45 degrees) when absent.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
- "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {"innerConeAngle": 0.9}}]}},
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
- "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {"innerConeAngle": 0.9, "outerConeAngle": 1}}]}},
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions": {"KHR_lights_punctual": {"light": 0}}}]})",
-     Fix::none, true},
-};
 
 // An angle of a cone, `otherwise` when it is absent, nothing when it is wrong (and reported).
 std::optional<double> angle(const json::Document& document, json::NodeId spot,
@@ -52,7 +29,7 @@ void check_cone(const Context& context, json::NodeId spot, const Path& path) {
   if (!inner || !outer || *outer > *inner) return;
   const bool given = context.document.find(spot, "outerConeAngle") != json::kNoNode;
   report_member(context.schema_sink, context, path, spot, "outerConeAngle",
-                "KHR_LIGHTS_PUNCTUAL_LIGHT_SPOT_ANGLES",
+                Code::KHR_LIGHTS_PUNCTUAL_LIGHT_SPOT_ANGLES,
                 fmt::format("The outer cone angle, {}{}, is not above the inner one, {}.",
                             number_text(*outer), given ? "" : " by default", number_text(*inner)));
 }
@@ -60,7 +37,7 @@ void check_cone(const Context& context, json::NodeId spot, const Path& path) {
 void report_extra(const Context& context, json::NodeId light, const Path& path,
                   std::string_view member, const std::string& type) {
   if (!context.document.holds(light, member)) return;
-  report_member(context.schema_sink, context, path, light, member, "EXTRA_PROPERTY",
+  report_member(context.schema_sink, context, path, light, member, Code::EXTRA_PROPERTY,
                 fmt::format("A light of type {} has no {}.", gltfx::quoted(type), member));
 }
 
@@ -110,7 +87,10 @@ constexpr LinkRule kLinkRules[] = {check_lights_exist};
 }  // namespace
 
 const Family& lights_punctual_family() {
-  static const Family family{"lights_punctual", kRules, kObjectRules, kLinkRules, kMemberRules};
+  static constexpr Family family{.order = 410,
+                                 .object_rules = kObjectRules,
+                                 .link_rules = kLinkRules,
+                                 .member_rules = kMemberRules};
   return family;
 }
 

@@ -6,49 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/node.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
 
 constexpr std::string_view kExtension = "MSFT_lod";
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1, 2]}}}, {"camera": 0}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"LOD_COVERAGE_MISMATCH", Severity::info,
-     "The screen coverages of levels of detail do not go with the levels",
-     "Viewers that read MSFT_screencoverage take one number for each level, from large to small; "
-     "others make a level show never, or always.",
-     "Write a number for the object itself and one for each level, each smaller than the one "
-     "before.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1]}}, "extras": {"MSFT_screencoverage": [0.5]}}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1]}}, "extras": {"MSFT_screencoverage": [0.5, 0.1]}}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     Fix::none, false},
-    {"LOD_CYCLE", Severity::error, "A level of detail leads back to where it came from",
-     "A viewer that looks for a coarser version goes round for ever.",
-     "Let only the finest version list the others, and none of them list it.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1]}}}, {"camera": 0, "extensions": {"MSFT_lod": {"ids": [0]}}}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, false},
-    {"LOD_REPEATED", Severity::warning, "A level of detail is listed twice",
-     "Levels go from finer to coarser; the second time nothing changes.", "List each level once.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MSFT_lod"], "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"MSFT_lod": {"ids": [1, 1]}}}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::safe, false},
-};
 
 class LodCheck {
  public:
@@ -66,7 +33,7 @@ class LodCheck {
         context_, array_, kExtension, [&](const ExtensionPlace& place, const Path& path) {
           if (!on_cycle_[place.index]) return;
           report_member(
-              context_.link_sink, context_, path, place.object, "ids", "LOD_CYCLE",
+              context_.link_sink, context_, path, place.object, "ids", Code::LOD_CYCLE,
               fmt::format("The levels of {} {} lead round in a circle.",
                           array_ == model::RootArray::nodes ? "node" : "material", place.index));
         });
@@ -82,7 +49,7 @@ class LodCheck {
           if (!level) return;
           levels_[place.index].push_back(*level);
           if (known.insert(*level).second) return;
-          report_link(context_, Path(ids, position), span, "LOD_REPEATED",
+          report_link(context_, Path(ids, position), span, Code::LOD_REPEATED,
                       fmt::format("Level {} is listed before in this list.", *level));
         });
   }
@@ -104,7 +71,7 @@ class LodCheck {
     const std::size_t levels = levels_[place.index].size() + 1;
     if (falling && count == levels) return;
     const Path at(*path.parent()->parent(), "extras");
-    report_link(context_, Path(at, kMember), list, "LOD_COVERAGE_MISMATCH",
+    report_link(context_, Path(at, kMember), list, Code::LOD_COVERAGE_MISMATCH,
                 count != levels
                     ? fmt::format("There are {} coverages for {} levels.", count, levels)
                     : std::string("A coverage is not smaller than the one before."));
@@ -157,7 +124,7 @@ constexpr LinkRule kLinkRules[] = {check_levels};
 }  // namespace
 
 const Family& lod_family() {
-  static const Family family{"lod", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 530, .link_rules = kLinkRules};
   return family;
 }
 

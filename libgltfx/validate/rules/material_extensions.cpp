@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Material extensions that need something beside them to be seen. They are named here because their
 // texts state these conditions in prose: no schema word says "only with an emissive factor".
-#include "validate/rules/material_extensions.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/active_extensions.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/uv_mapping.hpp"
 
@@ -28,7 +28,7 @@ struct Subject {
   json::NodeId object;
   const Path& path;  // of the extension object
 
-  void report(std::string_view code, std::string message) const {
+  void report(Code code, std::string message) const {
     report_link(context, path, object, code, std::move(message));
   }
 };
@@ -52,7 +52,7 @@ bool is_transformed(const json::Document& document, json::NodeId one, json::Node
 
 // Tiling more or less often leaves the tangents where they are; turning does not.
 void check_shared_mapping(const Subject& subject, json::NodeId normal, std::string_view member,
-                          std::string_view code) {
+                          Code code) {
   const Context& context = subject.context;
   const json::NodeId texture = object_member(context.document, subject.object, member);
   const UvMapping wanted = read_uv_mapping(context.document, normal);
@@ -69,7 +69,7 @@ void check_shared_mapping(const Subject& subject, json::NodeId normal, std::stri
   context.link_sink.report(Path(subject.path, member), std::move(finding));
 }
 
-void check_shared_texcoord(const Subject& subject, std::string_view member, std::string_view code) {
+void check_shared_texcoord(const Subject& subject, std::string_view member, Code code) {
   const Context& context = subject.context;
   const json::Document& document = context.document;
   const json::NodeId normal = object_member(document, subject.material, "normalTexture");
@@ -88,12 +88,12 @@ void check_shared_texcoord(const Subject& subject, std::string_view member, std:
 
 void check_anisotropy(const Subject& subject) {
   check_shared_texcoord(subject, "anisotropyTexture",
-                        "KHR_MATERIALS_ANISOTROPY_ANISOTROPY_TEXTURE_TEXCOORD");
+                        Code::KHR_MATERIALS_ANISOTROPY_ANISOTROPY_TEXTURE_TEXCOORD);
 }
 
 void check_clearcoat(const Subject& subject) {
   check_shared_texcoord(subject, "clearcoatNormalTexture",
-                        "KHR_MATERIALS_CLEARCOAT_CLEARCOAT_NORMAL_TEXTURE_TEXCOORD");
+                        Code::KHR_MATERIALS_CLEARCOAT_CLEARCOAT_NORMAL_TEXTURE_TEXCOORD);
 }
 
 // --- Extensions without effect on their own ---
@@ -104,7 +104,7 @@ bool has_extension(const Subject& subject, std::string_view name) {
 
 void check_dispersion(const Subject& subject) {
   if (has_extension(subject, "KHR_materials_volume")) return;
-  subject.report("KHR_MATERIALS_DISPERSION_NO_VOLUME",
+  subject.report(Code::KHR_MATERIALS_DISPERSION_NO_VOLUME,
                  "The dispersion has no effect: the material has no KHR_materials_volume.");
 }
 
@@ -126,7 +126,7 @@ void check_emissive_strength(const Subject& subject) {
   if (!strength || *strength < 0 || *strength == 1) return;
   if (!is_black(document, subject.material)) return;
   const json::NodeId factor = document.find(subject.material, "emissiveFactor");
-  subject.report("KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR",
+  subject.report(Code::KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR,
                  fmt::format("emissiveStrength {} multiplies an emissiveFactor that is {}.",
                              number_text(*strength),
                              factor == json::kNoNode ? "not given, so black" : "black"));
@@ -165,13 +165,13 @@ bool is_transmissive(const Subject& subject) {
 void check_volume(const Subject& subject) {
   const json::Document& document = subject.context.document;
   if (!is_transmissive(subject)) {
-    subject.report("KHR_MATERIALS_VOLUME_NO_TRANSMISSION",
+    subject.report(Code::KHR_MATERIALS_VOLUME_NO_TRANSMISSION,
                    "No extension of the material lets light through its surface into the volume.");
   }
   const auto thickness = number_member(document, subject.object, "thicknessFactor");
   if (!thickness || !(*thickness > 0)) return;
   if (!model::true_member(document, subject.material, "doubleSided")) return;
-  subject.report("KHR_MATERIALS_VOLUME_DOUBLE_SIDED",
+  subject.report(Code::KHR_MATERIALS_VOLUME_DOUBLE_SIDED,
                  fmt::format("The material is double-sided, but its volume is {} thick.",
                              number_text(*thickness)));
 }
@@ -193,11 +193,11 @@ void check_iridescence(const Context& context, json::NodeId object, const Path& 
   if (object_member(document, object, texture) == json::kNoNode) {
     if (!document.holds(object, minimum)) return;
     report_member(context.schema_sink, context, path, object, minimum,
-                  "KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE",
+                  Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE,
                   "The minimum thickness has no effect without a thickness texture.");
   } else if (least == most) {
     report_member(context.schema_sink, context, path, object, texture,
-                  "KHR_MATERIALS_IRIDESCENCE_THICKNESS_TEXTURE_UNUSED",
+                  Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_TEXTURE_UNUSED,
                   fmt::format("The texture has no effect: minimum and maximum are both {}.",
                               number_text(*least)));
   }
@@ -264,8 +264,8 @@ constexpr LinkRule kLinkRules[] = {check_materials};
 }  // namespace
 
 const Family& material_extensions_family() {
-  static const Family family{"material_extensions", material_extension_rules(), kObjectRules,
-                             kLinkRules};
+  static constexpr Family family{
+      .order = 290, .object_rules = kObjectRules, .link_rules = kLinkRules};
   return family;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lobes of materials that cannot be seen: switched off, hidden by metal, or without what they need.
 // The texts of the extensions say so in prose.
-#include "validate/rules/material_lobes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +12,11 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/animated.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_slots.hpp"
 #include "validate/rules/vertex_alpha.hpp"
@@ -87,7 +87,7 @@ class MaterialCheck {
   }
 
   // Reports at a member of an extension, or at the extension itself.
-  void report(std::string_view name, std::string_view member, std::string_view code,
+  void report(std::string_view name, std::string_view member, Code code,
               std::string message) const {
     const Path at(extensions_, name);
     if (member.empty()) {
@@ -105,13 +105,13 @@ class MaterialCheck {
     if (!ior || *ior != 0) return;
     const std::string animated = pointer("extensions/KHR_materials_ior/ior");
     if (shared_.animated.contains(animated)) {
-      report("KHR_materials_ior", "ior", "KHR_MATERIALS_IOR_ZERO_ANIMATED",
+      report("KHR_materials_ior", "ior", Code::KHR_MATERIALS_IOR_ZERO_ANIMATED,
              "ior is animated, but 0 in the material: readers ignore the animation.");
     }
     const json::NodeId volume = extension("KHR_materials_volume");
     const auto thickness = number_member(document_, volume, "thicknessFactor");
     if (!thickness || !(*thickness > 0)) return;
-    report("KHR_materials_ior", "ior", "KHR_MATERIALS_IOR_ZERO_VOLUME",
+    report("KHR_materials_ior", "ior", Code::KHR_MATERIALS_IOR_ZERO_VOLUME,
            fmt::format("ior is 0, so no light is refracted into the volume, which is {} thick.",
                        number_text(*thickness)));
   }
@@ -121,7 +121,7 @@ class MaterialCheck {
     const auto dispersion = number_member(document_, object, "dispersion");
     constexpr double kRutile = 2.04;  // as much as any mineral has
     if (!dispersion || *dispersion <= kRutile) return;
-    report("KHR_materials_dispersion", "dispersion", "KHR_MATERIALS_DISPERSION_UNUSUAL",
+    report("KHR_materials_dispersion", "dispersion", Code::KHR_MATERIALS_DISPERSION_UNUSUAL,
            fmt::format("A dispersion of {} is that of no material.", number_text(*dispersion)));
   }
 
@@ -143,7 +143,7 @@ class MaterialCheck {
       const auto value = number_member(document_, extension(name), factor);
       if (!value || !(*value > 0)) continue;
       const bool given = document_.find(base, "metallicFactor") != json::kNoNode;
-      report(name, "", "KHR_MATERIALS_TRANSMISSION_METAL",
+      report(name, "", Code::KHR_MATERIALS_TRANSMISSION_METAL,
              fmt::format("No light passes through metal: metallicFactor is {}.",
                          given ? "1" : "not given, and 1 by default"));
       return;
@@ -156,7 +156,7 @@ class MaterialCheck {
     if (mode != "BLEND" && mode != "MASK") return;
     const auto transmission = fixed("KHR_materials_transmission", "transmissionFactor", 0);
     if (!transmission || !(*transmission > 0) || may_have_alpha()) return;
-    report("KHR_materials_transmission", "", "KHR_MATERIALS_TRANSMISSION_ALPHA_MODE",
+    report("KHR_materials_transmission", "", Code::KHR_MATERIALS_TRANSMISSION_ALPHA_MODE,
            fmt::format("alphaMode is {}, but alpha is 1: transmission needs OPAQUE.", mode));
   }
 
@@ -186,7 +186,7 @@ class MaterialCheck {
     const double roughness = number_member(document_, base, "roughnessFactor").value_or(1);
     const bool shines = metallic != 0 || !(roughness > 0.5);
     if (!shines && !is_emissive()) return;
-    report("KHR_materials_unlit", "", "KHR_MATERIALS_UNLIT_FALLBACK",
+    report("KHR_materials_unlit", "", Code::KHR_MATERIALS_UNLIT_FALLBACK,
            shines ? fmt::format("Readers without the extension show metallicFactor {} and "
                                 "roughnessFactor {}.",
                                 number_text(metallic), number_text(roughness))
@@ -218,7 +218,8 @@ class MaterialCheck {
 
   bool report_unseen(json::NodeId owner, const Path& path, std::string_view texture) const {
     if (object_member(document_, owner, texture) == json::kNoNode) return false;
-    report_member(context_.link_sink, context_, path, owner, texture, "KHR_MATERIALS_UNLIT_TEXTURE",
+    report_member(context_.link_sink, context_, path, owner, texture,
+                  Code::KHR_MATERIALS_UNLIT_TEXTURE,
                   fmt::format("{} is not seen: the material is unlit.", texture));
     return true;
   }
@@ -269,7 +270,7 @@ class MaterialCheck {
         others.push_back(printable(name));
     }
     if (others.empty()) return;
-    report(off.extension, "", "MATERIAL_LOBE_OFF",
+    report(off.extension, "", Code::MATERIAL_LOBE_OFF,
            fmt::format("{} is 0, so {} {} no effect.", off.factor, join_and(others),
                        others.size() == 1 ? "has" : "have"));
   }
@@ -307,7 +308,7 @@ constexpr LinkRule kLinkRules[] = {check_materials};
 }  // namespace
 
 const Family& material_lobes_family() {
-  static const Family family{"material_lobes", material_lobe_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 300, .link_rules = kLinkRules};
   return family;
 }
 

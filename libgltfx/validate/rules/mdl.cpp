@@ -5,32 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/name_registries.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr RuleDescription kRules[] = {
-    {"MDL_NOT_A_MATERIAL", Severity::error, "A material calls a function that returns none",
-     "Only a material can be put on a surface.", "Call a function of type material.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["NV_materials_mdl"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"extensions": {"NV_materials_mdl": {"functionCall": 0}}}],
- "extensions": {"NV_materials_mdl": {"functionCalls": [{"functionName": "wood", "type": {"typeName": "color"}}]}}})",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["NV_materials_mdl"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"extensions": {"NV_materials_mdl": {"functionCall": 0}}}],
- "extensions": {"NV_materials_mdl": {"functionCalls": [{"functionName": "wood", "type": {"typeName": "material"}}]}}})",
-     Fix::none, false},
-};
 
 constexpr std::string_view kExtension = "NV_materials_mdl";
 
@@ -43,7 +26,7 @@ void check_entry(const Context& context, const ExtensionPlace& place,
   const std::string name = model::string_member(document, type, "typeName");
   if (name.empty() || name == "material") return;
   report_member(
-      context.link_sink, context, path, place.object, "functionCall", "MDL_NOT_A_MATERIAL",
+      context.link_sink, context, path, place.object, "functionCall", Code::MDL_NOT_A_MATERIAL,
       fmt::format("Call {} returns {} instead of a material.", *index, gltfx::quoted(name)));
 }
 
@@ -71,7 +54,7 @@ constexpr LinkRule kLinkRules[] = {check_mdl};
 }  // namespace
 
 const Family& mdl_family() {
-  static const Family family{"mdl", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 610, .link_rules = kLinkRules};
   return family;
 }
 

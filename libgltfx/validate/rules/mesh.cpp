@@ -4,44 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "validate/rules/families.hpp"
+#include "base/codes.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [
-  {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]},
-  {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}], "weights": [0]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"MESH_INVALID_WEIGHTS_COUNT", Severity::error,
-     "A mesh has not as many weights as morph targets",
-     "Each weight says how far one target is applied; readers run past the end of the shorter list "
-     "or refuse the mesh.",
-     "Give one weight for each morph target.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [
-  {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]},
-  {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}], "weights": [0, 1]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     kGood, Fix::none, true},
-    {"MESH_PRIMITIVES_UNEQUAL_TARGETS_COUNT", Severity::error,
-     "The primitives of a mesh have different numbers of morph targets",
-     "The weights belong to the mesh, so each target must exist in every primitive; otherwise "
-     "parts "
-     "of the model come apart.",
-     "Give all primitives the same number of targets, empty ones as zero offsets.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [
-  {"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]},
-  {"attributes": {"POSITION": 0}}], "weights": [0]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     kGood, Fix::none, true},
-};
 
 std::string targets_text(std::size_t count) {
   return fmt::format("{} morph target{}", count, count == 1 ? "" : "s");
@@ -60,7 +28,7 @@ void check_target_counts(const Context& context, const std::vector<json::NodeId>
     const json::NodeId place = count > 0 ? document.find(primitives[i], "targets") : primitives[i];
     context.schema_sink.report(
         count > 0 ? targets : primitive,
-        finding_on(context, place, "MESH_PRIMITIVES_UNEQUAL_TARGETS_COUNT",
+        finding_on(context, place, Code::MESH_PRIMITIVES_UNEQUAL_TARGETS_COUNT,
                    fmt::format("This primitive has {}, but the first one has {}.",
                                targets_text(count), targets_text(expected))));
   }
@@ -76,7 +44,8 @@ void check_mesh(const Context& context, json::NodeId mesh, const Path& path) {
   if (weights == json::kNoNode || document.kind(weights) != json::Kind::number_array) return;
   const std::size_t count = document.array_size(weights);
   if (count == expected) return;
-  report_member(context.schema_sink, context, path, mesh, "weights", "MESH_INVALID_WEIGHTS_COUNT",
+  report_member(context.schema_sink, context, path, mesh, "weights",
+                Code::MESH_INVALID_WEIGHTS_COUNT,
                 fmt::format("The mesh has {} weight{}, but its primitives have {}.", count,
                             count == 1 ? "" : "s", targets_text(expected)));
 }
@@ -86,7 +55,7 @@ constexpr ObjectRuleEntry kObjectRules[] = {{"mesh", check_mesh, "primitives"}};
 }  // namespace
 
 const Family& mesh_family() {
-  static const Family family{"mesh", kRules, kObjectRules, {}};
+  static constexpr Family family{.order = 340, .object_rules = kObjectRules};
   return family;
 }
 

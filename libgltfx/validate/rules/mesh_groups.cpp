@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "json/equal.hpp"
 #include "model/accessor.hpp"
 #include "model/mesh.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/mesh_groups_table.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -104,19 +104,19 @@ class RestartCheck {
     const model::Primitive& primitive = primitives_[index];
     if (primitive.node == json::kNoNode) return;
     if (owner_[index] != SIZE_MAX && owner_[index] != group) {
-      report_link(context_, path, span, "RESTART_PRIMITIVE_REPEATED",
+      report_link(context_, path, span, Code::RESTART_PRIMITIVE_REPEATED,
                   fmt::format("Primitive {} is in group {} already.", index, owner_[index]));
     }
     owner_[index] = group;
     const std::string why = why_not_grouped(context_.document, primitive);
     if (!why.empty()) {
-      report_link(context_, path, span, "RESTART_PRIMITIVE_UNFIT",
+      report_link(context_, path, span, Code::RESTART_PRIMITIVE_UNFIT,
                   fmt::format("Primitive {} cannot be in a group: {}.", index, why));
     } else if (first == nullptr) {
       first = &primitive;
     } else if (!same_but_indices(context_.document, primitive, *first)) {
       report_link(
-          context_, path, span, "RESTART_PRIMITIVES_DIFFER",
+          context_, path, span, Code::RESTART_PRIMITIVES_DIFFER,
           fmt::format("Primitive {} differs from the first of its group in more than its indices.",
                       index));
     }
@@ -175,7 +175,7 @@ void check_manifold(const Context& context, const ExtensionPlace& place, const P
     if (primitive.node == json::kNoNode) continue;
     const std::string why = why_no_part(context, primitive, shared);
     if (why.empty()) continue;
-    report_link(context, path, place.object, "MANIFOLD_PRIMITIVE_UNFIT",
+    report_link(context, path, place.object, Code::MANIFOLD_PRIMITIVE_UNFIT,
                 fmt::format("Primitive {} cannot be part of the manifold: {}.", own, why));
   }
   const json::NodeId whole =
@@ -185,7 +185,7 @@ void check_manifold(const Context& context, const ExtensionPlace& place, const P
   // Its own mode and indices are in the schema file.
   if (why.empty() || !why.starts_with("its ")) return;
   report_member(context.link_sink, context, path, place.object, "manifoldPrimitive",
-                "MANIFOLD_PRIMITIVE_UNFIT",
+                Code::MANIFOLD_PRIMITIVE_UNFIT,
                 fmt::format("The manifold primitive does not go with the others: {}.", why));
 }
 
@@ -200,7 +200,7 @@ constexpr LinkRule kLinkRules[] = {check_restart, check_manifolds};
 }  // namespace
 
 const Family& mesh_groups_family() {
-  static const Family family{"mesh_groups", mesh_groups_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 500, .link_rules = kLinkRules};
   return family;
 }
 

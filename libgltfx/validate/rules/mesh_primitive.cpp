@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Primitives: attributes, indices and morph targets held against each other.
-#include "validate/rules/mesh_primitive.hpp"
 
 #include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/mesh_state.hpp"
 #include "validate/rules/use.hpp"
@@ -54,7 +54,7 @@ void check_attributes(MeshState& state, const Primitive& primitive, const Path& 
     check_attribute(state, use, at);
     if (!count) count = use.accessor.count;
     if (differ(context, count, use.accessor.count)) {
-      report_link(context, at, attribute.value, "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT",
+      report_link(context, at, attribute.value, Code::MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT,
                   fmt::format("{} has {} elements, but the first attribute has {}.",
                               quoted(attribute.name), use.accessor.count.value_or(0), *count));
     }
@@ -92,12 +92,12 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
   const bool at_fault = view != nullptr && view->byte_stride &&
                         (context.khronos() || view->target != model::ViewTarget::indices);
   if (at_fault) {
-    report_link(context, at, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE",
+    report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE,
                 fmt::format("View {} holds indices, but has a byteStride.", *accessor.buffer_view));
   }
   if (is_index_format(accessor.format)) return;
   if (!accessor.format.known() && !context.khronos()) return;
-  report_link(context, at, place, "MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT",
+  report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT,
               fmt::format("Indices are {}; they may be SCALAR of UNSIGNED_BYTE, "
                           "UNSIGNED_SHORT or UNSIGNED_INT.",
                           model::format_text(accessor.format)));
@@ -144,7 +144,7 @@ void check_mode(const Context& context, const Primitive& primitive, const Path& 
                              : vertex_count(context, primitive);
   if (!count || goes_with(*count, *primitive.mode)) return;
   report_link(
-      context, path, primitive.node, "MESH_PRIMITIVE_INCOMPATIBLE_MODE",
+      context, path, primitive.node, Code::MESH_PRIMITIVE_INCOMPATIBLE_MODE,
       fmt::format("{} are drawn from {}; here are {}.", model::mode_name(*primitive.mode),
                   mode_demand(*primitive.mode),
                   *count == 1 ? (indexed ? "1 index" : "1 vertex")
@@ -175,7 +175,7 @@ class BaseAttributes {
 void check_base(const Context& context, const Attribute& attribute, const Attribute* base,
                 const Path& path) {
   if (base == nullptr || (context.khronos() && !base->accessor)) {
-    report_link(context, path, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR",
+    report_link(context, path, attribute.value, Code::MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR,
                 fmt::format("{} is morphed, but the primitive has none.", quoted(attribute.name)));
     return;
   }
@@ -184,7 +184,8 @@ void check_base(const Context& context, const Attribute& attribute, const Attrib
   const auto expected = accessor_of(context, *base).count;
   const bool wrong = context.khronos() ? count != expected : differ(context, expected, count);
   if (!wrong) return;
-  report_link(context, path, attribute.value, "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT",
+  report_link(context, path, attribute.value,
+              Code::MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT,
               fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name),
                           count.value_or(0), expected.value_or(0)));
 }
@@ -249,7 +250,7 @@ constexpr LinkRule kLinkRules[] = {check_meshes};
 }  // namespace
 
 const Family& mesh_primitive_family() {
-  static const Family family{"mesh_primitive", mesh_primitive_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 350, .link_rules = kLinkRules};
   return family;
 }
 

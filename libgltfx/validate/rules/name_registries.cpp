@@ -8,54 +8,22 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["AGI_articulations"],
- "extensions": {"AGI_articulations": {"articulations": [{"name": "arm", "stages": [
-  {"name": "turn", "type": "zRotate", "minimumValue": -90, "maximumValue": 90, "initialValue": 0},
-  {"name": "reach", "type": "xTranslate", "minimumValue": 0, "maximumValue": 2, "initialValue": 0}]}]}},
- "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"AGI_articulations": {"articulationName": "arm"}}}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"ARTICULATION_RANGE_ORDER", Severity::warning,
-     "An articulation stage begins outside its own range",
-     "A program that keeps to the range moves the part as soon as it is touched.",
-     "Order the values: minimumValue, initialValue, maximumValue.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["AGI_articulations"],
- "extensions": {"AGI_articulations": {"articulations": [{"name": "arm", "stages": [
-  {"name": "turn", "type": "zRotate", "minimumValue": 10, "maximumValue": 90, "initialValue": 0}]}]}},
- "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"AGI_articulations": {"articulationName": "arm"}}}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, false},
-    {"NAME_REPEATED", Severity::error, "A name that is referred to belongs to two things",
-     "Nodes and applications refer to these objects by name; which one they get is chance.",
-     "Give each its own name.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["AGI_articulations"],
- "extensions": {"AGI_articulations": {"articulations": [{"name": "arm", "stages": [
-  {"name": "turn", "type": "zRotate", "minimumValue": -90, "maximumValue": 90, "initialValue": 0},
-  {"name": "turn", "type": "xTranslate", "minimumValue": 0, "maximumValue": 2, "initialValue": 0}]}]}},
- "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "extensions": {"AGI_articulations": {"articulationName": "arm"}}}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, false},
-};
 
 void check_range(const Context& context, json::NodeId stage, const Path& path) {
   const auto least = model::number_member(context.document, stage, "minimumValue");
   const auto most = model::number_member(context.document, stage, "maximumValue");
   const auto first = model::number_member(context.document, stage, "initialValue");
   if (!least || !most || !first || (*least <= *first && *first <= *most)) return;
-  report_member(context.link_sink, context, path, stage, "initialValue", "ARTICULATION_RANGE_ORDER",
+  report_member(context.link_sink, context, path, stage, "initialValue",
+                Code::ARTICULATION_RANGE_ORDER,
                 fmt::format("The stage begins at {}, outside of {} to {}.", number_text(*first),
                             number_text(*least), number_text(*most)));
 }
@@ -104,14 +72,14 @@ void check_unique_names(const Context& context, const std::vector<json::NodeId>&
     const auto [first, fresh] = known.try_emplace(document.string(name), i);
     if (fresh) continue;
     const Path at(list, i);
-    report_link(context, Path(at, "name"), name, "NAME_REPEATED",
+    report_link(context, Path(at, "name"), name, Code::NAME_REPEATED,
                 fmt::format("Element {} of this list is named {}, too.", first->second,
                             gltfx::quoted(first->first)));
   }
 }
 
 const Family& name_registries_family() {
-  static const Family family{"name_registries", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 560, .link_rules = kLinkRules};
   return family;
 }
 

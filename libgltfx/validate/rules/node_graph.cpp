@@ -2,12 +2,12 @@
 // The scene graph as a whole: loops, nodes for nothing, skinned meshes in the wrong place.
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/node.hpp"
 #include "model/scene_graph.hpp"
 #include "model/skin.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/node_graph_table.hpp"
 #include "validate/rules/skin_scenes.hpp"
 #include "validate/rules/unseen_use.hpp"
 
@@ -92,14 +92,14 @@ class GraphCheck {
     const bool broken = node.mesh_value != json::kNoNode || node.camera_value != json::kNoNode;
     if (broken && !context_.khronos()) return;
     report_link(
-        context_, path, node.object, "NODE_EMPTY",
+        context_, path, node.object, Code::NODE_EMPTY,
         "The node has neither children nor mesh, camera, extension or extras, and is no joint.");
   }
 
   void check_loop(NodeIndex index, const Path& path) {
     if (!graph_.on_loop(index)) return;
     const NodeIndex parent = graph_.parent(index);
-    report_link(context_, path, nodes_[index].object, "NODE_LOOP",
+    report_link(context_, path, nodes_[index].object, Code::NODE_LOOP,
                 parent == index
                     ? std::string("The node is its own child.")
                     : fmt::format("The node is above its own parent, node {}.", parent));
@@ -131,20 +131,20 @@ class GraphCheck {
 
   void check_skinned(const model::Node& node, NodeIndex index, const Path& path) {
     if (!model::read_transform(context_.document, node).is_identity()) {
-      report_link(context_, path, node.object, "NODE_SKINNED_MESH_LOCAL_TRANSFORMS",
+      report_link(context_, path, node.object, Code::NODE_SKINNED_MESH_LOCAL_TRANSFORMS,
                   "The transform of this node has no effect: its mesh follows the joints.");
     }
     const NodeIndex parent = graph_.parent(index);
     if (parent != kNoNodeIndex) {
       const bool moved = moved_[parent] != 0;
       if (moved) {
-        report_link(context_, path, node.object, "NODE_SKINNED_MESH_PARENT_TRANSFORMS",
+        report_link(context_, path, node.object, Code::NODE_SKINNED_MESH_PARENT_TRANSFORMS,
                     "Transforms of the nodes above have no effect: the mesh follows the joints.");
       }
       // One cause, one finding: a transform above says that there is an above.
       if (!moved || context_.khronos()) {
         report_link(
-            context_, path, node.object, "NODE_SKINNED_MESH_NON_ROOT",
+            context_, path, node.object, Code::NODE_SKINNED_MESH_NON_ROOT,
             fmt::format("The node is a child of node {}, which does not move its mesh.", parent));
       }
     }
@@ -157,7 +157,7 @@ class GraphCheck {
     if (top == kNoNodeIndex || own == kNoNodeIndex) return;
     const auto scene = scenes_->scene_without(own, top);
     if (!scene) return;
-    report_link(context_, path, place, "NODE_SKIN_NO_SCENE",
+    report_link(context_, path, place, Code::NODE_SKIN_NO_SCENE,
                 fmt::format("Scene {} has this node, but not node {} with the joints of skin {}.",
                             *scene, top, skin));
   }
@@ -179,7 +179,7 @@ constexpr LinkRule kLinkRules[] = {check_graph};
 }  // namespace
 
 const Family& node_graph_family() {
-  static const Family family{"node_graph", node_graph_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 480, .link_rules = kLinkRules};
   return family;
 }
 

@@ -5,65 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/node.hpp"
 #include "model/skin.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGoodSkin =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
- "nodes": [{"mesh": 0, "skin": 0}, {"name": "joint"}], "skins": [{"joints": [1]}],
- "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5121, "type": "VEC4", "count": 1}, {"componentType": 5126, "type": "VEC4", "count": 1}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"NODE_PARENT_OVERRIDE", Severity::error, "A node is the child of two nodes",
-     "The scene graph is a forest: a node with two parents has two places, and viewers show it "
-     "at one of them.",
-     "Keep it in one `children` list; copy the node where it is wanted twice.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
- "nodes": [{"children": [2]}, {"children": [2]}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
- "nodes": [{"children": [2]}, {"children": [3]}, {"camera": 0}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     Fix::none, true},
-    {"NODE_SKINNED_MESH_WITHOUT_SKIN", Severity::warning,
-     "A mesh made to be skinned hangs on a node without a skin",
-     "Its vertices name joints of a skin that is not there: the mesh stands still.",
-     "Give the node the skin, or remove JOINTS_n and WEIGHTS_n from the mesh.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5121, "type": "VEC4", "count": 1}, {"componentType": 5126, "type": "VEC4", "count": 1}]})",
-     kGoodSkin, Fix::none, true},
-    {"NODE_SKIN_WITH_NON_SKINNED_MESH", Severity::error,
-     "A node has a skin, but its mesh has no joints",
-     "A skin moves vertices by JOINTS_0 and WEIGHTS_0; without them there is nothing to move.",
-     "Remove `skin`, or export the mesh with its joints and weights.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
- "nodes": [{"mesh": 0, "skin": 0}, {"name": "joint"}], "skins": [{"joints": [1]}],
- "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     kGoodSkin, Fix::none, true},
-    {"NODE_WEIGHTS_INVALID", Severity::error,
-     "A node has more or fewer morph weights than its mesh has targets",
-     "Each weight belongs to one morph target, in their order.",
-     "Give one weight for each morph target of the mesh.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"mesh": 0, "weights": [0.5, 1]}],
- "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"mesh": 0, "weights": [0.5]}],
- "meshes": [{"primitives": [{"mode": 0, "attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     Fix::none, true},
-};
 
 class NodeCheck {
  public:
@@ -103,7 +52,7 @@ class NodeCheck {
     if (node.skin) {
       check_skinned(node, mesh, path);
     } else if (mesh.has_joints && (context_.khronos() || node.skin_value == json::kNoNode)) {
-      report_link(context_, path, node.mesh_value, "NODE_SKINNED_MESH_WITHOUT_SKIN",
+      report_link(context_, path, node.mesh_value, Code::NODE_SKINNED_MESH_WITHOUT_SKIN,
                   fmt::format("Mesh {} is bound to joints, but the node has no skin.", *node.mesh));
     }
   }
@@ -113,7 +62,7 @@ class NodeCheck {
     if (document.kind(node.weights) != json::Kind::number_array) return;
     const std::size_t count = document.array_size(node.weights);
     if (count == mesh.morph_targets) return;
-    report_link(context_, Path(path, "weights"), node.weights, "NODE_WEIGHTS_INVALID",
+    report_link(context_, Path(path, "weights"), node.weights, Code::NODE_WEIGHTS_INVALID,
                 fmt::format("The node has {} weight{}, mesh {} has {} morph target{}.", count,
                             count == 1 ? "" : "s", *node.mesh, mesh.morph_targets,
                             mesh.morph_targets == 1 ? "" : "s"));
@@ -122,7 +71,7 @@ class NodeCheck {
   void check_skinned(const model::Node& node, const model::Deformation& mesh, const Path& path) {
     // Joints that are there but not in order are reported at the mesh.
     if (mesh.has_joints || (mesh.names_joints && !context_.khronos())) return;
-    report_link(context_, path, node.skin_value, "NODE_SKIN_WITH_NON_SKINNED_MESH",
+    report_link(context_, path, node.skin_value, Code::NODE_SKIN_WITH_NON_SKINNED_MESH,
                 fmt::format("The node has skin {}, but mesh {} has neither JOINTS_0 nor "
                             "WEIGHTS_0.",
                             *node.skin, *node.mesh));
@@ -134,7 +83,7 @@ class NodeCheck {
     // Nor is a loop two faults, one of which is that it meets the tree above it.
     if (context_.graph.on_loop(found.child) && !context_.khronos()) return;
     const Path children(parent, "children");
-    report_link(context_, Path(children, found.position), found.span, "NODE_PARENT_OVERRIDE",
+    report_link(context_, Path(children, found.position), found.span, Code::NODE_PARENT_OVERRIDE,
                 fmt::format("Node {} is a child of node {} already.", found.child, found.previous));
   }
 
@@ -149,7 +98,7 @@ constexpr LinkRule kLinkRules[] = {check_nodes};
 }  // namespace
 
 const Family& node_mesh_family() {
-  static const Family family{"node_mesh", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 390, .link_rules = kLinkRules};
   return family;
 }
 

@@ -9,63 +9,16 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/node.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/animated.hpp"
 #include "validate/rules/decompose.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "translation": [0, 1, 5], "rotation": [0, 1, 0, 0]}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"NODE_MATRIX_DEFAULT", Severity::info, "A matrix moves nothing",
-     "It is what a node without a matrix does; it only costs bytes and time.", "Remove the matrix.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::safe, true},
-    {"NODE_MATRIX_NON_TRS", Severity::error,
-     "A matrix is no combination of translation, rotation and scale",
-     "Engines keep transforms as these three; a matrix that shears, projects or flattens comes "
-     "out bent or not at all.",
-     "Apply the shear to the vertices, or split the transform over two nodes.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "matrix": [1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, true},
-    {"NODE_MATRIX_TRS", Severity::error,
-     "A node has a matrix beside translation, rotation or scale",
-     "Two transforms are given and none has precedence: viewers choose differently.",
-     "Keep the matrix or the other three, not both.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "translation": [0, 1, 5], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 5, 1]}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, true},
-    {"NODE_SCALE_ZERO", Severity::info, "The scale of a node has a zero",
-     "What is flattened has no normals and no inverse matrix: shading, picking and skins go wrong "
-     "there. With three zeros the node and all below it are not seen.",
-     "Use a small number to flatten, and KHR_node_visibility to hide; or let an animation begin "
-     "with it.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "scale": [1, 0, 1]}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, false},
-    {"ROTATION_NON_UNIT", Severity::error, "A rotation is no unit quaternion",
-     "Only quaternions of length 1 are rotations; others also scale, and viewers normalise them "
-     "or do not.",
-     "Divide the four numbers by the length.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"camera": 0, "rotation": [0, 1, 0, 1]}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::safe, true},
-};
 
 // What quantisation to 8 bits does to a unit quaternion, and a little more.
 constexpr double kUnitTolerance = 0.00769;
@@ -86,7 +39,7 @@ void check_unit(const Context& context, json::NodeId rotation, const Path& path)
   }
   context.schema_sink.report(
       Path(path, "rotation"),
-      finding_on(context, rotation, "ROTATION_NON_UNIT",
+      finding_on(context, rotation, Code::ROTATION_NON_UNIT,
                  fmt::format("The quaternion has length {:.4g} instead of 1.", length), help));
 }
 
@@ -96,7 +49,7 @@ void check_matrix(const Context& context, const model::Node& node, const Path& p
   const Path at(path, "matrix");
   if (transform.translation || transform.rotation || transform.scale) {
     Finding finding = finding_on(
-        context, node.matrix, "NODE_MATRIX_TRS",
+        context, node.matrix, Code::NODE_MATRIX_TRS,
         fmt::format("The node has a matrix and {}.", transform.translation ? "a translation"
                                                      : transform.rotation  ? "a rotation"
                                                                            : "a scale"));
@@ -106,13 +59,13 @@ void check_matrix(const Context& context, const model::Node& node, const Path& p
   model::Transform alone;
   alone.matrix = transform.matrix;
   if (alone.is_identity()) {
-    context.schema_sink.report(
-        at, finding_on(context, node.matrix, "NODE_MATRIX_DEFAULT", "The matrix is the identity."));
+    context.schema_sink.report(at, finding_on(context, node.matrix, Code::NODE_MATRIX_DEFAULT,
+                                              "The matrix is the identity."));
     return;
   }
   const auto reason = why_not_decomposable(*transform.matrix, !context.khronos());
   if (reason.empty()) return;
-  context.schema_sink.report(at, finding_on(context, node.matrix, "NODE_MATRIX_NON_TRS",
+  context.schema_sink.report(at, finding_on(context, node.matrix, Code::NODE_MATRIX_NON_TRS,
                                             fmt::format("The matrix {}.", reason)));
 }
 
@@ -157,7 +110,7 @@ void check_scales(const Context& context) {
     if (!by_pointer) by_pointer.emplace(context);
     if ((*animated)[i] || by_pointer->contains(fmt::format("/nodes/{}/scale", i))) continue;
     const Path node(list, std::uint64_t{i});
-    report_link(context, Path(node, "scale"), nodes[i].scale, "NODE_SCALE_ZERO",
+    report_link(context, Path(node, "scale"), nodes[i].scale, Code::NODE_SCALE_ZERO,
                 zeros == 3 ? "The scale is zero: the node and all below it are not seen."
                            : "The scale has a zero: the node is flattened.");
   }
@@ -172,7 +125,8 @@ constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_rotation, "rotation"}
 }  // namespace
 
 const Family& node_transform_family() {
-  static const Family family{"node_transform", kRules, kObjectRules, kLinkRules};
+  static constexpr Family family{
+      .order = 380, .object_rules = kObjectRules, .link_rules = kLinkRules};
   return family;
 }
 

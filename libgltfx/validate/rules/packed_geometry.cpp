@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/buffer_view.hpp"
 #include "model/mesh.hpp"
 #include "model/meshopt_view.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/packed_geometry_table.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -31,7 +31,7 @@ void check_draco_ids(const Context& context, json::NodeId packed, const Path& pa
     const std::string_view name = context.document.key(member.key_id);
     const auto [first, fresh] = known.try_emplace(*id, name);
     if (fresh) continue;
-    report_link(context, Path(path, name), member.value, "DRACO_ATTRIBUTE_ID_REPEATED",
+    report_link(context, Path(path, name), member.value, Code::DRACO_ATTRIBUTE_ID_REPEATED,
                 fmt::format("Attribute {} of the compressed data is {} already.", *id,
                             gltfx::quoted(first->second)));
   }
@@ -57,7 +57,7 @@ void check_draco_copy(const Context& context, const ExtensionPlace& place, const
                                 });
   if (!copy) return;
   report_link(
-      context, path, place.object, "DRACO_COPY_UNREAD",
+      context, path, place.object, Code::DRACO_COPY_UNREAD,
       "The asset requires the extension, but the primitive has its data uncompressed, too.");
 }
 
@@ -66,7 +66,7 @@ void check_draco_primitive(const Context& context, const ExtensionPlace& place, 
   const auto mode = model::unsigned_member(document, place.host, "mode").value_or(4);
   if (mode <= 6 && mode != 4 && mode != 5) {
     report_link(
-        context, path, place.object, "DRACO_INVALID_MODE",
+        context, path, place.object, Code::DRACO_INVALID_MODE,
         fmt::format("The primitive is {}.", model::mode_name(static_cast<model::Mode>(mode))));
   }
   const json::NodeId packed = model::object_member(document, place.object, "attributes");
@@ -77,7 +77,7 @@ void check_draco_primitive(const Context& context, const ExtensionPlace& place, 
   for (const auto member : document.members(packed)) {
     if (document.find(plain, member.key_id) != json::kNoNode) continue;
     const std::string_view name = document.key(member.key_id);
-    report_link(context, Path(at, name), member.value, "DRACO_ATTRIBUTE_UNKNOWN",
+    report_link(context, Path(at, name), member.value, Code::DRACO_ATTRIBUTE_UNKNOWN,
                 fmt::format("The primitive has no attribute {}.", gltfx::quoted(name)));
   }
 }
@@ -96,13 +96,13 @@ void check_parent(const Context& context, const ExtensionPlace& place, const Pat
   const auto size = stride && count ? checked_mul(*stride, *count) : std::nullopt;
   if (size && parent.byte_length && *parent.byte_length != *size) {
     report_member(context.link_sink, context, path, place.object, "count",
-                  "MESHOPT_LENGTH_MISMATCH",
+                  Code::MESHOPT_LENGTH_MISMATCH,
                   fmt::format("{} elements of {} bytes are {} bytes, the buffer view has {}.",
                               *count, *stride, *size, *parent.byte_length));
   }
   if (stride && parent.byte_stride && *parent.byte_stride != *stride) {
     report_member(
-        context.link_sink, context, path, place.object, "byteStride", "MESHOPT_STRIDE_MISMATCH",
+        context.link_sink, context, path, place.object, "byteStride", Code::MESHOPT_STRIDE_MISMATCH,
         fmt::format("The stride is {}, that of the buffer view {}.", *stride, *parent.byte_stride));
   }
 }
@@ -117,7 +117,8 @@ void check_packed_range(const Context& context, const ExtensionPlace& place, con
   const auto offset = model::unsigned_member(document, place.object, "byteOffset").value_or(0);
   const auto end = checked_add(offset, *length);
   if (!room || (end && *end <= *room)) return;
-  report_member(context.link_sink, context, path, place.object, "byteLength", "MESHOPT_TOO_LONG",
+  report_member(context.link_sink, context, path, place.object, "byteLength",
+                Code::MESHOPT_TOO_LONG,
                 fmt::format("{} bytes from byte {} do not fit into buffer {} of {} bytes.", *length,
                             offset, *buffer, *room));
 }
@@ -139,7 +140,8 @@ void check_fallback(const Context& context, std::string_view extension) {
     if (!is_fallback(context, buffers[*views[i].buffer], extension)) continue;
     if (model::extension_object(document, views[i].node, extension) != json::kNoNode) continue;
     const Path at(list, i);
-    report_member(context.link_sink, context, at, views[i].node, "buffer", "MESHOPT_FALLBACK_USED",
+    report_member(context.link_sink, context, at, views[i].node, "buffer",
+                  Code::MESHOPT_FALLBACK_USED,
                   fmt::format("Buffer {} stands in for decoded bytes and has none of its own.",
                               *views[i].buffer));
   }
@@ -153,7 +155,7 @@ void check_source(const Context& context, std::string_view extension, const Exte
   const json::NodeId object = context.asset.elements(model::RootArray::buffers)[*buffer];
   if (!is_fallback(context, object, extension)) return;
   report_member(context.link_sink, context, path, place.object, "buffer",
-                "MESHOPT_FALLBACK_COMPRESSED",
+                Code::MESHOPT_FALLBACK_COMPRESSED,
                 fmt::format("Buffer {} stands in for decoded bytes and has no streams.", *buffer));
 }
 
@@ -165,7 +167,8 @@ void check_first_buffer(const Context& context, std::string_view extension) {
   if (!is_fallback(context, buffers[0], extension)) return;
   const Path root;
   const Path list(root, "buffers");
-  report_link(context, Path(list, std::uint64_t{0}), buffers[0], "MESHOPT_FALLBACK_FIRST_IN_GLB",
+  report_link(context, Path(list, std::uint64_t{0}), buffers[0],
+              Code::MESHOPT_FALLBACK_FIRST_IN_GLB,
               "Buffer 0 of a GLB file is its BIN chunk, but this one stands in for decoded bytes.");
 }
 
@@ -188,7 +191,7 @@ constexpr LinkRule kLinkRules[] = {check_meshopt, check_draco};
 }  // namespace
 
 const Family& packed_geometry_family() {
-  static const Family family{"packed_geometry", packed_geometry_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 490, .link_rules = kLinkRules};
   return family;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What materials ask of primitives: tangents and texture coordinates, neither too few nor for
 // nothing.
-#include "validate/rules/primitive_material.hpp"
 
 #include <algorithm>
 #include <string>
@@ -9,8 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/mesh_state.hpp"
 #include "validate/rules/variants.hpp"
@@ -29,8 +29,7 @@ struct Wearing {
   json::NodeId place;  // the index of the material
   const Path& path;    // of that index
 
-  void report(std::string_view code, std::string message,
-              std::optional<Severity> severity = {}) const {
+  void report(Code code, std::string message, std::optional<Severity> severity = {}) const {
     Finding finding = finding_on(state.context, place, code, std::move(message));
     finding.severity = severity;
     state.context.link_sink.report(path, std::move(finding));
@@ -40,7 +39,7 @@ struct Wearing {
 void check_texcoords(const Wearing& wearing, const MaterialNeed& need, TexCoords& texcoords) {
   for (const TexCoordNeed& each : need.texcoords) {
     if (texcoords.use(each.set)) continue;
-    wearing.report("MESH_PRIMITIVE_TOO_FEW_TEXCOORDS",
+    wearing.report(Code::MESH_PRIMITIVE_TOO_FEW_TEXCOORDS,
                    fmt::format("{} reads TEXCOORD_{}, which the primitive does not have.",
                                printable(each.pointer), each.set));
   }
@@ -54,10 +53,10 @@ void check_tangent_space(const Wearing& wearing, const MaterialNeed& need) {
   const std::string_view missing = normal ? "TANGENT" : tangent ? "NORMAL" : "NORMAL and TANGENT";
   if (need.normal_texture) {
     wearing.report(
-        "MESH_PRIMITIVE_GENERATED_TANGENT_SPACE",
+        Code::MESH_PRIMITIVE_GENERATED_TANGENT_SPACE,
         fmt::format("The material has a normal texture, but the primitive has no {}.", missing));
   } else {
-    wearing.report("MESH_PRIMITIVE_NO_TANGENT_SPACE",
+    wearing.report(Code::MESH_PRIMITIVE_NO_TANGENT_SPACE,
                    fmt::format("The material needs a tangent space, but the primitive has no {}, "
                                "and the material no normal texture.",
                                missing),
@@ -71,14 +70,14 @@ void check_unused_tangent(const Context& context, const Primitive& primitive, co
   const Attribute* tangent = primitive.find(SemanticKind::tangent);
   if (tangent == nullptr) return;
   if (!context.khronos() && primitive.find(SemanticKind::normal) == nullptr) return;
-  report_link(context, Path(path, tangent->name), tangent->value, "UNUSED_MESH_TANGENT",
+  report_link(context, Path(path, tangent->name), tangent->value, Code::UNUSED_MESH_TANGENT,
               "TANGENT is not used: the material has no texture in tangent space.");
 }
 
 void check_unused_texcoords(const Context& context, const TexCoords& texcoords, const Path& path) {
   for (const auto& set : texcoords.sets()) {
     if (set.used) continue;
-    report_link(context, Path(path, set.attribute->name), set.attribute->value, "UNUSED_OBJECT",
+    report_link(context, Path(path, set.attribute->name), set.attribute->value, Code::UNUSED_OBJECT,
                 fmt::format("No texture of the material reads {}.", set.attribute->name));
   }
 }
@@ -121,11 +120,6 @@ void MaterialCheck::check_material() {
   const Path attributes(path_, "attributes");
   if (!tangent_space_) check_unused_tangent(context, primitive_, attributes);
   check_unused_texcoords(context, texcoords_, attributes);
-}
-
-const Family& primitive_material_family() {
-  static const Family family{"primitive_material", primitive_material_rules(), {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

@@ -6,32 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/accessor.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr RuleDescription kRules[] = {
-    {"QUANTIZED_MESH_SCALE_NOT_UNIFORM", Severity::hint,
-     "Quantised positions are scaled back by different factors",
-     "Many readers turn normals and tangents like positions; scaled differently along the axes "
-     "they no longer stand on the surface.",
-     "Quantise all three axes with the same step.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_mesh_quantization"], "extensionsRequired": ["KHR_mesh_quantization"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "scale": [1, 2, 1]}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}}]}],
- "accessors": [{"componentType": 5122, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5126, "type": "VEC3", "count": 3}]})",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_mesh_quantization"], "extensionsRequired": ["KHR_mesh_quantization"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "scale": [2, 2, 2]}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}}]}],
- "accessors": [{"componentType": 5122, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]},
-  {"componentType": 5126, "type": "VEC3", "count": 3}]})",
-     Fix::none, false},
-};
 
 bool is_quantized(const Context& context, const model::Primitive& primitive) {
   const model::Attribute* position = primitive.find(model::SemanticKind::position);
@@ -50,7 +32,7 @@ void check_node(const Context& context, const model::Node& node, const Path& pat
       std::any_of(primitives.begin(), primitives.end(),
                   [&](const model::Primitive& each) { return is_quantized(context, each); });
   if (!quantized) return;
-  report_link(context, Path(path, "scale"), node.scale, "QUANTIZED_MESH_SCALE_NOT_UNIFORM",
+  report_link(context, Path(path, "scale"), node.scale, Code::QUANTIZED_MESH_SCALE_NOT_UNIFORM,
               fmt::format("Mesh {} has quantised positions and normals, and is scaled by {}, {} "
                           "and {}.",
                           *node.mesh, number_text((*scale)[0]), number_text((*scale)[1]),
@@ -70,7 +52,7 @@ constexpr LinkRule kLinkRules[] = {check_nodes};
 }  // namespace
 
 const Family& quantization_family() {
-  static const Family family{"quantization", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 400, .link_rules = kLinkRules};
   return family;
 }
 

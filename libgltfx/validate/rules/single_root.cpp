@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "model/node.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -15,33 +16,9 @@ namespace {
 
 constexpr std::string_view kExtension = "GODOT_single_root";
 
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["GODOT_single_root"], "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"children": [1]}, {"camera": 0, "translation": [0, 1, 5]}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"SINGLE_ROOT_MISSING", Severity::error,
-     "The asset promises a single root and does not have it",
-     "Importers take node 0 for the whole asset and lose what is beside it.",
-     "Have one scene with node 0 as its only root, name it as the default scene, or remove the "
-     "extension.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["GODOT_single_root"], "scene": 0, "scenes": [{"nodes": [0, 1]}],
- "nodes": [{"camera": 0}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, false},
-    {"SINGLE_ROOT_TRANSFORM", Severity::error, "The single root has a transform",
-     "The root stands for the asset as a whole; importers drop its transform.",
-     "Move the transform to the nodes below the root.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["GODOT_single_root"], "scene": 0, "scenes": [{"nodes": [0]}],
- "nodes": [{"children": [1], "translation": [0, 1, 5]}, {"camera": 0}],
- "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})",
-     kGood, Fix::none, false},
-};
-
 void report_missing(const Context& context, const Path& path, json::NodeId place,
                     std::string message) {
-  report_link(context, path, place, "SINGLE_ROOT_MISSING", std::move(message));
+  report_link(context, path, place, Code::SINGLE_ROOT_MISSING, std::move(message));
 }
 
 // What is wrong with the only scene's list of nodes; empty: nothing.
@@ -85,7 +62,7 @@ void check_single_root(const Context& context) {
   const model::Node& node = context.views.nodes.front();
   if (model::read_transform(document, node).is_identity()) return;
   const Path nodes(root, "nodes");
-  report_link(context, Path(nodes, 0), node.object, "SINGLE_ROOT_TRANSFORM",
+  report_link(context, Path(nodes, 0), node.object, Code::SINGLE_ROOT_TRANSFORM,
               "Node 0, the single root, has a transform.");
 }
 
@@ -94,7 +71,7 @@ constexpr LinkRule kLinkRules[] = {check_single_root};
 }  // namespace
 
 const Family& single_root_family() {
-  static const Family family{"single_root", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 540, .link_rules = kLinkRules};
   return family;
 }
 

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/accessor.hpp"
 #include "model/scene_graph.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/skin_table.hpp"
 #include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
@@ -36,7 +36,7 @@ class SkinCheck {
     report_references(context_, skin.joints);
     const bool common = have_common_root(skin.joint_nodes);
     if (!common && may_judge_joints(skin)) {
-      report(path, "joints", skin.joints, "SKIN_NO_COMMON_ROOT", joints_apart(skin));
+      report(path, "joints", skin.joints, Code::SKIN_NO_COMMON_ROOT, joints_apart(skin));
     }
     check_matrices(skin, path);
     report_references(context_, skin.skeleton_value);
@@ -77,18 +77,18 @@ class SkinCheck {
     const model::Accessor& accessor = context_.views.accessors[*skin.inverse_bind_matrices];
     const model::BufferView* view = context_.views.view_of(accessor);
     if (view != nullptr && view->byte_stride) {
-      report(path, kMember, place, "SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE",
+      report(path, kMember, place, Code::SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE,
              fmt::format("Buffer view {} of the inverse bind matrices has a byteStride.",
                          *accessor.buffer_view));
     }
     if ((accessor.format.known() || context_.khronos()) && accessor.format != kInverseBindMatrix) {
-      report(path, kMember, place, "SKIN_IBM_INVALID_FORMAT",
+      report(path, kMember, place, Code::SKIN_IBM_INVALID_FORMAT,
              fmt::format("Accessor {} is {} instead of {}.", *skin.inverse_bind_matrices,
                          format_text(accessor.format), format_text(kInverseBindMatrix)));
     }
     if (!accessor.count && !context_.khronos()) return;
     if (accessor.count.value_or(0) < skin.joint_count) {
-      report(path, kMember, place, "INVALID_IBM_ACCESSOR_COUNT",
+      report(path, kMember, place, Code::INVALID_IBM_ACCESSOR_COUNT,
              fmt::format("There are {} inverse bind matrices for {} joints.",
                          accessor.count.value_or(0), skin.joint_count));
     }
@@ -100,20 +100,20 @@ class SkinCheck {
     const auto joints = khronos ? model::joints_of_last_root(skin.joint_nodes, context_.graph)
                                 : std::span(skin.joint_nodes);
     if (khronos && joints.empty()) {
-      report(path, "skeleton", skin.skeleton_value, "SKIN_SKELETON_INVALID",
+      report(path, "skeleton", skin.skeleton_value, Code::SKIN_SKELETON_INVALID,
              fmt::format("Node {} is above no joints that have a common root.", root));
     }
     for (const model::NodeIndex joint : joints) {
       // Above and below mean nothing on a loop, which is reported as one.
       if (context_.graph.root(joint) == model::kNoNodeIndex) return;
       if (ancestry_.is_ancestor_or_self(root, joint)) continue;
-      report(path, "skeleton", skin.skeleton_value, "SKIN_SKELETON_INVALID",
+      report(path, "skeleton", skin.skeleton_value, Code::SKIN_SKELETON_INVALID,
              fmt::format("Node {} is not above joint {}.", root, joint));
       return;
     }
   }
 
-  void report(const Path& skin, std::string_view member, json::NodeId place, std::string_view code,
+  void report(const Path& skin, std::string_view member, json::NodeId place, Code code,
               std::string message) {
     report_link(context_, Path(skin, member), place, code, std::move(message));
   }
@@ -131,7 +131,7 @@ constexpr LinkRule kLinkRules[] = {check_skins};
 }  // namespace
 
 const Family& skin_family() {
-  static const Family family{"skin", skin_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 430, .link_rules = kLinkRules};
   return family;
 }
 

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/mesh.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/splats_table.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -66,7 +66,7 @@ void check_harmonics(const Context& context, const ExtensionPlace& place, json::
   if (found[0] == 0) return;
   const std::string missing = missing_coefficient(found);
   if (missing.empty()) return;
-  report_link(context, path, place.object, "SPLAT_HARMONICS_INCOMPLETE",
+  report_link(context, path, place.object, Code::SPLAT_HARMONICS_INCOMPLETE,
               fmt::format("There is no attribute {}.", missing));
 }
 
@@ -74,7 +74,7 @@ void check_primitive(const Context& context, const schema::Extension& extension,
                      const ExtensionPlace& place, const Path& path) {
   const json::Document& document = context.document;
   if (model::unsigned_member(document, place.host, "mode").value_or(4) != 0) {
-    report_link(context, path, place.object, "SPLAT_INVALID_MODE",
+    report_link(context, path, place.object, Code::SPLAT_INVALID_MODE,
                 "The primitive is not POINTS (0).");
   }
   const json::NodeId attributes = model::object_member(document, place.host, "attributes");
@@ -83,7 +83,7 @@ void check_primitive(const Context& context, const schema::Extension& extension,
   if (document.find(place.object, "extensions") != json::kNoNode) return;
   for (const schema::AttributeFormat& wanted : extension.vertex_attributes) {
     if (!wanted.required || document.find(attributes, wanted.semantic) != json::kNoNode) continue;
-    report_link(context, path, place.object, "SPLAT_ATTRIBUTE_MISSING",
+    report_link(context, path, place.object, Code::SPLAT_ATTRIBUTE_MISSING,
                 fmt::format("The primitive has no attribute {}.", wanted.semantic));
   }
   check_harmonics(context, place, attributes, path);
@@ -103,7 +103,7 @@ constexpr LinkRule kLinkRules[] = {check_splats};
 }  // namespace
 
 const Family& splats_family() {
-  static const Family family{"splats", splats_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 510, .link_rules = kLinkRules};
   return family;
 }
 

@@ -6,63 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_techniques_webgl"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"extensions": {"KHR_techniques_webgl": {"technique": 0, "values": {"u_size": 1}}}}],
- "extensions": {"KHR_techniques_webgl": {"techniques": [{"program": 0, "uniforms": {"u_size": {"type": 5126}}}],
-  "programs": [{"vertexShader": 0, "fragmentShader": 1}],
-  "shaders": [{"type": 35633, "uri": "data:text/plain,v"}, {"type": 35632, "uri": "data:text/plain,f"}]}}})";
-
-constexpr RuleDescription kRules[] = {
-    {"TECHNIQUE_SEMANTIC_UNKNOWN", Severity::error,
-     "A shader reads something that has no meaning in glTF",
-     "Readers know what to hand to a shader by the name of its meaning; names of programs of their "
-     "own begin with '_'.",
-     "Use a name of the extension, or begin it with '_'.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_techniques_webgl"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"extensions": {"KHR_techniques_webgl": {"technique": 0}}}],
- "extensions": {"KHR_techniques_webgl": {"techniques": [{"program": 0, "uniforms": {"u_size": {"type": 5126, "semantic": "SIZE"}}}],
-  "programs": [{"vertexShader": 0, "fragmentShader": 1}],
-  "shaders": [{"type": 35633, "uri": "data:text/plain,v"}, {"type": 35632, "uri": "data:text/plain,f"}]}}})",
-     kGood, Fix::none, false},
-    {"TECHNIQUE_VALUE_MISSING", Severity::error, "A uniform of a shader has no value",
-     "The shader reads whatever is there.", "Give a value in the material, or a default.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_techniques_webgl"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"extensions": {"KHR_techniques_webgl": {"technique": 0}}}],
- "extensions": {"KHR_techniques_webgl": {"techniques": [{"program": 0, "uniforms": {"u_size": {"type": 5126}}}],
-  "programs": [{"vertexShader": 0, "fragmentShader": 1}],
-  "shaders": [{"type": 35633, "uri": "data:text/plain,v"}, {"type": 35632, "uri": "data:text/plain,f"}]}}})",
-     kGood, Fix::none, false},
-    {"TECHNIQUE_VALUE_UNKNOWN", Severity::error, "A material gives a value to no uniform",
-     "The shader does not have it; the value was meant for another one.",
-     "Use the name of a uniform of the technique.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_techniques_webgl"],
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"extensions": {"KHR_techniques_webgl": {"technique": 0, "values": {"u_size": 1, "u_siez": 1}}}}],
- "extensions": {"KHR_techniques_webgl": {"techniques": [{"program": 0, "uniforms": {"u_size": {"type": 5126}}}],
-  "programs": [{"vertexShader": 0, "fragmentShader": 1}],
-  "shaders": [{"type": 35633, "uri": "data:text/plain,v"}, {"type": 35632, "uri": "data:text/plain,f"}]}}})",
-     kGood, Fix::none, false},
-};
 
 constexpr std::string_view kExtension = "KHR_techniques_webgl";
 
@@ -112,7 +63,7 @@ void check_semantics(const Context& context, json::NodeId technique, std::string
     if (semantic.empty() || semantic.front() == '_' || known(semantic)) continue;
     const Path at(list, document.key(each.key_id));
     report_link(context, Path(at, "semantic"), document.find(each.value, "semantic"),
-                "TECHNIQUE_SEMANTIC_UNKNOWN",
+                Code::TECHNIQUE_SEMANTIC_UNKNOWN,
                 fmt::format("{} is no meaning that readers know.", gltfx::quoted(semantic)));
   }
 }
@@ -131,7 +82,7 @@ void check_values(const Context& context, const ExtensionPlace& place, json::Nod
     for (const auto each : document.members(values)) {
       const std::string_view name = document.key(each.key_id);
       if (document.find(uniforms, name) != json::kNoNode) continue;
-      report_link(context, Path(list, name), each.key, "TECHNIQUE_VALUE_UNKNOWN",
+      report_link(context, Path(list, name), each.key, Code::TECHNIQUE_VALUE_UNKNOWN,
                   fmt::format("The technique has no uniform {}.", gltfx::quoted(name)));
     }
   }
@@ -143,7 +94,7 @@ void check_values(const Context& context, const ExtensionPlace& place, json::Nod
                         document.find(each.value, "value") != json::kNoNode ||
                         document.find(values, name) != json::kNoNode;
     if (served || !document.is_object(each.value)) continue;
-    report_link(context, path, place.object, "TECHNIQUE_VALUE_MISSING",
+    report_link(context, path, place.object, Code::TECHNIQUE_VALUE_MISSING,
                 fmt::format("Uniform {} of the technique has neither a value here nor a default.",
                             gltfx::quoted(name)));
   }
@@ -177,7 +128,7 @@ constexpr LinkRule kLinkRules[] = {check_techniques};
 }  // namespace
 
 const Family& techniques_family() {
-  static const Family family{"techniques", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 600, .link_rules = kLinkRules};
   return family;
 }
 

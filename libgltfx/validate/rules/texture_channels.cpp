@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether an image has the channels that a slot reads, and whether the slot makes a difference.
-#include "validate/rules/texture_channels.hpp"
 
 #include <algorithm>
 #include <set>
@@ -8,8 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/texture_phase.hpp"
 #include "validate/rules/unseen_use.hpp"
 #include "validate/rules/vertex_alpha.hpp"
@@ -58,7 +58,7 @@ void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint3
   const Header& header = *phase.header(image);
   const std::string label = image_label(phase.context, image);
   if (is_left_in_red(phase, slot, image)) {
-    report_slot(phase.context, phase.sink, slot, "TEXTURE_TRANSLUCENCY_IN_RED",
+    report_slot(phase.context, phase.sink, slot, Code::TEXTURE_TRANSLUCENCY_IN_RED,
                 fmt::format("{} reads A, but {} {}: a translucency map, left in R.", slot.property,
                             label, why_opaque(header)),
                 "'gltfx upgrade' moves it to A");
@@ -69,7 +69,7 @@ void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint3
     help = "put the map into A; one made for translucency in R is moved by 'gltfx upgrade'";
   }
   const bool only_alpha = slot.channels.colors() == 0;
-  report_slot(phase.context, phase.sink, slot, "TEXTURE_ALPHA_MISSING",
+  report_slot(phase.context, phase.sink, slot, Code::TEXTURE_ALPHA_MISSING,
               fmt::format("{} reads A, but {} {}: it reads as 1{}.", slot.property, label,
                           why_opaque(header), only_alpha ? ", so the texture has no effect" : ""),
               std::move(help));
@@ -110,7 +110,7 @@ void check_equal_channels(const TexturePhase& phase, const TextureSlot& slot) {
     if (why.empty()) continue;
     ChannelSet colors = slot.effective;
     colors.remove('a');
-    report_slot(phase.context, phase.sink, slot, "TEXTURE_CHANNELS_EQUAL",
+    report_slot(phase.context, phase.sink, slot, Code::TEXTURE_CHANNELS_EQUAL,
                 fmt::format("{} reads {} as different things, but {} {}.", slot.property,
                             colors.text(), image_label(phase.context, image), why));
     return;
@@ -139,7 +139,7 @@ void check_factors(const TexturePhase& phase) {
   for (const TextureSlot& slot : phase.slots) {
     if (slot.channels.empty() || !slot.effective.empty()) continue;
     if (!told.emplace(factor_owner(slot), slot.hidden_by).second) continue;
-    report_slot(phase.context, phase.sink, slot, "TEXTURE_FACTOR_ZERO",
+    report_slot(phase.context, phase.sink, slot, Code::TEXTURE_FACTOR_ZERO,
                 fmt::format("{} has no effect: {}.", slot.property, why_hidden(phase, slot)),
                 fmt::format("set {}{}", slot.hidden_by.empty() ? "the factors" : slot.hidden_by,
                             removable ? ", or remove the texture" : ""));
@@ -176,7 +176,7 @@ void check_missing_coverage(const TexturePhase& phase, const TextureSlot& slot,
   const Header& header = *phase.header(slot.images.front());
   const std::string why =
       image::can_be_transparent(header) ? "is opaque in every texel" : why_opaque(header);
-  report_slot(phase.context, phase.sink, slot, "MATERIAL_ALPHA_MISSING",
+  report_slot(phase.context, phase.sink, slot, Code::MATERIAL_ALPHA_MISSING,
               fmt::format("alphaMode is {}, but {} {}: all of the surface is opaque.", mode,
                           image_label(phase.context, slot.images.front()), why));
 }
@@ -203,10 +203,10 @@ void check_unused_alpha(const TexturePhase& phase, const TextureSlot& slot,
   const bool opaque = looked && pixels->alpha().least == pixels->full();
   const std::string label = image_label(phase.context, image);
   if (opaque) {
-    report_slot(phase.context, phase.sink, slot, "TEXTURE_ALPHA_OPAQUE",
+    report_slot(phase.context, phase.sink, slot, Code::TEXTURE_ALPHA_OPAQUE,
                 fmt::format("The alpha channel of {} is 1 in every texel.", label));
   } else {
-    report_slot(phase.context, phase.sink, slot, "TEXTURE_ALPHA_UNUSED",
+    report_slot(phase.context, phase.sink, slot, Code::TEXTURE_ALPHA_UNUSED,
                 fmt::format("{} has {}, but alphaMode is OPAQUE: nobody reads it.", label,
                             looked ? "transparent texels" : "an alpha channel"));
   }
@@ -231,11 +231,6 @@ void check_channels(const TexturePhase& phase) {
     check_equal_channels(phase, slot);
   }
   check_coverage(phase);
-}
-
-const Family& texture_channels_family() {
-  static const Family family{"texture_channels", texture_channel_rules(), {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "base/codes.hpp"
 #include "validate/collector.hpp"
 
 namespace gltfx::validate {
@@ -19,12 +20,12 @@ class PixelNeeds {
       : context_(context),
         resources_(resources),
         slots_(slots),
-        hints_(heard("TEXTURE_CONSTANT") || heard("TEXTURE_ALPHA_OPAQUE")),
-        normal_maps_(heard("NORMAL_MAP_NOT_UNIT") || heard("NORMAL_MAP_INWARD") ||
-                     heard("NORMAL_MAP_FLAT")),
-        coverage_(heard("MATERIAL_ALPHA_MISSING")),
-        alpha_(heard("TEXTURE_ALPHA_CONSTANT")),
-        equal_(heard("TEXTURE_CHANNELS_EQUAL")) {}
+        hints_(heard(Code::TEXTURE_CONSTANT) || heard(Code::TEXTURE_ALPHA_OPAQUE)),
+        normal_maps_(heard(Code::NORMAL_MAP_NOT_UNIT) || heard(Code::NORMAL_MAP_INWARD) ||
+                     heard(Code::NORMAL_MAP_FLAT)),
+        coverage_(heard(Code::MATERIAL_ALPHA_MISSING)),
+        alpha_(heard(Code::TEXTURE_ALPHA_CONSTANT)),
+        equal_(heard(Code::TEXTURE_CHANNELS_EQUAL)) {}
 
   std::vector<PixelSource::Request> find() {
     const PixelLevel level = pixel_level(context_.options);
@@ -42,7 +43,7 @@ class PixelNeeds {
   }
 
  private:
-  bool heard(std::string_view code) const { return is_heard(context_.options, code); }
+  bool heard(Code code) const { return is_heard(context_.options, code); }
 
   void add(const TextureSlot& slot) {
     const bool normal = slot.normal_map && normal_maps_;
@@ -63,7 +64,7 @@ class PixelNeeds {
   // Images that are read as sRGB and as linear are only at fault when they have other values than 0
   // and 1.
   void add_conflicts() {
-    if (!heard("TEXTURE_COLOR_SPACE_CONFLICT")) return;
+    if (!heard(Code::TEXTURE_COLOR_SPACE_CONFLICT)) return;
     std::map<std::uint32_t, std::array<bool, 2>> read;
     for (const TextureSlot& slot : slots_) {
       if (slot.effective.colors() == 0) continue;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What only decoded pixels tell: images that cannot be decoded, constant ones, normal maps.
-#include "validate/rules/texture_pixels.hpp"
 
 #include <set>
 #include <string>
@@ -8,8 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_phase.hpp"
 
@@ -18,8 +18,8 @@ namespace {
 
 // --- Images that cannot be decoded ---
 
-void report_image(const TexturePhase& phase, std::uint32_t image, std::string_view code,
-                  std::string message, std::optional<Severity> severity) {
+void report_image(const TexturePhase& phase, std::uint32_t image, Code code, std::string message,
+                  std::optional<Severity> severity) {
   report_element(phase.sink, phase.context, model::RootArray::images, image, code,
                  std::move(message), severity);
 }
@@ -30,7 +30,7 @@ void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::F
   const std::string label = image_label(phase.context, image);
   const std::string reason = printable(fault.message);
   report_image(
-      phase, image, malformed ? "IMAGE_PIXELS_INVALID" : "IMAGE_NOT_DECODED",
+      phase, image, malformed ? Code::IMAGE_PIXELS_INVALID : Code::IMAGE_NOT_DECODED,
       malformed ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
                               label, reason)
                 : fmt::format("The pixels of {} were not looked at: {}", label, reason),
@@ -39,7 +39,7 @@ void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::F
 
 // A decoder that went on where the data was damaged shows something, each its own.
 void report_doubt(const TexturePhase& phase, std::uint32_t image, const std::string& doubt) {
-  report_image(phase, image, "IMAGE_PIXELS_INVALID",
+  report_image(phase, image, Code::IMAGE_PIXELS_INVALID,
                fmt::format("The pixels of {} can only be decoded in part: {}",
                            image_label(phase.context, image), printable(doubt)),
                Severity::warning);
@@ -91,7 +91,7 @@ void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint3
                          slot.property, label)
            : fmt::format("{} reads A, which is {} of {} in every texel of {}.", slot.property,
                          image.alpha().least, image.full(), label);
-  report_slot(phase.context, phase.sink, slot, "TEXTURE_ALPHA_CONSTANT", std::move(message), {},
+  report_slot(phase.context, phase.sink, slot, Code::TEXTURE_ALPHA_CONSTANT, std::move(message), {},
               full ? std::nullopt : std::optional(Severity::hint));
 }
 
@@ -102,7 +102,7 @@ void check_constant(const TexturePhase& phase, const TextureSlot& slot, std::uin
   if (reads_constant_alpha(slot, image)) {
     report_alpha(phase, slot, index, image);
   } else if (is_constant(slot, image) && !slot.normal_map) {
-    report_slot(phase.context, phase.sink, slot, "TEXTURE_CONSTANT",
+    report_slot(phase.context, phase.sink, slot, Code::TEXTURE_CONSTANT,
                 fmt::format("All {} by {} texels of {} are the same.", image.width, image.height,
                             image_label(phase.context, index)));
   }
@@ -120,7 +120,7 @@ double share(std::uint64_t count, const codec::NormalStatistics& normals) {
                               : static_cast<double>(count) / static_cast<double>(normals.vectors);
 }
 
-void report_normals(const TexturePhase& phase, const TextureSlot& slot, std::string_view code,
+void report_normals(const TexturePhase& phase, const TextureSlot& slot, Code code,
                     std::string message) {
   report_slot(phase.context, phase.sink, slot, code, std::move(message));
 }
@@ -141,13 +141,13 @@ void check_lengths(const TexturePhase& phase, const TextureSlot& slot, const cod
   const codec::NormalStatistics& normals = image.normals;
   const double far_off = share(normals.far_off, normals);
   if (is_full_blue(image) && share(normals.not_unit, normals) > kTwoChannels) {
-    report_normals(phase, slot, "NORMAL_MAP_NOT_UNIT",
+    report_normals(phase, slot, Code::NORMAL_MAP_NOT_UNIT,
                    fmt::format("B of {} is {}{} in every texel, though the normals are tilted: a "
                                "map of two channels, while glTF reads Z from B.",
                                label, image.statistics[2].least,
                                image.statistics[2].constant() ? "" : " or more"));
   } else if (far_off > kStrayShare) {
-    report_normals(phase, slot, "NORMAL_MAP_NOT_UNIT",
+    report_normals(phase, slot, Code::NORMAL_MAP_NOT_UNIT,
                    fmt::format("{:.0f} % of the normals of {} are not of unit length; their mean "
                                "is {:.2f}.",
                                far_off * 100, label, normals.mean_length));
@@ -162,16 +162,16 @@ void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::u
   const std::string label = image_label(phase.context, index);
   const double inward = share(normals.inward, normals);
   if (image.statistics[2].greatest == 0) {
-    report_normals(phase, slot, "NORMAL_MAP_INWARD",
+    report_normals(phase, slot, Code::NORMAL_MAP_INWARD,
                    fmt::format("B of {} is 0 in every texel, so all normals point into the "
                                "surface: a map of two channels, while glTF reads Z from B.",
                                label));
   } else if (inward > kStrayShare) {
     report_normals(
-        phase, slot, "NORMAL_MAP_INWARD",
+        phase, slot, Code::NORMAL_MAP_INWARD,
         fmt::format("{:.0f} % of the normals of {} point into the surface.", inward * 100, label));
   } else if (normals.steepest <= kFlat && image.texels() > 1) {
-    report_normals(phase, slot, "NORMAL_MAP_FLAT", fmt::format("{} is flat.", label));
+    report_normals(phase, slot, Code::NORMAL_MAP_FLAT, fmt::format("{} is flat.", label));
   } else {
     check_lengths(phase, slot, image, label);
   }
@@ -189,11 +189,6 @@ void check_pixels(const TexturePhase& phase) {
     check_normal_map(phase, slot, index, *image);
     if (told.insert(index).second) check_constant(phase, slot, index, *image);
   }
-}
-
-const Family& texture_pixels_family() {
-  static const Family family{"texture_pixels", texture_pixel_rules(), {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

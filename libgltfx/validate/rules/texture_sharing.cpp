@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slots that show one image: one channel is one thing, and what is packed lies on one place.
-#include "validate/rules/texture_sharing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +10,10 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/texture_phase.hpp"
 #include "validate/rules/uv_mapping.hpp"
 
@@ -44,7 +44,7 @@ void report_conflict(const TexturePhase& phase, const TextureSlot& slot, const T
                      std::uint32_t image, char channel) {
   const ChannelSet shared(std::string_view(&channel, 1));
   report_slot(
-      phase.context, phase.sink, slot, "TEXTURE_COLOR_SPACE_CONFLICT",
+      phase.context, phase.sink, slot, Code::TEXTURE_COLOR_SPACE_CONFLICT,
       fmt::format("{} reads {} of {} as {}, but {} reads it as {}.", slot.property, shared.text(),
                   image_label(phase.context, image), slot.srgb ? "sRGB" : "linear",
                   printable(other.use->pointer), slot.srgb ? "linear" : "sRGB"));
@@ -120,7 +120,7 @@ void check_edges(const TexturePhase& phase, const TextureSlot& slot) {
   if (!slot.sampler || slot.effective.empty()) return;
   const Placement placement = placement_of(phase.context, slot);
   if (!leaves_clamped(placement, 0) && !leaves_clamped(placement, 1)) return;
-  report_slot(phase.context, phase.sink, slot, "TEXTURE_TRANSFORM_CLAMPED",
+  report_slot(phase.context, phase.sink, slot, Code::TEXTURE_TRANSFORM_CLAMPED,
               fmt::format("The transform of {} leads out of the image, but its sampler clamps to "
                           "the edge.",
                           slot.property));
@@ -133,7 +133,7 @@ void check_packed(const TexturePhase& phase, const TextureSlot& slot, const Text
   const std::string_view difference =
       placement_of(phase.context, slot).difference(placement_of(phase.context, other));
   if (difference.empty()) return;
-  report_slot(phase.context, phase.sink, slot, "TEXTURE_PACKING_DISAGREES",
+  report_slot(phase.context, phase.sink, slot, Code::TEXTURE_PACKING_DISAGREES,
               fmt::format("{} and {} read channels of one image, {}, but differ in their {}.",
                           slot.property, other.property,
                           image_label(phase.context, slot.images.front()), difference));
@@ -151,7 +151,7 @@ void check_packable(const TexturePhase& phase, const TextureSlot& occlusion,
   const std::string_view difference =
       placement_of(phase.context, occlusion).difference(placement_of(phase.context, other));
   if (!difference.empty()) return;
-  report_slot(phase.context, phase.sink, occlusion, "TEXTURE_PACKABLE",
+  report_slot(phase.context, phase.sink, occlusion, Code::TEXTURE_PACKABLE,
               fmt::format("{} would fit into R of {}.", image_label(phase.context, image),
                           image_label(phase.context, other.images.front())));
 }
@@ -181,11 +181,6 @@ void check_sharing(const TexturePhase& phase) {
     if (slot.material != json::kNoNode) materials[slot.material_index].push_back(&slot);
   }
   for (const auto& [index, slots] : materials) check_material(phase, slots);
-}
-
-const Family& texture_sharing_family() {
-  static const Family family{"texture_sharing", texture_sharing_rules(), {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

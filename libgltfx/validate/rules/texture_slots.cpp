@@ -246,7 +246,7 @@ std::string image_label(const Context& context, std::uint32_t image) {
                       : fmt::format("image {} ({})", image, gltfx::quoted(name));
 }
 
-void report_slot(const Context& context, Sink& sink, const TextureSlot& slot, std::string_view code,
+void report_slot(const Context& context, Sink& sink, const TextureSlot& slot, Code code,
                  std::string message, std::string help, std::optional<Severity> severity) {
   Finding finding =
       finding_on(context, slot.use->texture_info, code, std::move(message), std::move(help));

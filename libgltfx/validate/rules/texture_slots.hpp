@@ -75,7 +75,7 @@ bool has_unknown_member(const Context& context, schema::TypeId type, json::NodeI
 std::string image_label(const Context& context, std::uint32_t image);
 
 /// A finding on a texture slot.
-void report_slot(const Context& context, Sink& sink, const TextureSlot& slot, std::string_view code,
+void report_slot(const Context& context, Sink& sink, const TextureSlot& slot, Code code,
                  std::string message, std::string help = {},
                  std::optional<Severity> severity = std::nullopt);
 

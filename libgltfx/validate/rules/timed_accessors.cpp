@@ -4,45 +4,14 @@
 // here.
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/accessor.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kGood =
-    R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MPEG_animation_timing", "MPEG_accessor_timed", "MPEG_buffer_circular", "MPEG_media"],
- "extensions": {"MPEG_animation_timing": {"accessor": 0},
-  "MPEG_media": {"media": [{"autoplay": true, "alternatives": [{"uri": "clip.mp4", "mimeType": "video/mp4"}]}]}},
- "accessors": [{"bufferView": 0, "componentType": 5120, "type": "SCALAR", "count": 4, "extensions": {"MPEG_accessor_timed": {}}}],
- "bufferViews": [{"buffer": 0, "byteLength": 4}],
- "buffers": [{"byteLength": 4, "uri": "data:application/octet-stream;base64,AAAAAA==", "extensions": {"MPEG_buffer_circular": {"media": 0}}}]})";
-
-constexpr RuleDescription kRules[] = {
-    {"ACCESSOR_NOT_TIMED", Severity::error,
-     "Something that changes over time reads from an accessor that does not",
-     "Sound, video and timing arrive while the scene runs; only timed accessors are filled again.",
-     "Add MPEG_accessor_timed to the accessor.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MPEG_animation_timing", "MPEG_buffer_circular", "MPEG_media"],
- "extensions": {"MPEG_animation_timing": {"accessor": 0},
-  "MPEG_media": {"media": [{"autoplay": true, "alternatives": [{"uri": "clip.mp4", "mimeType": "video/mp4"}]}]}},
- "accessors": [{"bufferView": 0, "componentType": 5120, "type": "SCALAR", "count": 4}],
- "bufferViews": [{"buffer": 0, "byteLength": 4}],
- "buffers": [{"byteLength": 4, "uri": "data:application/octet-stream;base64,AAAAAA==", "extensions": {"MPEG_buffer_circular": {"media": 0}}}]})",
-     kGood, Fix::none, false},
-    {"TIMED_BUFFER_NOT_CIRCULAR", Severity::error,
-     "The events of an animation lie in a buffer that nothing fills again",
-     "New events are written over old ones; a plain buffer keeps those that it was loaded with.",
-     "Add MPEG_buffer_circular to the buffer.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["MPEG_animation_timing", "MPEG_accessor_timed"],
- "extensions": {"MPEG_animation_timing": {"accessor": 0}},
- "accessors": [{"bufferView": 0, "componentType": 5120, "type": "SCALAR", "count": 4, "extensions": {"MPEG_accessor_timed": {}}}],
- "bufferViews": [{"buffer": 0, "byteLength": 4}],
- "buffers": [{"byteLength": 4, "uri": "data:application/octet-stream;base64,AAAAAA=="}]})",
-     kGood, Fix::none, false},
-};
 
 constexpr std::string_view kTimed = "MPEG_accessor_timed";
 constexpr std::string_view kCircular = "MPEG_buffer_circular";
@@ -59,7 +28,7 @@ std::string not_timed(std::uint32_t accessor) {
 void check_member(const Context& context, json::NodeId object, const Path& path) {
   const auto index = context.asset.index(object, "accessor", model::RootArray::accessors);
   if (!index || is_timed(context, *index)) return;
-  report_member(context.link_sink, context, path, object, "accessor", "ACCESSOR_NOT_TIMED",
+  report_member(context.link_sink, context, path, object, "accessor", Code::ACCESSOR_NOT_TIMED,
                 not_timed(*index));
 }
 
@@ -75,7 +44,7 @@ void check_sources(const Context& context, json::NodeId object, const Path& path
         context.asset, context.document.find(sources[i], "accessors"), model::RootArray::accessors,
         [&](std::uint64_t position, std::optional<std::uint32_t> index, Span span) {
           if (!index || is_timed(context, *index)) return;
-          report_link(context, Path(accessors, position), span, "ACCESSOR_NOT_TIMED",
+          report_link(context, Path(accessors, position), span, Code::ACCESSOR_NOT_TIMED,
                       not_timed(*index));
         });
   }
@@ -90,7 +59,8 @@ void check_circular(const Context& context, json::NodeId object, const Path& pat
   if (view == nullptr || !view->buffer) return;
   const json::NodeId buffer = context.asset.elements(model::RootArray::buffers)[*view->buffer];
   if (model::extension_object(context.document, buffer, kCircular) != json::kNoNode) return;
-  report_member(context.link_sink, context, path, object, "accessor", "TIMED_BUFFER_NOT_CIRCULAR",
+  report_member(context.link_sink, context, path, object, "accessor",
+                Code::TIMED_BUFFER_NOT_CIRCULAR,
                 fmt::format("Accessor {} reads from buffer {}, which has no {}.", *index,
                             *view->buffer, kCircular));
 }
@@ -112,7 +82,7 @@ void check_frames(const Context& context, json::NodeId object, const Path& path)
   const unsigned channels = channels_of(name);
   if (!format.known() || model::component_count(format.type) == channels) return;
   report_member(context.link_sink, context, path, object, "accessor",
-                "EXTENSION_ACCESSOR_INVALID_FORMAT",
+                Code::EXTENSION_ACCESSOR_INVALID_FORMAT,
                 fmt::format("Accessor {} is {}, but pixels of {} have {} channel{}.", *index,
                             format_text(format), name.empty() ? "RGB" : name, channels,
                             channels == 1 ? "" : "s"));
@@ -149,7 +119,7 @@ constexpr LinkRule kLinkRules[] = {check_root, check_textures};
 }  // namespace
 
 const Family& timed_accessors_family() {
-  static const Family family{"timed_accessors", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 590, .link_rules = kLinkRules};
   return family;
 }
 

@@ -8,12 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "model/node.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/accessor_extent.hpp"
 #include "validate/rules/active_extensions.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/unseen_use.hpp"
 
@@ -21,31 +22,6 @@ namespace gltfx::validate {
 namespace {
 
 using model::RootArray;
-
-constexpr RuleDescription kRules[] = {
-    {"UNUSED_MESH_WEIGHTS", Severity::info, "The weights of a mesh are always overridden",
-     "Every node that shows the mesh brings weights of its own, so these never count.",
-     "Remove the weights of the mesh.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "weights": [1]}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}], "weights": [0]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "weights": [1]}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}]}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})",
-     Fix::safe, true},
-    {"UNUSED_OBJECT", Severity::info, "Nothing refers to an object",
-     "It makes the file larger, and may show that a reference was forgotten.",
-     "Remove the object, or refer to it.",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"doubleSided": true}]})",
-     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"doubleSided": true}]})",
-     Fix::none, true},
-};
 
 // --- Objects ---
 
@@ -109,7 +85,7 @@ std::vector<bool> views_khronos_counts_as_used(const Context& context) {
 
 void report_unused(const Context& context, const Path& path, json::NodeId object) {
   const std::string name = context.asset.name(object);
-  report_link(context, path, object, "UNUSED_OBJECT",
+  report_link(context, path, object, Code::UNUSED_OBJECT,
               name.empty() ? std::string("Nothing refers to this object.")
                            : fmt::format("Nothing refers to {}.", gltfx::quoted(name)));
 }
@@ -189,7 +165,7 @@ void check_mesh_weights(const Context& context) {
     if (!uses[i].any || !uses[i].with_own_weights) continue;
     if (context.document.find(meshes[i], "weights") == json::kNoNode) continue;
     report_member(context.link_sink, context, Path(array, static_cast<std::uint64_t>(i)), meshes[i],
-                  "weights", "UNUSED_MESH_WEIGHTS",
+                  "weights", Code::UNUSED_MESH_WEIGHTS,
                   "Every node with this mesh has weights of its own.");
   }
 }
@@ -199,7 +175,7 @@ constexpr LinkRule kLinkRules[] = {check_objects, check_mesh_weights};
 }  // namespace
 
 const Family& unused_objects_family() {
-  static const Family family{"unused_objects", kRules, {}, kLinkRules};
+  static constexpr Family family{.order = 640, .link_rules = kLinkRules};
   return family;
 }
 

@@ -6,36 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "model/fields.hpp"
-#include "validate/rules/families.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
-namespace {
-
-constexpr RuleDescription kRules[] = {
-    {"KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT", Severity::error,
-     "A primitive has two materials in one variant",
-     "Which of them is shown depends on the reader.", "Keep the variant in one of the mappings.",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_variants"],
- "extensions": {"KHR_materials_variants": {"variants": [{"name": "summer"}]}},
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "extensions": {"KHR_materials_variants": {
-  "mappings": [{"material": 0, "variants": [0]}, {"material": 1, "variants": [0]}]}}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"name": "green"}, {"name": "brown"}]})",
-     R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_materials_variants"],
- "extensions": {"KHR_materials_variants": {"variants": [{"name": "summer"}, {"name": "autumn"}]}},
- "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
- "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "extensions": {"KHR_materials_variants": {
-  "mappings": [{"material": 0, "variants": [0]}, {"material": 1, "variants": [1]}]}}}]}],
- "accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
- "materials": [{"name": "green"}, {"name": "brown"}]})",
-     Fix::none, true},
-};
-
-}  // namespace
-
 json::NodeId variant_mappings(const Context& context, const ActiveExtensions& active,
                               json::NodeId primitive) {
   const json::NodeId object =
@@ -65,7 +41,7 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
     const auto [first, is_new] = seen.emplace(variant, index);
     if (!is_new && (first->second != index || context.khronos())) {
       report_link(context, Path(array, element), number.span,
-                  "KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT",
+                  Code::KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT,
                   fmt::format("Variant {} already has the material of mapping {}.", variant,
                               first->second));
     }
@@ -82,11 +58,6 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
     if (document.is_number(value)) check(document.number(value), element);
     ++element;
   }
-}
-
-const Family& variants_family() {
-  static const Family family{"variants", kRules, {}, {}};
-  return family;
 }
 
 }  // namespace gltfx::validate

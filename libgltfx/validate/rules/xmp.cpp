@@ -10,12 +10,12 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
-#include "validate/rules/families.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/xmp_table.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -119,7 +119,7 @@ class PacketCheck {
     if (entry.name == "@context") return;
     if (!keyword && !check_name(entry, path)) return;
     if (frame.is_languages && keyword && entry.name != "@type" && entry.name != "@id") {
-      return report_link(context_, path, entry.key, "XMP_LANGUAGE_INVALID",
+      return report_link(context_, path, entry.key, Code::XMP_LANGUAGE_INVALID,
                          fmt::format("Alternatives stand in {}:_1 and so on, not in {}.",
                                      prefixes_.rdf(), gltfx::quoted(entry.name)));
     }
@@ -129,7 +129,7 @@ class PacketCheck {
     if (!document_.is_array(entry.value)) return;
     if (json_ld_ && entry.name != "@list" && entry.name != "@set" && entry.name != "@type") {
       return report_link(
-          context_, path, entry.value, "XMP_ARRAY_BARE",
+          context_, path, entry.value, Code::XMP_ARRAY_BARE,
           fmt::format("The array of {} is neither a @list nor a @set.", gltfx::quoted(entry.name)));
     }
     if (document_.kind(entry.value) == json::Kind::array) {
@@ -140,13 +140,13 @@ class PacketCheck {
   bool check_name(const Entry& entry, const Path& path) {
     const std::size_t colon = entry.name.find(':');
     if (colon == std::string_view::npos || colon == 0) {
-      report_link(context_, path, entry.key, "XMP_NAME_WITHOUT_PREFIX",
+      report_link(context_, path, entry.key, Code::XMP_NAME_WITHOUT_PREFIX,
                   fmt::format("{} is not of the form prefix:name.", gltfx::quoted(entry.name)));
       return false;
     }
     const std::string_view prefix = entry.name.substr(0, colon);
     if (prefixes_.contain(prefix)) return true;
-    report_link(context_, path, entry.key, "XMP_PREFIX_UNKNOWN",
+    report_link(context_, path, entry.key, Code::XMP_PREFIX_UNKNOWN,
                 fmt::format("The prefix {} is not in @context.", gltfx::quoted(prefix)));
     return false;
   }
@@ -165,7 +165,7 @@ class PacketCheck {
     if (numbered && document_.is_object(entry.value) && is_text("@language") && is_text("@value")) {
       return;
     }
-    report_link(context_, path, entry.value, "XMP_LANGUAGE_INVALID",
+    report_link(context_, path, entry.value, Code::XMP_LANGUAGE_INVALID,
                 numbered ? fmt::format("{} has not both a @language and a @value.",
                                        gltfx::quoted(entry.name))
                          : fmt::format("{} is not {}:_1 or another number.",
@@ -187,7 +187,7 @@ void check_namespaces(const Context& context, json::NodeId object, const Path& p
     const auto [first, fresh] = seen.emplace(context.document.string(member.value), prefix);
     if (fresh || prefix == first->second) continue;
     report_link(
-        context, Path(path, prefix), member.value, "XMP_NAMESPACE_REPEATED",
+        context, Path(path, prefix), member.value, Code::XMP_NAMESPACE_REPEATED,
         fmt::format("This is the namespace of the prefix {}, too.", gltfx::quoted(first->second)));
   }
 }
@@ -200,7 +200,8 @@ void check_packet(const Context& context, json::NodeId packet, const Path& path)
   const Prefixes prefixes(context.document, object);
   PacketCheck(context, prefixes, true).run(packet, path);
   if (context.document.find(packet, "@id") != json::kNoNode) return;
-  report_link(context, path, packet, "XMP_ID_MISSING", "The packet has no @id; it may be empty.");
+  report_link(context, path, packet, Code::XMP_ID_MISSING,
+              "The packet has no @id; it may be empty.");
 }
 
 template <typename Use>
@@ -237,7 +238,7 @@ constexpr LinkRule kLinkRules[] = {check_xmp};
 }  // namespace
 
 const Family& xmp_family() {
-  static const Family family{"xmp", xmp_rules(), {}, kLinkRules};
+  static constexpr Family family{.order = 620, .link_rules = kLinkRules};
   return family;
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pages of schema/rules/ as data.
+#pragma once
+
+#include <gltfx/diagnostic.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace gltfx::schema {
+
+/// What a page says. Texts are paragraphs without line breaks.
+struct RulePage {
+  std::string code;  ///< name of the file without `.md`
+  Severity severity = Severity::error;
+  bool khronos = false;
+  bool pixels = false;
+  Fix fix = Fix::none;
+  std::string section, link;  ///< both empty: the rule is ours alone
+  std::string checks, why, help;
+  std::string bad, good;
+  /// The first sentence of `checks` without its full stop.
+  std::string summary() const;
+};
+
+/// Reads a page. `mistake`: empty, or "line: what is wrong" with what is expected.
+RulePage read_rule_page(std::string code, std::string_view text, std::string& mistake);
+
+}  // namespace gltfx::schema
