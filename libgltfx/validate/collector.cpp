@@ -9,6 +9,7 @@
 
 #include "base/codes.hpp"
 #include "json/lines.hpp"
+#include "validate/context.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -17,7 +17,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "EXT_lights_ies";
+constexpr std::string_view kLightProfilesExtension = "EXT_lights_ies";
 constexpr std::string_view kSpace = " \t\r\n,";
 
 // The first lines of the versions that the extension names; 1995 and 2002 are of the IESNA.
@@ -79,11 +79,11 @@ std::string fault_of(std::string_view text) {
 
 void check_light_profiles(const Context& context, const model::ResourceData& resources, Sink& sink,
                           FileReport& report) {
-  const json::NodeId object = root_extension(context, kExtension);
+  const json::NodeId object = root_extension(context, kLightProfilesExtension);
   if (object == json::kNoNode) return;
   const Path root;
   const Path extensions(root, "extensions");
-  const Path extension(extensions, kExtension);
+  const Path extension(extensions, kLightProfilesExtension);
   const Path list(extension, "lights");
   const auto lights = object_list(context.document, object, "lights");
   for (std::size_t i = 0; i < lights.size(); ++i) {

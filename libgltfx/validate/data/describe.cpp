@@ -15,7 +15,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::array<Code, kFaultKinds> kCodes{
+constexpr std::array<Code, kFaultKinds> kFaultCodes{
     Code::ACCESSOR_INVALID_FLOAT,
     Code::ACCESSOR_VECTOR3_NON_UNIT,
     Code::ACCESSOR_INVALID_SIGN,
@@ -145,8 +145,9 @@ Finding describe(const Looked& looked, const Check& check, const Fault& fault,
                  std::uint64_t count) {
   std::string message = sentence(looked, fault);
   if (count > 1) message += fmt::format(" It is the first of {}.", count);
-  Finding finding = finding_on(looked.context, check.place.node,
-                               kCodes[static_cast<std::size_t>(fault.kind)], std::move(message));
+  Finding finding =
+      finding_on(looked.context, check.place.node,
+                 kFaultCodes[static_cast<std::size_t>(fault.kind)], std::move(message));
   finding.count = count;
   if (fault.kind == FaultKind::not_unit && has_fewer_bits(looked.decoded, fault.value)) {
     finding.severity = Severity::warning;

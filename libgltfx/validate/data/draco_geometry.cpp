@@ -19,14 +19,14 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = model::kDracoExtension;
+constexpr std::string_view kDracoGeometryExtension = model::kDracoExtension;
 
 class GeometryDecoding {
  public:
   explicit GeometryDecoding(DataPhase& phase) : phase_(phase) {}
 
   void run() {
-    if (!has_objects_of(phase_.context, kExtension)) return;
+    if (!has_objects_of(phase_.context, kDracoGeometryExtension)) return;
     collect();
     meshes_.decode(codec::Client::shared(), phase_.context.options.jobs);
     for (const DracoPrimitive& primitive : primitives_) check(primitive);
@@ -50,7 +50,7 @@ class GeometryDecoding {
     const auto* decoded = meshes_.find(primitive.reference.buffer_view);
     if (decoded == nullptr) return;  // said of the buffer view or the buffer
     if (const auto* mesh = std::get_if<codec::DracoMesh>(decoded)) {
-      return check_draco_primitive(phase_, primitive, kExtension, *mesh);
+      return check_draco_primitive(phase_, primitive, kDracoGeometryExtension, *mesh);
     }
     const auto* fault = std::get_if<codec::Fault>(decoded);
     const bool known = fault != nullptr && fault->kind != codec::FaultKind::unavailable &&
@@ -61,7 +61,7 @@ class GeometryDecoding {
     std::string message = fault != nullptr
                               ? fault->message
                               : "Earlier bitstreams of this file took all that decoding may take.";
-    with_draco_path(primitive, kExtension, [&](const Path& path) {
+    with_draco_path(primitive, kDracoGeometryExtension, [&](const Path& path) {
       report_member(phase_.sink, phase_.context, path, primitive.reference.object, "bufferView",
                     code, std::move(message));
     });

@@ -22,7 +22,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "EXT_mesh_primitive_edge_visibility";
+constexpr std::string_view kEdgeVisibilityExtension = "EXT_mesh_primitive_edge_visibility";
 
 // An edge as one of its triangles has it.
 struct CodedEdge {
@@ -276,7 +276,7 @@ class VisibilityCheck {
 }  // namespace
 
 void check_edge_visibility(DataPhase& phase) {
-  for_each_primitive_extension(phase.context, kExtension,
+  for_each_primitive_extension(phase.context, kEdgeVisibilityExtension,
                                [&](const ExtensionPlace& place, const Path& path) {
                                  VisibilityCheck(phase, place, path).run();
                                });

@@ -16,7 +16,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "EXT_mesh_manifold";
+constexpr std::string_view kManifoldsExtension = "EXT_mesh_manifold";
 
 class ManifoldCheck {
  public:
@@ -160,7 +160,7 @@ class ManifoldCheck {
 }  // namespace
 
 void check_manifolds(DataPhase& phase) {
-  for_each_extension(phase.context, model::RootArray::meshes, kExtension,
+  for_each_extension(phase.context, model::RootArray::meshes, kManifoldsExtension,
                      [&](const ExtensionPlace& place, const Path& path) {
                        ManifoldCheck(phase, place, path).run();
                      });

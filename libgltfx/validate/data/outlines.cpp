@@ -14,7 +14,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "CESIUM_primitive_outline";
+constexpr std::string_view kOutlinesExtension = "CESIUM_primitive_outline";
 
 void check_pairs(DataPhase& phase, json::NodeId object, const Indices& pairs,
                  const std::vector<std::uint64_t>& edges, const Path& path) {
@@ -55,7 +55,7 @@ void check_outline(DataPhase& phase, const ExtensionPlace& place, const Path& pa
 
 void check_outlines(DataPhase& phase) {
   for_each_primitive_extension(
-      phase.context, kExtension,
+      phase.context, kOutlinesExtension,
       [&](const ExtensionPlace& place, const Path& path) { check_outline(phase, place, path); });
 }
 

@@ -85,11 +85,10 @@ void check_accessors(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_accessors};
-
 }  // namespace
 
 const Family& accessor_layout_family() {
+  static constexpr LinkRule kLinkRules[] = {check_accessors};
   static constexpr Family family{.order = 260, .link_rules = kLinkRules};
   return family;
 }

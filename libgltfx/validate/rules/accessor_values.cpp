@@ -161,14 +161,13 @@ schema::Reading read_max(const Context& context, json::NodeId object, json::Node
   return read_bound(context, object, value, Path(path, "max"));
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"accessor", check_accessor, "sparse"}};
-constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
-                                            {"accessor", "min", read_min},
-                                            {"accessor", "max", read_max}};
-
 }  // namespace
 
 const Family& accessor_values_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {{"accessor", check_accessor, "sparse"}};
+  static constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
+                                                     {"accessor", "min", read_min},
+                                                     {"accessor", "max", read_max}};
   static constexpr Family family{
       .order = 250, .object_rules = kObjectRules, .member_rules = kMemberRules};
   return family;

@@ -210,11 +210,10 @@ void check_animations(const Context& context) {
   if (context.asset.count(model::RootArray::animations) != 0) AnimationCheck(context).run();
 }
 
-constexpr LinkRule kLinkRules[] = {check_animations};
-
 }  // namespace
 
 const Family& animation_family() {
+  static constexpr LinkRule kLinkRules[] = {check_animations};
   static constexpr Family family{.order = 440, .link_rules = kLinkRules};
   return family;
 }

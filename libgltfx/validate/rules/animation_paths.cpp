@@ -27,8 +27,6 @@ void leave_animations(const Context& context) {
   if (paths.path().parent() != nullptr) context.order->report_below(paths.path());
 }
 
-constexpr LinkRule kLinkRules[] = {leave_animations};
-
 }  // namespace
 
 bool has_sampler_index(const Context& context, const model::AnimationChannel& channel) {
@@ -40,6 +38,7 @@ bool is_linked(const Context& context, const model::Animation& animation) {
 }
 
 const Family& animation_paths_family() {
+  static constexpr LinkRule kLinkRules[] = {leave_animations};
   static constexpr Family family{.order = 460, .link_rules = kLinkRules};
   return family;
 }

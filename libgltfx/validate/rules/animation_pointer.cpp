@@ -24,7 +24,7 @@ using model::AnimationChannel;
 using model::PropertyTarget;
 using model::PropertyType;
 
-constexpr std::string_view kExtension = "KHR_animation_pointer";
+constexpr std::string_view kAnimationPointerExtension = "KHR_animation_pointer";
 constexpr std::string_view kPath = "pointer";
 
 // Who moves a property, as a whole or element by element: channel numbers of one animation.
@@ -112,14 +112,14 @@ class PointerCheck {
       const AnimationChannel& channel = animation.channels[i];
       const Path at(channels, i);
       const json::NodeId extension =
-          model::extension_object(context_.document, channel.target, kExtension);
+          model::extension_object(context_.document, channel.target, kAnimationPointerExtension);
       if (extension == json::kNoNode) {
         check_plain(channel, at);
         continue;
       }
       const Path target(at, "target");
       const Path extensions(target, "extensions");
-      const Path place(extensions, kExtension);
+      const Path place(extensions, kAnimationPointerExtension);
       check_target(channel, is_linked(context_, animation), extension, place);
       if (!context_.khronos()) check_pointer(animation, i, extension, place, at, claims);
     }
@@ -138,9 +138,9 @@ class PointerCheck {
 
   void check_plain(const AnimationChannel& channel, const Path& path) {
     if (model::string_member(context_.document, channel.target, "path") != kPath) return;
-    report_link(
-        context_, Path(path, "target"), channel.target, Code::ANIMATION_POINTER_MISSING,
-        fmt::format("The path is 'pointer', but there is no {} with the pointer.", kExtension));
+    report_link(context_, Path(path, "target"), channel.target, Code::ANIMATION_POINTER_MISSING,
+                fmt::format("The path is 'pointer', but there is no {} with the pointer.",
+                            kAnimationPointerExtension));
   }
 
   void check_target(const AnimationChannel& channel, bool linked, json::NodeId extension,
@@ -239,15 +239,15 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 
 void check_pointers(const Context& context) {
   // Undeclared means ignored, in that profile.
-  if (context.khronos() && !contains(context.checked.extensions_used, kExtension)) return;
+  if (context.khronos() && !contains(context.checked.extensions_used, kAnimationPointerExtension))
+    return;
   if (context.asset.count(model::RootArray::animations) != 0) PointerCheck(context).run();
 }
-
-constexpr LinkRule kLinkRules[] = {check_pointers};
 
 }  // namespace
 
 const Family& animation_pointer_family() {
+  static constexpr LinkRule kLinkRules[] = {check_pointers};
   static constexpr Family family{.order = 450, .link_rules = kLinkRules};
   return family;
 }

@@ -71,11 +71,10 @@ void check_asset(const Context& context, json::NodeId asset, const Path& path) {
   check_known(context, asset, path, *version);
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"asset", check_asset}};
-
 }  // namespace
 
 const Family& asset_root_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {{"asset", check_asset}};
   static constexpr Family family{.order = 230, .object_rules = kObjectRules};
   return family;
 }

@@ -171,12 +171,12 @@ void check_primitive(const Context& context, json::NodeId object, const Path& pa
   }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"mesh.primitive", check_primitive, "attributes"}};
-constexpr MapRule kMapRules[] = {check_entry};
-
 }  // namespace
 
 const Family& attribute_names_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"mesh.primitive", check_primitive, "attributes"}};
+  static constexpr MapRule kMapRules[] = {check_entry};
   static constexpr Family family{
       .order = 320, .object_rules = kObjectRules, .map_rules = kMapRules};
   return family;

@@ -50,11 +50,10 @@ void check_audio(const Context& context) {
   check_sources(context, object, Path(extensions, kAudio));
 }
 
-constexpr LinkRule kLinkRules[] = {check_audio};
-
 }  // namespace
 
 const Family& audio_family() {
+  static constexpr LinkRule kLinkRules[] = {check_audio};
   static constexpr Family family{.order = 580, .link_rules = kLinkRules};
   return family;
 }

@@ -70,12 +70,11 @@ void check_extents(const Context& context) {
   }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
-constexpr LinkRule kLinkRules[] = {check_extents};
-
 }  // namespace
 
 const Family& buffer_view_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
+  static constexpr LinkRule kLinkRules[] = {check_extents};
   static constexpr Family family{
       .order = 240, .object_rules = kObjectRules, .link_rules = kLinkRules};
   return family;

@@ -119,19 +119,18 @@ void check_perspective_given(const Context& context, json::NodeId camera, const 
   check_given(context, camera, path, "perspective");
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {
-    {"camera", check_camera},
-    {"camera", check_orthographic_given, "orthographic"},
-    {"camera", check_perspective_given, "perspective"},
-    {"camera.orthographic", only_khronos<check_orthographic>, "znear"},
-    {"camera.perspective", only_khronos<check_angle>, "yfov"},
-    {"camera.perspective", only_khronos<check_near_and_far>, "znear"}};
-constexpr MemberRuleEntry kMemberRules[] = {{"camera", "orthographic", read_orthographic},
-                                            {"camera", "perspective", read_perspective}};
-
 }  // namespace
 
 const Family& camera_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"camera", check_camera},
+      {"camera", check_orthographic_given, "orthographic"},
+      {"camera", check_perspective_given, "perspective"},
+      {"camera.orthographic", only_khronos<check_orthographic>, "znear"},
+      {"camera.perspective", only_khronos<check_angle>, "yfov"},
+      {"camera.perspective", only_khronos<check_near_and_far>, "znear"}};
+  static constexpr MemberRuleEntry kMemberRules[] = {{"camera", "orthographic", read_orthographic},
+                                                     {"camera", "perspective", read_perspective}};
   static constexpr Family family{
       .order = 370, .object_rules = kObjectRules, .member_rules = kMemberRules};
   return family;

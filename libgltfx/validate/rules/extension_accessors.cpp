@@ -199,11 +199,10 @@ void check_visibility(const Context& context) {
       });
 }
 
-constexpr LinkRule kLinkRules[] = {check_formats, check_outlines, check_visibility};
-
 }  // namespace
 
 const Family& extension_accessors_family() {
+  static constexpr LinkRule kLinkRules[] = {check_formats, check_outlines, check_visibility};
   static constexpr Family family{.order = 570, .link_rules = kLinkRules};
   return family;
 }

@@ -207,11 +207,10 @@ void check_extension_use(const Context& context) {
   check_undeclared(context, names);
 }
 
-constexpr LinkRule kLinkRules[] = {check_extension_use};
-
 }  // namespace
 
 const Family& extension_use_family() {
+  static constexpr LinkRule kLinkRules[] = {check_extension_use};
   static constexpr Family family{.order = 50, .link_rules = kLinkRules};
   return family;
 }

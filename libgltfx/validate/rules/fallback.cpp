@@ -109,11 +109,10 @@ void check_primitives(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_buffer_views, check_primitives};
-
 }  // namespace
 
 const Family& fallback_family() {
+  static constexpr LinkRule kLinkRules[] = {check_buffer_views, check_primitives};
   static constexpr Family family{.order = 60, .link_rules = kLinkRules};
   return family;
 }

@@ -16,7 +16,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "EXT_lights_image_based";
+constexpr std::string_view kImageBasedLightExtension = "EXT_lights_image_based";
 
 // What a face is like instead of what it must be; empty: nothing is wrong.
 std::string fault_of(const image::Header& header, std::size_t level,
@@ -78,12 +78,12 @@ class LightCheck {
 
 void check_image_based_lights(const Context& context, const model::ResourceData& resources,
                               Sink& sink) {
-  const json::NodeId object = root_extension(context, kExtension);
+  const json::NodeId object = root_extension(context, kImageBasedLightExtension);
   if (object == json::kNoNode) return;
   const LightCheck check(context, resources, sink);
   const Path root;
   const Path extensions(root, "extensions");
-  const Path extension(extensions, kExtension);
+  const Path extension(extensions, kImageBasedLightExtension);
   const Path list(extension, "lights");
   const auto lights = object_list(context.document, object, "lights");
   for (std::size_t i = 0; i < lights.size(); ++i) {

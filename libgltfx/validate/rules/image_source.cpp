@@ -44,11 +44,10 @@ void check_textures(const Context& context) {
   report_references(context, context.document.find(context.document.root(), "textures"));
 }
 
-constexpr LinkRule kLinkRules[] = {check_images, check_textures};
-
 }  // namespace
 
 const Family& image_source_family() {
+  static constexpr LinkRule kLinkRules[] = {check_images, check_textures};
   static constexpr Family family{.order = 270, .link_rules = kLinkRules};
   return family;
 }

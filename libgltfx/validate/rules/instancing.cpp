@@ -101,11 +101,10 @@ void check_instances(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_instances};
-
 }  // namespace
 
 const Family& instancing_family() {
+  static constexpr LinkRule kLinkRules[] = {check_instances};
   static constexpr Family family{.order = 520, .link_rules = kLinkRules};
   return family;
 }

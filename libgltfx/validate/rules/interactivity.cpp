@@ -17,7 +17,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "KHR_interactivity";
+constexpr std::string_view kInteractivityExtension = "KHR_interactivity";
 
 struct Signature {
   std::string_view name;
@@ -235,17 +235,17 @@ class GraphCheck {
 };
 
 void check_graphs(const Context& context) {
-  const json::NodeId object = root_extension(context, kExtension);
+  const json::NodeId object = root_extension(context, kInteractivityExtension);
   if (object == json::kNoNode) return;
   const Path root;
   const Path extensions(root, "extensions");
-  const Path extension(extensions, kExtension);
+  const Path extension(extensions, kInteractivityExtension);
   const std::string_view earlier = earlier_interactivity(context.document);
   if (!earlier.empty()) {
     report_link(context, extension, object, kEarlierInteractivity,
                 fmt::format("The behaviour graphs follow an earlier draft of {} ({}); they are not "
                             "checked.",
-                            kExtension, earlier));
+                            kInteractivityExtension, earlier));
     return;
   }
   const Path list(extension, "graphs");
@@ -257,11 +257,10 @@ void check_graphs(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_graphs};
-
 }  // namespace
 
 const Family& interactivity_family() {
+  static constexpr LinkRule kLinkRules[] = {check_graphs};
   static constexpr Family family{.order = 550, .link_rules = kLinkRules};
   return family;
 }

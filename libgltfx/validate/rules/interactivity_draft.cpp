@@ -11,7 +11,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "KHR_interactivity";
+constexpr std::string_view kInteractivityDraftExtension = "KHR_interactivity";
 constexpr std::array<std::string_view, 3> kMaps{"configuration", "values", "flows"};
 
 bool has(const json::Document& document, json::NodeId object, std::string_view member) {
@@ -49,7 +49,8 @@ std::string_view mark_of_graph(const json::Document& document, json::NodeId grap
 }  // namespace
 
 std::string_view earlier_interactivity(const json::Document& document) {
-  const json::NodeId object = model::extension_object(document, document.root(), kExtension);
+  const json::NodeId object =
+      model::extension_object(document, document.root(), kInteractivityDraftExtension);
   if (object == json::kNoNode) return {};
   if (!has(document, object, "graphs")) {
     return has(document, object, "nodes") ? "the graph is not in 'graphs'" : std::string_view();
@@ -70,7 +71,7 @@ bool OutsideInteractivity::is_inside(const Path& path) {
     member = step;
   }
   return object != nullptr && !member->is_index() && !object->is_index() &&
-         member->key() == "extensions" && object->key() == kExtension;
+         member->key() == "extensions" && object->key() == kInteractivityDraftExtension;
 }
 
 }  // namespace gltfx::validate

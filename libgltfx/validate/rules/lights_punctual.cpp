@@ -64,29 +64,32 @@ schema::Reading read_spot(const Context& context, json::NodeId light, json::Node
 
 // Lights on nodes of an asset that has none. In other profiles the index is reported.
 void check_lights_exist(const Context& context) {
-  constexpr std::string_view kExtension = "KHR_lights_punctual";
-  if (!context.khronos() || !ActiveExtensions(context).contains(kExtension)) return;
+  constexpr std::string_view kLightsPunctualExtension = "KHR_lights_punctual";
+  if (!context.khronos() || !ActiveExtensions(context).contains(kLightsPunctualExtension)) return;
   const Path root;
   const Path array(root, "nodes");
   const auto& nodes = context.asset.elements(model::RootArray::nodes);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const json::NodeId light = model::extension_object(context.document, nodes[i], kExtension);
+    const json::NodeId light =
+        model::extension_object(context.document, nodes[i], kLightsPunctualExtension);
     if (light == json::kNoNode) continue;
     const Path node(array, static_cast<std::uint64_t>(i));
     const Path extensions(node, "extensions");
-    if (check_root_extension(context, kExtension, light, Path(extensions, kExtension)))
+    if (check_root_extension(context, kLightsPunctualExtension, light,
+                             Path(extensions, kLightsPunctualExtension)))
       report_references(context, light);
   }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"KHR_lights_punctual.light", check_light, "spot"},
-                                            {"KHR_lights_punctual.light", check_range, "range"}};
-constexpr MemberRuleEntry kMemberRules[] = {{"KHR_lights_punctual.light", "spot", read_spot}};
-constexpr LinkRule kLinkRules[] = {check_lights_exist};
-
 }  // namespace
 
 const Family& lights_punctual_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"KHR_lights_punctual.light", check_light, "spot"},
+      {"KHR_lights_punctual.light", check_range, "range"}};
+  static constexpr MemberRuleEntry kMemberRules[] = {
+      {"KHR_lights_punctual.light", "spot", read_spot}};
+  static constexpr LinkRule kLinkRules[] = {check_lights_exist};
   static constexpr Family family{.order = 410,
                                  .object_rules = kObjectRules,
                                  .link_rules = kLinkRules,

@@ -15,7 +15,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "MSFT_lod";
+constexpr std::string_view kLodExtension = "MSFT_lod";
 
 class LodCheck {
  public:
@@ -23,14 +23,14 @@ class LodCheck {
       : context_(context), array_(array), levels_(context.asset.count(array)) {}
 
   void run() {
-    for_each_extension(context_, array_, kExtension,
+    for_each_extension(context_, array_, kLodExtension,
                        [&](const ExtensionPlace& place, const Path& path) {
                          read(place, path);
                          check_coverage(place, path);
                        });
     find_cycles();
     for_each_extension(
-        context_, array_, kExtension, [&](const ExtensionPlace& place, const Path& path) {
+        context_, array_, kLodExtension, [&](const ExtensionPlace& place, const Path& path) {
           if (!on_cycle_[place.index]) return;
           report_member(
               context_.link_sink, context_, path, place.object, "ids", Code::LOD_CYCLE,
@@ -114,16 +114,15 @@ class LodCheck {
 };
 
 void check_levels(const Context& context) {
-  if (!has_objects_of(context, kExtension)) return;
+  if (!has_objects_of(context, kLodExtension)) return;
   LodCheck(context, model::RootArray::materials).run();
   LodCheck(context, model::RootArray::nodes).run();
 }
 
-constexpr LinkRule kLinkRules[] = {check_levels};
-
 }  // namespace
 
 const Family& lod_family() {
+  static constexpr LinkRule kLinkRules[] = {check_levels};
   static constexpr Family family{.order = 530, .link_rules = kLinkRules};
   return family;
 }

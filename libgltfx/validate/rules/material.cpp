@@ -31,11 +31,11 @@ void check_alpha_cutoff(const Context& context, json::NodeId material, const Pat
                             mode.empty() ? "'OPAQUE' (the default)" : gltfx::quoted(mode)));
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"material", check_alpha_cutoff, "alphaCutoff"}};
-
 }  // namespace
 
 const Family& material_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"material", check_alpha_cutoff, "alphaCutoff"}};
   static constexpr Family family{.order = 280, .object_rules = kObjectRules};
   return family;
 }

@@ -257,13 +257,12 @@ void check_materials(const Context& context) {
   }
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {
-    {"material.KHR_materials_iridescence", check_iridescence}};
-constexpr LinkRule kLinkRules[] = {check_materials};
-
 }  // namespace
 
 const Family& material_extensions_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"material.KHR_materials_iridescence", check_iridescence}};
+  static constexpr LinkRule kLinkRules[] = {check_materials};
   static constexpr Family family{
       .order = 290, .object_rules = kObjectRules, .link_rules = kLinkRules};
   return family;

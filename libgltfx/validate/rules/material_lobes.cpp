@@ -303,11 +303,10 @@ void check_materials(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_materials};
-
 }  // namespace
 
 const Family& material_lobes_family() {
+  static constexpr LinkRule kLinkRules[] = {check_materials};
   static constexpr Family family{.order = 300, .link_rules = kLinkRules};
   return family;
 }

@@ -15,7 +15,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "NV_materials_mdl";
+constexpr std::string_view kMdlExtension = "NV_materials_mdl";
 
 void check_entry(const Context& context, const ExtensionPlace& place,
                  const std::vector<json::NodeId>& calls, const Path& path) {
@@ -31,29 +31,28 @@ void check_entry(const Context& context, const ExtensionPlace& place,
 }
 
 void check_mdl(const Context& context) {
-  const json::NodeId object = root_extension(context, kExtension);
+  const json::NodeId object = root_extension(context, kMdlExtension);
   if (object == json::kNoNode) return;
   const auto calls = object_list(context.document, object, "functionCalls");
   const Path root;
   const Path extensions(root, "extensions");
-  const Path extension(extensions, kExtension);
+  const Path extension(extensions, kMdlExtension);
   const Path list(extension, "functionCalls");
   for (std::size_t i = 0; i < calls.size(); ++i) {
     const Path call(list, i);
     check_unique_names(context, object_list(context.document, calls[i], "arguments"),
                        Path(call, "arguments"));
   }
-  for_each_extension(context, model::RootArray::materials, kExtension,
+  for_each_extension(context, model::RootArray::materials, kMdlExtension,
                      [&](const ExtensionPlace& place, const Path& path) {
                        check_entry(context, place, calls, path);
                      });
 }
 
-constexpr LinkRule kLinkRules[] = {check_mdl};
-
 }  // namespace
 
 const Family& mdl_family() {
+  static constexpr LinkRule kLinkRules[] = {check_mdl};
   static constexpr Family family{.order = 610, .link_rules = kLinkRules};
   return family;
 }

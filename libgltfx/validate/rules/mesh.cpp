@@ -50,11 +50,10 @@ void check_mesh(const Context& context, json::NodeId mesh, const Path& path) {
                             count == 1 ? "" : "s", targets_text(expected)));
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"mesh", check_mesh, "primitives"}};
-
 }  // namespace
 
 const Family& mesh_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {{"mesh", check_mesh, "primitives"}};
   static constexpr Family family{.order = 340, .object_rules = kObjectRules};
   return family;
 }

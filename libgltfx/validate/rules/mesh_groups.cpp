@@ -195,11 +195,10 @@ void check_manifolds(const Context& context) {
       [&](const ExtensionPlace& place, const Path& path) { check_manifold(context, place, path); });
 }
 
-constexpr LinkRule kLinkRules[] = {check_restart, check_manifolds};
-
 }  // namespace
 
 const Family& mesh_groups_family() {
+  static constexpr LinkRule kLinkRules[] = {check_restart, check_manifolds};
   static constexpr Family family{.order = 500, .link_rules = kLinkRules};
   return family;
 }

@@ -245,11 +245,10 @@ void check_meshes(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_meshes};
-
 }  // namespace
 
 const Family& mesh_primitive_family() {
+  static constexpr LinkRule kLinkRules[] = {check_meshes};
   static constexpr Family family{.order = 350, .link_rules = kLinkRules};
   return family;
 }

@@ -29,12 +29,12 @@ void check_range(const Context& context, json::NodeId stage, const Path& path) {
 }
 
 void check_articulations(const Context& context) {
-  constexpr std::string_view kExtension = "AGI_articulations";
-  const json::NodeId object = root_extension(context, kExtension);
+  constexpr std::string_view kNameRegistriesExtension = "AGI_articulations";
+  const json::NodeId object = root_extension(context, kNameRegistriesExtension);
   if (object == json::kNoNode) return;
   const Path root;
   const Path extensions(root, "extensions");
-  const Path extension(extensions, kExtension);
+  const Path extension(extensions, kNameRegistriesExtension);
   const Path list(extension, "articulations");
   const auto articulations = object_list(context.document, object, "articulations");
   check_unique_names(context, articulations, list);
@@ -48,17 +48,15 @@ void check_articulations(const Context& context) {
 }
 
 void check_panel_groups(const Context& context) {
-  constexpr std::string_view kExtension = "AGI_stk_metadata";
-  const json::NodeId object = root_extension(context, kExtension);
+  constexpr std::string_view kNameRegistriesExtension = "AGI_stk_metadata";
+  const json::NodeId object = root_extension(context, kNameRegistriesExtension);
   if (object == json::kNoNode) return;
   const Path root;
   const Path extensions(root, "extensions");
-  const Path extension(extensions, kExtension);
+  const Path extension(extensions, kNameRegistriesExtension);
   check_unique_names(context, object_list(context.document, object, "solarPanelGroups"),
                      Path(extension, "solarPanelGroups"));
 }
-
-constexpr LinkRule kLinkRules[] = {check_articulations, check_panel_groups};
 
 }  // namespace
 
@@ -79,6 +77,7 @@ void check_unique_names(const Context& context, const std::vector<json::NodeId>&
 }
 
 const Family& name_registries_family() {
+  static constexpr LinkRule kLinkRules[] = {check_articulations, check_panel_groups};
   static constexpr Family family{.order = 560, .link_rules = kLinkRules};
   return family;
 }

@@ -174,11 +174,10 @@ class GraphCheck {
 
 void check_graph(const Context& context) { GraphCheck(context).run(); }
 
-constexpr LinkRule kLinkRules[] = {check_graph};
-
 }  // namespace
 
 const Family& node_graph_family() {
+  static constexpr LinkRule kLinkRules[] = {check_graph};
   static constexpr Family family{.order = 480, .link_rules = kLinkRules};
   return family;
 }

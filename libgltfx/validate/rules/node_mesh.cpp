@@ -93,11 +93,10 @@ class NodeCheck {
 
 void check_nodes(const Context& context) { NodeCheck(context).run(); }
 
-constexpr LinkRule kLinkRules[] = {check_nodes};
-
 }  // namespace
 
 const Family& node_mesh_family() {
+  static constexpr LinkRule kLinkRules[] = {check_nodes};
   static constexpr Family family{.order = 390, .link_rules = kLinkRules};
   return family;
 }

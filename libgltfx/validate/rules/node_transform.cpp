@@ -116,15 +116,14 @@ void check_scales(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_scales};
-
-constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_rotation, "rotation"},
-                                            {"node", check_node},
-                                            {"EXT_lights_image_based.light", check_rotation}};
-
 }  // namespace
 
 const Family& node_transform_family() {
+  static constexpr LinkRule kLinkRules[] = {check_scales};
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"node", check_rotation, "rotation"},
+      {"node", check_node},
+      {"EXT_lights_image_based.light", check_rotation}};
   static constexpr Family family{
       .order = 380, .object_rules = kObjectRules, .link_rules = kLinkRules};
   return family;

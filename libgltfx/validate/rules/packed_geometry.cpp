@@ -186,11 +186,10 @@ void check_meshopt(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_meshopt, check_draco};
-
 }  // namespace
 
 const Family& packed_geometry_family() {
+  static constexpr LinkRule kLinkRules[] = {check_meshopt, check_draco};
   static constexpr Family family{.order = 490, .link_rules = kLinkRules};
   return family;
 }

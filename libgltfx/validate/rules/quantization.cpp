@@ -47,11 +47,10 @@ void check_nodes(const Context& context) {
   for (std::size_t i = 0; i < nodes.size(); ++i) check_node(context, nodes[i], Path(list, i));
 }
 
-constexpr LinkRule kLinkRules[] = {check_nodes};
-
 }  // namespace
 
 const Family& quantization_family() {
+  static constexpr LinkRule kLinkRules[] = {check_nodes};
   static constexpr Family family{.order = 400, .link_rules = kLinkRules};
   return family;
 }

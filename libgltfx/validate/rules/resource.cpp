@@ -86,11 +86,11 @@ void check_image(const Context& context, json::NodeId object, const Path& path) 
   check_uri(context, object, path, false);
 }
 
-constexpr ObjectRuleEntry kObjectRules[] = {{"buffer", check_buffer}, {"image", check_image}};
-
 }  // namespace
 
 const Family& resource_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {{"buffer", check_buffer},
+                                                     {"image", check_image}};
   static constexpr Family family{.order = 80, .object_rules = kObjectRules};
   return family;
 }

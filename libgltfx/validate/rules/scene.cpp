@@ -31,11 +31,10 @@ void check_scenes(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_scenes};
-
 }  // namespace
 
 const Family& scene_family() {
+  static constexpr LinkRule kLinkRules[] = {check_scenes};
   static constexpr Family family{.order = 470, .link_rules = kLinkRules};
   return family;
 }

@@ -14,7 +14,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "GODOT_single_root";
+constexpr std::string_view kSingleRootExtension = "GODOT_single_root";
 
 void report_missing(const Context& context, const Path& path, json::NodeId place,
                     std::string message) {
@@ -36,7 +36,8 @@ std::string roots_fault(const Context& context, json::NodeId list) {
 
 void check_single_root(const Context& context) {
   const auto& used = context.checked.extensions_used;
-  if (context.khronos() || std::find(used.begin(), used.end(), kExtension) == used.end()) return;
+  if (context.khronos() || std::find(used.begin(), used.end(), kSingleRootExtension) == used.end())
+    return;
   const json::Document& document = context.document;
   const Path root;
   const Path scenes(root, "scenes");
@@ -66,11 +67,10 @@ void check_single_root(const Context& context) {
               "Node 0, the single root, has a transform.");
 }
 
-constexpr LinkRule kLinkRules[] = {check_single_root};
-
 }  // namespace
 
 const Family& single_root_family() {
+  static constexpr LinkRule kLinkRules[] = {check_single_root};
   static constexpr Family family{.order = 540, .link_rules = kLinkRules};
   return family;
 }

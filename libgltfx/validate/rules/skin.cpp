@@ -126,11 +126,10 @@ void check_skins(const Context& context) {
   if (context.asset.count(model::RootArray::skins) != 0) SkinCheck(context).run();
 }
 
-constexpr LinkRule kLinkRules[] = {check_skins};
-
 }  // namespace
 
 const Family& skin_family() {
+  static constexpr LinkRule kLinkRules[] = {check_skins};
   static constexpr Family family{.order = 430, .link_rules = kLinkRules};
   return family;
 }

@@ -15,7 +15,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "KHR_gaussian_splatting";
+constexpr std::string_view kSplatsExtension = "KHR_gaussian_splatting";
 constexpr std::string_view kHarmonics = "KHR_gaussian_splatting:SH_DEGREE_";
 constexpr std::string_view kCoefficient = "_COEF_";
 constexpr std::size_t kDegrees = 4;
@@ -90,19 +90,18 @@ void check_primitive(const Context& context, const schema::Extension& extension,
 }
 
 void check_splats(const Context& context) {
-  const schema::ExtensionId id = context.schemas.find_extension(kExtension);
+  const schema::ExtensionId id = context.schemas.find_extension(kSplatsExtension);
   if (id == schema::kNone) return;
   for_each_primitive_extension(
-      context, kExtension, [&](const ExtensionPlace& place, const Path& path) {
+      context, kSplatsExtension, [&](const ExtensionPlace& place, const Path& path) {
         check_primitive(context, context.schemas.extensions()[id], place, path);
       });
 }
 
-constexpr LinkRule kLinkRules[] = {check_splats};
-
 }  // namespace
 
 const Family& splats_family() {
+  static constexpr LinkRule kLinkRules[] = {check_splats};
   static constexpr Family family{.order = 510, .link_rules = kLinkRules};
   return family;
 }

@@ -15,7 +15,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kExtension = "KHR_techniques_webgl";
+constexpr std::string_view kTechniquesExtension = "KHR_techniques_webgl";
 
 constexpr std::array<std::string_view, 16> kUniforms{"LOCAL",
                                                      "MODEL",
@@ -101,18 +101,18 @@ void check_values(const Context& context, const ExtensionPlace& place, json::Nod
 }
 
 void check_techniques(const Context& context) {
-  const json::NodeId object = root_extension(context, kExtension);
+  const json::NodeId object = root_extension(context, kTechniquesExtension);
   if (object == json::kNoNode) return;
   const Path root;
   const Path extensions(root, "extensions");
-  const Path extension(extensions, kExtension);
+  const Path extension(extensions, kTechniquesExtension);
   const Path list(extension, "techniques");
   const auto techniques = object_list(context.document, object, "techniques");
   for (std::size_t i = 0; i < techniques.size(); ++i) {
     check_technique(context, techniques[i], Path(list, i));
   }
   for_each_extension(
-      context, model::RootArray::materials, kExtension,
+      context, model::RootArray::materials, kTechniquesExtension,
       [&](const ExtensionPlace& place, const Path& path) {
         const auto index = model::unsigned_member(context.document, place.object, "technique");
         if (!index || *index >= techniques.size()) return;
@@ -123,11 +123,10 @@ void check_techniques(const Context& context) {
       });
 }
 
-constexpr LinkRule kLinkRules[] = {check_techniques};
-
 }  // namespace
 
 const Family& techniques_family() {
+  static constexpr LinkRule kLinkRules[] = {check_techniques};
   static constexpr Family family{.order = 600, .link_rules = kLinkRules};
   return family;
 }

@@ -114,11 +114,10 @@ void check_textures(const Context& context) {
                      });
 }
 
-constexpr LinkRule kLinkRules[] = {check_root, check_textures};
-
 }  // namespace
 
 const Family& timed_accessors_family() {
+  static constexpr LinkRule kLinkRules[] = {check_root, check_textures};
   static constexpr Family family{.order = 590, .link_rules = kLinkRules};
   return family;
 }

@@ -170,11 +170,10 @@ void check_mesh_weights(const Context& context) {
   }
 }
 
-constexpr LinkRule kLinkRules[] = {check_objects, check_mesh_weights};
-
 }  // namespace
 
 const Family& unused_objects_family() {
+  static constexpr LinkRule kLinkRules[] = {check_objects, check_mesh_weights};
   static constexpr Family family{.order = 640, .link_rules = kLinkRules};
   return family;
 }

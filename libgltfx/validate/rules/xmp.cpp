@@ -233,11 +233,10 @@ void check_xmp(const Context& context) {
   });
 }
 
-constexpr LinkRule kLinkRules[] = {check_xmp};
-
 }  // namespace
 
 const Family& xmp_family() {
+  static constexpr LinkRule kLinkRules[] = {check_xmp};
   static constexpr Family family{.order = 620, .link_rules = kLinkRules};
   return family;
 }
