@@ -68,30 +68,39 @@ Trouble TemporaryFile::make_durable() {
 
 UniqueFd TemporaryFile::reader() const { return UniqueFd(::fcntl(fd_.get(), F_DUPFD_CLOEXEC, 0)); }
 
+// The folder is opened before the file moves: once it has moved, nothing may fail but the disk.
+Result<UniqueFd> TemporaryFile::open_folder() const {
+  const std::filesystem::path parent = target_.parent_path();
+  UniqueFd folder(
+      ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder) return file_error("open the folder of", target_, errno);
+  return folder;
+}
+
 Trouble TemporaryFile::move_over() {
+  const auto folder = open_folder();
+  if (!folder) return folder.error();
   if (std::rename(name_.c_str(), target_.c_str()) != 0) {
     return file_error("replace", target_, errno);
   }
   moved_ = true;
-  return sync_folder();
+  return sync(*folder);
 }
 
 // Refused where there is something already. File systems that cannot rename so can link so.
 Trouble TemporaryFile::move_to_free_place() {
+  const auto folder = open_folder();
+  if (!folder) return folder.error();
   const char* name = name_.c_str();
   moved_ = ::renameat2(AT_FDCWD, name, AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
   const bool unknown = !moved_ && (errno == EINVAL || errno == ENOSYS);
   if (!moved_ && !(unknown && ::link(name, target_.c_str()) == 0)) {
     return file_error("create", target_, errno);
   }
-  return sync_folder();
+  return sync(*folder);
 }
 
-Trouble TemporaryFile::sync_folder() const {
-  const std::filesystem::path parent = target_.parent_path();
-  const UniqueFd folder(
-      ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!folder) return file_error("open the folder of", target_, errno);
+Trouble TemporaryFile::sync(const UniqueFd& folder) const {
   if (::fsync(folder.get()) == 0 || errno == EINVAL) return std::nullopt;
   return file_error("make durable", target_, errno);
 }

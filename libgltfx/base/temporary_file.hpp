@@ -37,7 +37,8 @@ class TemporaryFile {
   int fd() const { return fd_.get(); }
 
  private:
-  std::optional<Error> sync_folder() const;
+  Result<UniqueFd> open_folder() const;
+  std::optional<Error> sync(const UniqueFd& folder) const;
 
   const std::filesystem::path target_;
   std::string name_;

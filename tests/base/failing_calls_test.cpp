@@ -66,6 +66,22 @@ TEST(FailingCalls, WritingGoesOnAfterASignal) {
   EXPECT_EQ(content_of(folder.path() / "a.gltf"), "new");
 }
 
+// Root opens any folder, so that a call has to fail in the place of a right.
+TEST(FailingCalls, AFolderThatCannotBeOpenedIsSaidBeforeAnythingIsReplaced) {
+  const TempFolder folder;
+  const fs::path file = folder.path() / "a.gltf";
+  int openings = 0;
+  for (bool failed = true; failed; openings += failed ? 1 : 0) {
+    folder.write("a.gltf", "old");
+    const auto seen = file_state(file);
+    FailingCall failing(Call::open, openings + 1, EACCES);
+    const auto trouble = replace_file(file, "new", *seen);
+    failed = failing.stop();
+    EXPECT_EQ(content_of(file), trouble ? "old" : "new");
+  }
+  EXPECT_GE(openings, 2);  // the draft and the folder
+}
+
 // Some file systems cannot make anything durable, or cannot rename without replacing.
 TEST(FailingCalls, WhatAFileSystemCannotDoIsDoneWithout) {
   const TempFolder folder;
