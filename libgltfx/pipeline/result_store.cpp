@@ -83,6 +83,16 @@ std::string read_at(int fd, std::uint64_t offset, std::size_t length) {
   return bytes;
 }
 
+// Files of a cache that others fill, or on a read-only volume, are read too.
+UniqueFd open_segment(const std::string& path) {
+  constexpr int kFlags = O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW;
+  UniqueFd file(::open(path.c_str(), O_RDWR | kFlags));
+  if (!file && (errno == EACCES || errno == EROFS)) {
+    file = UniqueFd(::open(path.c_str(), O_RDONLY | kFlags));
+  }
+  return file;
+}
+
 // Whoever writes to a file holds it shared, so that nobody takes it away meanwhile.
 bool lock(int fd, int how) {
   while (::flock(fd, how | LOCK_NB) != 0) {
@@ -134,7 +144,7 @@ std::optional<Error> ResultStore::load() {
     if (!path.ends_with(kEnding)) continue;
     Segment segment;
     segment.path = path;
-    segment.fd = UniqueFd(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW));
+    segment.fd = open_segment(path);
     struct stat status {};
     if (!segment.fd || ::fstat(segment.fd.get(), &status) != 0 || !S_ISREG(status.st_mode))
       continue;

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "container/temp_folder.hpp"
 #include "process.hpp"
@@ -88,6 +89,36 @@ TEST_F(Cache, ACompanionThatChangedMakesTheAssetBeCheckedAgain) {
   EXPECT_EQ(validate().out, plain().out);
   folder_.write("assets/a.bin", "1234");
   EXPECT_EQ(validate().code, 0) << "that something was missing is not kept";
+}
+
+// The finding that says so need not be in the report, for instance with --ignore.
+TEST_F(Cache, AReportThatAMissingDecoderShapedIsNotKept) {
+  fs::create_directories(folder_.path() / "assets");
+  fs::copy(fixture("good/bowl.glb"), folder_.path() / "assets");
+  Setting without = setting_;
+  without.environment.emplace_back("GLTFX_CODEC_WORKERS", (folder_.path() / "none").native());
+  const std::vector<std::string> words{"validate", "assets",  "--isolated", "--format",
+                                       "json",     "--cache", "cache"};
+  EXPECT_THAT(gltfx(words, without).out, HasSubstr("DRACO_NOT_CHECKED"));
+  EXPECT_EQ(validate().out, plain().out);
+  EXPECT_THAT(plain().out, Not(HasSubstr("DRACO_NOT_CHECKED")));
+}
+
+// As in a job that may use the cache of others but not add to it. Only what is kept can say that
+// the bitstream is sound, since the second run has no decoder.
+TEST_F(Cache, OneThatIsReadOnlyIsRead) {
+  fs::create_directories(folder_.path() / "assets");
+  fs::copy(fixture("good/bowl.glb"), folder_.path() / "assets");
+  const Outcome first = validate();
+  const std::string root = ::geteuid() == 0 ? "setpriv --bounding-set=-dac_override " : "";
+  const Outcome second =
+      bash("chmod 0444 cache/*.results && chmod 0555 cache && export GLTFX_CODEC_WORKERS=none && " +
+               root +
+               "\"$GLTFX\" validate assets --isolated --format json --cache cache; "
+               "status=$?; chmod -R u+w cache; exit $status",
+           setting_);
+  EXPECT_EQ(second.out, first.out) << second.err;
+  EXPECT_EQ(second.code, first.code) << second.err;
 }
 
 TEST_F(Cache, OtherOptionsAreOtherReports) {
