@@ -90,21 +90,17 @@ class Upgrade {
     if (!state) return fail(UpgradeProblem::unreadable, state.error().message);
     state_ = *state;
     container_ = *std::move(opened);
-    if (container_.format == container::Format::git_lfs_pointer) {
-      return fail(UpgradeProblem::unreadable,
-                  "it is a Git-LFS pointer; 'git lfs pull' fetches the file itself");
-    }
     if (container_.glb_version == 1U) {
       report_.actions.push_back(upgrade::old_format(options_));
       return false;
     }
-    if (!container_.json) {
-      return fail(UpgradeProblem::unreadable, "it holds no glTF; 'gltfx validate' says why");
+    if (const auto obstacle = find_text_obstacle(container_)) {
+      return fail(UpgradeProblem::unreadable, obstacle->message);
     }
     drop_zero_padding();
     parsed_ = json::parse(container_.json);
-    if (!parsed_.document.empty()) return true;
-    return fail(UpgradeProblem::unreadable, "its JSON is broken; 'gltfx validate' says where");
+    const auto obstacle = find_document_obstacle(parsed_);
+    return !obstacle || fail(UpgradeProblem::unreadable, obstacle->message);
   }
 
   // Some writers fill the JSON chunk up with zeros; the new one gets blanks.

@@ -42,6 +42,20 @@ TEST(UpgradeFile, TellsThePlanAndWritesNothingUnasked) {
   EXPECT_EQ(content(path), kLegacy);
 }
 
+TEST(UpgradeFile, TooManyObjectsAreAReasonNotAnEmptyPlan) {
+  const TempFolder folder;
+  std::string nodes(3 * 1'200'000, ' ');
+  for (std::size_t i = 0; i < nodes.size(); i += 3) nodes.replace(i, 3, "{},");
+  nodes.back() = ' ';
+  const std::string path =
+      folder.write("a.gltf", R"({"asset":{"version":"2.0"},"nodes":[)" + nodes + "]}").native();
+  const std::string why = "its root arrays have 1200000 elements; at most ";
+  const UpgradeReport report = upgrade_file(path, {});
+  EXPECT_EQ(report.problem, UpgradeProblem::unreadable);
+  EXPECT_EQ(report.error.find(why), 0U) << report.error;
+  EXPECT_EQ(inspect_file(path, {}).error, report.error);
+}
+
 // A leaf whose map has no alpha, which the first generation does not read and later ones do.
 std::string leaf(const std::string& legacy) {
   return R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_translucency"],
