@@ -94,16 +94,13 @@ TEST(Help, OfEachVerbListsEveryOptionExamplesAndExitCodes) {
   }
 }
 
-TEST(Help, EveryOptionIsInTheTableAboveAndInTheReadme) {
-  const std::string readme = read_file(GLTFX_SOURCE_DIR "/README.md");
+TEST(Help, EveryOptionIsInTheTableAbove) {
   for (const Verb& verb : verbs()) {
     std::set<std::string> listed{"--help"};
     for (const std::string& option : verb.options) {
       if (option.front() == '-') listed.insert(option);
     }
-    const std::string text = gltfx({verb.name, "--help"}).out;
-    EXPECT_EQ(options_in(text), listed) << verb.name;
-    EXPECT_THAT(readme, HasSubstr("$ gltfx " + verb.name + " --help\n" + text)) << verb.name;
+    EXPECT_EQ(options_in(gltfx({verb.name, "--help"}).out), listed) << verb.name;
   }
 }
 
