@@ -19,7 +19,8 @@ inline image::Ktx2 read_ktx2_text(const std::string& bytes) {
 /// The codes of all faults.
 inline std::vector<std::string> codes(const std::string& bytes) {
   std::vector<std::string> found;
-  for (const image::Ktx2Fault& fault : read_ktx2_text(bytes).faults) found.emplace_back(code_name(fault.code));
+  for (const image::Ktx2Fault& fault : read_ktx2_text(bytes).faults)
+    found.emplace_back(code_name(fault.code));
   return found;
 }
 
@@ -27,7 +28,8 @@ inline std::vector<std::string> codes(const std::string& bytes) {
 inline std::vector<std::string> problems(const std::string& bytes, std::string_view code) {
   std::vector<std::string> found;
   for (const image::Ktx2Fault& fault : read_ktx2_text(bytes).faults) {
-    if (code_name(fault.code) == code) found.push_back((fault.tolerated ? "!" : "") + fault.problem);
+    if (code_name(fault.code) == code)
+      found.push_back((fault.tolerated ? "!" : "") + fault.problem);
   }
   return found;
 }

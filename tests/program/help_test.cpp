@@ -128,11 +128,10 @@ TEST(Version, NamesEverythingItWasBuiltWith) {
 TEST(Explain, TellsWhyAndHowWithTheRealReport) {
   const Outcome outcome = gltfx({"explain", "Value_Not_In_Range"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(
-      outcome.out,
-      AllOf(testing::StartsWith("VALUE_NOT_IN_RANGE (error): "), HasSubstr("Why it matters"),
-            HasSubstr("How to fix it"), HasSubstr("error[VALUE_NOT_IN_RANGE]: "),
-            HasSubstr(" --> example.gltf:"), HasSubstr("Good\n")));
+  EXPECT_THAT(outcome.out, AllOf(testing::StartsWith("VALUE_NOT_IN_RANGE (error): "),
+                                 HasSubstr("Why it matters"), HasSubstr("How to fix it"),
+                                 HasSubstr("error[VALUE_NOT_IN_RANGE]: "),
+                                 HasSubstr(" --> example.gltf:"), HasSubstr("Good\n")));
 }
 
 TEST(Explain, TakesSeveralCodes) {

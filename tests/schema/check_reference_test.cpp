@@ -188,7 +188,9 @@ TEST(Robustness, DeepDocumentsAreWalkedWithoutRecursion) {
   ASSERT_TRUE(parsed.ok());
   class Count : public Sink {
    public:
-    void report(const Path&, Finding finding) override { codes.emplace_back(code_name(finding.code)); }
+    void report(const Path&, Finding finding) override {
+      codes.emplace_back(code_name(finding.code));
+    }
     std::vector<std::string> codes;
   } sink;
   schema::check(parsed.document, *set, {}, sink, sink);

@@ -13,8 +13,9 @@ class Recorder : public Sink {
   Recorder(std::vector<Found>& found, std::string_view text, bool is_reference)
       : found_(found), text_(text), is_reference_(is_reference) {}
   void report(const Path& path, Finding finding) override {
-    found_.push_back({std::string(code_name(finding.code)), path.pointer(), std::move(finding.message),
-                      std::move(finding.help), std::string(finding.span.in(text_)), is_reference_,
+    found_.push_back({std::string(code_name(finding.code)), path.pointer(),
+                      std::move(finding.message), std::move(finding.help),
+                      std::string(finding.span.in(text_)), is_reference_,
                       !finding.severity || *finding.severity == Severity::error});
   }
 
