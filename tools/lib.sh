@@ -46,11 +46,11 @@ build() {
 
 # The scripts of the project.
 shell_files() {
-  find "$root/tools" "$root/tests" "$root/.ci" -type f -exec grep -lE '^#!/bin/bash|^# shellcheck shell=bash' {} + |
+  find "$root/tools" "$root/tests" "$root/examples" "$root/.ci" -type f -exec grep -lE '^#!/bin/bash|^# shellcheck shell=bash' {} + |
     sort
 }
 
 # The C++ files of the project.
 cpp_files() {
-  find "$root/libgltfx" "$root/tools" "$root/tests" -name '*.[ch]pp' | sort
+  find "$root/libgltfx" "$root/tools" "$root/tests" "$root/examples" -name '*.[ch]pp' | sort
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// consumer IN OUT: an asset as a model of tinygltf, and back into a file.
+/// tinygltf IN OUT: reads an asset as a model of tinygltf and writes it again.
 #include <gltfx/tinygltf.hpp>
 
 #include <iostream>
