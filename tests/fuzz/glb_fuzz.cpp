@@ -18,7 +18,7 @@ void require(bool promise) {
 
 void check_faults(const std::vector<ContainerFault>& faults, std::uint64_t size) {
   for (const ContainerFault& fault : faults) {
-    require(fault.offset <= size && !fault.code.empty());
+    require(fault.offset <= size && !gltfx::code_name(fault.code).empty());
     require(!fault.message.empty() && !fault.help.empty());
   }
 }
