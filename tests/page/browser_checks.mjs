@@ -124,6 +124,43 @@ async function sorts(browser, url) {
   await context.close();
 }
 
+async function addressHoldsTheState(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  await page.selectOption("#order", "name");
+  const paths = await page.evaluate(() => shown.map((one) => one.path));
+  assert.deepEqual(paths, paths.slice().sort((a, b) => (a < b ? -1 : 1)));
+  await page.selectOption("#verdict", "error");
+  await page.selectOption("#code", "UNRESOLVED_REFERENCE");
+  await page.locator("#list summary").first().click();
+  await page.locator(".finding").first().waitFor();
+  const count = await shownCount(page);
+  const path = await page.locator("#list details[open] .path-line bdi").textContent();
+  const address = await page.evaluate(() => location.href);
+  assert.match(address, /#.*code=UNRESOLVED_REFERENCE/);
+  const other = await open(context, address);
+  assert.equal(await shownCount(other), count);
+  assert.equal(await other.locator("#list details[open] .path-line bdi").textContent(), path);
+  await other.click("#reset");
+  assert.equal(await other.evaluate(() => location.hash), "#assets");
+  // What stands in an address is text, whatever it is.
+  const wild = await open(context, url + "#verdict=%3Cb%3E&order=x&text=<img src=x onerror=window.broken=1>&asset=no");
+  assert.match(await shownCount(wild), /^0 of /);
+  assert.equal(await wild.evaluate(() => window.broken), undefined);
+  assert.deepEqual(wild.complaints, []);
+  await context.close();
+}
+
+async function copiesPaths(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  await page.locator("#list summary").first().click();
+  const line = page.locator(".path-line").first();
+  await line.locator("button").click();
+  await page.waitForFunction(() => /Copied|Selected/.test(document.querySelector(".path-line [role=status]").textContent));
+  await context.close();
+}
+
 async function worksByKeyboard(browser, url) {
   const context = await browser.newContext();
   const page = await open(context, url);
@@ -135,6 +172,10 @@ async function worksByKeyboard(browser, url) {
   await page.locator("#list details[open] .body").waitFor();
   const outline = await first.evaluate((element) => getComputedStyle(element).outlineStyle);
   assert.equal(outline, "solid");
+  await page.keyboard.press("/");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "text");
+  await page.keyboard.type("a/b");
+  assert.equal(await page.inputValue("#text"), "a/b");
   await page.locator('.theme input[value="auto"]').focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
@@ -168,6 +209,8 @@ export function browserChecks(browser, url, axePath) {
     ["text of assets stays text", () => textStaysText(browser, url)],
     ["filters", () => filters(browser, url)],
     ["sorts", () => sorts(browser, url)],
+    ["address holds filters and the open asset", () => addressHoldsTheState(browser, url)],
+    ["copies paths", () => copiesPaths(browser, url)],
     ["works by keyboard", () => worksByKeyboard(browser, url)],
     ["shows all in the end", () => showsAllInTheEnd(browser, url)],
   ];

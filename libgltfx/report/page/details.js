@@ -195,10 +195,27 @@ function problemsPart(facts) {
   return make("section", {}, make("h4", {}, "Not read"), facts.problems.map((one) => make("p", {}, isolated(one))));
 }
 
+/** Where a browser has no clipboard for the page, the path is selected instead. */
+function pathLine(asset) {
+  const path = make("bdi.mono", {}, visible(asset.path));
+  const button = make("button", { type: "button" }, "Copy path");
+  const said = make("span.soft", { role: "status" });
+  button.addEventListener("click", async () => {
+    try {
+      await navigator.clipboard.writeText(asset.path);
+      said.textContent = "Copied";
+    } catch {
+      getSelection().selectAllChildren(path);
+      said.textContent = "Selected";
+    }
+  });
+  return make("p.path-line", {}, path, " ", button, " ", said);
+}
+
 function details(asset, matches) {
   const facts = asset.facts;
   return make("div.body", {},
-    make("div.main-side", {}, findingsPart(asset, matches), upgradePart(asset),
+    make("div.main-side", {}, pathLine(asset), findingsPart(asset, matches), upgradePart(asset),
       facts ? listParts(facts) : null, facts ? materialsPart(facts) : null),
     make("div.fact-side", {}, picturesPart(asset), facts ? bytesPart(facts) : null,
       facts ? generalPart(facts) : make("p.soft", {}, "No facts: ", isolated(asset.error || "it could not be read")),

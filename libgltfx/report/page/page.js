@@ -23,6 +23,7 @@ const ORDERS = [
   ["worst", "worst first", (a, b) => b.counts.errors - a.counts.errors || b.counts.warnings - a.counts.warnings
     || b.counts.infos - a.counts.infos || a.index - b.index],
   ["run", "as in the run", (a, b) => a.index - b.index],
+  ["name", "by path", (a, b) => (a.path < b.path ? -1 : a.path > b.path ? 1 : a.index - b.index)],
   ["size", "largest first", (a, b) => size(b) - size(a) || a.index - b.index],
   ["triangles", "most triangles", (a, b) => count(b, "triangles") - count(a, "triangles") || a.index - b.index],
   ["gpu", "most image memory", (a, b) => imageMemory(b) - imageMemory(a) || a.index - b.index],
@@ -75,6 +76,7 @@ function assetMatches(asset) {
 // --- The list ---
 
 let shown = [];
+let opened = "";  // path of the asset that was opened last
 
 function stateText(asset) {
   if (!asset.readable) return make("span.is-error", {}, "not readable");
@@ -113,6 +115,9 @@ function row(asset) {
   const folded = make("details.asset", {}, summary);
   folded.addEventListener("toggle", () => {
     if (folded.open && folded.childElementCount === 1) folded.append(details(asset, findingMatches));
+    if (folded.open) opened = asset.path;
+    else if (opened === asset.path) opened = "";
+    writeAddress();
   });
   return make("li", {}, folded);
 }
@@ -131,6 +136,43 @@ function refresh() {
   const all = counted(report.assets.length, "asset");
   byId("count").textContent = shown.length === report.assets.length ? all
     : grouped(shown.length) + " of " + all;
+}
+
+// --- The address: what is filtered and open, for links to it ---
+
+function writeAddress() {
+  const words = new URLSearchParams();
+  for (const name of Object.keys(state)) {
+    const field = byId(name);
+    const usual = field.tagName === "SELECT" ? field.options[0].value : "";
+    if (field.value !== usual) words.set(name, field.value);
+  }
+  if (opened) words.set("asset", opened);
+  const address = words.toString();
+  if (address !== location.hash.slice(1)) history.replaceState(null, "", address ? "#" + address : "#assets");
+}
+
+/** Opens the asset with that path, if the filter lets it through. */
+function openAsset(path) {
+  const place = shown.findIndex((asset) => asset.path === path);
+  if (place < 0) return;
+  while (byId("list").childElementCount <= place) showMore();
+  const folded = byId("list").children[place].querySelector("details.asset");
+  folded.open = true;
+  folded.scrollIntoView();
+}
+
+function readAddress() {
+  const words = new URLSearchParams(location.hash.slice(1));
+  for (const name of Object.keys(state)) {
+    const field = byId(name);
+    const value = words.get(name);
+    if (value === null) continue;
+    if (field.tagName !== "SELECT") field.value = value;
+    else if (Array.from(field.options).some((one) => one.value === value)) field.value = value;
+  }
+  readFilter();
+  if (words.has("asset")) openAsset(words.get("asset"));
 }
 
 // --- Totals ---
@@ -230,12 +272,27 @@ function fillOverview(rules) {
 
 // --- The filter ---
 
-function read() {
+function readFilter() {
   for (const name of Object.keys(state)) {
     const value = byId(name).value;
     state[name] = name === "text" || name === "path" ? value.trim().toLowerCase() : value;
   }
   refresh();
+}
+
+function read() {
+  opened = "";
+  readFilter();
+  writeAddress();
+}
+
+/** "/" goes to the search, as on many sites. */
+function searchByKey(event) {
+  const typing = ["INPUT", "SELECT", "TEXTAREA"].includes(document.activeElement.tagName) &&
+    document.activeElement.type !== "radio";
+  if (event.key !== "/" || typing || event.ctrlKey || event.metaKey || event.altKey) return;
+  event.preventDefault();
+  byId("text").focus();
 }
 
 function reset() {
@@ -280,7 +337,9 @@ function start() {
   }, { rootMargin: "600px" }).observe(byId("more"));
   document.querySelector(".theme").addEventListener("change", chooseTheme);
   byId("about").textContent = "gltfx " + report.gltfx + ", profile " + report.profile + ", images: " + report.pixels;
-  refresh();
+  document.addEventListener("keydown", searchByKey);
+  window.addEventListener("hashchange", readAddress);
+  readAddress();
 }
 
 start();
