@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "report/writers.hpp"
 
@@ -25,8 +26,9 @@ std::optional<ReportFormat> report_format_from_name(std::string_view name) {
 
 std::span<const std::string_view> report_format_names() { return kNames; }
 
-std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format,
-                                                 const FormatOptions& options) {
+namespace {
+
+std::unique_ptr<ReportWriter> writer_of(ReportFormat format, const FormatOptions& options) {
   switch (format) {
     case ReportFormat::json:
       return report::make_json_writer(options);
@@ -46,6 +48,15 @@ std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format,
       break;
   }
   return report::make_text_writer(options);
+}
+
+}  // namespace
+
+std::unique_ptr<ReportWriter> make_report_writer(ReportFormat format,
+                                                 const FormatOptions& options) {
+  auto writer = writer_of(format, options);
+  if (options.min_severity == Severity::hint) return writer;
+  return report::with_min_severity(std::move(writer), options.min_severity);
 }
 
 }  // namespace gltfx

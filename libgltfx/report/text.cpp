@@ -8,6 +8,7 @@
 #include "report/excerpt.hpp"
 #include "report/safe_text.hpp"
 #include "report/style.hpp"
+#include "report/text_summary.hpp"
 #include "report/wording.hpp"
 #include "report/writers.hpp"
 
@@ -16,11 +17,7 @@ namespace {
 
 class TextWriter final : public ReportWriter {
  public:
-  explicit TextWriter(const FormatOptions& options)
-      : style_(options.color),
-        quiet_(options.quiet),
-        command_(options.command.empty() ? "gltfx" : options.command),
-        pixel_level_(options.pixel_level) {}
+  explicit TextWriter(const FormatOptions& options) : options_(options), style_(options.color) {}
 
   void begin(std::string&) override {}
 
@@ -32,7 +29,7 @@ class TextWriter final : public ReportWriter {
   }
 
   void end(const RunSummary& summary, std::string& out) override {
-    if (!quiet_) print_summary(summary, out);
+    if (!options_.quiet) out += text_summary(summary, options_);
   }
 
  private:
@@ -58,50 +55,15 @@ class TextWriter final : public ReportWriter {
                        style_.paint(ink, label), text);
   }
 
-  // "1 error, 3 warnings, 2 infos", without what there is none of.
-  std::string tally(const RunSummary& summary) const {
-    const Counts& counts = summary.counts;
-    std::string text;
-    const auto add = [&](Severity severity, std::uint64_t count) {
-      if (count == 0) return;
-      if (!text.empty()) text += ", ";
-      text += style_.paint(ink_of(severity), counted(count, severity_name(severity)));
-    };
-    add(Severity::error, counts.errors);
-    add(Severity::warning, counts.warnings);
-    add(Severity::info, counts.infos);
-    add(Severity::hint, counts.hints);
-    if (!text.empty()) return text;
-    return style_.paint(
-        Ink::good, summary.suppressed + summary.unchanged > 0 ? "no new problems" : "no problems");
-  }
-
-  void print_summary(const RunSummary& summary, std::string& out) const {
-    out += counted(summary.files, "file") + " checked: " + tally(summary) + "\n";
-    if (const auto note = pixels_note(summary, pixel_level_); !note.empty()) out += note + "\n";
-    if (summary.unreadable > 0) {
-      out += counted(summary.unreadable, "file") + " could not be read\n";
-    }
-    if (summary.unverified > 0) out += unverified_note(summary.unverified) + "\n";
-    if (summary.suppressed > 0) {
-      out += counted(summary.suppressed, "finding") + " known to the baseline\n";
-    }
-    if (summary.left_out > 0) out += left_out_note(summary.left_out) + "\n";
-    if (summary.unchanged > 0) out += unchanged_note(summary.unchanged) + "\n";
-    if (summary.counts.at_least(Severity::hint) > 0) {
-      out += fmt::format("`{} explain CODE` tells more about a finding\n", safe(command_));
-    }
-  }
-
+  FormatOptions options_;
   Style style_;
-  bool quiet_;
-  std::string command_;
-  std::string pixel_level_;
 };
 
 }  // namespace
 
 std::unique_ptr<ReportWriter> make_text_writer(const FormatOptions& options) {
+  if (options.layout == TextLayout::statistics) return make_statistics_writer(options);
+  if (options.layout == TextLayout::by_rule) return make_grouped_writer(options);
   return std::make_unique<TextWriter>(options);
 }
 

@@ -9,6 +9,9 @@
 namespace gltfx::report {
 
 std::unique_ptr<ReportWriter> make_text_writer(const FormatOptions& options);
+/// The layouts of the text format that need all reports before they write.
+std::unique_ptr<ReportWriter> make_grouped_writer(const FormatOptions& options);
+std::unique_ptr<ReportWriter> make_statistics_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_json_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_json_lines_writer(const FormatOptions& options);
 /// Holds the text of the first file back until a second one or the end shows what it is part of.
@@ -17,5 +20,9 @@ std::unique_ptr<ReportWriter> make_github_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_sarif_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_junit_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_agent_writer(const FormatOptions& options);
+
+/// Hands reports on without findings below `least`; the counts stay.
+std::unique_ptr<ReportWriter> with_min_severity(std::unique_ptr<ReportWriter> writer,
+                                                Severity least);
 
 }  // namespace gltfx::report

@@ -101,6 +101,7 @@ constexpr std::array kExtension{
     Word{"generations", F::generations},
     Word{"upgrade", F::upgrade},
     Word{"enumAdditions", F::enum_additions},
+    Word{"tests", F::any},
     Word{"hint", F::nonempty_text},
 };
 

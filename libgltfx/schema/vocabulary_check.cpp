@@ -6,6 +6,8 @@
 #include <string>
 #include <unordered_set>
 
+#include <fmt/format.h>
+
 #include "base/text.hpp"
 #include "schema/form_check.hpp"
 
@@ -76,8 +78,9 @@ class FileCheck {
     if (faults_.is_full()) return;
     std::vector<std::string_view> known;
     for (const Word& word : words(context)) known.push_back(word.name);
-    fault(key, quoted(name) + " is not a word of " + std::string(context_name(context)) +
-                   did_you_mean(name, known));
+    std::string hint = did_you_mean(name, known);
+    if (hint.empty()) hint = fmt::format(" Allowed: {}.", fmt::join(known, ", "));
+    fault(key, quoted(name) + " is not a word of " + std::string(context_name(context)) + hint);
   }
 
   // Simple forms are judged at once; objects of the vocabulary are put on the list.

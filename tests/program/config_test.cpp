@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// gltfx.toml: where it is looked for, what stands before what, and mistakes in it.
+#include <set>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "container/temp_folder.hpp"
 #include "process.hpp"
@@ -225,6 +229,44 @@ TEST_F(Config, IsShownWithValueLineAndReason) {
   EXPECT_THAT(one, testing::ContainsRegex("\n +EMPTY_ENTITY +../gltfx.toml:5, for '\\*.glb'\n"));
   EXPECT_THAT(in("props", {"config", "--isolated"}).out,
               StartsWith("configuration: none (--isolated)"));
+}
+
+TEST_F(Config, ExcludesPathsFromItsFolderAndNamesAnywhere) {
+  folder_.write("props/old/x.gltf", kInfo);
+  folder_.write("props/new/x.gltf", kInfo);
+  folder_.write("props/new/y.draft.gltf", kInfo);
+  configure("exclude = [\"props/old/\", \"*.draft.gltf\"]\n");
+  const auto files = [&](const std::string& folder, const std::vector<std::string>& words) {
+    return in(folder, words).out;
+  };
+  for (const auto& [folder, path] : std::vector<std::pair<std::string, std::string>>{
+           {"", "props"}, {"props", "."}, {"", (folder_.path() / "props").native()}}) {
+    const std::string out = files(folder, {"validate", path, "--format", "github"});
+    EXPECT_THAT(out, HasSubstr("new/x.gltf")) << path;
+    EXPECT_THAT(out, Not(HasSubstr("old/x.gltf"))) << path;
+    EXPECT_THAT(out, Not(HasSubstr("draft"))) << path;
+  }
+  EXPECT_EQ(in("", {"inspect", "props/old"}).code, 2);
+  EXPECT_EQ(in("", {"upgrade", "props/old"}).code, 2);
+}
+
+// Editors complete gltfx.toml by it.
+TEST_F(Config, TheSchemaForEditorsHasEveryKey) {
+  const auto schema =
+      nlohmann::json::parse(read_file(GLTFX_SOURCE_DIR "/schema/meta/gltfx.toml.schema.json"));
+  std::set<std::string> described;
+  for (const auto& [key, value] : schema["properties"].items()) {
+    if (key != "budgets" && key != "overrides") described.insert(key);
+  }
+  for (const auto& [key, value] : schema["$defs"]["budgets"]["properties"].items()) {
+    described.insert("budgets." + key);
+  }
+  std::set<std::string> shown;
+  std::istringstream lines(in("", {"config", "--isolated"}).out);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with(" default")) shown.insert(line.substr(0, line.find(' ')));
+  }
+  EXPECT_EQ(described, shown);
 }
 
 TEST_F(Config, OfTheKhronosValidatorIsImported) {

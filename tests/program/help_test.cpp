@@ -33,39 +33,46 @@ std::vector<std::string> words(const std::string& text) {
 const std::vector<Verb>& verbs() {
   static const std::vector<Verb> kVerbs{
       {"validate",
-       words("PATH --format --fail-on --profile --select --ignore --severity "
+       words("PATH --format --min-severity --group-by --statistics --fail-on --profile --select "
+             "--ignore --severity "
              "--inline-suppressions --diff-base --config --isolated --unsandboxed-decoders "
              "--max-issues --pixels --max-texture-size --max-total-pixels --max-triangles "
              "--max-draw-calls --max-file-size --quiet --root --schema --schema-dir --lfs "
-             "--files-from --shard --allow-empty --sarif-notes --timings --cache --cache-key "
+             "--files-from --shard --exclude --no-ignore --allow-empty --sarif-notes --timings "
+             "--cache --cache-key "
              "--baseline --write-baseline --jobs --color")},
-      {"upgrade",
-       words("PATH --in-place --output --backup --check --diff --unsafe --strict --only --to "
-             "--ior --pack --prune --generation --root --schema --schema-dir --config "
-             "--files-from --shard --allow-empty --isolated --unsandboxed-decoders --quiet "
-             "--jobs --color")},
+      {"upgrade", words("PATH --format --restore --in-place --output --backup --check --diff "
+                        "--unsafe --strict --only --to "
+                        "--ior --pack --prune --generation --root --schema --schema-dir --config "
+                        "--files-from --shard --exclude --no-ignore --allow-empty --isolated "
+                        "--unsandboxed-decoders --quiet "
+                        "--jobs --color")},
       {"hook", words("VERB")},
       {"bake",
        words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "
              "--compare --camera --lights --environment --exposure --scene --animation --time "
              "--variant --force --samples --bounces --seed --denoise --noise --time-budget "
              "--shader --root --schema --schema-dir --quiet --config --isolated "
-             "--unsandboxed-decoders --jobs --color --files-from --shard --allow-empty --cache "
+             "--unsandboxed-decoders --jobs --color --files-from --shard --exclude --no-ignore "
+             "--allow-empty --cache "
              "--cache-key")},
       {"report",
        words("PATH --output --title --no-thumbnails --thumbnail-size --fail-on --profile "
              "--select --ignore --severity --inline-suppressions --config --isolated "
              "--unsandboxed-decoders --max-issues --pixels --max-texture-size "
              "--max-total-pixels --max-triangles --max-draw-calls --max-file-size --quiet "
-             "--root --schema --schema-dir --lfs --files-from --shard --allow-empty --cache "
+             "--root --schema --schema-dir --lfs --files-from --shard --exclude --no-ignore "
+             "--allow-empty --cache "
              "--cache-key --baseline --jobs --color")},
-      {"inspect",
-       words("PATH --format --top --allow-empty --root --schema --schema-dir --quiet --config "
-             "--isolated --jobs --color")},
-      {"merge", words("REPORT --format --sarif-notes --fail-on --quiet --jobs --color")},
+      {"inspect", words("PATH --format --top --exclude --no-ignore --allow-empty --root --schema "
+                        "--schema-dir --quiet --config "
+                        "--isolated --jobs --color")},
+      {"merge", words("REPORT --format --min-severity --group-by --statistics --sarif-notes "
+                      "--fail-on --quiet --jobs --color")},
       {"explain", words("CODE --jobs --color")},
       {"rules", words("--format --jobs --color")},
-      {"schema", words("NAME --format --schema --schema-dir --config --isolated --jobs --color")},
+      {"schema", words("NAME --format --new --check --test --schema --schema-dir --config "
+                       "--isolated --jobs --color")},
       {"config", words("PATH --config --isolated --jobs --color")},
   };
   return kVerbs;

@@ -151,5 +151,70 @@ TEST(SchemaVerb, ShowsTheUsersOwn) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("1 to 9; required"), HasSubstr("reads A (linear)")));
 }
 
+class OwnSchema : public testing::Test {
+ protected:
+  Outcome schema(std::vector<std::string> words) const {
+    words.insert(words.begin(), "schema");
+    words.push_back("--isolated");
+    return gltfx(words, {folder_.path().native(), {}, {}});
+  }
+  // The start, with its tests replaced.
+  void write_with_tests(const std::string& tests) const {
+    std::string text = schema({"--new", "ACME_leaf"}).out;
+    const std::size_t begin = text.find("\"tests\":");
+    text = text.substr(0, begin) + "\"tests\": " + tests + "\n  }\n}\n";
+    folder_.write("a.schema.json", text);
+  }
+
+  container::test::TempFolder folder_;
+};
+
+TEST_F(OwnSchema, TheStartHasNoMistakesAndPassesItsTests) {
+  const Outcome start = schema({"--new", "ACME_leaf"});
+  EXPECT_EQ(start.code, 0);
+  folder_.write("a.schema.json", start.out);
+  const Outcome outcome = schema({"--check", "a.schema.json", "--test", "a.schema.json"});
+  EXPECT_EQ(outcome.out, "a.schema.json: no mistakes\na.schema.json: 2 passed, 0 failed\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const std::string name : {"leaf", "acme_leaf", "ACME_", "_leaf", "ACME_a b"}) {
+    EXPECT_EQ(schema({"--new", name}).code, 2) << name;
+  }
+}
+
+TEST_F(OwnSchema, MistakesListTheAllowedWords) {
+  write_with_tests("{}");
+  std::string text = read_file((folder_.path() / "a.schema.json").native());
+  text.replace(text.find("\"status\""), 8, "\"zzzzzzzz\"");
+  folder_.write("a.schema.json", text);
+  const Outcome outcome = schema({"--check", "a.schema.json"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("'zzzzzzzz' is not a word of"));
+  EXPECT_THAT(outcome.err, HasSubstr("Allowed: extension, on, status,"));
+}
+
+TEST_F(OwnSchema, EachTestThatFailsIsNamedWithItsReason) {
+  const auto said = [&](const std::string& tests) {
+    write_with_tests(tests);
+    const Outcome outcome = schema({"--test", "a.schema.json"});
+    EXPECT_EQ(outcome.code, 1) << tests;
+    return outcome.out;
+  };
+  const std::string bare = R"({"asset": {"version": "2.0"}})";
+  const std::string used =
+      R"({"asset": {"version": "2.0"}, "extensionsUsed": ["ACME_leaf"],
+ "materials": [{"extensions": {"ACME_leaf": {"amount": 3}}}]})";
+  EXPECT_THAT(said("{\"good\": [" + bare + ", " + used + "]}"),
+              AllOf(HasSubstr("tests/good/1: error[VALUE_NOT_IN_RANGE] at "),
+                    HasSubstr(": 1 passed, 1 failed\n")));
+  EXPECT_THAT(said(R"({"bad": [{"finding": "NODE_EMPTY", "asset": )" + used + "}, 3]}"),
+              AllOf(HasSubstr("tests/bad/0: 'NODE_EMPTY' is not found, but: "),
+                    HasSubstr("VALUE_NOT_IN_RANGE"), HasSubstr("tests/bad/1: needs an 'asset'")));
+  EXPECT_THAT(said(R"({"upgrade": [{"before": )" + bare + R"(, "after": {}}, {}]})"),
+              AllOf(HasSubstr("tests/upgrade/0: the upgraded asset is another one:"),
+                    HasSubstr("tests/upgrade/1: needs 'before' and 'after'")));
+  EXPECT_THAT(said(R"({"goood": []})"), HasSubstr("tests/goood: not good, bad or upgrade"));
+  EXPECT_THAT(said(R"({"good": 1})"), HasSubstr("tests/good: not an array"));
+}
+
 }  // namespace
 }  // namespace gltfx::program

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "program/upgrade_support.hpp"
 
@@ -100,6 +101,48 @@ TEST_F(UpgradeOutput, AnOutputThatFitsNoInputIsAUsageErrorWithTheRemedy) {
   EXPECT_THAT(names(), ElementsAre("leaf.gltf", "other.gltf"));
   EXPECT_EQ(here({"leaf.gltf", "-o", "new.GLTF"}).code, 0);
   EXPECT_EQ(content("new.GLTF"), kUpgraded);
+}
+
+TEST_F(UpgradeOutput, RestorePutsBackWhatBackupKept) {
+  folder_.write("a.gltf", kLegacy);
+  folder_.write("b.gltf", kUpgraded);
+  ASSERT_EQ(here({".", "--in-place", "--backup"}).code, 0);
+  ASSERT_EQ(content("a.gltf"), kUpgraded);
+  EXPECT_EQ(here({".", "--restore", "--check"}).code, 2);
+  const Outcome outcome = here({".", "--restore"});
+  EXPECT_EQ(outcome.out, "./a.gltf: restored\n");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(content("a.gltf"), kLegacy);
+  EXPECT_EQ(names(), (std::vector<std::string>{"a.gltf", "b.gltf"}));
+  const Outcome again = here({"a.gltf", "--restore"});
+  EXPECT_EQ(again.code, 4);
+  EXPECT_THAT(again.err, testing::HasSubstr("a.gltf: there is no 'a.gltf.bak'"));
+  folder_.link("b.gltf.bak", "a.gltf");
+  EXPECT_EQ(here({"b.gltf", "--restore"}).code, 4);
+  EXPECT_EQ(content("b.gltf"), kUpgraded);
+}
+
+TEST_F(UpgradeOutput, JsonHasPlansAndOutcomes) {
+  folder_.write("a.gltf", kLegacy);
+  folder_.write("b.gltf", kUpgraded);
+  folder_.write("c.gltf", "{");
+  const Outcome plan = here({".", "--format", "json"});
+  EXPECT_EQ(plan.code, 3);
+  const auto report = nlohmann::json::parse(plan.out);
+  ASSERT_EQ(report["files"].size(), 3U);
+  const auto& first = report["files"][0];
+  EXPECT_EQ(first["path"], "./a.gltf");
+  EXPECT_EQ(first["changes"], true);
+  EXPECT_EQ(first["written"], false);
+  EXPECT_EQ(first["actions"][0]["from"], "KHR_materials_translucency");
+  EXPECT_EQ(first["actions"][0]["to"], "KHR_materials_diffuse_transmission");
+  EXPECT_EQ(first["actions"][0]["outcome"], "safe");
+  EXPECT_EQ(report["files"][1]["actions"].size(), 0U);
+  EXPECT_EQ(report["files"][2]["problem"], "unreadable");
+  EXPECT_EQ(report["summary"]["done"], 1);
+  const auto written =
+      nlohmann::json::parse(here({"a.gltf", "--in-place", "--quiet", "--format", "json"}).out);
+  EXPECT_EQ(written["files"][0]["writtenTo"], "a.gltf");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ ExitCode verdict(const BakeReport& report) {
 class BakeRun {
  public:
   BakeRun(const BakeRequest& request, BakeOptions options)
-      : request_(request), options_(std::move(options)), progress_(!request.quiet) {
+      : request_(request), options_(std::move(options)), progress_(!request.quiet, true) {
     if (progress_.visible()) options_.progress = [this](double part) { progress_.show(part); };
   }
 

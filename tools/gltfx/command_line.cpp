@@ -34,7 +34,7 @@ class Declaration {
     app_.require_subcommand(0, 1);
     app_.get_formatter()->column_width(28);
     app_.footer([] { return help_footer(""); });
-    app_.add_flag("--version", version_, "Versions of gltfx and of what it was built with");
+    app_.add_flag("-V,--version", version_, "Versions of gltfx and of what it was built with");
     declare_validate(verb("validate", "Check .gltf and .glb files"), validate_);
     declare_upgrade();
     declare_hook();
@@ -94,10 +94,12 @@ CLI::App& Declaration::verb(const char* name, const char* text) {
 void Declaration::declare_upgrade() {
   CLI::App& app = verb("upgrade", "Bring legacy extensions to their successors");
   describe_positional(app, "PATH", "Files, folders (searched through) or globs");
+  add_word(app, "-f,--format", upgrade_.format, "NAME", "text or json (default: text)");
   app.add_flag("--in-place", upgrade_.in_place, "Replace the files, each whole or not at all");
   add_word(app, "-o,--output", upgrade_.output, "FILE|DIR",
            "Write there: a folder if it is one, ends in /, or several assets may come");
   app.add_flag("--backup", upgrade_.backup, "With --in-place: keep the old file as NAME.bak");
+  app.add_flag("--restore", upgrade_.restore, "Put back the files that --backup kept");
   app.add_flag("--check", upgrade_.check, "Write nothing; exit with 1 when something is to do");
   app.add_flag("--diff", upgrade_.diff, "Print what changes as a unified diff");
   app.add_flag("--unsafe", upgrade_.unsafe, "Do what loses something, too");
@@ -146,6 +148,10 @@ void Declaration::declare_schema() {
   CLI::App& app = verb("schema", "Show what is known of extensions and core types");
   describe_positional(app, "NAME", "An extension or a core type (default: list them)");
   add_word(app, "-f,--format", schema_.format, "NAME", "text or json (default: text)");
+  add_word(app, "--new", schema_.new_name, "NAME", "Print a schema to start with");
+  add_list(app, "--check", schema_.check_files, "FILE", "Check a schema file (repeatable)");
+  add_list(app, "--test", schema_.test_files, "FILE",
+           "Check a schema file and run its tests (repeatable)");
   add_schema_sources(app, schema_.schema_files, schema_.schema_folders);
   add_configuration(app, schema_.configuration);
   add_common(app, schema_.common);
@@ -269,6 +275,10 @@ std::string Declaration::verb_among(const std::vector<std::string>& words) const
 }
 
 CommandLine Declaration::read(int argc, const char* const* argv) {
+  if (argc > 1 && argv[1] == std::string_view("help")) {
+    const std::vector<const char*> words{argv[0], argc > 2 ? argv[2] : "--help", "--help"};
+    return read(static_cast<int>(words.size()), words.data());
+  }
   const bool hook = argc > 2 && argv[1] == std::string_view("hook") && argv[2][0] != '-';
   if (hook) {
     --argc;

@@ -8,6 +8,7 @@ namespace gltfx::tool {
 void declare_merge(CLI::App& app, MergeWords& words) {
   describe_positional(app, "REPORT", "Files written by validate with --format jsonl=FILE");
   add_formats(app, words.formats);
+  add_listing(app, words.listing);
   add_sarif_notes(app, words.sarif_notes);
   add_fail_on(app, words.fail_on, "as the runs");
   app.add_flag("-q,--quiet", words.quiet, "Findings only: no summary, no notes");

@@ -36,11 +36,22 @@ void add_inputs(CLI::App& app, InputWords& words) {
            "More paths, one a line or before a NUL each; - is standard input");
   add_word(app, "--shard", words.shard, "I/N",
            "Only the files of part I of N, which their paths decide");
-  add_allow_empty(app, words.allow_empty);
+  add_search(app, words.exclude, words.no_ignore, words.allow_empty);
 }
 
-void add_allow_empty(CLI::App& app, bool& allow_empty) {
+void add_search(CLI::App& app, std::vector<std::string>& exclude, bool& no_ignore,
+                bool& allow_empty) {
+  add_list(app, "--exclude", exclude, "GLOB",
+           "Leave out of folders and globs what matches (repeatable)");
+  app.add_flag("--no-ignore", no_ignore, "Include files that .gitignore names");
   app.add_flag("--allow-empty", allow_empty, "Exit with 0 when the paths hold no .gltf or .glb");
+}
+
+void add_listing(CLI::App& app, ListingWords& words) {
+  add_word(app, "--min-severity", words.min_severity, "LEVEL",
+           "Lowest severity to list (default: warning on a terminal, else hint)");
+  add_word(app, "--group-by", words.group_by, "WHAT", "Text: rule, the places of each together");
+  app.add_flag("--statistics", words.statistics, "Text: numbers by rule and file, no findings");
 }
 
 void add_root(CLI::App& app, std::string& root) {

@@ -36,7 +36,10 @@ void add_sarif_notes(CLI::App& app, bool& sarif_notes);
 void add_inputs(CLI::App& app, InputWords& words);
 
 /// --allow-empty of the verbs that open assets; add_inputs() has it.
-void add_allow_empty(CLI::App& app, bool& allow_empty);
+/// Which assets of folders count.
+void add_search(CLI::App& app, std::vector<std::string>& exclude, bool& no_ignore,
+                bool& allow_empty);
+void add_listing(CLI::App& app, ListingWords& words);
 
 /// --root of the verbs that open what assets refer to.
 void add_root(CLI::App& app, std::string& root);

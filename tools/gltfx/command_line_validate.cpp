@@ -59,6 +59,7 @@ void declare_validate(CLI::App& app, ValidateWords& words) {
   describe_positional(app, "PATH",
                       "Files, folders (searched through), globs, or - for standard input");
   add_formats(app, words.formats);
+  add_listing(app, words.listing);
   add_sarif_notes(app, words.sarif_notes);
   app.add_flag("--timings", words.timings, "Record how long each file took (junit, jsonl)");
   declare_checks(app, words);

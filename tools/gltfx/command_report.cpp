@@ -44,7 +44,7 @@ class ReportRun {
         known_(std::move(known)),
         page_(page_options(request)),
         output_(request.output),
-        progress_(!request.validate.quiet) {}
+        progress_(!request.validate.quiet, true) {}
 
   ExitCode execute() {
     if (!output_.problem().empty()) {

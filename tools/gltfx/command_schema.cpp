@@ -10,6 +10,7 @@
 #include "schema/compile.hpp"
 #include "schema_print.hpp"
 #include "schema_sources.hpp"
+#include "schema_tests.hpp"
 #include "schema_words.hpp"
 #include "suggestion.hpp"
 #include "terminal.hpp"
@@ -45,6 +46,8 @@ ExitCode print_schema(const schema::Set& set, const SchemaRequest& request) {
 }  // namespace
 
 ExitCode run(const SchemaRequest& request) {
+  if (!request.new_name.empty()) return print(new_schema(request.new_name));
+  if (!request.check_files.empty() || !request.test_files.empty()) return check_schemas(request);
   const auto user_set = load_schemas(request.schema_files, request.schema_folders);
   if (!user_set) {
     complain(user_set.error().message);

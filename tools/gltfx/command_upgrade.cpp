@@ -3,9 +3,11 @@
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,7 @@
 #include "schema_words.hpp"
 #include "suggestion.hpp"
 #include "upgrade/choice.hpp"
+#include "upgrade_json.hpp"
 #include "upgrade_text.hpp"
 
 namespace gltfx::tool {
@@ -64,6 +67,43 @@ Result<UpgradeOptions> options_of(const UpgradeRequest& request) {
   return options;
 }
 
+// Why the copy that --backup made cannot take the place of the asset, or nothing. Links are
+// followed to the asset, not to the copy.
+std::optional<std::string> restore(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code fault;
+  const fs::path copy = path + ".bak";
+  const fs::file_status found = fs::symlink_status(copy, fault);
+  if (!fs::exists(found)) return "there is no " + quoted(copy.native(), 200);
+  if (!fs::is_regular_file(found)) return quoted(copy.native(), 200) + " is not a regular file";
+  const fs::path target = fs::canonical(path, fault);
+  if (!fault) fs::rename(copy, target, fault);
+  if (fault) return "cannot be restored: " + fault.message();
+  return std::nullopt;
+}
+
+ExitCode restore_all(const UpgradeRequest& request) {
+  const auto named = expand_paths(request.paths, request.quiet);
+  if (!named) {
+    complain(named.error().message);
+    return ExitCode::usage;
+  }
+  ExitCode code = ExitCode::ok;
+  for (const std::string& path : named->paths) {
+    std::error_code fault;
+    const bool has_copy =
+        std::filesystem::exists(std::filesystem::symlink_status(path + ".bak", fault));
+    if (named->several && !has_copy) continue;
+    if (const auto why = restore(path)) {
+      complain(fmt::format("{}: {}", printable(path), printable(*why)));
+      code = worse(code, ExitCode::internal);
+    } else if (!request.quiet) {
+      code = worse(code, print(printable(path) + ": restored\n"));
+    }
+  }
+  return code;
+}
+
 /// A run of inputs through the upgrade.
 class UpgradeRun {
  public:
@@ -80,13 +120,19 @@ class UpgradeRun {
       complain(inputs.error().message);
       return ExitCode::usage;
     }
+    if (as_json()) say(upgrade_json_begin());
     upgrade_files(*inputs, options_, request_.common.jobs,
                   [this](UpgradeReport&& report) { take(report); });
-    if (!request_.quiet) finish(upgrade_summary_text(summary_, writing()));
+    if (as_json()) {
+      say(upgrade_json_end(summary_));
+    } else if (!request_.quiet) {
+      finish(upgrade_summary_text(summary_, writing()));
+    }
     return code_;
   }
 
  private:
+  bool as_json() const { return request_.format == TableFormat::json; }
   bool writing() const { return options_.in_place || !options_.output.empty(); }
   void say(std::string_view text) { code_ = worse(code_, print(text)); }
 
@@ -109,17 +155,22 @@ class UpgradeRun {
   }
 
   void take(const UpgradeReport& report) {
+    if (as_json()) say(upgrade_json(report, summary_.files + summary_.unreadable == 0));
     summary_.add(report);
+    if (!as_json()) show(report);
+    if (report.problem != UpgradeProblem::none) {
+      complain(fmt::format("{}: {}", printable(report.path), report.error));
+    }
+    code_ = worse(code_, verdict(report));
+  }
+
+  void show(const UpgradeReport& report) {
     if (options_.diff) {
       say(diff_text(report.diff));
       if (!request_.quiet) note_beside_diff(report);
     } else if (!request_.quiet) {
       say(upgrade_plan_text(report, style_));
     }
-    if (report.problem != UpgradeProblem::none) {
-      complain(fmt::format("{}: {}", printable(report.path), report.error));
-    }
-    code_ = worse(code_, verdict(report));
   }
 
   ExitCode verdict(const UpgradeReport& report) const {
@@ -148,6 +199,7 @@ class UpgradeRun {
 }  // namespace
 
 ExitCode run(const UpgradeRequest& request) {
+  if (request.restore) return restore_all(request);
   permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   auto options = options_of(request);
   if (!options) {

@@ -11,7 +11,7 @@ using Words = ValidateWords;
 constexpr ConfigMerge kLast = ConfigMerge::last;
 constexpr ConfigMerge kAll = ConfigMerge::all;
 
-constexpr std::array<ConfigKey, 18> kKeys{{
+constexpr std::array<ConfigKey, 19> kKeys{{
     {"profile", Form::word, kLast, false, "default", &Words::profile},
     {"pixels", Form::word, kLast, false, "headers; needed in the strict profile", &Words::pixels},
     {"fail-on", Form::word, kLast, false, "error", &Words::fail_on},
@@ -22,6 +22,7 @@ constexpr std::array<ConfigKey, 18> kKeys{{
     {"lfs", Form::word, kLast, true, "skip", &Words::lfs},
     {"inline-suppressions", Form::flag, kLast, true, "false", &Words::inline_suppressions},
     {"root", Form::path, kLast, false, "the asset's folder", &Words::root},
+    {"exclude", Form::paths, kAll, false, "nothing"},
     {"schemas", Form::paths, kAll, false, "the built-in ones", nullptr, &Words::schema_files},
     {"baseline", Form::path, kLast, false, "none", &Words::baseline},
     {"environment", Form::path, kLast, false, "a studio"},

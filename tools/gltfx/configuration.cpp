@@ -123,6 +123,18 @@ std::vector<std::string> Configuration::words_of(const ConfigKey& key,
   return words;
 }
 
+// A pattern with a folder in it holds from the folder of the file; a name holds anywhere.
+void Configuration::add_excludes(std::vector<std::string>& exclude) const {
+  std::vector<std::string> more;
+  for (const Holding& one : holding(*find_config_key("exclude"), {})) {
+    const std::string& pattern = one.value->word;
+    const std::size_t slash = pattern.find('/');
+    const bool anywhere = slash == std::string::npos || slash + 1 == pattern.size();
+    more.push_back(anywhere ? pattern : path_from_file(pattern));
+  }
+  put_first(exclude, std::move(more));
+}
+
 void Configuration::add_schemas(std::vector<std::string>& files,
                                 std::vector<std::string>& folders) const {
   std::vector<std::string> more_files, more_folders;
@@ -153,6 +165,7 @@ ValidateWords Configuration::apply(ValidateWords words,
     }
   }
   add_schemas(words.schema_files, words.schema_folders);
+  add_excludes(words.inputs.exclude);
   return words;
 }
 
@@ -163,17 +176,20 @@ void Configuration::fill(std::string_view key, std::string& word) const {
 
 void Configuration::apply(UpgradeWords& words) const {
   fill("root", words.root);
+  add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }
 
 void Configuration::apply(BakeWords& words) const {
   fill("root", words.root);
   fill("environment", words.environment);
+  add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }
 
 void Configuration::apply(InspectWords& words) const {
   fill("root", words.root);
+  add_excludes(words.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }
 

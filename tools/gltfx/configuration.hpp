@@ -56,6 +56,7 @@ class Configuration {
   void fill(std::string_view key, std::string& word) const;
   std::vector<std::string> words_of(const ConfigKey& key,
                                     const std::vector<std::size_t>& overrides) const;
+  void add_excludes(std::vector<std::string>& exclude) const;
   void add_schemas(std::vector<std::string>& files, std::vector<std::string>& folders) const;
 
   std::string shown_;

@@ -24,6 +24,8 @@ Error no_assets(const InputWalk& walk) {
   }
   std::string text = fmt::format("no .gltf or .glb in {}", fmt::join(names, ", "));
   if (all.size() > kMostNames) text += fmt::format(" and {} more", all.size() - kMostNames);
+  if (walk.ignored() > 0)
+    text += fmt::format(" ({} in .gitignore; see --no-ignore)", walk.ignored());
   return Error{text + ". Use --allow-empty if that is expected."};
 }
 
@@ -52,6 +54,10 @@ Result<Inputs> expand_paths(const NamedPaths& named, bool quiet) {
 void say_notes(const InputWalk& walk) {
   for (const std::string& name : walk.without_assets()) {
     complain(fmt::format("note: no .gltf or .glb in {}", quoted(name, 200)));
+  }
+  if (walk.ignored() > 0) {
+    complain(fmt::format("note: {} asset{} left out, as .gitignore asks; --no-ignore includes them",
+                         walk.ignored(), walk.ignored() == 1 ? " is" : "s are"));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "glob.hpp"
+#include "path_pattern.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -44,7 +45,10 @@ InputWalk::InputWalk(const NamedPaths& named)
     : named_(named),
       between_(named.listed.find('\0') != std::string::npos ? '\0' : '\n'),
       may_repeat_(named.words.size() != 1 || !named.listed.empty() || is_glob(named.words.front())),
-      several_(!named.listed.empty()) {}
+      several_(!named.listed.empty()) {
+  std::error_code fault;
+  here_ = fs::current_path(fault).native();
+}
 
 std::optional<Input> InputWalk::next() {
   while (auto input = next_of_all()) {
@@ -66,7 +70,7 @@ std::optional<Input> InputWalk::step() {
   if (!matches_.empty()) {
     const std::string match = std::move(matches_.back());
     matches_.pop_back();
-    return enter(match);
+    return is_excluded(match, match) ? Input() : enter(match);
   }
   finish_word();
   const auto word = next_word();
@@ -114,20 +118,44 @@ std::optional<Input> InputWalk::enter(const std::string& path) {
   several_ = true;
   folders_.push_back(path);
   root_length_ = path.size() + (path.ends_with('/') ? 0 : 1);
+  if (!named_.no_ignore) ignore_files_.begin(path);
   if (!list(path)) return take(path, fs::path(path).filename().native(), path);
   return Input();
+}
+
+bool InputWalk::is_excluded(std::string_view path, std::string_view place) const {
+  if (named_.exclude.empty()) return false;
+  fs::path normal = fs::path(path).lexically_normal();
+  if (normal.is_absolute()) normal = normal.lexically_proximate(here_);
+  const std::string& plain = normal.native();
+  return std::any_of(named_.exclude.begin(), named_.exclude.end(), [&](const std::string& each) {
+    return fits_pattern(each, place) || fits_pattern(each, plain);
+  });
+}
+
+bool InputWalk::is_left_out(const std::string& path, bool is_folder) {
+  const auto place = std::string_view(path).substr(std::min(root_length_, path.size()));
+  // A pattern that ends in '/' fits what lies below: the folder need not be entered.
+  if (is_excluded(path, place) ||
+      (is_folder && is_excluded(path + "/x", std::string(place) + "/x")))
+    return true;
+  if (named_.no_ignore || !ignore_files_.ignores(path, is_folder)) return false;
+  if (!is_folder) ++ignored_;
+  return true;
 }
 
 // The assets and folders of one folder. False when it cannot be listed.
 bool InputWalk::list(const std::string& folder) {
   Listing listing{folder, {}, {}};
   if (!listing.path.ends_with('/')) listing.path += '/';
+  if (!named_.no_ignore) ignore_files_.enter(listing.path);
   std::error_code fault;
   fs::directory_iterator at(folder, fault);
   for (; !fault && at != fs::directory_iterator(); at.increment(fault)) {
     const std::string name = at->path().filename().native();
     const bool below = is_real_folder(*at) && name != ".git";
     if (!below && !(is_asset_name(name) && is_file(*at))) continue;
+    if (is_left_out(listing.path + name, below)) continue;
     listing.order.push_back(static_cast<std::uint32_t>(listing.names.size()));
     listing.names.append(name).append(below ? "/" : "").push_back('\0');
   }
@@ -143,6 +171,7 @@ std::optional<Input> InputWalk::step_into_folders() {
   Listing& listing = open_.back();
   if (listing.order.empty()) {
     open_.pop_back();
+    if (!named_.no_ignore) ignore_files_.leave();
     return Input();
   }
   std::string path = listing.path + (listing.names.data() + listing.order.back());

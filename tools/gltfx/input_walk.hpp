@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
+#include "ignore_files.hpp"
 #include "options.hpp"
 
 namespace gltfx::tool {
@@ -33,7 +34,8 @@ inline constexpr std::size_t kBatch = 1024;
 /// it says why. So is a glob that nothing matches, unless NamedPaths::allow_empty.
 ///
 /// Folders are searched through for .gltf and .glb files (in any case of letters); folders that are
-/// symbolic links are entered only when named, `.git` never.
+/// symbolic links are entered only when named, `.git` never. What .gitignore files name, or
+/// NamedPaths::exclude, is left out of folders; exclude also of what globs give.
 class InputWalk {
  public:
   /// `named` outlives the walk.
@@ -49,6 +51,8 @@ class InputWalk {
   const std::vector<std::string>& folders() const { return folders_; }
   bool several() const { return several_ || met_ > 1; }
   const std::vector<std::string>& without_assets() const { return without_assets_; }
+  /// Assets that .gitignore files name, those in folders that they name left out.
+  std::uint64_t ignored() const { return ignored_; }
 
  private:
   // What is left to visit of one folder: names that end in NUL, those of folders with '/' before.
@@ -64,6 +68,8 @@ class InputWalk {
   void finish_word();
   std::optional<Input> enter(const std::string& path);
   bool list(const std::string& folder);
+  bool is_excluded(std::string_view path, std::string_view place) const;
+  bool is_left_out(const std::string& path, bool is_folder);
   std::optional<Input> take(std::string path, std::string place, const std::string& key);
 
   const NamedPaths& named_;
@@ -72,9 +78,12 @@ class InputWalk {
   char between_;                      ///< lines of the list
   std::vector<std::string> matches_;  ///< of a glob, the last one is next
   std::vector<Listing> open_;         ///< from the folder that was named to that of the next file
-  std::size_t root_length_ = 0;       ///< of the path of the folder that was named
-  std::string current_;               ///< the word that is being expanded
-  bool found_any_ = true;             ///< by that word
+  IgnoreFiles ignore_files_;          ///< along open_
+  std::uint64_t ignored_ = 0;
+  std::string here_;             ///< working folder
+  std::size_t root_length_ = 0;  ///< of the path of the folder that was named
+  std::string current_;          ///< the word that is being expanded
+  bool found_any_ = true;        ///< by that word
   bool may_repeat_;
   struct HashOfHash {
     std::size_t operator()(const Hash128& hash) const { return static_cast<std::size_t>(hash.low); }

@@ -131,6 +131,14 @@ Result<std::optional<Severity>> parse_fail_on(std::string_view text) {
   return parse_word<std::optional<Severity>>("--fail-on", text, kFailOnWords);
 }
 
+Result<std::optional<Severity>> parse_min_severity(std::string_view text) {
+  return parse_word<std::optional<Severity>>("--min-severity", text, kMinSeverityWords);
+}
+
+Result<TextLayout> parse_group_by(std::string_view text) {
+  return parse_word<TextLayout>("--group-by", text, kGroupByWords);
+}
+
 Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& texts) {
   if (texts.empty()) return std::vector<FormatTarget>{FormatTarget{}};
   std::vector<FormatTarget> targets;

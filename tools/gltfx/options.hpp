@@ -48,6 +48,10 @@ struct NamedPaths {
   Shard shard = {};  ///< the part of all inputs that this run takes
   /// No asset at all is no mistake.
   bool allow_empty = false;
+  /// Patterns of what is left out of folders and globs (fits_pattern), matched with paths as they
+  /// are written and with those below the folder that was named.
+  std::vector<std::string> exclude = {};
+  bool no_ignore = false;  ///< .gitignore files do not count
 };
 
 /// One `--format NAME[=FILE]`. An empty path, like "-", is standard output.
@@ -73,6 +77,8 @@ struct ReportRequest {
   bool sarif_notes = false;                           ///< as in FormatOptions
   bool timings = false;                               ///< the same
   bool quiet = false;
+  TextLayout layout = TextLayout::findings;
+  std::optional<Severity> min_severity;  ///< nothing: the terminal gets warnings, others all
 };
 
 struct ValidateRequest : ReportRequest {
@@ -108,7 +114,9 @@ struct UpgradeRequest {
   /// All but `schemas`, which comes from the files below. `output` is what was named, a file or a
   /// folder.
   UpgradeOptions upgrade;
-  bool check = false;  ///< say by the exit code whether something is to do
+  TableFormat format = TableFormat::text;
+  bool restore = false;  ///< put back what --backup kept, and nothing else
+  bool check = false;    ///< say by the exit code whether something is to do
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
@@ -159,7 +167,9 @@ struct RulesRequest {
 struct SchemaRequest {
   CommonOptions common;
   TableFormat format = TableFormat::text;
-  std::string name;  ///< empty: the list
+  std::string name;      ///< empty: the list
+  std::string new_name;  ///< not empty: of an extension to write a schema for
+  std::vector<std::string> check_files, test_files;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
 };
@@ -192,6 +202,10 @@ Result<TableFormat> parse_table_format(std::string_view text);
 Result<Profile> parse_profile(std::string_view text);
 Result<std::optional<PixelLevel>> parse_pixels(std::string_view text);
 Result<LfsPolicy> parse_lfs(std::string_view text);
+/// error, warning, info or hint.
+Result<std::optional<Severity>> parse_min_severity(std::string_view text);
+/// finding or rule.
+Result<TextLayout> parse_group_by(std::string_view text);
 /// error, warning, info, or nothing for "never".
 Result<std::optional<Severity>> parse_fail_on(std::string_view text);
 /// Checks that no two targets share a place; no texts at all mean text to standard output.

@@ -11,12 +11,13 @@
 
 namespace gltfx::tool {
 
-ProgressLine::ProgressLine(bool wanted) : visible_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool wanted, bool lines)
+    : terminal_(::isatty(STDERR_FILENO) == 1), visible_(wanted && (terminal_ || lines)) {}
 
 bool ProgressLine::is_due() {
-  constexpr std::chrono::milliseconds kPause{200};
+  const std::chrono::milliseconds pause(terminal_ ? 200 : 10'000);
   const Clock::time_point now = Clock::now();
-  if (!visible_ || now - last_ < kPause) return false;
+  if (!visible_ || now - last_ < pause) return false;
   last_ = now;
   return true;
 }
@@ -26,10 +27,11 @@ double ProgressLine::passed() const {
 }
 
 void ProgressLine::write(double part, std::string_view more) {
-  shown_ = true;
+  shown_ = terminal_;
   const auto left = static_cast<long>(std::ceil(part > 0 ? passed() / part - passed() : 0));
-  const std::string line =
-      fmt::format("\r{:3.0f} %{}, {}:{:02} left\x1b[K", part * 100, more, left / 60, left % 60);
+  const std::string text =
+      fmt::format("{:3.0f} %{}, {}:{:02} left", part * 100, more, left / 60, left % 60);
+  const std::string line = terminal_ ? "\r" + text + "\x1b[K" : "gltfx: " + text + "\n";
   static_cast<void>(write_all(STDERR_FILENO, line));
 }
 

@@ -8,14 +8,16 @@
 
 namespace gltfx::tool {
 
-/// Writes to standard error, and only when that is a terminal. Not thread-safe.
+/// Writes to standard error: one line that changes on a terminal, else a line every ten seconds
+/// where `lines` asks for them. Not thread-safe.
 class ProgressLine {
  public:
-  explicit ProgressLine(bool wanted);
+  explicit ProgressLine(bool wanted, bool lines = false);
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// Whether anything will be written, now or later.
   bool visible() const { return visible_; }
   /// `part` from 0 to 1; the line changes some times a second.
   void show(double part);
@@ -31,6 +33,7 @@ class ProgressLine {
   double passed() const;
   void write(double part, std::string_view more);
 
+  bool terminal_;
   bool visible_;
   bool shown_ = false;
   Clock::time_point begin_ = Clock::now(), last_ = begin_;

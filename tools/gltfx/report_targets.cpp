@@ -18,6 +18,13 @@ FormatOptions format_options(const ReportRequest& request, const ReportTargets::
   options.color = target.path.empty() ? colors_on_stdout(request.common.color)
                                       : request.common.color == ColorMode::always;
   options.quiet = request.quiet;
+  options.layout = request.layout;
+  // People read the terminal: hundreds of infos would hide what matters.
+  const bool listed_for_people = target.format == ReportFormat::text && target.path.empty() &&
+                                 request.layout != TextLayout::statistics &&
+                                 ::isatty(STDOUT_FILENO) == 1;
+  options.min_severity =
+      request.min_severity.value_or(listed_for_people ? Severity::warning : Severity::hint);
   options.command = "gltfx";
   options.profile = look.profile;
   options.pixel_level = look.pixel_level;

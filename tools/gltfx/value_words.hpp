@@ -35,6 +35,13 @@ inline constexpr std::array<Word<std::optional<Severity>>, 4> kFailOnWords{
      {"warning", Severity::warning},
      {"info", Severity::info},
      {"never", std::nullopt}}};
+inline constexpr std::array<Word<std::optional<Severity>>, 4> kMinSeverityWords{
+    {{"error", Severity::error},
+     {"warning", Severity::warning},
+     {"info", Severity::info},
+     {"hint", Severity::hint}}};
+inline constexpr std::array<Word<TextLayout>, 2> kGroupByWords{
+    {{"finding", TextLayout::findings}, {"rule", TextLayout::by_rule}}};
 inline constexpr std::array<Word<BakeLights>, 3> kLightWords{
     {{"asset", BakeLights::asset}, {"studio", BakeLights::studio}, {"both", BakeLights::both}}};
 inline constexpr std::array<Word<BakeLayer>, 4> kLayerWords{{{"albedo", BakeLayer::albedo},

@@ -11,6 +11,7 @@
 #include "input_paths.hpp"
 #include "output.hpp"
 #include "reading.hpp"
+#include "schema_tests.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -30,6 +31,14 @@ void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets
   read(budgets.triangles, "--max-triangles", words.max_triangles);
   read(budgets.draw_calls, "--max-draw-calls", words.max_draw_calls);
   read(budgets.file_size, "--max-file-size", words.max_file_size);
+}
+
+void read_listing(Reading& reading, const ListingWords& words, ReportRequest& request) {
+  read_word(reading, request.min_severity, words.min_severity, parse_min_severity);
+  read_word(reading, request.layout, words.group_by, parse_group_by);
+  reading.require(!words.statistics || words.group_by.empty(),
+                  "--statistics and --group-by exclude each other.");
+  if (words.statistics) request.layout = TextLayout::statistics;
 }
 
 bool names_stdin(const std::vector<std::string>& paths) {
@@ -54,6 +63,8 @@ void read_inputs(Reading& reading, const InputWords& words, std::string_view wha
                   "--files-from: standard input is either a list or an asset.");
   paths.words = words.paths;
   paths.allow_empty = words.allow_empty;
+  paths.exclude = words.exclude;
+  paths.no_ignore = words.no_ignore;
   reading.set(paths.shard, parse_shard(words.shard));
   reading.set(paths.listed, read_list(words.files_from));
 }
@@ -100,6 +111,7 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   reading.set(request.validation.ignore, parse_codes("--ignore", words.ignore));
   reading.set(request.validation.severity, parse_severities(words.severities));
   request.validation.root = words.root;
+  read_listing(reading, words.listing, request);
   request.sarif_notes = words.sarif_notes;
   request.timings = words.timings;
   request.quiet = words.quiet;
@@ -139,6 +151,7 @@ Result<MergeRequest> request_of(const MergeWords& words) {
   reading.set(request.targets, parse_targets(words.formats));
   read_word(reading, request.fail_on, words.fail_on, parse_fail_on);
   request.as_loud_as_runs = words.fail_on.empty();
+  read_listing(reading, words.listing, request);
   request.sarif_notes = words.sarif_notes;
   request.quiet = words.quiet;
   return reading.finish(request);
@@ -158,8 +171,12 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   reading.require(!words.check || !writes,
                   "upgrade: --check writes nothing; leave out "
                   "--in-place and --output.");
+  reading.require(!words.restore || !(writes || words.check || words.diff || words.backup),
+                  "upgrade: --restore puts back backups; leave out other actions.");
+  request.restore = words.restore;
   reading.require(!words.backup || words.in_place, "upgrade: --backup goes with --in-place.");
   reading.require(words.ior == "0" || words.ior == "1000", "upgrade: --ior is 0 or 1000.");
+  reading.set(request.format, parse_table_format(words.format));
   request.upgrade.ior = words.ior == "0" ? 0 : 1000;
   request.upgrade.only = words.only;
   request.upgrade.to = words.to;
@@ -188,6 +205,8 @@ Result<InspectRequest> request_of(const InspectWords& words) {
   require_files(reading, words.paths, "inspect");
   request.paths.words = words.paths;
   request.paths.allow_empty = words.allow_empty;
+  request.paths.exclude = words.exclude;
+  request.paths.no_ignore = words.no_ignore;
   reading.set(request.format, parse_table_format(words.format));
   std::uint64_t most = 0;
   reading.set(most, parse_number("--top", words.top, 0));
@@ -223,6 +242,15 @@ Result<SchemaRequest> request_of(const SchemaWords& words) {
   reading.set(request.format, parse_table_format(words.format));
   reading.require(words.names.size() <= 1, "schema: name one extension or core type at a time.");
   if (!words.names.empty()) request.name = words.names.front();
+  const bool writes = !words.new_name.empty();
+  const bool checks = !words.check_files.empty() || !words.test_files.empty();
+  reading.require(words.names.size() + (writes ? 1U : 0U) + (checks ? 1U : 0U) <= 1,
+                  "schema: use a name, --new, or --check and --test.");
+  reading.require(!writes || is_extension_name(words.new_name),
+                  "--new: an extension is named PREFIX_name, such as ACME_leaf.");
+  request.new_name = words.new_name;
+  request.check_files = words.check_files;
+  request.test_files = words.test_files;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;
   return reading.finish(request);

@@ -19,17 +19,25 @@ struct CommonWords {
 struct InputWords {
   std::vector<std::string> paths;
   std::string files_from, shard;
-  bool allow_empty = false;
+  std::vector<std::string> exclude;
+  bool allow_empty = false, no_ignore = false;
 };
 
 inline constexpr const char* kKeyWithoutCache =
     "--cache-key seals what --cache keeps; name the folder with --cache.";
+
+/// How findings are listed.
+struct ListingWords {
+  std::string min_severity, group_by;
+  bool statistics = false;
+};
 
 /// Empty words were not given.
 struct ValidateWords {
   CommonWords common;
   ConfigChoice configuration;
   InputWords inputs;
+  ListingWords listing;
   std::vector<std::string> formats, select, ignore, severities, schema_files, schema_folders;
   std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
   std::string max_texture_size, max_total_pixels, max_triangles, max_draw_calls, max_file_size;
@@ -46,6 +54,7 @@ struct PageWords {
 
 struct MergeWords {
   CommonWords common;
+  ListingWords listing;
   std::vector<std::string> files, formats;
   std::string fail_on;
   bool sarif_notes = false, quiet = false;
@@ -56,9 +65,9 @@ struct UpgradeWords {
   ConfigChoice configuration;
   InputWords inputs;
   std::vector<std::string> schema_files, schema_folders, only, to;
-  std::string output, generation = "auto", root, ior = "0";
+  std::string output, generation = "auto", root, ior = "0", format = "text";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
-       strict = false, pack = false, prune = false, quiet = false;
+       strict = false, pack = false, prune = false, restore = false, quiet = false;
   bool hook = false;  ///< as above
 };
 
@@ -78,9 +87,9 @@ struct BakeWords {
 struct InspectWords {
   CommonWords common;
   ConfigChoice configuration;
-  std::vector<std::string> paths, schema_files, schema_folders;
+  std::vector<std::string> paths, exclude, schema_files, schema_folders;
   std::string format = "text", top = "10", root;
-  bool quiet = false, allow_empty = false;
+  bool quiet = false, no_ignore = false, allow_empty = false;
 };
 
 struct ExplainWords {
@@ -96,8 +105,8 @@ struct RulesWords {
 struct SchemaWords {
   CommonWords common;
   ConfigChoice configuration;
-  std::vector<std::string> names, schema_files, schema_folders;
-  std::string format = "text";
+  std::vector<std::string> names, check_files, test_files, schema_files, schema_folders;
+  std::string format = "text", new_name;
 };
 
 struct ConfigWords {

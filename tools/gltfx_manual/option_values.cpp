@@ -75,6 +75,8 @@ Table common_values() {
   return {
       {"--format", choice(set_of(kTableFormatWords))},
       {"--fail-on", choice(set_of(kFailOnWords))},
+      {"--min-severity", choice(set_of(kMinSeverityWords))},
+      {"--group-by", choice(set_of(kGroupByWords))},
       {"--profile", choice(set_of(kProfileWords))},
       {"--select", comma_list(codes())},
       {"--ignore", comma_list(codes())},

@@ -113,10 +113,20 @@ std::optional<ReportFormat> report_format_from_name(std::string_view name);
 /// All names, for help texts.
 std::span<const std::string_view> report_format_names();
 
+/// How the text format lists findings.
+enum class TextLayout : std::uint8_t {
+  findings,    ///< a block each, with the source
+  by_rule,     ///< a block for each rule, with the first places
+  statistics,  ///< numbers by rule and by file
+};
+
 /// What formats ask for beside the reports.
 struct FormatOptions {
-  bool color = false;   ///< text: ANSI colours
-  bool quiet = false;   ///< text: findings only, no summary
+  bool color = false;                        ///< text: ANSI colours
+  bool quiet = false;                        ///< text: findings only, no summary
+  TextLayout layout = TextLayout::findings;  ///< text: how findings are listed
+  /// Findings of a lower severity are counted, not listed.
+  Severity min_severity = Severity::hint;
   std::string command;  ///< text: how the user calls the program, for help lines ("gltfx")
   std::string profile;  ///< named in json, jsonl, sarif, junit and agent
   /// How far images were looked into; named there and in github, in text where any was decoded.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `gltfx schema --new`, `--check` and `--test`: for those who write schema files.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exit_code.hpp"
+#include "options.hpp"
+
+namespace gltfx::tool {
+
+/// A schema file to start with, with a test for each thing that it states.
+std::string new_schema(std::string_view name);
+
+/// Whether the name has the form PREFIX_name.
+bool is_extension_name(std::string_view name);
+
+/// Checks the files of `request` and runs the tests that they carry where it asks so; prints a
+/// line for each file and each failure. `findings` when there are any.
+ExitCode check_schemas(const SchemaRequest& request);
+
+}  // namespace gltfx::tool

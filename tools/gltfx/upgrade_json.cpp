@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "upgrade_json.hpp"
+
+#include <gltfx/version.hpp>
+
+#include <string_view>
+#include <vector>
+
+#include "json/writer.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+using json::Writer;
+
+void write_texts(Writer& writer, std::string_view name, const std::vector<std::string>& texts) {
+  writer.key(name);
+  writer.begin_array();
+  for (const std::string& text : texts) writer.string(text);
+  writer.end_array();
+}
+
+void write_action(Writer& writer, const UpgradeAction& action) {
+  writer.begin_object();
+  writer.member("pointer", action.pointer);
+  writer.member("from", action.from);
+  if (!action.to.empty() && !action.removed) writer.member("to", action.to);
+  if (!action.generation.empty()) writer.member("generation", action.generation);
+  writer.member("outcome",
+                action.removed ? std::string_view("removed") : upgrade_fate_name(action.fate));
+  writer.member("done", action.done);
+  writer.member("lossy", action.lossy);
+  write_texts(writer, "notes", action.notes);
+  writer.end_object();
+}
+
+void write_orphan(Writer& writer, const UpgradeOrphan& orphan) {
+  writer.begin_object();
+  writer.member("pointer", orphan.pointer);
+  writer.member("bytes", orphan.bytes);
+  writer.member("removed", orphan.removed);
+  writer.end_object();
+}
+
+std::string_view problem_name(UpgradeProblem problem) {
+  switch (problem) {
+    case UpgradeProblem::unreadable:
+      return "unreadable";
+    case UpgradeProblem::refused:
+      return "refused";
+    case UpgradeProblem::not_written:
+      return "not written";
+    case UpgradeProblem::none:
+      break;
+  }
+  return "none";
+}
+
+}  // namespace
+
+std::string upgrade_json_begin() {
+  std::string out = R"({"gltfx":)";
+  json::append_string(out, version());
+  return out + R"(,"format":1,"files":[)";
+}
+
+std::string upgrade_json(const UpgradeReport& report, bool first) {
+  std::string out = first ? "\n" : ",\n";
+  Writer writer(out);
+  writer.begin_object();
+  writer.member("path", report.path);
+  writer.member("problem", problem_name(report.problem));
+  if (!report.error.empty()) writer.member("error", report.error);
+  writer.member("changes", report.changes);
+  writer.member("written", report.written);
+  if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
+  writer.key("actions");
+  writer.begin_array();
+  for (const UpgradeAction& action : report.actions) write_action(writer, action);
+  writer.end_array();
+  write_texts(writer, "newFiles", report.new_files);
+  write_texts(writer, "newWarnings", report.new_warnings);
+  write_texts(writer, "namesRemoved", report.names_removed);
+  writer.key("orphans");
+  writer.begin_array();
+  for (const UpgradeOrphan& orphan : report.orphans) write_orphan(writer, orphan);
+  writer.end_array();
+  if (!report.diff.empty()) writer.member("diff", report.diff);
+  writer.end_object();
+  return out;
+}
+
+std::string upgrade_json_end(const UpgradeSummary& summary) {
+  std::string out = "\n],\"summary\":";
+  Writer writer(out);
+  writer.begin_object();
+  writer.member("files", summary.files);
+  writer.member("unreadable", summary.unreadable);
+  writer.member("objects", summary.objects);
+  writer.member("done", summary.done);
+  writer.member("others", summary.others);
+  writer.member("written", summary.written);
+  writer.end_object();
+  return out + "}\n";
+}
+
+}  // namespace gltfx::tool
