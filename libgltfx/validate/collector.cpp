@@ -172,7 +172,7 @@ Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding fin
   // What is wrong between objects seldom tells what to do by itself; a wrong value does.
   const bool between_objects = phase == Phase::reference || phase == Phase::resources;
   const bool loud = severity == Severity::error || severity == Severity::warning;
-  if (finding.help.empty() && between_objects && loud) {
+  if (finding.help.empty() && between_objects && loud && !deviations_.each_fault_is_listed) {
     finding.help = as_help(description(finding.code).help);
   }
   Entry entry;

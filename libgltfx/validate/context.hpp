@@ -23,7 +23,7 @@
 #include "schema/set.hpp"
 #include "validate/data_uris.hpp"
 #include "validate/khronos/deviations.hpp"
-#include "validate/link_order.hpp"
+#include "validate/khronos/link_order.hpp"
 
 namespace gltfx::validate {
 
@@ -50,10 +50,8 @@ struct Context {
   /// Filled by the phases that look at data: URIs, of which no two run at once.
   DataUris* data_uris = nullptr;
 
-  /// Of the profile.
+  /// Of the profile, which rules do not ask.
   const Deviations& deviations = deviations_of(options.profile);
-
-  bool khronos() const { return options.profile == Profile::khronos; }
 };
 
 /// A rule about the members of one object, run right behind its members have been checked. Reports

@@ -14,7 +14,7 @@
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
 #include "validate/data/decode_views.hpp"
-#include "validate/khronos_view.hpp"
+#include "validate/khronos/view.hpp"
 #include "validate/light_profiles.hpp"
 #include "validate/phases.hpp"
 #include "validate/rules/budget.hpp"

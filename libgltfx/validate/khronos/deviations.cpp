@@ -4,9 +4,9 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr Deviations kNone;
+constexpr Deviations kNoDeviations;
 
-constexpr Deviations all() {
+constexpr Deviations all_deviations() {
   Deviations khronos{schema::kKhronosValidator};
   khronos.consequences_are_reported = true;
   khronos.unknown_formats_are_judged = true;
@@ -38,12 +38,12 @@ constexpr Deviations all() {
   khronos.fewer_uses_count = true;
   return khronos;
 }
-constexpr Deviations kAll = all();
+constexpr Deviations kAllDeviations = all_deviations();
 
 }  // namespace
 
 const Deviations& deviations_of(Profile profile) {
-  return profile == Profile::khronos ? kAll : kNone;
+  return profile == Profile::khronos ? kAllDeviations : kNoDeviations;
 }
 
 }  // namespace gltfx::validate

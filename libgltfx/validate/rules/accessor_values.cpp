@@ -84,7 +84,7 @@ void check_matrix_offset(const Context& context, const model::Accessor& accessor
       fmt::format("Matrices begin at multiples of 4 bytes; {} is none.", *accessor.byte_offset));
 }
 
-void check_bounds(const Context& context, json::NodeId object, const Path& path) {
+void check_min_and_max(const Context& context, json::NodeId object, const Path& path) {
   const model::Accessor accessor = model::read_accessor(context.asset, object);
   if (!accessor.format.known()) return;
   check_bound(context, accessor, accessor.min, Path(path, "min"));
@@ -168,7 +168,7 @@ schema::Reading read_max(const Context& context, json::NodeId object, json::Node
 
 const Family& accessor_values_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
-      {"accessor", check_bounds, {}, Runs::otherwise}, {"accessor", check_accessor, "sparse"}};
+      {"accessor", check_min_and_max, {}, Runs::otherwise}, {"accessor", check_accessor, "sparse"}};
   static constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
                                                      {"accessor", "min", read_min},
                                                      {"accessor", "max", read_max}};

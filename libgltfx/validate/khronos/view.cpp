@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/khronos_view.hpp"
+#include "validate/khronos/view.hpp"
 
 #include <initializer_list>
 #include <unordered_map>
