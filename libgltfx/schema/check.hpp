@@ -12,15 +12,10 @@
 #include "base/json_pointer.hpp"
 #include "base/sink.hpp"
 #include "json/document.hpp"
+#include "schema/deviations.hpp"
 #include "schema/set.hpp"
 
 namespace gltfx::schema {
-
-/// Which extensions' objects are looked into, and how strictly the Khronos validator is followed.
-enum class Scope : std::uint8_t {
-  all,      ///< every extension the Set knows
-  khronos,  ///< only those that validator knows and that are declared; its severities and order
-};
 
 /// What a walk is after.
 enum class Part : std::uint8_t {
@@ -36,8 +31,8 @@ enum class Reading : std::uint8_t {
   drop,   ///< nor does anybody else: the member is hidden
 };
 
-/// What a reader does on its way through the members of an object, in their order. Called by walks
-/// of Scope::khronos. Paths are only valid during the call.
+/// What a reader does on its way through the members of an object, in their order. Paths are only
+/// valid during the call.
 class MemberVisitor {
  public:
   virtual ~MemberVisitor() = default;
@@ -63,12 +58,12 @@ using ReferenceVisitor =
     std::function<void(std::string_view array, std::uint64_t index, Span span)>;
 
 struct CheckOptions {
-  Scope scope = Scope::all;
+  Deviations deviations = {};
   Part part = Part::all;
-  /// Scope::khronos: the document that is checked, in which the walk hides members with a broken
-  /// value, for they count as absent. Null leaves it as it is.
+  /// The document that is checked, in which the walk hides members with a broken value:
+  /// Deviations::broken_values_are_absent. Null leaves it as it is.
   json::Document* shown = nullptr;
-  MemberVisitor* members = nullptr;              ///< Scope::khronos
+  MemberVisitor* members = nullptr;              ///< or nobody
   const ReferenceVisitor* references = nullptr;  ///< Part::all
 };
 
@@ -119,8 +114,7 @@ struct CheckResult {
   std::vector<std::string> without_fallback;
   std::vector<std::string> extensions_used;      ///< as declared, once each
   std::vector<std::string> extensions_required;  ///< as declared, once each
-  /// Scope::khronos: the walk ended behind `asset`, because it is missing or its version is
-  /// not 2.x.
+  /// Deviations::other_versions_end_the_walk: it did.
   bool stopped_at_asset = false;
 
   /// Of `targets`, or null.

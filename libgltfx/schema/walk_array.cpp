@@ -76,13 +76,14 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
     wrong_length = size < shape.min_items || size > shape.max_items;
     if (wrong_length) count_items(shape, size, {node}, path_of(node, step));
   }
-  if (wrong_length && (khronos() || is_vector(shape))) return;
+  if (wrong_length && (deviations().broken_values_are_absent || is_vector(shape))) return;
   if (shape.items != kNone) {
     const ShapePlan& items = tables_.shapes[shape.items];
     const bool in_range =
         items.every_value ||
         (items.every_fraction && are_fractions(document_.raw(node), items.every_negative_fraction));
-    const bool nothing_to_see = in_range && !khronos() && !shape.unique_items;
+    const bool nothing_to_see =
+        in_range && !deviations().infinite_numbers_are_out_of_range && !shape.unique_items;
     const bool done = nothing_to_see || (items.plan == Plan::index &&
                                          plain_indices(shape.items, node, shape.unique_items));
     if (!done) numbers(shape.items, node, shape, step);
@@ -95,7 +96,7 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
 // A fixed number of plain numbers, which mean something together. Of too few or too many the first
 // question is which ones they are: three angles are no quaternion with a component out of range.
 bool Walker::is_vector(const Shape& shape) const {
-  return !khronos() && shape.min_items == shape.max_items && shape.items != kNone &&
+  return shape.min_items == shape.max_items && shape.items != kNone &&
          tables_.shapes[shape.items].plan == Plan::number;
 }
 
@@ -216,11 +217,11 @@ void Walker::array_step(Frame& frame) {
       const std::uint64_t size = count_elements(shape, frame.node);
       if (size < shape.min_items || size > shape.max_items) {
         count_items(shape, document_.array_size(frame.node), {frame.node}, frame.path);
-        if (khronos()) frame.at = document_.next(frame.node);
+        if (deviations().broken_values_are_absent) frame.at = document_.next(frame.node);
       }
     }
     if (shape.unique_items) unique_items(frame);
-    if (khronos() && elements_at_fault(frame)) frame.at = document_.next(frame.node);
+    if (elements_at_fault(frame)) frame.at = document_.next(frame.node);
     frame.unset = unset_;
   }
   const json::NodeId end = document_.next(frame.node);
@@ -246,6 +247,7 @@ void Walker::array_step(Frame& frame) {
 // A list of described objects in which something is no object is not looked into any further by the
 // Khronos validator.
 bool Walker::elements_at_fault(Frame& frame) {
+  if (!deviations().broken_values_are_absent) return false;
   const ShapeId items = set_.shape(frame.shape).items;
   const bool in_root = frame.parent != nullptr && frame.parent->parent == nullptr;
   if (items == kNone || in_root || tables_.shapes[items].plan != Plan::object) return false;
@@ -322,7 +324,7 @@ bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uin
   } else if (at_element) {
     unset_ = true;
     report({array, index}, Code::ARRAY_TYPE_MISMATCH, values_.span(value), message, help);
-  } else if (khronos() || !told) {
+  } else if (deviations().each_fault_is_listed || !told) {
     told = unset_ = true;
     report(array, Code::ARRAY_TYPE_MISMATCH, values_.span(value), message, help);
   }

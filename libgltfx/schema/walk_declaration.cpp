@@ -18,7 +18,7 @@ void Walker::read_declarations() {
     const auto elements = document_.elements(node);
     bool only_strings = true;
     for (const json::NodeId element : elements) only_strings &= document_.is_string(element);
-    if (khronos() && !only_strings) return;
+    if (deviations().broken_values_are_absent && !only_strings) return;
     for (const json::NodeId element : elements) {
       if (!document_.is_string(element)) continue;
       std::string name = document_.string(element);
@@ -58,14 +58,14 @@ void Walker::declarations() {
     }
   };
   each("extensionsUsed", [&](const Path& path, const std::string& name, Span span) {
-    // In the default profile rules behind the walk say so: they know what names are in use, and
-    // what is used.
-    if (khronos() && !is_extension_name(name)) {
+    // Otherwise rules behind the walk say so: they know what names are in use, and what is used.
+    const bool alone = deviations().extension_names_are_judged_alone;
+    if (alone && !is_extension_name(name)) {
       report(path, Code::INVALID_EXTENSION_NAME_FORMAT, span,
              quoted(name) + " is no name of an extension; names look like VENDOR_what_it_does.");
     }
     const ExtensionId id = set_.find_extension(name);
-    if (khronos() && !looks_into(id, name)) {
+    if (alone && !looks_into(id, name)) {
       report(path, Code::UNSUPPORTED_EXTENSION, span,
              quoted(name) + " is not supported: what it says was not checked.");
     }

@@ -54,13 +54,14 @@ void Walker::extensions_step(Frame& frame) {
 // Whether an extension's content is judged at all.
 bool Walker::looks_into(ExtensionId id, std::string_view name) const {
   if (id == kNone) return false;
-  return !khronos() || (set_.extensions()[id].khronos_validator && is_declared(name));
+  return !deviations().unsupported_extensions_are_skipped ||
+         (set_.extensions()[id].khronos_validator && is_declared(name));
 }
 
 std::string Walker::undeclared_help(ExtensionId id, std::string_view name) {
   std::string_view meant;
   const std::size_t comparisons = set_.extensions().size();
-  if (id == kNone && !khronos() && comparisons <= comparisons_left_) {
+  if (id == kNone && comparisons <= comparisons_left_) {
     comparisons_left_ -= comparisons;
     meant = misspelt_extension(set_, name);
   }
@@ -121,7 +122,7 @@ void Walker::neighbours(Frame& frame, ExtensionId id, const Path& path, json::No
   const auto at = static_cast<std::size_t>(sibling - frame.siblings.begin());
   if (frame.judged[at]) return;
   frame.judged[at] = true;
-  if (!khronos()) {
+  if (!deviations().no_additional_rules) {
     exclusions(frame, id, path, node);
     companions(frame, id, path, node);
     fallback(frame, id, path, node);
@@ -207,7 +208,8 @@ void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, js
   for (json::NodeId at = frame.node + 1; at < end; at = document_.next(at + 1)) {
     const json::KeyId key = document_.node(at).next;
     const ExtensionId other = names_.extension(key);
-    const bool told = !khronos() && other != kNone && (excludes(id, other) || excludes(other, id));
+    const bool told = !deviations().no_additional_rules && other != kNone &&
+                      (excludes(id, other) || excludes(other, id));
     if (other != id && !told) others.push_back(quoted(document_.key(key)));
   }
   if (others.empty()) return;

@@ -48,7 +48,7 @@ void Walker::object_step(Frame& frame) {
 void Walker::enter_object(Frame& frame) {
   const Shape& shape = set_.shape(frame.shape);
   if (shape.min_properties != 0 || shape.max_properties != UINT64_MAX) {
-    if (!count_members(frame) && khronos() && !frame.further) lose(frame);
+    if (!count_members(frame) && !frame.further) lose(frame);
   }
   gather(frame);
   if (shape.property_names != kNone) member_names(frame);
@@ -110,7 +110,7 @@ void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
 
 void Walker::renamed(const Frame& frame, const Property& property, json::NodeId value) {
   const std::string_view name = key_of(value);
-  if (khronos()) {
+  if (deviations().draft_names_are_unexpected) {
     report({frame.path, name}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1),
            quoted(name) + " is not a property of " + quoted(set_.type(frame.type).name) + ".");
     return;
@@ -165,19 +165,13 @@ bool Walker::pending_shapes(Frame& frame) {
 
 bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
   const PropertyPlan& plan = tables_.types[frame.type].properties[index];
-  if (plan.deprecated && !khronos()) {
+  if (plan.deprecated) {
     const Property& property = set_.type(frame.type).properties[index];
     report({frame.path, key_of(node)}, Code::PROPERTY_DEPRECATED, document_.span(node - 1),
            quoted(property.name) + " is no longer to be used: " + property.deprecated + ".");
   }
   if (plan.shape == kNone) return false;
   if (plan.slot) record_slot(frame, index, node);
-  if (khronos()) return khronos_property(frame, index, node);
-  return value(plan.shape, node, {Step::Kind::member});
-}
-
-bool Walker::khronos_property(Frame& frame, std::uint32_t index, json::NodeId node) {
-  const PropertyPlan& plan = tables_.types[frame.type].properties[index];
   if (options_.members != nullptr) {
     const ObjectType& type = set_.type(frame.type);
     const Reading reading =
@@ -187,7 +181,10 @@ bool Walker::khronos_property(Frame& frame, std::uint32_t index, json::NodeId no
   }
   unset_ = false;
   const bool pushed = value(plan.shape, node, {Step::Kind::member});
-  if (plan.required && document_.kind(node) == json::Kind::null) missing(frame, index);
+  if (deviations().null_counts_as_missing && plan.required &&
+      document_.kind(node) == json::Kind::null) {
+    missing(frame, index);
+  }
   if (std::exchange(unset_, false)) drop(node);
   return pushed;
 }
@@ -224,7 +221,7 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
   finding.message = quoted(property.name) + " is missing; it is required here.";
   finding.help = missing_help(set_, *described);
   finding.span = opening(frame.node);
-  if (described->added_late && !khronos()) {
+  if (described->added_late) {
     // An asset of an earlier draft lacks all such members: it is out of date, not broken.
     finding.severity = follows_earlier_draft(frame) ? Severity::info : Severity::warning;
   } else {
@@ -247,7 +244,7 @@ bool Walker::others(Frame& frame) {
       if (symbol != kNone && tables_.types[frame.type].find(symbol) != nullptr) continue;
     }
     const ShapeId shape = other_shape(frame, document_.key(key));
-    if (khronos() && frame.type == kNone) {
+    if (deviations().invalid_indices_stay_in_maps && frame.type == kNone) {
       if (entry(frame, shape, key, node)) return true;
     } else if (value(shape, node, {Step::Kind::member})) {
       return true;
@@ -256,7 +253,7 @@ bool Walker::others(Frame& frame) {
   return false;
 }
 
-// A member of a map in Scope::khronos: an index that is none stays in it.
+// A member of a map, in which an index that is none stays.
 bool Walker::entry(const Frame& frame, ShapeId shape, json::KeyId key, json::NodeId node) {
   const std::string_view name = document_.key(key);
   if (options_.members != nullptr) options_.members->entry(name, node, frame.path);
@@ -318,8 +315,9 @@ void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId va
 }
 
 void Walker::leave(Frame& frame) {
-  const bool has_extras = frame.extras != json::kNoNode && !frame.further &&
-                          !(khronos() && document_.kind(frame.extras) == json::Kind::null);
+  const bool has_extras =
+      frame.extras != json::kNoNode && !frame.further &&
+      !(deviations().null_extras_are_allowed && document_.kind(frame.extras) == json::Kind::null);
   if (has_extras && !document_.is_object(frame.extras)) {
     report({frame.path, "extras"}, Code::NON_OBJECT_EXTRAS, document_.span(frame.extras),
            "'extras' is " + shown(values_, {frame.extras}) + "; an object is easier to share.",
@@ -350,7 +348,7 @@ void Walker::record_slot(const Frame& frame, std::uint32_t index, json::NodeId n
 
 // What comes behind an asset of another version is not judged by the rules of this one.
 bool Walker::stops_at_asset(const Frame& frame) {
-  if (!khronos()) return false;
+  if (!deviations().other_versions_end_the_walk) return false;
   const std::uint32_t asset = tables_.types[frame.type].asset_at;
   const json::NodeId node = members_[frame.scratch + asset];
   const json::NodeId version = document_.find(node, "version");

@@ -33,7 +33,7 @@ bool Walker::lacks_root_extension(const Target& target) const {
 // Nobody knows which element a broken reference means: then none is called unused. Returns whether
 // what it points into is something else than an array, of which enough has been said.
 bool Walker::lose_reference(ShapeId shape) {
-  if (khronos() || tables_.shapes[shape].target == kNone) return false;
+  if (deviations().broken_values_are_absent || tables_.shapes[shape].target == kNone) return false;
   const std::uint32_t target = tables_.shapes[shape].target;
   const TargetPlan& plan = tables_.targets[target];
   if (Targets::Array* array = array_of(plan, target); array != nullptr) {
@@ -54,11 +54,15 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
                            values_.span(value));
   }
   Targets::Array* array = array_of(plan, target);
-  if (array != nullptr && index < array->size && !(khronos() && array->is_hole(index))) {
+  const bool hole = array != nullptr && array->is_hole(index);
+  if (array != nullptr && index < array->size && !(deviations().broken_values_are_absent && hole)) {
     if (index < array->used.size()) array->used.mark(index);
     return;
   }
-  if (array == nullptr && khronos() && lacks_root_extension(*plan.target)) return;
+  if (array == nullptr && deviations().root_extension_is_a_dependency &&
+      lacks_root_extension(*plan.target)) {
+    return;
+  }
   if (lose_reference(shape)) return;
   const std::string& name = plan.target->steps.back();
   std::string message =

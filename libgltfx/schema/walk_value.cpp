@@ -69,7 +69,7 @@ bool Walker::value(ShapeId id, json::NodeId node, Step step) {
       return false;
     case Plan::number: {
       if (kind != json::Kind::number) break;
-      if (plan.every_value && !khronos()) return false;
+      if (plan.every_value && !deviations().infinite_numbers_are_out_of_range) return false;
       const double number = document_.number(node).value;
       if (number >= plan.low && number <= plan.high && std::isfinite(number)) return false;
       break;
@@ -169,7 +169,7 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
   }
   std::string message =
       name_of(path) + " is " + shown(values_, value) + "; it must be " + list_phrase(shape) + ".";
-  if (shape.is_const && !khronos()) {
+  if (shape.is_const) {
     report(path, Code::CONDITION_MISMATCH, values_.span(value), std::move(message),
            std::move(help));
   } else {
@@ -180,13 +180,12 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
 // An extension without a schema may add the value, unless it is a misspelt one of the list.
 void Walker::report_unlisted(const Path& path, Span span, std::string message, std::string help) {
   const bool perhaps_added = !adding_extension_.empty() && help.empty();
-  if (perhaps_added && !khronos()) {
+  if (perhaps_added) {
     help = "unless " + quoted(adding_extension_) +
            ", of which nothing is known here, adds the value, use one of the list";
   }
-  const bool warning = khronos() || perhaps_added;
   report(path, Code::VALUE_NOT_IN_LIST, span, std::move(message), std::move(help),
-         warning ? Severity::warning : std::optional<Severity>());
+         perhaps_added ? Severity::warning : std::optional<Severity>());
 }
 
 // Extensions that are in force may add values to a list of core.
@@ -196,7 +195,7 @@ bool Walker::is_added(ShapeId shape, Value value) const {
     const auto equal = [&](const Literal& literal) { return values_.equals(value, literal); };
     if (std::none_of(addition.values.begin(), addition.values.end(), equal)) return false;
     const Extension& extension = set_.extensions()[addition.extension];
-    return khronos() ? looks_into(addition.extension, extension.name) : is_declared(extension.name);
+    return is_declared(extension.name) && looks_into(addition.extension, extension.name);
   });
 }
 
@@ -222,8 +221,9 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
            range_help(shape, number, path));
     return;
   }
-  // A rule tells the Khronos validator's only one, for it comes behind other members.
-  if (shape.multiple_of != 0 && !khronos() && !is_multiple(number, shape.multiple_of)) {
+  // A rule behind the members reports the only one of the Khronos validator.
+  if (shape.multiple_of != 0 && !deviations().reading_order &&
+      !is_multiple(number, shape.multiple_of)) {
     report(path, Code::VALUE_MULTIPLE_OF, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a multiple of " +
                number_text(shape.multiple_of) + ".");

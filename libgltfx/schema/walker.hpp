@@ -82,7 +82,6 @@ class Walker {
   bool root_property(Frame& frame);
   bool pending_shapes(Frame& frame);
   bool property(Frame& frame, std::uint32_t index, json::NodeId value);
-  bool khronos_property(Frame& frame, std::uint32_t index, json::NodeId value);
   void behind(Frame& frame);
   bool follows_earlier_draft(const Frame& frame) const;
   void missing(Frame& frame, std::uint32_t index);
@@ -168,7 +167,7 @@ class Walker {
   bool is_declared(std::string_view name) const { return used_.count(std::string(name)) != 0; }
   bool is_required(std::string_view name) const { return required_.count(std::string(name)) != 0; }
 
-  bool khronos() const { return options_.scope == Scope::khronos; }
+  const Deviations& deviations() const { return options_.deviations; }
   bool is_hidden(json::NodeId value) const { return document_.is_hidden(value); }
   void drop(json::NodeId value);
   void lose(const Frame& frame);

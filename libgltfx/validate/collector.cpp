@@ -79,7 +79,8 @@ bool is_heard(const ValidateOptions& options, Code code) {
   return accepts(options, code, wanted != options.severity.end() ? wanted->second : rule.severity);
 }
 
-Collector::Collector(const ValidateOptions& options) : options_(options) {
+Collector::Collector(const ValidateOptions& options)
+    : options_(options), deviations_(deviations_of(options.profile)) {
   if (options_.changed_lines) changed_.emplace(*options_.changed_lines, std::string_view());
   for (std::size_t i = 0; i < kPhaseCount; ++i) sinks_[i].bind(*this, static_cast<Phase>(i));
 }
@@ -97,6 +98,7 @@ Severity Collector::severity_of(const Finding& finding) const {
   const RuleDescription& rule = description(finding.code);
   const auto wanted = options_.severity.find(rule.code);
   if (wanted != options_.severity.end()) return wanted->second;
+  if (deviations_.severity_follows_code) return rule.khronos_severity;
   if (options_.lfs == LfsPolicy::error && finding.code == Code::GIT_LFS_POINTER)
     return Severity::error;
   return finding.severity.value_or(rule.severity);
@@ -104,7 +106,7 @@ Severity Collector::severity_of(const Finding& finding) const {
 
 // Takes the text of the finding when it returns true.
 bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& finding) {
-  if (options_.profile == Profile::khronos) return false;
+  if (deviations_.each_fault_is_listed) return false;
   const auto at = static_cast<std::size_t>(phase);
   const auto [entry, fresh] =
       folded_[at].try_emplace(fold_key(path, finding, severity), entries_[at].size());
@@ -170,7 +172,7 @@ Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding fin
   // What is wrong between objects seldom tells what to do by itself; a wrong value does.
   const bool between_objects = phase == Phase::reference || phase == Phase::resources;
   const bool loud = severity == Severity::error || severity == Severity::warning;
-  if (finding.help.empty() && between_objects && loud && options_.profile != Profile::khronos) {
+  if (finding.help.empty() && between_objects && loud && !deviations_.each_fault_is_listed) {
     finding.help = as_help(description(finding.code).help);
   }
   Entry entry;
@@ -196,8 +198,8 @@ void Collector::finish(FileReport& report, const json::Document& document,
       entries.resize(room);
       report.truncated = true;
     }
-    // The khronos report has neither lines nor names: do not look a million of them up.
-    if (options_.profile != Profile::khronos && !entries.empty()) {
+    // Do not look a million lines and names up.
+    if (!deviations_.each_fault_is_listed && !entries.empty()) {
       locate(entries, document, json_offset);
     }
     move_to(report, entries);

@@ -21,6 +21,7 @@
 #include "json/lines.hpp"
 #include "model/lookup.hpp"
 #include "validate/changed_lines.hpp"
+#include "validate/khronos/deviations.hpp"
 #include "validate/suppressions.hpp"
 
 namespace gltfx::validate {
@@ -39,9 +40,9 @@ bool is_heard(const ValidateOptions& options, Code code);
 
 /// Findings of one asset. One about how objects go together that has no help of its own gets the
 /// rule's remedy. A repeat of a code at the same place, but for array indices, is folded
-/// into the first (not in the khronos profile), so a million faults cost a counter; the first
-/// thousands of repeats are kept beside it, unless max_issues asks for less. So are those of
-/// one code at ever new places, once very many have been listed: nobody reads on there.
+/// into the first (unless Deviations::each_fault_is_listed), so a million faults cost a counter;
+/// the first thousands of repeats are kept beside it, unless max_issues asks for less. So are those
+/// of one code at ever new places, once very many have been listed: nobody reads on there.
 class Collector {
  public:
   explicit Collector(const ValidateOptions& options);
@@ -102,6 +103,7 @@ class Collector {
   std::size_t last_place() const;
 
   const ValidateOptions& options_;
+  const Deviations& deviations_;
   std::array<std::vector<Entry>, kPhaseCount> entries_;
   std::array<PhaseSink, kPhaseCount> sinks_;
   /// Fold key -> position in entries_ of its phase.

@@ -4,6 +4,7 @@
 
 #include <gltfx/validate.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,7 +22,8 @@
 #include "schema/check.hpp"
 #include "schema/set.hpp"
 #include "validate/data_uris.hpp"
-#include "validate/link_order.hpp"
+#include "validate/khronos/deviations.hpp"
+#include "validate/khronos/link_order.hpp"
 
 namespace gltfx::validate {
 
@@ -42,12 +44,14 @@ struct Context {
   model::Views views{};
   /// Who is whose parent. Likewise.
   model::SceneGraph graph{};
-  /// khronos profile: behind `link_sink`, with the broken references that are yet to be reported.
+  /// Deviations::reading_order: behind `link_sink`, with the broken references that are yet to be
+  /// reported.
   LinkOrder* order = nullptr;
   /// Filled by the phases that look at data: URIs, of which no two run at once.
   DataUris* data_uris = nullptr;
 
-  bool khronos() const { return options.profile == Profile::khronos; }
+  /// Of the profile, which rules do not ask.
+  const Deviations& deviations = deviations_of(options.profile);
 };
 
 /// A rule about the members of one object, run right behind its members have been checked. Reports
@@ -58,16 +62,18 @@ using ObjectRule = void (*)(const Context& context, json::NodeId object, const P
 /// `link_sink`.
 using LinkRule = void (*)(const Context& context);
 
+/// Deviations::reading_order may need a rule of its own in place of one that sees all members.
+enum class Runs : std::uint8_t { always, in_reading_order, otherwise };
+
 struct ObjectRuleEntry {
   std::string_view type;  ///< object type name: "node", "mesh.primitive"
   ObjectRule rule;
-  /// khronos profile: the member behind whose place the rule runs, which is where that validator
-  /// has the check; empty: behind all members, as in the other profiles.
+  /// Reading order: the member behind whose place the rule runs; empty: behind all members.
   std::string_view behind = {};
+  Runs runs = Runs::always;
 };
 
-/// khronos profile: what that validator makes of a member before its form is judged. Findings go to
-/// `schema_sink`.
+/// Reading order: what is made of a member before its form is judged. Findings go to `schema_sink`.
 using MemberRule = schema::Reading (*)(const Context& context, json::NodeId object,
                                        json::NodeId value, const Path& object_path);
 struct MemberRuleEntry {
@@ -75,7 +81,7 @@ struct MemberRuleEntry {
   MemberRule rule;
 };
 
-/// khronos profile: a rule about one member of an object that maps names to indices.
+/// Reading order: a rule about one member of an object that maps names to indices.
 using MapRule = void (*)(const Context& context, std::string_view name, json::NodeId value,
                          const Path& map_path);
 
@@ -85,6 +91,8 @@ struct Family {
   /// Rules of one kind run by ascending order of their families: the parts of the specification
   /// from the bottom up, then extensions, then what depends on them all.
   unsigned order = 0;
+  /// Deviations::no_additional_rules leaves its link rules out.
+  bool additional = false;
   std::span<const ObjectRuleEntry> object_rules = {};
   std::span<const LinkRule> link_rules = {};
   std::span<const MemberRuleEntry> member_rules = {};

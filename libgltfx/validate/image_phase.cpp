@@ -38,10 +38,10 @@ bool contains(const MediaTypes& types, std::string_view type) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-// The Khronos validator leaves images alone that an extension it does not know has a say in.
-bool is_extended(const Context& context, json::NodeId image) {
+// Whether an extension that is not supported has a say in an image, which then is left alone.
+bool is_skipped(const Context& context, json::NodeId image) {
   const json::NodeId extensions = model::object_member(context.document, image, "extensions");
-  if (extensions == json::kNoNode || !context.khronos()) return false;
+  if (extensions == json::kNoNode || !context.deviations.extended_images_are_skipped) return false;
   const ActiveExtensions active(context);
   for (const auto extension : context.document.members(extensions)) {
     if (!active.contains(context.document.key(extension.key_id))) return true;
@@ -73,11 +73,12 @@ class ImageCheck {
   }
 
  private:
-  bool khronos() const { return resource_.context.khronos(); }
+  const Deviations& deviations() const { return resource_.context.deviations; }
 
   void check_unread(model::ImageData& data, const HeaderFault& fault) const {
     const image::Sniffed sniffed = image::sniff(data.bytes->view());
-    if (sniffed.known && fault.kind == HeaderFault::Kind::unrecognized && !khronos()) {
+    const bool other = sniffed.known && fault.kind == HeaderFault::Kind::unrecognized;
+    if (other && !deviations().few_image_formats) {
       data.format = sniffed.format;
       resource_.info.mime_type = image::media_type(sniffed.format);
       check_format(sniffed.format);
@@ -113,9 +114,8 @@ class ImageCheck {
 
   void report_unrecognized(const container::Bytes& bytes) const {
     constexpr Code kCode = Code::IMAGE_UNRECOGNIZED_FORMAT;
-    if (khronos()) {
-      resource_.find(kCode, "", "The first bytes are those of no image format known here.", {},
-                     Severity::warning);
+    if (deviations().few_image_formats) {
+      resource_.find(kCode, "", "The first bytes are those of no image format known here.");
       return;
     }
     const container::Content found = container::name_content(bytes.text());
@@ -184,11 +184,12 @@ class ImageCheck {
   }
 
   void check_header(const Header& header) const {
-    if (!header.doubt.empty() && !khronos()) {
+    const bool judged = !deviations().few_image_formats;
+    if (judged && !header.doubt.empty()) {
       resource_.find(Code::IMAGE_DATA_INVALID, "", header.doubt);
       return;
     }
-    if (!header.remark.empty() && !khronos()) {
+    if (judged && !header.remark.empty()) {
       resource_.find(Code::IMAGE_DATA_INVALID, "", header.remark, {},
                      header.readers_differ ? Severity::warning : Severity::info);
     }
@@ -198,7 +199,7 @@ class ImageCheck {
     if (!power_of_two(header.width) || !power_of_two(header.height)) {
       resource_.find(Code::IMAGE_NPOT_DIMENSIONS, "",
                      fmt::format("The image has {} by {} pixels.", header.width, header.height), {},
-                     khronos() ? std::optional<Severity>() : Severity::hint);
+                     Severity::hint);
     }
     if (header.bits == 16) {
       resource_.find(Code::IMAGE_16_BIT, "", "The image has 16 bits a channel.");
@@ -219,21 +220,22 @@ class ImageCheck {
     const auto add = [&](bool there, std::string_view text) {
       if (there) features.append(features.empty() ? "" : ", ").append(text);
     };
-    const bool profile = header.icc_profile && !khronos();
+    const bool all = !deviations().few_image_features;
+    const bool profile = all && header.icc_profile;
     const bool own = header.primaries == image::Tag::custom ||
                      header.transfer == image::Tag::custom ||
-                     (header.transfer == image::Tag::linear && !khronos());
+                     (all && header.transfer == image::Tag::linear);
     add(profile, "a colour profile");
     add(own && !profile, "a colour space of its own");
     add(!header.square_pixels, "pixels that are not square");
-    add(header.exif && !khronos(), "EXIF metadata");
-    add(header.animated && webp && khronos(), "an animation");
+    add(all && header.exif, "EXIF metadata");
+    add(!all && header.animated && webp, "an animation");
     if (!features.empty()) {
       resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
                      fmt::format("The image has {}; glTF ignores it.", features), {},
-                     khronos() ? std::nullopt : std::optional(Severity::info));
+                     Severity::info);
     }
-    if (header.animated && !khronos()) check_animation(webp);
+    if (all && header.animated) check_animation(webp);
   }
 
   // A PNG has a still image beside its frames, a WebP has frames only.
@@ -283,7 +285,7 @@ struct TextureCheck {
     const std::string type = image_type(context, data, *source);
     if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
     // A format that no extension brings is a fault of the image, and has been reported there.
-    if (!contains(enabled, type) && !context.khronos()) return;
+    if (!contains(enabled, type) && !context.deviations.consequences_are_reported) return;
     report_member(sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,
                   fmt::format("Image {} is {}; it must be {} here.", *source, gltfx::quoted(type),
                               join_or(allowed)));
@@ -307,7 +309,7 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
     info.pointer = path.pointer();
     const Resource resource{context, sink, report, path, objects[i], info};
     model::ImageData& data = resources.data.images[i];
-    if (!is_extended(context, objects[i])) data.bytes = fetch_uri_or_view(resource, resources.data);
+    if (!is_skipped(context, objects[i])) data.bytes = fetch_uri_or_view(resource, resources.data);
     if (data.bytes) ImageCheck(resource, enabled, plain[i] ? std::string_view() : user).check(data);
     resources.listed.push_back(std::move(info));
   }

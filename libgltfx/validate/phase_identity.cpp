@@ -81,7 +81,8 @@ bool check_amount(const Context& context, Collector& collector) {
 }  // namespace
 
 bool check_identity(const Context& context, Collector& collector) {
-  if (context.khronos() || !context.document.is_object(context.document.root())) return true;
+  if (context.deviations.no_additional_rules) return true;
+  if (!context.document.is_object(context.document.root())) return true;
   if (check_version_1(context, collector)) return false;
   if (!check_amount(context, collector)) return false;
   name_draft(context);

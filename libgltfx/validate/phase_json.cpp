@@ -126,8 +126,8 @@ std::string help_for(const json::ParseFault& fault, std::string_view text,
 }
 
 void report_fault(const json::ParseFault& fault, std::string_view text,
-                  const json::LineIndex& lines, bool khronos, Collector& collector) {
-  Finding finding(khronos ? Code::INVALID_JSON : code_of(fault.fault));
+                  const json::LineIndex& lines, bool syntax, Collector& collector) {
+  Finding finding(syntax ? Code::INVALID_JSON : code_of(fault.fault));
   finding.message = sentence(fault.detail.empty() ? default_message(fault.fault) : fault.detail);
   finding.help = help_for(fault, text, lines);
   finding.span = fault.span;
@@ -142,16 +142,16 @@ void report_unlisted(std::uint64_t count, Collector& collector) {
   collector.report_file(Phase::json, std::move(finding));
 }
 
-// What the Khronos validator's parser minds: syntax, and a byte order mark, which does not stop it.
-bool minded_by_khronos(json::Fault fault) {
+// Syntax, or a byte order mark, which does not end the report.
+bool is_syntax(json::Fault fault) {
   return fault != json::Fault::duplicate_key && fault != json::Fault::lone_surrogate &&
          fault != json::Fault::number_out_of_range;
 }
 
-bool report_as_khronos(const json::Parsed& parsed, std::string_view text,
-                       const json::LineIndex& lines, Collector& collector) {
+bool report_syntax(const json::Parsed& parsed, std::string_view text, const json::LineIndex& lines,
+                   Collector& collector) {
   for (const json::ParseFault& fault : parsed.faults) {
-    if (!minded_by_khronos(fault.fault)) continue;
+    if (!is_syntax(fault.fault)) continue;
     report_fault(fault, text, lines, true, collector);
     if (fault.fault != json::Fault::byte_order_mark) return false;
   }
@@ -167,8 +167,8 @@ bool parse_document(const container::Container& container, const ValidateOptions
   bool readable = true;
   if (!parsed.faults.empty()) {
     const json::LineIndex lines(*container.json);
-    if (options.profile == Profile::khronos) {
-      readable = report_as_khronos(parsed, *container.json, lines, collector);
+    if (deviations_of(options.profile).syntax_faults_end_the_report) {
+      readable = report_syntax(parsed, *container.json, lines, collector);
     } else {
       for (const json::ParseFault& fault : parsed.faults) {
         report_fault(fault, *container.json, lines, false, collector);

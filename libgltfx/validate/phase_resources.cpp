@@ -25,7 +25,9 @@ using container::Bytes;
 bool is_fallback(const Context& context, json::NodeId buffer) {
   const json::Document& document = context.document;
   const json::NodeId extensions = model::object_member(document, buffer, "extensions");
-  if (extensions == json::kNoNode || context.khronos()) return false;
+  if (extensions == json::kNoNode || context.deviations.unsupported_extensions_are_skipped) {
+    return false;
+  }
   for (const auto extension : document.members(extensions)) {
     if (!document.is_object(extension.value)) continue;
     if (model::true_member(document, extension.value, "fallback")) return true;
@@ -66,21 +68,20 @@ std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uin
       fmt::format("The buffer declares {} bytes, but only {} are there.", declared, bytes.size());
   finding.span = resource.context.document.span(member);
   if (const auto found = container::name_content(bytes.text()).name;
-      !found.empty() && !resource.context.khronos() && resource.info.storage == "external") {
+      !found.empty() && resource.info.storage == "external") {
     finding.help = fmt::format("the file is {}", found);
   }
   resource.sink.report(resource.path, std::move(finding));
-  // The Khronos validator goes on with what a data URI holds.
-  const bool kept = resource.context.khronos() && resource.info.storage == "data-uri";
+  const bool kept =
+      resource.context.deviations.short_data_uris_are_kept && resource.info.storage == "data-uri";
   return kept ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-// The Khronos validator keeps what a data URI holds whatever the buffer declares, and lists nothing
-// of it.
+// What a data URI holds is kept whatever the buffer declares, but not listed.
 std::optional<Bytes> undeclared_bytes(const Resource& resource) {
   const json::Document& document = resource.context.document;
   const std::string uri = model::string_member(document, resource.object, "uri");
-  if (!resource.context.khronos() ||
+  if (!resource.context.deviations.short_data_uris_are_kept ||
       container::classify_uri(uri).kind != container::UriKind::data) {
     return std::nullopt;
   }

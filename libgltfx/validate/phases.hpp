@@ -20,7 +20,7 @@ bool check_container(const container::Container& container, const std::string& n
                      FileReport& report, Collector& collector);
 
 /// Phase 2: reads the JSON text. True when there is a document to look at. A text with faults that
-/// leave no doubt of what was meant has one; the khronos profile gives up as that validator does.
+/// leave no doubt of what was meant has one, unless Deviations::syntax_faults_end_the_report.
 bool parse_document(const container::Container& container, const ValidateOptions& options,
                     Collector& collector, json::Document& document);
 

@@ -38,28 +38,28 @@ void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
                 "fetch it with 'git lfs pull'");
 }
 
-// The Khronos validator knows no codes for what may not be opened, and no Git-LFS pointers.
 std::optional<container::Bytes> open_file(const Resource& resource, const container::Uri& uri) {
   resource.info.storage = "external";
   resource.info.uri = uri.normalized;
   container::Resolved resolved = resource.context.resolver.open(uri.path);
   if (resolved.fault != ResolveFault::none) {
-    resource.find(resource.context.khronos() ? Code::IO_ERROR : code_of(resolved.fault), "uri",
+    const bool same = resource.context.deviations.refused_files_have_no_code;
+    resource.find(same ? Code::IO_ERROR : code_of(resolved.fault), "uri",
                   container::describe(resolved.fault, uri.normalized, resolved.problem),
                   std::string(container::remedy(resolved.fault)));
     return std::nullopt;
   }
-  if (resolved.git_lfs_pointer && !resource.context.khronos()) {
+  if (resolved.git_lfs_pointer && !resource.context.deviations.lfs_pointers_are_data) {
     report_lfs_pointer(resource, uri);
     return std::nullopt;
   }
   return std::move(resolved.bytes);
 }
 
-// Whether the Khronos validator keeps the data of a URI: a wrong media type has been reported.
+// Whether the data of a URI is kept: a wrong media type has been reported.
 bool acceptable(const Resource& resource, const std::string& media_type,
                 const container::Bytes& bytes) {
-  if (!resource.context.khronos()) return true;
+  if (!resource.context.deviations.mistyped_data_uris_are_dropped) return true;
   if (resource.info.mime_type == "application/gltf-buffer") {
     return media_type == "application/octet-stream" || media_type == "application/gltf-buffer";
   }

@@ -14,7 +14,7 @@
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
 #include "validate/data/decode_views.hpp"
-#include "validate/khronos_view.hpp"
+#include "validate/khronos/view.hpp"
 #include "validate/light_profiles.hpp"
 #include "validate/phases.hpp"
 #include "validate/rules/budget.hpp"
@@ -27,17 +27,22 @@ namespace {
 // Object rules by type, so that the walk asks once per object.
 using ObjectRules = std::unordered_map<std::string_view, std::vector<ObjectRuleEntry>>;
 
-const ObjectRules& object_rules() {
-  static const ObjectRules table = [] {
-    ObjectRules rules;
-    for (const Family& family : families()) {
-      for (const ObjectRuleEntry& entry : family.object_rules) {
-        rules[entry.type].push_back(entry);
-      }
+ObjectRules make_object_rules(bool reading_order) {
+  const Runs never = reading_order ? Runs::otherwise : Runs::in_reading_order;
+  ObjectRules rules;
+  for (const Family& family : families()) {
+    for (const ObjectRuleEntry& entry : family.object_rules) {
+      const bool on_the_way = reading_order && !entry.behind.empty();
+      if (entry.runs != never && !on_the_way) rules[entry.type].push_back(entry);
     }
-    return rules;
-  }();
-  return table;
+  }
+  return rules;
+}
+
+// Those that run behind all members of an object.
+const ObjectRules& object_rules(bool reading_order) {
+  static const ObjectRules tables[]{make_object_rules(false), make_object_rules(true)};
+  return tables[reading_order ? 1 : 0];
 }
 
 // Bytes of JSON above which a second thread is worth its start.
@@ -51,7 +56,8 @@ unsigned jobs_for(const Context& context) {
 // that ends too early, nor with an asset whose version it cannot tell.
 void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   const container::Container& container = context.container;
-  if (context.khronos() && (container.cut_short || container.ends_in_empty_chunk)) return;
+  const bool is_short = container.cut_short || container.ends_in_empty_chunk;
+  if (context.deviations.data_of_short_files_is_skipped && is_short) return;
   Resources resources = load_resources(context, sink, report);
   decode_views(context, resources.data, sink);
   check_data(context, resources.data, sink, report);
@@ -65,13 +71,11 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
 
 // Phase 3: the schema walk with object rules at its heels.
 schema::CheckResult check_objects(Context& context, json::Document& document) {
-  const ObjectRules& rules = object_rules();
+  const ObjectRules& rules = object_rules(context.deviations.reading_order);
   const auto visit = [&](const schema::ObjectType& type, json::NodeId object, const Path& path) {
     const auto found = rules.find(type.name);
     if (found == rules.end()) return;
-    for (const ObjectRuleEntry& entry : found->second) {
-      if (!context.khronos() || entry.behind.empty()) entry.rule(context, object, path);
-    }
+    for (const ObjectRuleEntry& entry : found->second) entry.rule(context, object, path);
   };
   if (context.order != nullptr) return check_as_khronos(context, document, *context.order, visit);
   return schema::check(document, context.schemas, {}, context.schema_sink, context.link_sink,
@@ -81,12 +85,13 @@ schema::CheckResult check_objects(Context& context, json::Document& document) {
 // Phase 4.
 void check_links(const Context& context) {
   for (const Family& family : families()) {
+    if (family.additional && context.deviations.no_additional_rules) continue;
     for (const LinkRule rule : family.link_rules) rule(context);
   }
 }
 
 // Phases 3 to 7. Each phase reports to a sink of its own, so that two of them can run at once:
-// what they share is only read. The khronos profile hides members of the document in phase 3.
+// what they share is only read, unless phase 3 hides broken members of the document.
 // Returns whether all of them could run.
 bool check_document(Context& context, json::Document& document, Collector& collector,
                     FileReport& report) {
@@ -95,7 +100,8 @@ bool check_document(Context& context, json::Document& document, Collector& colle
   model::Views views;
   model::SceneGraph graph;
   run_both(
-      context.khronos() ? 1 : jobs, [&] { checked = check_objects(context, document); },
+      context.deviations.broken_values_are_absent ? 1 : jobs,
+      [&] { checked = check_objects(context, document); },
       [&] {
         views = model::Views(context.asset);
         graph = model::SceneGraph(context.asset, views.nodes);
@@ -125,14 +131,15 @@ FileReport validate(const container::Container& container, const std::string& na
     const auto set = options.schemas ? options.schemas : schema::builtin_set();
     Sink& forms = collector.sink(Phase::schema);
     Sink& links = collector.sink(Phase::reference);
-    const bool khronos = options.profile == Profile::khronos;
-    const model::Asset asset(document, khronos);  // that validator has no limit
-    const bool earlier = !khronos && !earlier_interactivity(document).empty();
+    const Deviations& deviations = deviations_of(options.profile);
+    const bool additions = !deviations.no_additional_rules;
+    const model::Asset asset(document, !additions);  // one of which limits the objects
+    const bool earlier = additions && !earlier_interactivity(document).empty();
     OutsideInteractivity outside_forms(forms);
     OutsideInteractivity outside_links(links);
     Sink& heard_links = earlier ? static_cast<Sink&>(outside_links) : links;
     std::optional<LinkOrder> order;
-    if (khronos) order.emplace(links);
+    if (deviations.reading_order) order.emplace(links);
     Context context{container,
                     resolver,
                     document,
@@ -141,12 +148,12 @@ FileReport validate(const container::Container& container, const std::string& na
                     options,
                     {},
                     earlier ? static_cast<Sink&>(outside_forms) : forms,
-                    khronos ? static_cast<Sink&>(*order) : heard_links};
-    if (khronos) context.order = &*order;
+                    order ? static_cast<Sink&>(*order) : heard_links};
+    if (order) context.order = &*order;
     DataUris data_uris;
     context.data_uris = &data_uris;
     Suppressions suppressions;
-    if (options.inline_suppressions && !khronos) suppressions = Suppressions(document);
+    if (options.inline_suppressions && additions) suppressions = Suppressions(document);
     if (!suppressions.empty()) collector.suppress(&suppressions);
     if (check_identity(context, collector) &&
         check_document(context, document, collector, report)) {

@@ -39,10 +39,10 @@ class Promises : public Sink {
 };
 
 void check_document(const json::Document& document, const schema::Set& set) {
-  for (const schema::Scope scope : {schema::Scope::all, schema::Scope::khronos}) {
+  for (const auto& deviations : {schema::Deviations(), schema::kKhronosValidator}) {
     Promises sink(document);
     schema::CheckOptions options;
-    options.scope = scope;
+    options.deviations = deviations;
     const schema::CheckResult result =
         schema::check(document, set, options, sink, sink,
                       [](const schema::ObjectType& type, json::NodeId, const Path&) {

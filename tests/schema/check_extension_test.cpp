@@ -9,7 +9,7 @@
 namespace gltfx::test {
 namespace {
 
-using schema::Scope;
+using schema::kKhronosValidator;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::ElementsAreArray;
@@ -26,7 +26,7 @@ TEST(Declaration, MissingIsToldAtEachObjectAndTheContentIsStillJudged) {
   const std::string json = material(R"("extensions": {"KHR_materials_ior": {"ior": "x"}})");
   EXPECT_THAT(verdict(json), ElementsAre("UNDECLARED_EXTENSION " + kAt + "KHR_materials_ior",
                                          "TYPE_MISMATCH " + kAt + "KHR_materials_ior/ior"));
-  EXPECT_THAT(verdict(json, Scope::khronos),
+  EXPECT_THAT(verdict(json, kKhronosValidator),
               ElementsAre("UNDECLARED_EXTENSION " + kAt + "KHR_materials_ior"));
 }
 
@@ -46,7 +46,7 @@ TEST(Declaration, NamesAreJudgedByTheirFormAsKhronosDoes) {
     expected.push_back(std::string("UNSUPPORTED_EXTENSION /extensionsUsed/") + at);
   }
   expected.emplace_back("UNSUPPORTED_EXTENSION /extensionsUsed/5");
-  EXPECT_THAT(verdict(json, Scope::khronos), ElementsAreArray(expected));
+  EXPECT_THAT(verdict(json, kKhronosValidator), ElementsAreArray(expected));
   EXPECT_THAT(verdict(json), IsEmpty());  // rules behind the walk tell more
 }
 
@@ -105,7 +105,7 @@ TEST(Exclusion, IsToldOnceAPairWhicheverSaysIt) {
 TEST(Exclusion, IsNoMatterOfTheKhronosProfileWhichWarnsOfCompany) {
   const std::string json = on_material("KHR_materials_unlit,KHR_materials_ior",
                                        R"("KHR_materials_unlit": {}, "KHR_materials_ior": {})");
-  EXPECT_THAT(verdict(json, Scope::khronos),
+  EXPECT_THAT(verdict(json, kKhronosValidator),
               ElementsAre("MULTIPLE_EXTENSIONS " + kAt + "KHR_materials_unlit"));
 }
 
@@ -127,9 +127,8 @@ TEST(Companion, MissingIsAWarningOrAnErrorAsTheFileSays) {
     const auto set = set_with(acme(R"("properties": {})", words));
     ASSERT_NE(set, nullptr);
     EXPECT_EQ(only(on_material("ACME_x", R"("ACME_x": {})"), *set).is_error, error);
-    EXPECT_THAT(
-        verdict(on_material("ACME_x,KHR_a", R"("ACME_x": {}, "KHR_a": {})"), Scope::all, *set),
-        IsEmpty());
+    EXPECT_THAT(verdict(on_material("ACME_x,KHR_a", R"("ACME_x": {}, "KHR_a": {})"), {}, *set),
+                IsEmpty());
   }
 }
 
@@ -173,7 +172,7 @@ TEST(Requirement, WithoutFallbackIsToldAtTheObject) {
           R"("extensionsRequired": ["KHR_texture_basisu"], )")),
       IsEmpty())
       << "readers that get this far have the other one";
-  EXPECT_THAT(verdict(texture(webp, ""), Scope::khronos),
+  EXPECT_THAT(verdict(texture(webp, ""), kKhronosValidator),
               Not(Contains("NON_REQUIRED_EXTENSION /textures/0/extensions/EXT_texture_webp")));
 }
 
@@ -198,27 +197,28 @@ TEST(Generation, DecidesWhichChannelsASlotReads) {
   EXPECT_EQ(channels(R"(, "translucencyColorTexture": {"index": 0})"), "a");
 }
 
-TEST(KhronosScope, ExtensionsThatItDoesNotKnowAreUnknown) {
+TEST(KhronosValidator, ExtensionsThatItDoesNotKnowAreUnknown) {
   const std::string json =
       on_material("KHR_materials_diffuse_transmission",
                   R"("KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 7})");
   EXPECT_THAT(verdict(json),
               ElementsAre("VALUE_NOT_IN_RANGE " + kAt +
                           "KHR_materials_diffuse_transmission/diffuseTransmissionFactor"));
-  EXPECT_THAT(verdict(json, Scope::khronos), Not(Contains(HasSubstr("VALUE_NOT_IN_RANGE"))));
+  EXPECT_THAT(verdict(json, kKhronosValidator), Not(Contains(HasSubstr("VALUE_NOT_IN_RANGE"))));
 }
 
-TEST(KhronosScope, EndsBehindAnAssetOfAnotherVersion) {
+TEST(KhronosValidator, EndsBehindAnAssetOfAnotherVersion) {
   for (const char* version : {"\"1.0\"", "\"3.0\"", "2", "\"two\""}) {
     const std::string json =
         std::string(R"({"asset": {"version": )") + version + R"(}, "materials": [], "nope": 1})";
-    EXPECT_TRUE(result_of(json, Scope::khronos).stopped_at_asset) << version;
-    EXPECT_THAT(verdict(json, Scope::khronos), Not(Contains("EMPTY_ENTITY /materials"))) << version;
-    EXPECT_THAT(verdict(json, Scope::khronos), Contains("UNEXPECTED_PROPERTY /nope")) << version;
+    EXPECT_TRUE(result_of(json, kKhronosValidator).stopped_at_asset) << version;
+    EXPECT_THAT(verdict(json, kKhronosValidator), Not(Contains("EMPTY_ENTITY /materials")))
+        << version;
+    EXPECT_THAT(verdict(json, kKhronosValidator), Contains("UNEXPECTED_PROPERTY /nope")) << version;
     EXPECT_THAT(verdict(json), Contains("EMPTY_ENTITY /materials")) << version;
   }
-  EXPECT_FALSE(result_of(R"({"asset": {"version": "2.1"}})", Scope::khronos).stopped_at_asset);
-  EXPECT_TRUE(result_of("{}", Scope::khronos).stopped_at_asset);
+  EXPECT_FALSE(result_of(R"({"asset": {"version": "2.1"}})", kKhronosValidator).stopped_at_asset);
+  EXPECT_TRUE(result_of("{}", kKhronosValidator).stopped_at_asset);
 }
 
 }  // namespace

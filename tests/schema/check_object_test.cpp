@@ -10,7 +10,6 @@
 namespace gltfx::test {
 namespace {
 
-using schema::Scope;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -174,7 +173,7 @@ TEST(RepeatedMember, TheLastCounts) {
 class Words : public testing::Test {
  protected:
   std::vector<std::string> said(const std::string& members, const std::string& object,
-                                Scope scope = Scope::all) {
+                                const schema::Deviations& deviations = {}) {
     set_ = set_with(acme(members));
     EXPECT_NE(set_, nullptr) << members;
     if (set_ == nullptr) return {};
@@ -183,7 +182,7 @@ class Words : public testing::Test {
     for (const Found& found :
          find(asset_using("ACME_x", R"("nodes": [{}], "materials": [{"extensions": {"ACME_x": )" +
                                         object + "}}]"),
-              scope, *set_)) {
+              deviations, *set_)) {
       EXPECT_EQ(found.pointer.rfind(prefix, 0), 0U) << found.pointer;
       lines.push_back(found.code + " " +
                       found.pointer.substr(std::min(prefix.size(), found.pointer.size())));

@@ -11,7 +11,7 @@
 namespace gltfx::test {
 namespace {
 
-using schema::Scope;
+using schema::kKhronosValidator;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -84,7 +84,7 @@ TEST(Reference, WithAStarFitsTheLargestOfTheArrays) {
             "ACME_x",
             std::string(R"("nodes": [{"extensions": {"ACME_x": {"thing": )") + thing +
                 R"(}}}], "extensions": {"ACME_x": {"groups": [{"things": [{}]}, {"things": [{}, {}, {}]}, {}]}})"),
-        Scope::all, *set);
+        {}, *set);
   };
   EXPECT_THAT(said("2"), IsEmpty());
   EXPECT_THAT(said("3"), ElementsAre("UNRESOLVED_REFERENCE /nodes/0/extensions/ACME_x/thing"));
@@ -110,7 +110,7 @@ TEST(Reference, ByNameMustOccur) {
 TEST(Reference, ToAHoleIsBrokenForKhronosOnly) {
   const std::string json = asset(R"("scenes": [{"nodes": [1]}], "nodes": [{}, 3])");
   EXPECT_THAT(verdict(json), ElementsAre("TYPE_MISMATCH /nodes/1")) << "one cause, one finding";
-  EXPECT_THAT(verdict(json, Scope::khronos),
+  EXPECT_THAT(verdict(json, kKhronosValidator),
               testing::UnorderedElementsAre("TYPE_MISMATCH /nodes/1",
                                             "UNRESOLVED_REFERENCE /scenes/0/nodes/0"));
 }
@@ -205,7 +205,7 @@ TEST(Robustness, NestedAlternativesDoNotExplode) {
   std::string json = R"("materials": [{"extensions": {"ACME_x": {"tree": )";
   for (int i = 0; i < 500; ++i) json += R"({"a": 1, "next": )";
   json += R"({"b": 1})" + std::string(500, '}');
-  EXPECT_THAT(verdict(asset_using("ACME_x", json + "}}}]"), Scope::all, *set), IsEmpty())
+  EXPECT_THAT(verdict(asset_using("ACME_x", json + "}}}]"), {}, *set), IsEmpty())
       << "two ways at each of 500 levels";
 }
 

@@ -25,41 +25,44 @@ class Recorder : public Sink {
   bool is_reference_;
 };
 
-schema::CheckResult run(std::string_view json, schema::Scope scope, const schema::Set& set,
-                        std::vector<Found>& found) {
+schema::CheckResult run(std::string_view json, schema::Deviations deviations,
+                        const schema::Set& set, std::vector<Found>& found) {
   const json::Parsed parsed = json::parse(json);
   EXPECT_TRUE(parsed.ok()) << "the test's own JSON is broken: " << json;
   Recorder schema_sink(found, json, false);
   Recorder reference_sink(found, json, true);
   schema::CheckOptions options;
-  options.scope = scope;
+  options.deviations = deviations;
   return schema::check(parsed.document, set, options, schema_sink, reference_sink);
 }
 
 }  // namespace
 
-std::vector<Found> find(std::string_view json, schema::Scope scope, const schema::Set& set) {
+std::vector<Found> find(std::string_view json, schema::Deviations deviations,
+                        const schema::Set& set) {
   std::vector<Found> found;
-  run(json, scope, set, found);
+  run(json, deviations, set, found);
   return found;
 }
 
-std::vector<std::string> verdict(std::string_view json, schema::Scope scope,
+std::vector<std::string> verdict(std::string_view json, schema::Deviations deviations,
                                  const schema::Set& set) {
   std::vector<std::string> lines;
-  for (const Found& one : find(json, scope, set)) lines.push_back(one.code + " " + one.pointer);
+  for (const Found& one : find(json, deviations, set))
+    lines.push_back(one.code + " " + one.pointer);
   return lines;
 }
 
 Found only(std::string_view json, const schema::Set& set) {
-  const std::vector<Found> found = find(json, schema::Scope::all, set);
+  const std::vector<Found> found = find(json, {}, set);
   EXPECT_EQ(found.size(), 1U) << json;
   return found.empty() ? Found{} : found.front();
 }
 
-schema::CheckResult result_of(std::string_view json, schema::Scope scope, const schema::Set& set) {
+schema::CheckResult result_of(std::string_view json, schema::Deviations deviations,
+                              const schema::Set& set) {
   std::vector<Found> found;
-  return run(json, scope, set, found);
+  return run(json, deviations, set, found);
 }
 
 std::string asset(std::string_view members) {

@@ -19,18 +19,18 @@ struct Found {
 };
 
 /// All findings in the order of report: those of the schema sink and of the reference sink mixed.
-std::vector<Found> find(std::string_view json, schema::Scope scope = schema::Scope::all,
+std::vector<Found> find(std::string_view json, schema::Deviations deviations = {},
                         const schema::Set& set = *schema::builtin_set());
 
 /// "CODE /pointer" of each.
-std::vector<std::string> verdict(std::string_view json, schema::Scope scope = schema::Scope::all,
+std::vector<std::string> verdict(std::string_view json, schema::Deviations deviations = {},
                                  const schema::Set& set = *schema::builtin_set());
 
 /// The only finding; fails the test when there is another number of them.
 Found only(std::string_view json, const schema::Set& set = *schema::builtin_set());
 
 /// What the walk learned beside findings.
-schema::CheckResult result_of(std::string_view json, schema::Scope scope = schema::Scope::all,
+schema::CheckResult result_of(std::string_view json, schema::Deviations deviations = {},
                               const schema::Set& set = *schema::builtin_set());
 
 /// A whole asset around one member of the root: `"nodes": [{}]`.

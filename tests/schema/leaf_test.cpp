@@ -10,7 +10,6 @@
 namespace gltfx::test {
 namespace {
 
-using schema::Scope;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -27,7 +26,7 @@ class Leaf : public testing::Test {
             extensions + "}}]");
   }
   std::vector<std::string> verdict_of(const std::string& leaf) {
-    return verdict(asset_with("\"ACME_leaf\": " + leaf), Scope::all, *set_);
+    return verdict(asset_with("\"ACME_leaf\": " + leaf), {}, *set_);
   }
   const std::string at_ = "/materials/0/extensions/ACME_leaf";
   std::shared_ptr<const schema::Set> set_;
@@ -70,7 +69,7 @@ TEST_F(Leaf, ExclusionNamesBothAndTheReason) {
 
 TEST_F(Leaf, SlotIsRecordedWithItsChannels) {
   const auto result =
-      result_of(asset_with(R"("ACME_leaf": {"age": 1, "veins": {"index": 0}})"), Scope::all, *set_);
+      result_of(asset_with(R"("ACME_leaf": {"age": 1, "veins": {"index": 0}})"), {}, *set_);
   ASSERT_EQ(result.slots.size(), 1U);
   EXPECT_EQ(result.slots[0].pointer, at_ + "/veins");
   ASSERT_NE(result.slots[0].slot, nullptr);
@@ -111,8 +110,8 @@ TEST(UserSchema, ReplacesABuiltInExtension) {
         "KHR_materials_ior",
         std::string(R"("materials": [{"extensions": {"KHR_materials_ior": )") + object + "}}]");
   };
-  EXPECT_THAT(verdict(json(R"({"age": 1})"), Scope::all, *set), IsEmpty());
-  EXPECT_THAT(verdict(json(R"({"ior": 1.5})"), Scope::all, *set),
+  EXPECT_THAT(verdict(json(R"({"age": 1})"), {}, *set), IsEmpty());
+  EXPECT_THAT(verdict(json(R"({"ior": 1.5})"), {}, *set),
               ElementsAre("UNEXPECTED_PROPERTY /materials/0/extensions/KHR_materials_ior/ior",
                           "UNDEFINED_PROPERTY /materials/0/extensions/KHR_materials_ior"));
   EXPECT_THAT(verdict(json(R"({"ior": 1.5})")), IsEmpty()) << "the built-in set stays as it is";
@@ -126,7 +125,7 @@ TEST(UserSchema, TheLaterOfTwoFilesCounts) {
   ASSERT_NE(compiled.set, nullptr);
   EXPECT_THAT(verdict(asset_using("ACME_leaf",
                                   R"("materials": [{"extensions": {"ACME_leaf": {"age": 7}}}])"),
-                      Scope::all, *compiled.set),
+                      {}, *compiled.set),
               ElementsAre("VALUE_NOT_IN_RANGE /materials/0/extensions/ACME_leaf/age"));
 }
 

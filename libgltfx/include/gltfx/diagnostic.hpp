@@ -40,6 +40,7 @@ struct RuleDescription {
   Fix fix = Fix::none;       ///< what `gltfx upgrade` can do about it
   bool khronos = false;      ///< the Khronos validator has a code of this name and meaning
   bool pixels = false;       ///< needs decoded pixels: see PixelLevel
+  Severity khronos_severity = Severity::error;  ///< that validator's, where it has the code
 };
 
 /// A place in a JSON text. Lines and columns count from 1, columns in UTF-8 characters (code

@@ -33,11 +33,14 @@ std::string row(const RulePage& page) {
     return gltfx::schema::cpp_literal(value) + "sv,";
   };
   const auto flag = [](bool value) { return value ? "true" : "false"; };
-  const auto severity = std::to_string(static_cast<int>(page.severity));
-  return "  {" + text(page.code) + " static_cast<Severity>(" + severity + ")," +
-         text(page.summary()) + text(page.checks) + text(page.why) + text(page.help) +
-         text(page.section) + text(page.link) + text(page.bad) + text(page.good) + " " +
-         fix_value(page.fix) + ", " + flag(page.khronos) + ", " + flag(page.pixels) + "},\n";
+  const auto severity = [](gltfx::Severity value) {
+    return " static_cast<Severity>(" + std::to_string(static_cast<int>(value)) + ")";
+  };
+  return "  {" + text(page.code) + severity(page.severity) + "," + text(page.summary()) +
+         text(page.checks) + text(page.why) + text(page.help) + text(page.section) +
+         text(page.link) + text(page.bad) + text(page.good) + " " + fix_value(page.fix) + ", " +
+         flag(page.khronos) + ", " + flag(page.pixels) + "," +
+         severity(page.khronos_severity.value_or(page.severity)) + "},\n";
 }
 
 }  // namespace

@@ -97,7 +97,9 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Read
   if (key == "severity") {
     set(page.severity, severity_from_word(value), "error, warning, info, hint", reader);
   } else if (key == "khronos") {
-    set(page.khronos, yes_or_no(value), "yes, no", reader);
+    page.khronos_severity = severity_from_word(value);
+    const auto khronos = page.khronos_severity ? std::optional(true) : yes_or_no(value);
+    set(page.khronos, khronos, "yes, no, or that validator's severity", reader);
   } else if (key == "pixels") {
     set(page.pixels, yes_or_no(value), "yes, no", reader);
   } else if (key == "fix") {

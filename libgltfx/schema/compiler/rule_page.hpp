@@ -4,6 +4,7 @@
 
 #include <gltfx/diagnostic.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,8 @@ struct RulePage {
   std::string code;  ///< name of the file without `.md`
   Severity severity = Severity::error;
   bool khronos = false;
+  /// That of the Khronos validator; nothing: the same.
+  std::optional<Severity> khronos_severity;
   bool pixels = false;
   Fix fix = Fix::none;
   std::string section, link;  ///< both empty: the rule is ours alone

@@ -119,7 +119,8 @@ class Reporting {
 }  // namespace
 
 void decode_views(const Context& context, model::ResourceData& resources, Sink& sink) {
-  if (!context.khronos()) Reporting(context, resources, sink).run();
+  const bool meaningless = context.deviations.unsupported_extensions_are_skipped;
+  if (!meaningless) Reporting(context, resources, sink).run();
 }
 
 }  // namespace gltfx::validate

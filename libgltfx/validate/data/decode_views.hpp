@@ -11,7 +11,7 @@ namespace gltfx::validate {
 /// plain copy go to `resources`, so that everything behind reads them as plain data; those that
 /// have one are compared with it. Takes memory only for what its stream can hold, and for little
 /// beyond a limit that grows with the streams. Several threads; findings in the order of the views.
-/// Nothing in the khronos profile.
+/// Nothing where Deviations::unsupported_extensions_are_skipped.
 void decode_views(const Context& context, model::ResourceData& resources, Sink& sink);
 
 }  // namespace gltfx::validate

@@ -32,13 +32,14 @@ class ElementReport {
   }
 
   void report(const std::vector<Outcome>& outcomes) const {
-    if (phase_.context.khronos()) {
+    const Deviations& deviations = phase_.context.deviations;
+    if (deviations.each_fault_is_listed) {
       report_each(outcomes);
     } else {
       report_counts(outcomes);
     }
     const std::vector<Check>& checks = looked_.schedule.checks;
-    const bool sound = phase_.context.khronos() || !has_invalid_floats(outcomes);
+    const bool sound = deviations.consequences_are_reported || !has_invalid_floats(outcomes);
     for (std::size_t i = 0; i < checks.size(); ++i) {
       if (sound) report_bounds(checks[i], outcomes[i]);
       if (outcomes[i].degenerate == 0) continue;

@@ -49,7 +49,8 @@ std::optional<Check> pointer_value_check(const Context& context, model::ObjectMo
                                          const model::AnimationChannel& channel) {
   const json::NodeId object =
       model::extension_object(context.document, channel.target, "KHR_animation_pointer");
-  if (object == json::kNoNode || context.khronos()) return std::nullopt;
+  if (object == json::kNoNode) return std::nullopt;
+  if (context.deviations.animation_pointers_are_not_followed) return std::nullopt;
   const auto target = model.resolve(model::string_member(context.document, object, "pointer"));
   if (target.status != model::PropertyTarget::Status::mutable_property) return std::nullopt;
   Check check;

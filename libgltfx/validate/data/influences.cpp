@@ -65,8 +65,8 @@ struct Skinned {
   bool lossy = false;             ///< the weights were quantised
 };
 
-// Faults of all primitives; for the khronos profile one by one while that is few enough, otherwise
-// the first of each kind.
+// Faults of all primitives, the first of each kind; Deviations::each_fault_is_listed: one by one
+// while they are few enough.
 class InfluenceReport {
  public:
   explicit InfluenceReport(DataPhase& phase) : phase_(phase) {}
@@ -75,7 +75,7 @@ class InfluenceReport {
 
   void note(const Influence& influence) {
     const std::size_t primitive = primitives_.size() - 1;
-    if (!phase_.context.khronos() || !phase_.budget.list(1)) {
+    if (!phase_.context.deviations.each_fault_is_listed || !phase_.budget.list(1)) {
       const Key key{primitive, influence.fault, influence.set};
       const auto [at, fresh] = tallies_.try_emplace(key, found_.size());
       if (!fresh) {
@@ -86,9 +86,8 @@ class InfluenceReport {
     found_.push_back({influence, primitive, 1});
   }
 
-  // The Khronos validator takes one step in all primitives before it takes the next.
   void finish() {
-    if (phase_.context.khronos()) {
+    if (phase_.context.deviations.primitives_are_read_in_step) {
       std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
         return a.influence.index < b.influence.index;
       });
@@ -174,7 +173,7 @@ class InfluencePhase {
 
  private:
   void check_mesh(std::uint32_t index, const model::Mesh& mesh, const Limit& limit) {
-    if (mesh.has_holes && phase_.context.khronos()) return;
+    if (mesh.has_holes && deviations_.broken_values_are_absent) return;
     for (std::uint32_t i = 0; i < mesh.primitives.size(); ++i) {
       check_primitive({index, i, limit, {}, {}}, mesh.primitives[i]);
     }
@@ -193,8 +192,7 @@ class InfluencePhase {
             (kind == SemanticKind::joints ? skinned.joints : skinned.weights)[set];
         if (!has_count(attribute, vertices)) return;
         data.push_back(open(*attribute, kind));
-        // The Khronos validator reads until it meets what cannot be read.
-        if (!data.back() && !phase_.context.khronos()) return;
+        if (!data.back() && !deviations_.primitives_are_read_in_step) return;
       }
     }
     std::vector<InfluenceSet> influences(sets);
@@ -206,8 +204,7 @@ class InfluencePhase {
     const double step = weight_step(influences);
     skinned.lossy = step != 0;
     report_.begin(std::move(skinned));
-    // The Khronos validator sums up the weights of joints that it has not reported.
-    const bool all_weights = !phase_.context.khronos();
+    const bool all_weights = !deviations_.weights_of_reported_joints_are_left_out;
     check_influences_of(influences, joint_count, all_weights, [&](const Influence& influence) {
       if (!is_rounding(influence, step, sets)) report_.note(influence);
     });
@@ -254,7 +251,8 @@ class InfluencePhase {
 
   std::optional<AccessorData> open(const model::Attribute& attribute, SemanticKind kind) {
     auto data = phase_.open(*attribute.accessor);
-    if (!data || (data->components() != 4 && !phase_.context.khronos())) return std::nullopt;
+    if (!data) return std::nullopt;
+    if (data->components() != 4 && !deviations_.consequences_are_reported) return std::nullopt;
     const bool numbers = data->format().component == model::ComponentType::float32;
     if (kind == SemanticKind::joints && numbers) return std::nullopt;
     constexpr std::uint64_t kEffort = 16;  // several times that of a vectorised pass
@@ -263,6 +261,7 @@ class InfluencePhase {
   }
 
   DataPhase& phase_;
+  const Deviations& deviations_ = phase_.context.deviations;
   InfluenceReport report_;
 };
 

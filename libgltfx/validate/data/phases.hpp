@@ -43,7 +43,8 @@ struct DataPhase {
     if (found != decoded.end()) return found->second;
     return model::AccessorData::open(
         context.asset, context.views, resources, context.views.accessors[accessor],
-        context.khronos() ? model::Malformed::absent : model::Malformed::unusable);
+        context.deviations.broken_values_are_absent ? model::Malformed::absent
+                                                    : model::Malformed::unusable);
   }
 };
 

@@ -76,7 +76,8 @@ class Scheduler {
   void add(std::uint32_t index, Check check) {
     std::vector<Check>& checks = schedule(index).checks;
     check.same_as = first_same(index, checks, check);
-    if (check.same_as != checks.size() && !context_.khronos()) return;  // once is enough
+    const bool again = check.same_as != checks.size();
+    if (again && !context_.deviations.each_fault_is_listed) return;  // once is enough
     checks.push_back(std::move(check));
   }
 
@@ -122,7 +123,7 @@ class Scheduler {
   }
 
   void add_mesh(std::uint32_t index, const model::Mesh& mesh) {
-    if (mesh.has_holes && context_.khronos()) return;
+    if (mesh.has_holes && context_.deviations.broken_values_are_absent) return;
     for (std::uint32_t i = 0; i < mesh.primitives.size(); ++i) {
       add_primitive(index, i, mesh.primitives[i]);
     }
@@ -138,7 +139,7 @@ class Scheduler {
                     {Place::Kind::attribute, mesh, index, attribute.name, attribute.value});
     }
     if (!primitive.indices || !is_index_format(accessor(*primitive.indices).format)) return;
-    if (vertices < 0 && !context_.khronos()) return;
+    if (vertices < 0 && !context_.deviations.missing_integers_are_minus_one) return;
     Check check;
     check.kind = CheckKind::index;
     check.most = vertices < 0 ? -1 : vertices - 1;
@@ -159,7 +160,8 @@ class Scheduler {
     } else if (attribute.semantic.kind == SemanticKind::color && attribute.semantic.set == 0 &&
                used.format.component == ComponentType::float32) {
       check.kind = CheckKind::clamped;
-    } else if (const auto kind = vertex_value_check(attribute.name); kind && !context_.khronos()) {
+    } else if (const auto kind = vertex_value_check(attribute.name);
+               kind && !context_.deviations.no_additional_rules) {
       check.kind = *kind;
       check.length_slack = length_of_steps(used.format.component, 4);
     } else {
@@ -169,7 +171,6 @@ class Scheduler {
   }
 
   void add_instances() {
-    if (context_.khronos()) return;
     for (const schema::Extension& extension : context_.schemas.extensions()) {
       if (extension.instance_attributes.empty()) continue;
       for_each_extension(
@@ -244,7 +245,8 @@ class Scheduler {
       return add_pointed(index, channel, sampler, format);
     }
     const bool vector = format.type == ElementType::vec4;
-    if (!vector && !(context_.khronos() && model::component_count(format.type) == 4)) return;
+    const bool four = model::component_count(format.type) == 4;
+    if (!vector && !(four && context_.deviations.formats_count_by_components)) return;
     Check check;
     check.kind = CheckKind::quaternion;
     check.cubic = sampler.interpolation == model::Interpolation::cubic_spline;

@@ -20,7 +20,7 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
                               extent.component_size));
   }
   // Where the accessor's own offset is at fault, the sum says nothing new.
-  if (!with_view || (!aligned && !context.khronos())) return;
+  if (!with_view || (!aligned && !context.deviations.consequences_are_reported)) return;
   const std::uint64_t view_offset = context.views.buffer_views[extent.view].byte_offset.value_or(0);
   const Checked total = checked_add(view_offset, offset);
   if (!total || *total % extent.component_size == 0) return;
@@ -33,7 +33,9 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
 }  // namespace
 
 bool is_measurable(const Context& context, const model::Accessor& accessor) {
-  if (!context.khronos()) return accessor.count && accessor.format.known();
+  if (!context.deviations.unknown_formats_are_judged) {
+    return accessor.count && accessor.format.known();
+  }
   return accessor.count && accessor.format.component != model::ComponentType::none &&
          context.document.find(accessor.node, "type") != json::kNoNode;
 }
@@ -43,9 +45,9 @@ void check_extent(const Context& context, const Extent& extent, const Path& path
   if (has_offset && !extent.byte_offset) return;
   const auto& view = context.views.buffer_views[extent.view];
   const bool starts = view.byte_offset || !context.document.has_value(view.node, "byteOffset");
-  check_alignment(context, extent, starts || !context.khronos(), path);
-  if (!starts && context.khronos()) return;
-  if (!view.byte_length && !context.khronos()) return;
+  const bool minus_one = context.deviations.missing_integers_are_minus_one;
+  check_alignment(context, extent, starts || !minus_one, path);
+  if (minus_one ? !starts : !view.byte_length) return;
   const std::uint64_t offset = extent.byte_offset.value_or(0);
   const std::uint64_t length = extent.length.value_or(UINT64_MAX);
   if (view.byte_length && fits(offset, length, *view.byte_length)) return;

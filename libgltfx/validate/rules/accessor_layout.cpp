@@ -27,7 +27,8 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
                 fmt::format("The stride of view {} is {} bytes, but an element ({}) takes {}.",
                             *accessor.buffer_view, *view->byte_stride,
                             model::format_text(accessor.format), size));
-    if (!context.khronos()) return;  // lengths counted with a wrong stride mean nothing
+    // Lengths counted with a wrong stride mean nothing.
+    if (!context.deviations.consequences_are_reported) return;
   }
   const std::uint64_t stride = view->byte_stride.value_or(model::packed_stride(accessor.format));
   check_extent(context,
@@ -61,7 +62,8 @@ void check_part(const Context& context, const model::SparsePart& part, std::uint
 void check_sparse(const Context& context, const model::Accessor& accessor, const Path& path) {
   const auto sparse = model::read_sparse(context.asset, accessor);
   if (!sparse) return;
-  if (!context.khronos() && !model::can_index_elements(sparse->indices.format.component)) return;
+  const bool indexes = model::can_index_elements(sparse->indices.format.component);
+  if (!indexes && !context.deviations.unknown_formats_are_judged) return;
   const Path at(path, "sparse");
   if (*sparse->count > *accessor.count) {
     report_member(context.link_sink, context, at, accessor.sparse, "count",

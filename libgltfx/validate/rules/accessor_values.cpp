@@ -84,17 +84,20 @@ void check_matrix_offset(const Context& context, const model::Accessor& accessor
       fmt::format("Matrices begin at multiples of 4 bytes; {} is none.", *accessor.byte_offset));
 }
 
+void check_min_and_max(const Context& context, json::NodeId object, const Path& path) {
+  const model::Accessor accessor = model::read_accessor(context.asset, object);
+  if (!accessor.format.known()) return;
+  check_bound(context, accessor, accessor.min, Path(path, "min"));
+  check_bound(context, accessor, accessor.max, Path(path, "max"));
+}
+
 void check_accessor(const Context& context, json::NodeId object, const Path& path) {
   const model::Accessor accessor = model::read_accessor(context.asset, object);
-  if (accessor.format.known() && !context.khronos()) {
-    check_bound(context, accessor, accessor.min, Path(path, "min"));
-    check_bound(context, accessor, accessor.max, Path(path, "max"));
-  }
   check_normalized(context, accessor, path);
   check_matrix_offset(context, accessor, path);
 }
 
-// --- As the Khronos validator reads them ---
+// --- In reading order ---
 
 schema::Reading read_offset(const Context& context, json::NodeId object, json::NodeId value,
                             const Path& path) {
@@ -164,7 +167,8 @@ schema::Reading read_max(const Context& context, json::NodeId object, json::Node
 }  // namespace
 
 const Family& accessor_values_family() {
-  static constexpr ObjectRuleEntry kObjectRules[] = {{"accessor", check_accessor, "sparse"}};
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"accessor", check_min_and_max, {}, Runs::otherwise}, {"accessor", check_accessor, "sparse"}};
   static constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
                                                      {"accessor", "min", read_min},
                                                      {"accessor", "max", read_max}};

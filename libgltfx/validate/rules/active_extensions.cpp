@@ -4,8 +4,10 @@
 namespace gltfx::validate {
 
 ActiveExtensions::ActiveExtensions(const Context& context)
-    : schemas_(context.schemas), active_(context.schemas.extensions().size(), !context.khronos()) {
-  if (!context.khronos()) return;
+    : schemas_(context.schemas),
+      active_(context.schemas.extensions().size(),
+              !context.deviations.unsupported_extensions_are_skipped) {
+  if (!context.deviations.unsupported_extensions_are_skipped) return;
   for (const std::string& name : context.checked.extensions_used) {
     const schema::ExtensionId id = schemas_.find_extension(name);
     if (id != schema::kNone) active_[id] = schemas_.extensions()[id].khronos_validator;

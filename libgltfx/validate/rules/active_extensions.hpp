@@ -9,8 +9,9 @@
 
 namespace gltfx::validate {
 
-/// Those that the Set knows. In the khronos profile those that the Khronos validator knows and the
-/// asset declares. Made once for a link rule; the context must outlive it.
+/// Those that the Set knows, unless Deviations::unsupported_extensions_are_skipped: then those that
+/// the Khronos validator supports and the asset declares. Made once for a link rule; the context
+/// must outlive it.
 class ActiveExtensions {
  public:
   explicit ActiveExtensions(const Context& context);

@@ -62,10 +62,11 @@ class AnimationCheck {
         used[*channel.sampler] = 1;
         check_output(channel, animation.samplers[*channel.sampler], at);
       }
-      const bool goes_on = !context_.khronos() || has_sampler_index(context_, channel);
-      if (!goes_on) paths.push(std::uint64_t{i});
+      const bool stray =
+          context_.deviations.pointers_keep_stray_steps && !has_sampler_index(context_, channel);
+      if (stray) paths.push(std::uint64_t{i});
       for (const std::size_t later : same.behind(i)) {
-        if (goes_on) report_duplicate(channel, later, at);
+        if (!stray) report_duplicate(channel, later, at);
       }
     }
     paths.pop();
@@ -91,8 +92,7 @@ class AnimationCheck {
     check_use(sampler, sampler.input, "input", model::AccessorUse::animation_input, path);
     if (sampler.input) check_times(sampler, context_.views.accessors[*sampler.input], path);
     check_use(sampler, sampler.output, "output", model::AccessorUse::animation_output, path);
-    if (!sampler.output || !context_.khronos()) return;
-    // That validator counts the view of the output twice.
+    if (!sampler.output || !context_.deviations.animation_outputs_count_twice) return;
     const auto view = context_.views.accessors[*sampler.output].buffer_view;
     if (view) {
       report_view_use(context_, *view, model::ViewUse::other,
@@ -111,7 +111,7 @@ class AnimationCheck {
 
   void check_times(const AnimationSampler& sampler, const model::Accessor& times,
                    const Path& path) {
-    if ((times.format.known() || context_.khronos()) && times.format != kTimes) {
+    if (is_judged(times.format) && times.format != kTimes) {
       report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT,
                 fmt::format("Accessor {} with the times is {} instead of {}.", *sampler.input,
                             format_text(times.format), format_text(kTimes)));
@@ -121,11 +121,17 @@ class AnimationCheck {
                 fmt::format("Accessor {} with the times has no {}.", *sampler.input,
                             times.min == json::kNoNode ? "min" : "max"));
     }
-    const bool few = context_.khronos() ? times.count.value_or(0) < 2 : times.count == 1U;
+    const bool few = context_.deviations.missing_integers_are_minus_one
+                         ? times.count.value_or(0) < 2
+                         : times.count == 1U;
     if (sampler.interpolation == model::Interpolation::cubic_spline && few) {
       report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_TOO_FEW_ELEMENTS,
                 "A CUBICSPLINE has one keyframe; a curve needs two.");
     }
+  }
+
+  bool is_judged(const model::Format& format) const {
+    return format.known() || context_.deviations.unknown_formats_are_judged;
   }
 
   void check_stride(const AnimationSampler& sampler, std::uint32_t index, std::string_view member,
@@ -173,7 +179,8 @@ class AnimationCheck {
     const bool unresolved = node.mesh_value != json::kNoNode && !node.mesh;
     const bool known = node.mesh && deformations_[*node.mesh].known;
     if (morph_targets(node) != 0) return;
-    if (!context_.khronos() && (unresolved || (node.mesh && !known))) return;
+    const bool broken = unresolved || (node.mesh && !known);
+    if (broken && !context_.deviations.broken_values_are_absent) return;
     report_link(
         context_, at, channel.target, Code::ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS,
         fmt::format("Node {} has no mesh with morph targets, so there are no weights to move.",
@@ -188,8 +195,7 @@ class AnimationCheck {
                     const Path& path) {
     if (!sampler.output || model::animation_path_name(channel.path).empty()) return;
     const model::Format& format = context_.views.accessors[*sampler.output].format;
-    const bool judged = format.known() || context_.khronos();
-    if (judged && !fits_path(channel.path, format)) {
+    if (is_judged(format) && !fits_path(channel.path, format)) {
       report_output_format(context_, sampler, model::animation_path_name(channel.path),
                            path_formats_text(channel.path), channel.object, path);
     }

@@ -34,7 +34,8 @@ bool has_sampler_index(const Context& context, const model::AnimationChannel& ch
 }
 
 bool is_linked(const Context& context, const model::Animation& animation) {
-  return !context.khronos() || (!animation.channels.empty() && !animation.samplers.empty());
+  const bool incomplete = animation.channels.empty() || animation.samplers.empty();
+  return !incomplete || !context.deviations.incomplete_animations_are_unlinked;
 }
 
 const Family& animation_paths_family() {

@@ -2,7 +2,6 @@
 // KHR_animation_pointer: channels that name what they move by a JSON pointer. Only the object model
 // says which properties those may be, so the rules go beyond what a schema file can state; this
 // file is about that one extension and names it.
-#include <algorithm>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "model/fields.hpp"
 #include "model/object_model.hpp"
 #include "validate/context.hpp"
+#include "validate/rules/active_extensions.hpp"
 #include "validate/rules/animation_output.hpp"
 #include "validate/rules/animation_paths.hpp"
 #include "validate/rules/finding.hpp"
@@ -106,7 +106,7 @@ class PointerCheck {
  private:
   void check(const model::Animation& animation, const Path& path) {
     ClaimsByProperty claims;
-    if (!context_.khronos()) enter_plain_targets(animation, claims);
+    enter_plain_targets(animation, claims);
     const Path channels(path, "channels");
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const AnimationChannel& channel = animation.channels[i];
@@ -120,8 +120,13 @@ class PointerCheck {
       const Path target(at, "target");
       const Path extensions(target, "extensions");
       const Path place(extensions, kAnimationPointerExtension);
-      check_target(channel, is_linked(context_, animation), extension, place);
-      if (!context_.khronos()) check_pointer(animation, i, extension, place, at, claims);
+      const bool followed = !context_.deviations.animation_pointers_are_not_followed;
+      if (!followed) {
+        report_link(context_, place, extension, Code::INCOMPLETE_EXTENSION_SUPPORT,
+                    "In this profile the pointer is not resolved: what it names may be wrong.");
+      }
+      check_target(channel, is_linked(context_, animation), place);
+      if (followed) check_pointer(animation, i, extension, place, at, claims);
     }
   }
 
@@ -143,21 +148,17 @@ class PointerCheck {
                             kAnimationPointerExtension));
   }
 
-  void check_target(const AnimationChannel& channel, bool linked, json::NodeId extension,
-                    const Path& place) {
-    if (context_.khronos()) {
-      report_link(context_, place, extension, Code::INCOMPLETE_EXTENSION_SUPPORT,
-                  "In this profile the pointer is not resolved: what it names may be wrong.");
-    }
+  void check_target(const AnimationChannel& channel, bool linked, const Path& place) {
+    const Deviations& deviations = context_.deviations;
     const json::NodeId node = context_.document.find(channel.target, "node");
     const bool given = node != json::kNoNode && context_.document.unsigned_integer(node);
-    if (context_.khronos() ? linked && channel.node : given) {
+    if (deviations.broken_values_are_absent ? linked && channel.node : given) {
       report_link(context_, place, node, Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE,
                   "The target has a node beside the pointer.");
     }
     const json::NodeId path = context_.document.find(channel.target, "path");
     const bool text = path != json::kNoNode && context_.document.is_string(path);
-    if (!text && !context_.khronos()) return;
+    if (!text && !deviations.consequences_are_reported) return;
     const std::string name = text ? context_.document.string(path) : std::string();
     if (name == kPath) return;
     report_link(context_, place, path, Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH,
@@ -233,14 +234,8 @@ class PointerCheck {
   model::ObjectModel model_;
 };
 
-bool contains(const std::vector<std::string>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 void check_pointers(const Context& context) {
-  // Undeclared means ignored, in that profile.
-  if (context.khronos() && !contains(context.checked.extensions_used, kAnimationPointerExtension))
-    return;
+  if (!ActiveExtensions(context).contains(kAnimationPointerExtension)) return;
   if (context.asset.count(model::RootArray::animations) != 0) PointerCheck(context).run();
 }
 

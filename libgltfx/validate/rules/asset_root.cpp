@@ -49,7 +49,7 @@ void check_min_version(const Context& context, json::NodeId asset, const Path& p
                             version.major, version.minor));
 }
 
-// glTF 1.0 and the draft of 2.1 are named by the identity phase, but not in the khronos profile.
+// glTF 1.0 and the draft of 2.1 are named by the identity phase, which is an addition.
 void check_known(const Context& context, json::NodeId asset, const Path& path,
                  const Version& version) {
   if (version.major != 2) {
@@ -57,7 +57,7 @@ void check_known(const Context& context, json::NodeId asset, const Path& path,
                   Code::UNKNOWN_ASSET_MAJOR_VERSION,
                   fmt::format("The asset is glTF {}.{}; only version 2 is known.", version.major,
                               version.minor));
-  } else if (version.minor > (context.khronos() ? 0U : 1U)) {
+  } else if (version.minor > (context.deviations.minor_versions_are_unknown ? 0U : 1U)) {
     report_member(
         context.schema_sink, context, path, asset, "version", Code::UNKNOWN_ASSET_MINOR_VERSION,
         fmt::format("There is no glTF 2.{}; the asset is checked as 2.0.", version.minor));

@@ -33,7 +33,6 @@ void check_bounds(const MeshState& state, const AttributeUse& use, const Path& p
 }
 
 std::string format_help(const MeshState& state, const AttributeUse& use) {
-  if (state.context.khronos()) return {};
   const std::string_view extension =
       extension_that_allows(state.context.schemas, use.attribute, use.target, use.accessor.format);
   if (extension.empty()) return {};
@@ -55,7 +54,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   }
   if (format.known() && allows(*allowed, format)) return true;
   // A type that glTF does not have is a fault of the accessor, not of its use.
-  if (!judged && !state.context.khronos()) return true;
+  if (!judged && !state.context.deviations.unknown_formats_are_judged) return true;
   report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT,
          fmt::format("{} is {}; it may be {}.", quoted(use.attribute.name),
                      model::format_text(format), formats_text(*allowed)),
@@ -71,12 +70,12 @@ bool offset_is_reported(const model::Accessor& accessor) {
 }
 
 bool is_misaligned(const MeshState& state, const model::Accessor& accessor, bool good_format) {
-  const bool khronos = state.context.khronos();
+  const bool consequences = state.context.deviations.consequences_are_reported;
   const bool by_offset = accessor.byte_offset && *accessor.byte_offset % 4 != 0;
-  if (by_offset && (khronos || !offset_is_reported(accessor))) return true;
+  if (by_offset && (consequences || !offset_is_reported(accessor))) return true;
   const model::BufferView* view = state.context.views.view_of(accessor);
   if (view == nullptr || view->byte_stride || !accessor.format.known()) return false;
-  return model::element_size(accessor.format) % 4 != 0 && (khronos || good_format);
+  return model::element_size(accessor.format) % 4 != 0 && (consequences || good_format);
 }
 
 std::string alignment_text(const model::Accessor& accessor) {

@@ -53,7 +53,7 @@ std::string suggestion(std::string_view name) {
 // Extensions name attributes PREFIX_x:NAME. What one adds is in its schema file; of one without
 // such a file nothing is known, so any name of its own is taken.
 bool is_extension_attribute(const Context& context, std::string_view name, bool target) {
-  if (context.khronos()) return false;
+  if (context.deviations.unsupported_extensions_are_skipped) return false;
   const schema::ExtensionId id = context.schemas.find_extension(model::semantic_extension(name));
   if (id == schema::kNone) return true;
   const schema::Extension& extension = context.schemas.extensions()[id];
@@ -81,13 +81,13 @@ void check_name(const Context& context, std::string_view name, json::NodeId valu
 
 void check_names(const Context& context, const std::vector<Attribute>& attributes, bool target,
                  const Path& path) {
-  if (context.khronos()) return;  // told name by name
+  if (context.deviations.reading_order) return;  // told name by name
   for (const Attribute& attribute : attributes) {
     check_name(context, attribute.name, attribute.value, target, path);
   }
 }
 
-// The maps that validator looks into are `attributes` and the elements of `targets`.
+// In reading order: maps are `attributes` and the elements of `targets`.
 void check_entry(const Context& context, std::string_view name, json::NodeId value,
                  const Path& map) {
   check_name(context, name, value, map.is_index(), map);
@@ -97,7 +97,9 @@ void check_entry(const Context& context, std::string_view name, json::NodeId val
 bool may_bring_positions(const Context& context, json::NodeId primitive) {
   const json::Document& document = context.document;
   const json::NodeId extensions = model::object_member(document, primitive, "extensions");
-  if (extensions == json::kNoNode || context.khronos()) return false;
+  if (extensions == json::kNoNode || context.deviations.unsupported_extensions_are_skipped) {
+    return false;
+  }
   for (const auto member : document.members(extensions)) {
     const schema::ExtensionId id = context.schemas.find_extension(document.key(member.key_id));
     if (id == schema::kNone) return true;
@@ -145,7 +147,8 @@ void check_sets(const Context& context, const model::Primitive& primitive, const
   check_continuity(context, primitive, SemanticKind::weights, weights, path);
   check_continuity(context, primitive, SemanticKind::texcoord, texcoords, path);
   // A gap is reported; what is missing may be just the other half.
-  if (!context.khronos() && !(joints.continuous() && weights.continuous())) return;
+  const bool gap = !joints.continuous() || !weights.continuous();
+  if (gap && !context.deviations.sets_with_gaps_are_empty) return;
   const std::uint64_t joint_sets = joints.continuous() ? joints.count : 0;
   const std::uint64_t weight_sets = weights.continuous() ? weights.count : 0;
   if (joint_sets == weight_sets) return;

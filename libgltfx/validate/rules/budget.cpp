@@ -94,7 +94,6 @@ class BudgetCheck {
 
 void check_budgets(const Context& context, const model::ResourceData& resources,
                    const AssetInfo& info, const std::vector<ResourceInfo>& listed, Sink& sink) {
-  if (context.khronos()) return;
   const Budgets& budgets = context.options.budgets;
   const BudgetCheck check(context, resources, sink);
   check.check_images();

@@ -22,7 +22,8 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
                   fmt::format("The stride of {} bytes is larger than the view, which has {}.",
                               *view.byte_stride, *view.byte_length));
   }
-  if (context.khronos() && *view.byte_stride % 4 != 0) {
+  // Otherwise told by the walk.
+  if (context.deviations.reading_order && *view.byte_stride % 4 != 0) {
     report_member(context.schema_sink, context, path, object, "byteStride", Code::VALUE_MULTIPLE_OF,
                   fmt::format("The stride of {} bytes is no multiple of 4.", *view.byte_stride));
   }
@@ -33,9 +34,9 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
   }
 }
 
-// Of a broken number the Khronos validator makes -1.
-bool fits_khronos(const Context& context, const model::BufferView& view, std::uint64_t size,
-                  bool& begins_outside) {
+// With -1 for numbers that are missing.
+bool fits_minus_one(const Context& context, const model::BufferView& view, std::uint64_t size,
+                    bool& begins_outside) {
   const bool broken = !view.byte_offset && context.document.has_value(view.node, "byteOffset");
   const std::uint64_t less = (broken ? 1U : 0U) + (view.byte_length ? 0U : 1U);
   const Checked end = checked_add(view.byte_offset.value_or(0), view.byte_length.value_or(0));
@@ -44,14 +45,15 @@ bool fits_khronos(const Context& context, const model::BufferView& view, std::ui
 }
 
 void check_extent(const Context& context, const model::BufferView& view, const Path& path) {
-  if (!view.buffer || (!view.byte_length && !context.khronos())) return;
+  const bool minus_one = context.deviations.missing_integers_are_minus_one;
+  if (!view.buffer || (!view.byte_length && !minus_one)) return;
   const json::NodeId buffer = context.asset.elements(model::RootArray::buffers)[*view.buffer];
   const auto size = model::unsigned_member(context.document, buffer, "byteLength");
   if (!size || *size == 0) return;
   const std::uint64_t offset = view.byte_offset.value_or(0);
   bool begins_outside = view.byte_offset && offset >= *size;
-  if (context.khronos() ? fits_khronos(context, view, *size, begins_outside)
-                        : fits(offset, *view.byte_length, *size))
+  if (minus_one ? fits_minus_one(context, view, *size, begins_outside)
+                : fits(offset, *view.byte_length, *size))
     return;
   report_member(
       context.link_sink, context, path, view.node, begins_outside ? "byteOffset" : "byteLength",

@@ -70,7 +70,6 @@ void check_near_and_far(const Context& context, json::NodeId object, const Path&
 }
 
 void check_camera(const Context& context, json::NodeId camera, const Path& path) {
-  if (context.khronos()) return;  // projections are judged on the way
   // Only the projection that `type` names is in force.
   const std::string type = model::string_member(context.document, camera, "type");
   const json::NodeId projection = model::object_member(context.document, camera, type);
@@ -82,12 +81,7 @@ void check_camera(const Context& context, json::NodeId camera, const Path& path)
   }
 }
 
-// --- As the Khronos validator reads them ---
-
-template <ObjectRule Rule>
-void only_khronos(const Context& context, json::NodeId object, const Path& path) {
-  if (context.khronos()) Rule(context, object, path);
-}
+// --- In reading order ---
 
 schema::Reading read_projection(const Context& context, json::NodeId camera,
                                 std::string_view name) {
@@ -106,7 +100,7 @@ schema::Reading read_perspective(const Context& context, json::NodeId camera, js
 // null is of the wrong type, and missing besides.
 void check_given(const Context& context, json::NodeId camera, const Path& path,
                  std::string_view name) {
-  if (!context.khronos() || model::string_member(context.document, camera, "type") != name) return;
+  if (model::string_member(context.document, camera, "type") != name) return;
   const json::NodeId value = context.document.find_in_text(camera, name);
   if (value == json::kNoNode || context.document.kind(value) != json::Kind::null) return;
   context.schema_sink.report(path, finding_on(context, camera, Code::UNDEFINED_PROPERTY,
@@ -123,12 +117,12 @@ void check_perspective_given(const Context& context, json::NodeId camera, const 
 
 const Family& camera_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
-      {"camera", check_camera},
-      {"camera", check_orthographic_given, "orthographic"},
-      {"camera", check_perspective_given, "perspective"},
-      {"camera.orthographic", only_khronos<check_orthographic>, "znear"},
-      {"camera.perspective", only_khronos<check_angle>, "yfov"},
-      {"camera.perspective", only_khronos<check_near_and_far>, "znear"}};
+      {"camera", check_camera, {}, Runs::otherwise},
+      {"camera", check_orthographic_given, "orthographic", Runs::in_reading_order},
+      {"camera", check_perspective_given, "perspective", Runs::in_reading_order},
+      {"camera.orthographic", check_orthographic, "znear", Runs::in_reading_order},
+      {"camera.perspective", check_angle, "yfov", Runs::in_reading_order},
+      {"camera.perspective", check_near_and_far, "znear", Runs::in_reading_order}};
   static constexpr MemberRuleEntry kMemberRules[] = {{"camera", "orthographic", read_orthographic},
                                                      {"camera", "perspective", read_perspective}};
   static constexpr Family family{

@@ -201,7 +201,6 @@ void check_undeclared(const Context& context, const Names& names) {
 }
 
 void check_extension_use(const Context& context) {
-  if (context.khronos()) return;
   const Names names(context);
   check_declared(context, names);
   check_undeclared(context, names);
@@ -211,7 +210,7 @@ void check_extension_use(const Context& context) {
 
 const Family& extension_use_family() {
   static constexpr LinkRule kLinkRules[] = {check_extension_use};
-  static constexpr Family family{.order = 50, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 50, .additional = true, .link_rules = kLinkRules};
   return family;
 }
 

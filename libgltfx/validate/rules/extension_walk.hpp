@@ -11,11 +11,11 @@
 
 namespace gltfx::validate {
 
-/// Whether rules of our own about an extension have anything to look at: the walk met its objects,
-/// and the profile is not that of the Khronos validator, which knows no such rules.
+/// Whether additional rules about an extension have anything to look at: the walk met its objects.
 inline bool has_objects_of(const Context& context, std::string_view extension) {
   const auto& seen = context.checked.extensions_seen;
-  return !context.khronos() && std::find(seen.begin(), seen.end(), extension) != seen.end();
+  return !context.deviations.no_additional_rules &&
+         std::find(seen.begin(), seen.end(), extension) != seen.end();
 }
 
 /// An object of an extension and the object it sits on.

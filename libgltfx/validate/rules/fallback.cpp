@@ -81,7 +81,6 @@ void check_object(const Context& context, json::NodeId object, const Path& path,
 }
 
 void check_buffer_views(const Context& context) {
-  if (context.khronos()) return;
   const Path root;
   const Path views(root, "bufferViews");
   const auto& objects = context.asset.elements(model::RootArray::buffer_views);
@@ -91,7 +90,6 @@ void check_buffer_views(const Context& context) {
 }
 
 void check_primitives(const Context& context) {
-  if (context.khronos()) return;
   const json::Document& document = context.document;
   const Path root;
   const Path meshes(root, "meshes");
@@ -113,7 +111,7 @@ void check_primitives(const Context& context) {
 
 const Family& fallback_family() {
   static constexpr LinkRule kLinkRules[] = {check_buffer_views, check_primitives};
-  static constexpr Family family{.order = 60, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 60, .additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -32,8 +32,8 @@ void report_link(const Context& context, const Path& path, Span span, Code code,
 void report_element(Sink& sink, const Context& context, model::RootArray array, std::size_t index,
                     Code code, std::string message, std::optional<Severity> severity = {});
 
-/// khronos profile: reports the broken references inside `value` that have not been, at the point
-/// where that validator comes to them. Elsewhere the walk has reported them. Nothing for
+/// Reading order: reports the broken references inside `value` that have not been, at the point
+/// where linking comes to them. Otherwise the walk has reported them. Nothing for
 /// json::kNoNode.
 void report_references(const Context& context, json::NodeId value);
 void report_references(const Context& context, Span place);

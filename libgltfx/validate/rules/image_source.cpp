@@ -35,7 +35,6 @@ void check_images(const Context& context) {
 
 // Textures first, then their extensions.
 void check_textures(const Context& context) {
-  if (!context.khronos()) return;
   const auto& textures = context.asset.elements(model::RootArray::textures);
   for (const json::NodeId texture : textures) {
     report_references(context, context.document.find(texture, "source"));

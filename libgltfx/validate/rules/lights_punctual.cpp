@@ -46,7 +46,8 @@ void check_light(const Context& context, json::NodeId light, const Path& path) {
   if (type == "spot") {
     const json::NodeId spot = model::object_member(context.document, light, "spot");
     if (spot != json::kNoNode) check_cone(context, spot, Path(path, "spot"));
-  } else if (type == "point" || type == "directional" || context.khronos()) {
+  } else if (type == "point" || type == "directional" ||
+             context.deviations.consequences_are_reported) {
     report_extra(context, light, path, "spot", type);
   }
 }
@@ -62,10 +63,11 @@ schema::Reading read_spot(const Context& context, json::NodeId light, json::Node
   return spot ? schema::Reading::judge : schema::Reading::keep;
 }
 
-// Lights on nodes of an asset that has none. In other profiles the index is reported.
+// Lights on nodes of an asset that has none. Otherwise the index is reported.
 void check_lights_exist(const Context& context) {
   constexpr std::string_view kLightsPunctualExtension = "KHR_lights_punctual";
-  if (!context.khronos() || !ActiveExtensions(context).contains(kLightsPunctualExtension)) return;
+  if (!context.deviations.root_extension_is_a_dependency) return;
+  if (!ActiveExtensions(context).contains(kLightsPunctualExtension)) return;
   const Path root;
   const Path array(root, "nodes");
   const auto& nodes = context.asset.elements(model::RootArray::nodes);

@@ -19,12 +19,14 @@ void check_alpha_cutoff(const Context& context, json::NodeId material, const Pat
   const json::Document& document = context.document;
   const json::NodeId cutoff = document.find(material, "alphaCutoff");
   const bool given = cutoff != json::kNoNode && document.is_number(cutoff);
-  if (!given && !(context.khronos() && document.holds(material, "alphaCutoff"))) return;
+  const bool broken = !given && document.holds(material, "alphaCutoff");
+  const bool consequences = context.deviations.consequences_are_reported;
+  if (!given && !(broken && consequences)) return;
   const std::string mode = model::string_member(document, material, "alphaMode");
   if (mode == "MASK") return;
   // A wrong mode or a wrong cutoff has been reported; which of the two was meant is not known.
   const auto sound = [&] { return is_known_mode(mode) && document.number(cutoff).value >= 0; };
-  if (!context.khronos() && !sound()) return;
+  if (!consequences && !sound()) return;
   report_member(context.schema_sink, context, path, material, "alphaCutoff",
                 Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE,
                 fmt::format("alphaCutoff has no effect while alphaMode is {}.",

@@ -75,12 +75,14 @@ void check_shared_texcoord(const Subject& subject, std::string_view member, Code
   const json::NodeId normal = object_member(document, subject.material, "normalTexture");
   const json::NodeId texture = object_member(document, subject.object, member);
   if (normal == json::kNoNode || texture == json::kNoNode) return;
-  if (!context.khronos() && is_transformed(document, normal, texture)) {
+  if (!context.deviations.texture_transforms_are_disregarded &&
+      is_transformed(document, normal, texture)) {
     return check_shared_mapping(subject, normal, member, code);
   }
   const auto wanted = texcoord(document, normal);
   const auto found = texcoord(document, texture);
-  if (found == wanted || (!context.khronos() && !(found && wanted))) return;
+  const bool broken = !found || !wanted;
+  if (found == wanted || (broken && !context.deviations.consequences_are_reported)) return;
   report_member(context.link_sink, context, subject.path, subject.object, member, code,
                 fmt::format("{} reads {}, but normalTexture reads {}.", member,
                             texcoord_text(found), texcoord_text(wanted)));
@@ -141,7 +143,8 @@ bool lets_light_through(const Subject& subject, std::string_view name) {
   const schema::ExtensionId id = schemas.find_extension(name);
   if (id == schema::kNone) return true;
   const schema::Extension& extension = schemas.extensions()[id];
-  if (subject.context.khronos() && !extension.khronos_validator) return true;
+  const bool supported = extension.khronos_validator;
+  if (!supported && subject.context.deviations.unsupported_extensions_are_skipped) return true;
   const schema::ShapeId home = extension.home(schemas.find_type("material"));
   if (home == schema::kNone) return false;
   const schema::TypeId type = schemas.shape(home).type;

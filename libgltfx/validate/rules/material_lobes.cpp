@@ -286,7 +286,7 @@ class MaterialCheck {
 
 void check_materials(const Context& context) {
   const auto& materials = context.asset.elements(model::RootArray::materials);
-  if (context.khronos() || materials.empty()) return;
+  if (materials.empty()) return;
   const bool extended = std::any_of(materials.begin(), materials.end(), [&](json::NodeId each) {
     return each != json::kNoNode && context.document.find(each, "extensions") != json::kNoNode;
   });
@@ -307,7 +307,7 @@ void check_materials(const Context& context) {
 
 const Family& material_lobes_family() {
   static constexpr LinkRule kLinkRules[] = {check_materials};
-  static constexpr Family family{.order = 300, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 300, .additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -32,7 +32,7 @@ bool in_tangent_space(std::string_view property) {
 MaterialNeeds::MaterialNeeds(const Context& context, const ActiveExtensions& active)
     : needs_(context.asset.count(model::RootArray::materials)) {
   for (const schema::SlotUse& use : context.checked.slots) add(context, active, use);
-  if (!context.khronos()) add_directions(context);
+  if (!context.deviations.fewer_materials_need_tangents) add_directions(context);
 }
 
 // Highlights that are longer in one direction need one, with or without a texture.
@@ -56,9 +56,8 @@ void MaterialNeeds::add(const Context& context, const ActiveExtensions& active,
   const std::string_view pointer = use.pointer;
   const std::string_view property = pointer.substr(pointer.rfind('/') + 1);
   if (in_tangent_space(property)) need.tangent_space = true;
-  const bool core = pointer.find("/extensions/") == std::string_view::npos;
   // Other packings of the same vectors are no more particular about tangents.
-  if ((core || !context.khronos()) && property == "normalTexture") need.normal_texture = true;
+  if (property == "normalTexture") need.normal_texture = true;
 
   const json::Document& document = context.document;
   const auto set = model::unsigned_member(document, use.texture_info, "texCoord");

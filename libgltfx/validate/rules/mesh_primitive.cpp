@@ -25,19 +25,18 @@ const model::Accessor& accessor_of(const Context& context, const Attribute& attr
   return context.views.accessors[*attribute.accessor];
 }
 
-// Attributes with a wrong name are reported; what they refer to means nothing, but for the Khronos
-// validator.
+// Attributes with a wrong name are reported; what they refer to means nothing.
 bool is_usable(const Context& context, const Attribute& attribute) {
-  const bool named = attribute.semantic.kind != SemanticKind::invalid || context.khronos();
+  const bool named = attribute.semantic.kind != SemanticKind::invalid ||
+                     context.deviations.consequences_are_reported;
   return named && attribute.accessor.has_value();
 }
 
 // --- Attributes ---
 
-// For the Khronos validator a count that is missing differs from one that is there.
 bool differ(const Context& context, std::optional<std::uint64_t> expected,
             std::optional<std::uint64_t> count) {
-  if (!expected || (!count && !context.khronos())) return false;
+  if (!context.deviations.missing_integers_are_minus_one && !(expected && count)) return false;
   return expected != count;
 }
 
@@ -53,7 +52,7 @@ void check_attributes(MeshState& state, const Primitive& primitive, const Path& 
                at);
     check_attribute(state, use, at);
     if (!count) count = use.accessor.count;
-    if (differ(context, count, use.accessor.count)) {
+    if (count && differ(context, count, use.accessor.count)) {
       report_link(context, at, attribute.value, Code::MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT,
                   fmt::format("{} has {} elements, but the first attribute has {}.",
                               quoted(attribute.name), use.accessor.count.value_or(0), *count));
@@ -89,14 +88,15 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
   const model::Accessor& accessor = context.views.accessors[*primitive.indices];
   const model::BufferView* view = context.views.view_of(accessor);
   // A view with the target of indices is at fault itself, and reported.
-  const bool at_fault = view != nullptr && view->byte_stride &&
-                        (context.khronos() || view->target != model::ViewTarget::indices);
+  const bool at_fault =
+      view != nullptr && view->byte_stride &&
+      (context.deviations.consequences_are_reported || view->target != model::ViewTarget::indices);
   if (at_fault) {
     report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE,
                 fmt::format("View {} holds indices, but has a byteStride.", *accessor.buffer_view));
   }
   if (is_index_format(accessor.format)) return;
-  if (!accessor.format.known() && !context.khronos()) return;
+  if (!accessor.format.known() && !context.deviations.unknown_formats_are_judged) return;
   report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT,
               fmt::format("Indices are {}; they may be SCALAR of UNSIGNED_BYTE, "
                           "UNSIGNED_SHORT or UNSIGNED_INT.",
@@ -139,7 +139,7 @@ std::string_view mode_demand(Mode mode) {
 void check_mode(const Context& context, const Primitive& primitive, const Path& path) {
   const bool indexed = primitive.indices.has_value();
   const bool broken = primitive.indices_node != json::kNoNode && !indexed;
-  if (!primitive.mode || (broken && !context.khronos())) return;
+  if (!primitive.mode || (broken && !context.deviations.broken_values_are_absent)) return;
   const auto count = indexed ? context.views.accessors[*primitive.indices].count
                              : vertex_count(context, primitive);
   if (!count || goes_with(*count, *primitive.mode)) return;
@@ -174,16 +174,16 @@ class BaseAttributes {
 
 void check_base(const Context& context, const Attribute& attribute, const Attribute* base,
                 const Path& path) {
-  if (base == nullptr || (context.khronos() && !base->accessor)) {
+  const bool broken = base != nullptr && !base->accessor;
+  if (base == nullptr || (broken && context.deviations.broken_values_are_absent)) {
     report_link(context, path, attribute.value, Code::MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR,
                 fmt::format("{} is morphed, but the primitive has none.", quoted(attribute.name)));
     return;
   }
-  if (!base->accessor) return;
+  if (broken) return;
   const auto count = accessor_of(context, attribute).count;
   const auto expected = accessor_of(context, *base).count;
-  const bool wrong = context.khronos() ? count != expected : differ(context, expected, count);
-  if (!wrong) return;
+  if (!differ(context, expected, count)) return;
   report_link(context, path, attribute.value,
               Code::MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT,
               fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name),
@@ -192,7 +192,8 @@ void check_base(const Context& context, const Attribute& attribute, const Attrib
 
 bool can_be_morphed(const Context& context, const Attribute& attribute) {
   const SemanticKind kind = attribute.semantic.kind;
-  return context.khronos() || (kind != SemanticKind::joints && kind != SemanticKind::weights);
+  return context.deviations.consequences_are_reported ||
+         (kind != SemanticKind::joints && kind != SemanticKind::weights);
 }
 
 void check_targets(MeshState& state, const Primitive& primitive, const Path& path) {
@@ -220,11 +221,12 @@ void check_targets(MeshState& state, const Primitive& primitive, const Path& pat
 
 void check_primitive(MeshState& state, const Primitive& primitive, const Path& path) {
   MaterialCheck materials(state, primitive, path);
-  if (state.context.khronos()) materials.check_variants();
+  const bool variants_first = state.context.deviations.reading_order;
+  if (variants_first) materials.check_variants();
   check_attributes(state, primitive, Path(path, "attributes"));
   check_indices(state.context, primitive, path);
   check_mode(state.context, primitive, path);
-  if (!state.context.khronos()) materials.check_variants();
+  if (!variants_first) materials.check_variants();
   materials.check_material();
   check_targets(state, primitive, path);
 }

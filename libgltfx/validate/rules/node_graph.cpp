@@ -34,7 +34,8 @@ class GraphCheck {
       const Path path(list, i);
       check_empty(node, index, path);
       check_loop(index, path);
-      if (node.skin && (node.mesh || context_.khronos())) check_skinned(node, index, path);
+      const bool judged = node.mesh || context_.deviations.consequences_are_reported;
+      if (node.skin && judged) check_skinned(node, index, path);
     }
   }
 
@@ -56,8 +57,9 @@ class GraphCheck {
 
   // The root above all joints, when there is one.
   NodeIndex top_root(const std::vector<NodeIndex>& all) const {
-    const auto joints =
-        context_.khronos() ? model::joints_of_last_root(all, graph_) : std::span(all);
+    const auto joints = context_.deviations.common_root_starts_anew
+                            ? model::joints_of_last_root(all, graph_)
+                            : std::span(all);
     if (joints.empty()) return kNoNodeIndex;
     const NodeIndex root = graph_.root(joints.front());
     for (const NodeIndex joint : joints) {
@@ -90,7 +92,7 @@ class GraphCheck {
     }
     // What hangs on it is there, but leads nowhere: reported as such.
     const bool broken = node.mesh_value != json::kNoNode || node.camera_value != json::kNoNode;
-    if (broken && !context_.khronos()) return;
+    if (broken && !context_.deviations.broken_values_are_absent) return;
     report_link(
         context_, path, node.object, Code::NODE_EMPTY,
         "The node has neither children nor mesh, camera, extension or extras, and is no joint.");
@@ -142,7 +144,7 @@ class GraphCheck {
                     "Transforms of the nodes above have no effect: the mesh follows the joints.");
       }
       // One cause, one finding: a transform above says that there is an above.
-      if (!moved || context_.khronos()) {
+      if (!moved || context_.deviations.consequences_are_reported) {
         report_link(
             context_, path, node.object, Code::NODE_SKINNED_MESH_NON_ROOT,
             fmt::format("The node is a child of node {}, which does not move its mesh.", parent));

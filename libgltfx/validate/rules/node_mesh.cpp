@@ -51,7 +51,8 @@ class NodeCheck {
     if (node.weights != json::kNoNode) check_weights(node, mesh, path);
     if (node.skin) {
       check_skinned(node, mesh, path);
-    } else if (mesh.has_joints && (context_.khronos() || node.skin_value == json::kNoNode)) {
+    } else if (mesh.has_joints &&
+               (node.skin_value == json::kNoNode || context_.deviations.broken_values_are_absent)) {
       report_link(context_, path, node.mesh_value, Code::NODE_SKINNED_MESH_WITHOUT_SKIN,
                   fmt::format("Mesh {} is bound to joints, but the node has no skin.", *node.mesh));
     }
@@ -70,7 +71,8 @@ class NodeCheck {
 
   void check_skinned(const model::Node& node, const model::Deformation& mesh, const Path& path) {
     // Joints that are there but not in order are reported at the mesh.
-    if (mesh.has_joints || (mesh.names_joints && !context_.khronos())) return;
+    const bool told = mesh.names_joints && !context_.deviations.consequences_are_reported;
+    if (mesh.has_joints || told) return;
     report_link(context_, path, node.skin_value, Code::NODE_SKIN_WITH_NON_SKINNED_MESH,
                 fmt::format("The node has skin {}, but mesh {} has neither JOINTS_0 nor "
                             "WEIGHTS_0.",
@@ -78,10 +80,10 @@ class NodeCheck {
   }
 
   void report_override(const model::ParentOverride& found, const Path& parent) {
-    // A child listed twice by one node is reported as a repeated element.
-    if (found.parent == found.previous && !context_.khronos()) return;
-    // Nor is a loop two faults, one of which is that it meets the tree above it.
-    if (context_.graph.on_loop(found.child) && !context_.khronos()) return;
+    // A child listed twice by one node is reported as a repeated element. Nor is a loop two faults,
+    // one of which is that it meets the tree above it.
+    const bool told = found.parent == found.previous || context_.graph.on_loop(found.child);
+    if (told && !context_.deviations.consequences_are_reported) return;
     const Path children(parent, "children");
     report_link(context_, Path(children, found.position), found.span, Code::NODE_PARENT_OVERRIDE,
                 fmt::format("Node {} is a child of node {} already.", found.child, found.previous));

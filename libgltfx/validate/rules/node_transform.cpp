@@ -63,7 +63,8 @@ void check_matrix(const Context& context, const model::Node& node, const Path& p
                                               "The matrix is the identity."));
     return;
   }
-  const auto reason = why_not_decomposable(*transform.matrix, !context.khronos());
+  const auto reason =
+      why_not_decomposable(*transform.matrix, !context.deviations.matrices_compare_by_norm);
   if (reason.empty()) return;
   context.schema_sink.report(at, finding_on(context, node.matrix, Code::NODE_MATRIX_NON_TRS,
                                             fmt::format("The matrix {}.", reason)));
@@ -94,7 +95,6 @@ std::vector<bool> animated_scales(const Context& context) {
 
 // A scale that an animation begins or ends with is how glTF hides parts for a while.
 void check_scales(const Context& context) {
-  if (context.khronos()) return;
   std::optional<std::vector<bool>> animated;  // made at the first zero
   std::optional<Animated> by_pointer;
   const auto& nodes = context.views.nodes;

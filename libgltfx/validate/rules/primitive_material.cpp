@@ -69,7 +69,8 @@ void check_tangent_space(const Wearing& wearing, const MaterialNeed& need) {
 void check_unused_tangent(const Context& context, const Primitive& primitive, const Path& path) {
   const Attribute* tangent = primitive.find(SemanticKind::tangent);
   if (tangent == nullptr) return;
-  if (!context.khronos() && primitive.find(SemanticKind::normal) == nullptr) return;
+  const bool ignored = primitive.find(SemanticKind::normal) == nullptr;
+  if (ignored && !context.deviations.consequences_are_reported) return;
   report_link(context, Path(path, tangent->name), tangent->value, Code::UNUSED_MESH_TANGENT,
               "TANGENT is not used: the material has no texture in tangent space.");
 }
@@ -87,22 +88,21 @@ void check_unused_texcoords(const Context& context, const TexCoords& texcoords, 
 void MaterialCheck::check_variants() {
   const Context& context = state_.context;
   SeenVariants seen;
-  for_each_mapping(context, state_.active, primitive_.node, path_,
-                   [&](json::NodeId mapping, std::uint64_t index, const Path& at) {
-                     if (!check_variants_exist(context, mapping, at)) return;
-                     check_unique_variants(context, mapping, index, at, seen);
-                     const json::NodeId value = context.document.find(mapping, "material");
-                     report_references(context, value);
-                     const auto material =
-                         context.asset.index(mapping, "material", model::RootArray::materials);
-                     if (!material) return;
-                     const MaterialNeed& need = state_.materials.of(*material);
-                     const Path place(at, "material");
-                     check_texcoords({state_, primitive_, value, place}, need, texcoords_);
-                     // A quirk that parity needs: tangents that only a variant's material uses
-                     // count as unused.
-                     tangent_space_ = tangent_space_ || (need.tangent_space && !context.khronos());
-                   });
+  for_each_mapping(
+      context, state_.active, primitive_.node, path_,
+      [&](json::NodeId mapping, std::uint64_t index, const Path& at) {
+        if (!check_variants_exist(context, mapping, at)) return;
+        check_unique_variants(context, mapping, index, at, seen);
+        const json::NodeId value = context.document.find(mapping, "material");
+        report_references(context, value);
+        const auto material = context.asset.index(mapping, "material", model::RootArray::materials);
+        if (!material) return;
+        const MaterialNeed& need = state_.materials.of(*material);
+        const Path place(at, "material");
+        check_texcoords({state_, primitive_, value, place}, need, texcoords_);
+        tangent_space_ = tangent_space_ ||
+                         (need.tangent_space && !context.deviations.fewer_materials_need_tangents);
+      });
 }
 
 void MaterialCheck::check_material() {

@@ -40,7 +40,6 @@ void check_node(const Context& context, const model::Node& node, const Path& pat
 }
 
 void check_nodes(const Context& context) {
-  if (context.khronos()) return;
   const Path root;
   const Path list(root, "nodes");
   const auto& nodes = context.views.nodes;
@@ -51,7 +50,7 @@ void check_nodes(const Context& context) {
 
 const Family& quantization_family() {
   static constexpr LinkRule kLinkRules[] = {check_nodes};
-  static constexpr Family family{.order = 400, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 400, .additional = true, .link_rules = kLinkRules};
   return family;
 }
 

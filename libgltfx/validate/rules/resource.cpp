@@ -21,8 +21,8 @@ void report(const Context& context, const Path& path, json::NodeId value, Code c
   context.schema_sink.report(path, std::move(finding));
 }
 
-// The Khronos validator takes an image whose type is not that of its data URI for a fault of the
-// URI; otherwise it is one of the image, and found when that is read.
+// An image whose type is not that of its data URI is a fault of the URI; otherwise it is one of the
+// image, and found when that is read.
 void check_image_type(const Context& context, json::NodeId value, const Path& path,
                       std::string_view media_type, const container::Bytes& data) {
   const image::Sniffed sniffed = image::sniff(data.view());
@@ -48,7 +48,7 @@ void check_data_uri(const Context& context, json::NodeId value, const Path& path
   }
   if (!uri->decoded) {
     report(context, path, value, Code::INVALID_URI, uri->decoded.error().message);
-  } else if (!buffer && context.khronos()) {
+  } else if (!buffer && context.deviations.mistyped_data_uris_are_dropped) {
     check_image_type(context, value, path, type, *uri->decoded);
   }
 }
@@ -68,7 +68,7 @@ void check_uri(const Context& context, json::NodeId object, const Path& path, bo
            fmt::format("{} is no URI: {}.", gltfx::quoted(text), uri.problem));
   }
   if (uri.kind == container::UriKind::non_relative) {
-    const bool outside = uri.local && !context.khronos();
+    const bool outside = uri.local && !context.deviations.refused_files_have_no_code;
     report(
         context, at, value, outside ? Code::URI_OUTSIDE_ROOT : Code::NON_RELATIVE_URI,
         fmt::format("{} is no relative path; it is not looked up.", gltfx::quoted(uri.normalized)));

@@ -14,7 +14,7 @@ constexpr std::size_t kNoGroup = SIZE_MAX;
 using Target = std::pair<std::uint64_t, std::string>;  // node, path
 
 std::optional<Target> target_of(const Context& context, const model::AnimationChannel& channel) {
-  if (context.khronos()) {
+  if (context.deviations.targets_compare_as_written) {
     const auto node = model::unsigned_member(context.document, channel.target, "node");
     if (!node) return std::nullopt;
     return Target{*node, model::string_member(context.document, channel.target, "path")};
@@ -27,7 +27,8 @@ std::optional<Target> target_of(const Context& context, const model::AnimationCh
 }  // namespace
 
 SameTargets::SameTargets(const Context& context, const model::Animation& animation)
-    : all_(context.khronos()), left_(std::max<std::size_t>(1000, animation.channels.size())) {
+    : all_(context.deviations.each_fault_is_listed),
+      left_(std::max<std::size_t>(1000, animation.channels.size())) {
   std::map<Target, std::size_t> known;
   for (std::size_t i = 0; i < animation.channels.size(); ++i) {
     const auto target = target_of(context, animation.channels[i]);

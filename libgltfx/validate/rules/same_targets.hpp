@@ -15,12 +15,12 @@ namespace gltfx::validate {
 
 class SameTargets {
  public:
-  /// By nodes that are there and properties that nodes have. In the khronos profile by what the
-  /// target says, whether or not it leads anywhere.
+  /// By nodes that are there and properties that nodes have;
+  /// Deviations::targets_compare_as_written.
   SameTargets(const Context& context, const model::Animation& animation);
 
-  /// Channels behind `channel` that have its target: the next one, and in the khronos profile all
-  /// of them as long as there are not too many.
+  /// Channels behind `channel` that have its target: the next one;
+  /// Deviations::each_fault_is_listed: all of them as long as there are not too many.
   std::vector<std::size_t> behind(std::size_t channel);
 
  private:

@@ -36,8 +36,7 @@ std::string roots_fault(const Context& context, json::NodeId list) {
 
 void check_single_root(const Context& context) {
   const auto& used = context.checked.extensions_used;
-  if (context.khronos() || std::find(used.begin(), used.end(), kSingleRootExtension) == used.end())
-    return;
+  if (std::find(used.begin(), used.end(), kSingleRootExtension) == used.end()) return;
   const json::Document& document = context.document;
   const Path root;
   const Path scenes(root, "scenes");
@@ -71,7 +70,7 @@ void check_single_root(const Context& context) {
 
 const Family& single_root_family() {
   static constexpr LinkRule kLinkRules[] = {check_single_root};
-  static constexpr Family family{.order = 540, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 540, .additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -40,16 +40,22 @@ class SkinCheck {
     }
     check_matrices(skin, path);
     report_references(context_, skin.skeleton_value);
-    if (skin.skeleton && (common || context_.khronos())) check_skeleton(skin, path);
+    const bool told = !common;
+    if (skin.skeleton && (!told || context_.deviations.consequences_are_reported)) {
+      check_skeleton(skin, path);
+    }
   }
 
   bool may_judge_joints(const model::Skin& skin) const {
     if (skin.joint_count == 0) return false;
-    return context_.khronos() || skin.joint_nodes.size() == skin.joint_count;
+    return context_.deviations.broken_values_are_absent ||
+           skin.joint_nodes.size() == skin.joint_count;
   }
 
   bool have_common_root(const std::vector<model::NodeIndex>& joints) const {
-    if (context_.khronos()) return !model::joints_of_last_root(joints, context_.graph).empty();
+    if (context_.deviations.common_root_starts_anew) {
+      return !model::joints_of_last_root(joints, context_.graph).empty();
+    }
     for (const model::NodeIndex joint : joints) {
       if (context_.graph.component(joint) != context_.graph.component(joints.front())) return false;
     }
@@ -81,12 +87,13 @@ class SkinCheck {
              fmt::format("Buffer view {} of the inverse bind matrices has a byteStride.",
                          *accessor.buffer_view));
     }
-    if ((accessor.format.known() || context_.khronos()) && accessor.format != kInverseBindMatrix) {
+    const bool judged = accessor.format.known() || context_.deviations.unknown_formats_are_judged;
+    if (judged && accessor.format != kInverseBindMatrix) {
       report(path, kMember, place, Code::SKIN_IBM_INVALID_FORMAT,
              fmt::format("Accessor {} is {} instead of {}.", *skin.inverse_bind_matrices,
                          format_text(accessor.format), format_text(kInverseBindMatrix)));
     }
-    if (!accessor.count && !context_.khronos()) return;
+    if (!accessor.count && !context_.deviations.missing_integers_are_minus_one) return;
     if (accessor.count.value_or(0) < skin.joint_count) {
       report(path, kMember, place, Code::INVALID_IBM_ACCESSOR_COUNT,
              fmt::format("There are {} inverse bind matrices for {} joints.",
@@ -96,10 +103,10 @@ class SkinCheck {
 
   void check_skeleton(const model::Skin& skin, const Path& path) {
     const model::NodeIndex root = *skin.skeleton;
-    const bool khronos = context_.khronos();
-    const auto joints = khronos ? model::joints_of_last_root(skin.joint_nodes, context_.graph)
-                                : std::span(skin.joint_nodes);
-    if (khronos && joints.empty()) {
+    const bool anew = context_.deviations.common_root_starts_anew;
+    const auto joints = anew ? model::joints_of_last_root(skin.joint_nodes, context_.graph)
+                             : std::span(skin.joint_nodes);
+    if (anew && joints.empty()) {
       report(path, "skeleton", skin.skeleton_value, Code::SKIN_SKELETON_INVALID,
              fmt::format("Node {} is above no joints that have a common root.", root));
     }

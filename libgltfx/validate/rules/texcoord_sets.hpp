@@ -14,8 +14,7 @@ namespace gltfx::validate {
 /// The texture coordinates of a primitive, and which of them some material reads.
 class TexCoords {
  public:
-  TexCoords(const Context& context, const model::Primitive& primitive)
-      : khronos_(context.khronos()) {
+  TexCoords(const Context& context, const model::Primitive& primitive) {
     std::uint64_t highest = 0;
     for (const model::Attribute& attribute : primitive.attributes) {
       if (attribute.semantic.kind != model::SemanticKind::texcoord) continue;
@@ -25,8 +24,8 @@ class TexCoords {
     std::sort(sets_.begin(), sets_.end(), [](const Set& a, const Set& b) {
       return a.attribute->semantic.set < b.attribute->semantic.set;
     });
-    // The Khronos validator counts sets that have a gap as none.
-    if (khronos_ && !sets_.empty() && highest != sets_.size() - 1) sets_.clear();
+    const bool gap = !sets_.empty() && highest != sets_.size() - 1;
+    if (gap && context.deviations.sets_with_gaps_are_empty) sets_.clear();
   }
 
   struct Set {
@@ -48,7 +47,6 @@ class TexCoords {
   const std::vector<Set>& sets() const { return sets_; }
 
  private:
-  bool khronos_;
   std::vector<Set> sets_;  // by number
 };
 

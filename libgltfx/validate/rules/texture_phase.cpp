@@ -90,7 +90,8 @@ void check_texture_slots(const Context& context, const model::ResourceData& reso
                          FileReport& report) {
   const bool every_image =
       pixel_level(context.options) == PixelLevel::all && !resources.images.empty();
-  if (context.khronos() || (context.checked.slots.empty() && !every_image)) return;
+  if (context.deviations.no_additional_rules) return;
+  if (context.checked.slots.empty() && !every_image) return;
   const Animated animated(context);
   const std::vector<TextureSlot> slots = texture_slots(context, animated);
   PixelSource pixels(resources);

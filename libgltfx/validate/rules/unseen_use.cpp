@@ -4,7 +4,7 @@
 namespace gltfx::validate {
 
 std::string_view unseen_user(const Context& context) {
-  if (context.khronos()) return {};
+  if (context.deviations.unsupported_extensions_are_skipped) return {};
   for (const std::string& name : context.checked.extensions_seen) {
     if (context.schemas.find_extension(name) == schema::kNone) return name;
   }

@@ -52,8 +52,8 @@ void mark_animated(const Context& context, json::NodeId animation, std::vector<b
   }
 }
 
-// For the Khronos validator the root of a skeleton is no use of a node.
-std::vector<bool> nodes_khronos_counts_as_used(const Context& context) {
+// The root of a skeleton is no use of a node.
+std::vector<bool> nodes_in_fewer_uses(const Context& context) {
   std::vector<bool> used(context.asset.count(RootArray::nodes));
   for (const json::NodeId scene : context.asset.elements(RootArray::scenes)) {
     mark_nodes(context, scene, "nodes", used);
@@ -70,8 +70,8 @@ std::vector<bool> nodes_khronos_counts_as_used(const Context& context) {
   return used;
 }
 
-// Nor does it follow accessors that lack what it takes to measure them.
-std::vector<bool> views_khronos_counts_as_used(const Context& context) {
+// Nor is an accessor one of its view when it lacks what it takes to measure it.
+std::vector<bool> views_in_fewer_uses(const Context& context) {
   std::vector<bool> used(context.views.buffer_views.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
     used[i] = context.views.usage.view(static_cast<std::uint32_t>(i)).used;
@@ -94,16 +94,17 @@ void check_array(const Context& context, RootArray array) {
   const std::string_view name = model::root_array_name(array);
   const schema::TargetArray* target = context.checked.target(fmt::format("/{}", name));
   const bool nodes = array == RootArray::nodes;
-  const bool own_count = context.khronos() && (nodes || array == RootArray::buffer_views);
-  const std::vector<bool> used = !own_count ? std::vector<bool>()
-                                 : nodes    ? nodes_khronos_counts_as_used(context)
-                                            : views_khronos_counts_as_used(context);
+  const bool fewer =
+      context.deviations.fewer_uses_count && (nodes || array == RootArray::buffer_views);
+  const std::vector<bool> used = !fewer  ? std::vector<bool>()
+                                 : nodes ? nodes_in_fewer_uses(context)
+                                         : views_in_fewer_uses(context);
   const Path root;
   const Path path(root, name);
   const auto& objects = context.asset.elements(array);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == json::kNoNode) continue;
-    if (own_count ? used[i] : target == nullptr || target->used.contains(i)) continue;
+    if (fewer ? used[i] : target == nullptr || target->used.contains(i)) continue;
     report_unused(context, Path(path, static_cast<std::uint64_t>(i)), objects[i]);
   }
 }
@@ -154,9 +155,8 @@ void check_mesh_weights(const Context& context) {
     if (!node.mesh) continue;
     Uses& use = uses[*node.mesh];
     use.any = true;
-    // The Khronos validator only looks at the weights of nodes whose mesh has primitives.
     const bool bare = context.document.find(meshes[*node.mesh], "primitives") == json::kNoNode;
-    if (bare && context.khronos()) continue;
+    if (bare && context.deviations.fewer_uses_count) continue;
     if (node.weights == json::kNoNode) use.with_own_weights = false;
   }
   const Path root;

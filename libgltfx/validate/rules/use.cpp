@@ -24,7 +24,8 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
   if (!wants_target || first.place != place) return;
   // Indices in a view with a stride have another fault, which a target would not mend.
   const bool strided = context.views.buffer_views[view].byte_stride.has_value();
-  if (strided && kind == model::ViewUse::indices && !context.khronos()) return;
+  const bool told = strided && kind == model::ViewUse::indices;
+  if (told && !context.deviations.consequences_are_reported) return;
   report_link(context, path, place, Code::BUFFER_VIEW_TARGET_MISSING,
               fmt::format("View {} holds {}, but has no target.", view, model::use_text(kind)),
               fmt::format("add \"target\": {} to buffer view {}",

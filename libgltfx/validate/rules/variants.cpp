@@ -23,9 +23,10 @@ json::NodeId variant_mappings(const Context& context, const ActiveExtensions& ac
   return usable ? mappings : json::kNoNode;
 }
 
-// In other profiles the index of the variant is reported.
+// Otherwise the index of the variant is reported.
 bool check_variants_exist(const Context& context, json::NodeId mapping, const Path& path) {
-  return !context.khronos() || check_root_extension(context, kVariantsExtension, mapping, path);
+  return !context.deviations.root_extension_is_a_dependency ||
+         check_root_extension(context, kVariantsExtension, mapping, path);
 }
 
 // A repeat inside one mapping is one in an array of unique elements, which the schema reports.
@@ -39,7 +40,8 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
     if (!number.is_integer() || number.value < 0) return;
     const auto variant = static_cast<std::uint64_t>(number.value);
     const auto [first, is_new] = seen.emplace(variant, index);
-    if (!is_new && (first->second != index || context.khronos())) {
+    const bool told = first->second == index;
+    if (!is_new && (!told || context.deviations.consequences_are_reported)) {
       report_link(context, Path(array, element), number.span,
                   Code::KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT,
                   fmt::format("Variant {} already has the material of mapping {}.", variant,

@@ -18,7 +18,8 @@ inline constexpr std::string_view kVariantsExtension = "KHR_materials_variants";
 json::NodeId variant_mappings(const Context& context, const ActiveExtensions& active,
                               json::NodeId primitive);
 
-/// In the khronos profile, reports a mapping in an asset that has no variants. True when there are.
+/// Reports a mapping in an asset that has no variants, where
+/// Deviations::root_extension_is_a_dependency. True when there are some.
 bool check_variants_exist(const Context& context, json::NodeId mapping, const Path& path);
 
 /// Variants of one primitive by the index of the mapping that had them first.

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "validate/context.hpp"
-#include "validate/link_order.hpp"
+#include "validate/khronos/link_order.hpp"
 
 namespace gltfx::validate {
 

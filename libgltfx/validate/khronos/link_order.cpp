@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/link_order.hpp"
+#include "validate/khronos/link_order.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/khronos_view.hpp"
+#include "validate/khronos/view.hpp"
 
 #include <initializer_list>
 #include <unordered_map>
@@ -31,7 +31,8 @@ const Rules& rules() {
         all.before[entry.type].push_back(entry);
       }
       for (const ObjectRuleEntry& entry : family.object_rules) {
-        if (!entry.behind.empty()) all.behind[entry.type].push_back(entry);
+        if (entry.runs != Runs::otherwise && !entry.behind.empty())
+          all.behind[entry.type].push_back(entry);
       }
       all.entries.insert(all.entries.end(), family.map_rules.begin(), family.map_rules.end());
     }
@@ -137,7 +138,7 @@ schema::CheckResult check_as_khronos(Context& context, json::Document& document,
   Reader reader(context);
   schema::NoFindings none;
   schema::CheckOptions form;
-  form.scope = schema::Scope::khronos;
+  form.deviations = context.deviations;
   form.part = schema::Part::form;
   form.shown = &document;
   form.members = &reader;
@@ -146,7 +147,7 @@ schema::CheckResult check_as_khronos(Context& context, json::Document& document,
   if (result.stopped_at_asset || !document.is_object(document.root())) return result;
   Unlinking(context, document).run();
   schema::CheckOptions references;
-  references.scope = schema::Scope::khronos;
+  references.deviations = context.deviations;
   references.part = schema::Part::references;
   return schema::check(document, context.schemas, references, none, order.held());
 }
