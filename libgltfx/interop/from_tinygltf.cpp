@@ -13,9 +13,9 @@
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "container/pieces.hpp"
+#include "edit/glb_rewrite.hpp"
 #include "interop/model_text.hpp"
 #include "interop/stored_bytes.hpp"
-#include "upgrade/glb_rewrite.hpp"
 #include "validate/validator.hpp"
 
 namespace gltfx {
@@ -56,7 +56,7 @@ class Serialization {
     if (!glb || !notes_.error().empty()) return;
     const container::Container frame =
         container::open_bytes(container::Bytes::from_string(empty_glb()));
-    auto whole = upgrade::rewrite_glb(frame, asset.bytes, {stored.take_bin(), {}});
+    auto whole = edit::rewrite_glb(frame, asset.bytes, {stored.take_bin(), {}});
     if (whole) {
       asset.bytes = container::join(*whole);
     } else {

@@ -15,24 +15,24 @@
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "container/pieces.hpp"
+#include "edit/companions.hpp"
+#include "edit/diff.hpp"
+#include "edit/orphans.hpp"
+#include "edit/prune.hpp"
+#include "edit/references.hpp"
+#include "edit/rewrite.hpp"
+#include "edit/write_asset.hpp"
 #include "json/parse.hpp"
-#include "pipeline/companions.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/patch_path.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "pipeline/upgraded_asset.hpp"
-#include "pipeline/write_upgrade.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/ambiguity.hpp"
 #include "upgrade/asset_pictures.hpp"
-#include "upgrade/diff.hpp"
-#include "upgrade/glb_rewrite.hpp"
 #include "upgrade/old_format.hpp"
-#include "upgrade/orphans.hpp"
 #include "upgrade/plan.hpp"
-#include "upgrade/prune.hpp"
-#include "upgrade/references.hpp"
 #include "upgrade/render.hpp"
 #include "upgrade/settlement.hpp"
 
@@ -125,7 +125,7 @@ class Upgrade {
     edits_ = std::move(plan.edits);
     if (report_.due() == 0) return true;
     if (ambiguity) return fail(UpgradeProblem::refused, *ambiguity);
-    if (const auto obstacle = upgrade::find_glb_obstacle(container_); obstacle && !edits_.empty()) {
+    if (const auto obstacle = edit::find_glb_obstacle(container_); obstacle && !edits_.empty()) {
       return fail(UpgradeProblem::refused, "it cannot be written anew: " + *obstacle);
     }
     report_.changes = !edits_.empty() || !plan.additions.empty();
@@ -152,7 +152,7 @@ class Upgrade {
   // No patch changes the JSON inside a binary file: there the diff is a comment of one.
   std::string diff_text() const {
     const bool is_text = container_.format == container::Format::gltf;
-    return upgrade::unified_diff(*container_.json, edits_, patch_path(path_), is_text ? "" : "# ");
+    return edit::unified_diff(*container_.json, edits_, patch_path(path_), is_text ? "" : "# ");
   }
 
   bool settle(const upgrade::Additions& additions, const upgrade::AssetBytes& bytes,
@@ -171,7 +171,7 @@ class Upgrade {
     edits_ = json::merge_edits(std::move(edits_), std::move(settled->edits));
     bin_.more = std::move(settled->bin);
     files_ = std::move(settled->files);
-    for (const upgrade::NewFile& file : files_) report_.new_files.push_back(file.path);
+    for (const edit::NewFile& file : files_) report_.new_files.push_back(file.path);
     return true;
   }
 
@@ -179,10 +179,10 @@ class Upgrade {
   void look_for_orphans(const std::vector<std::uint64_t>& released, upgrade::AssetBytes& bytes) {
     const std::string text = json::apply_edits(*container_.json, edits_);
     const json::Parsed now = json::parse(std::string_view(text));
-    const upgrade::References before(parsed_.document, *schemas_);
-    const upgrade::References after(now.document, *schemas_);
-    const upgrade::Orphans orphans =
-        upgrade::find_orphans(parsed_.document, before, released, now.document, after);
+    const edit::References before(parsed_.document, *schemas_);
+    const edit::References after(now.document, *schemas_);
+    const edit::Orphans orphans =
+        edit::find_orphans(parsed_.document, before, released, now.document, after);
     for (const auto& [array, indices] : orphans) {
       for (const std::uint64_t index : indices) {
         UpgradeOrphan orphan{fmt::format("/{}/{}", array, index), 0, false};
@@ -198,11 +198,11 @@ class Upgrade {
     return content ? content->size() : 0;
   }
 
-  void prune(const json::Document& now, const upgrade::References& references,
-             const upgrade::Orphans& orphans, const upgrade::AssetBytes& bytes) {
+  void prune(const json::Document& now, const edit::References& references,
+             const edit::Orphans& orphans, const upgrade::AssetBytes& bytes) {
     std::optional<std::uint64_t> bin_size;
     if (bytes.buffer_storage(0) == upgrade::Storage::bin_chunk) bin_size = container_.bin->length;
-    auto pruned = upgrade::prune(now, references, orphans, bin_size);
+    auto pruned = edit::prune(now, references, orphans, bin_size);
     if (!pruned) {
       report_.orphans_kept = pruned.error().message;
       return;
@@ -222,10 +222,10 @@ class Upgrade {
             : here.fault != container::ResolveFault::not_found) {
       return false;
     }
-    const fs::path there = target_folder(path_, options_) / path;
+    const fs::path there = edit::target_folder(path_, options_.output) / path;
     std::error_code fault;
     return !fs::exists(fs::symlink_status(there, fault)) ||
-           has_bytes(there, {std::as_bytes(std::span(content)), nullptr});
+           edit::has_bytes(there, {std::as_bytes(std::span(content)), nullptr});
   }
 
   bool wants_to_write() const {
@@ -240,12 +240,14 @@ class Upgrade {
   void write() {
     Pieces pieces{container_.bytes};
     if (report_.changes && !rebuild(pieces)) return;
-    const UpgradeSource source{path_, state_, container_, parsed_.document, resolver_};
+    const edit::OldAsset source{path_, state_, container_, parsed_.document, resolver_};
     const auto check = [this](const container::Container& written) { return new_fault(written); };
-    const auto failure = write_upgrade(source, options_, files_, pieces,
-                                       report_.changes ? UpgradeCheck(check) : nullptr);
+    const auto failure =
+        edit::write_asset(source, {options_.output, options_.in_place, options_.backup},
+                          {pieces, files_}, report_.changes ? edit::WriteCheck(check) : nullptr);
     if (failure) {
-      fail(failure->problem, failure->error);
+      fail(failure->refused ? UpgradeProblem::refused : UpgradeProblem::not_written,
+           failure->error);
       return;
     }
     report_.written = true;
@@ -257,35 +259,27 @@ class Upgrade {
     return container::Bytes::from_string(container::join(pieces));
   }
 
-  // A plan is judged as what is written is. Where the BIN chunk stays, it need not be copied.
+  // A plan is judged as what is written is.
   void try_out() {
-    container::Container changed = container_;
-    if (container_.format == container::Format::glb && !bin_.empty()) {
-      Pieces pieces;
-      if (!rebuild(pieces)) return;
-      changed = container::open_bytes(joined(std::move(pieces)), path_);
+    const auto changed = edit::rewritten(container_, edits_, bin_, path_);
+    if (changed) {
+      is_no_worse(*changed);
     } else {
-      changed.json = share_text(json::apply_edits(*container_.json, edits_));
+      fail(UpgradeProblem::refused, changed.error().message);
     }
-    is_no_worse(changed);
   }
 
   bool rebuild(Pieces& pieces) {
-    std::string json = json::apply_edits(*container_.json, edits_);
-    if (container_.format == container::Format::gltf) {
-      pieces = {container::Bytes::from_string(std::move(json))};
-      return true;
-    }
-    auto glb = upgrade::rewrite_glb(container_, json, bin_);
-    if (!glb) return fail(UpgradeProblem::refused, glb.error().message);
-    pieces = *std::move(glb);
+    auto rewritten = edit::rewrite(container_, edits_, bin_);
+    if (!rewritten) return fail(UpgradeProblem::refused, rewritten.error().message);
+    pieces = *std::move(rewritten);
     return true;
   }
 
   container::Resolver with_new_files() const {
     container::Resolver resolver = resolver_;
-    for (const upgrade::NewFile& file : files_) {
-      resolver.add(file.path, content_of(file));
+    for (const edit::NewFile& file : files_) {
+      resolver.add(file.path, file.content());
     }
     return resolver;
   }
@@ -316,8 +310,8 @@ class Upgrade {
   container::Container container_;
   json::Parsed parsed_;
   std::vector<json::Edit> edits_;
-  upgrade::BinChange bin_;
-  std::vector<upgrade::NewFile> files_;  ///< that the new document refers to
+  edit::BinChange bin_;
+  std::vector<edit::NewFile> files_;  ///< that the new document refers to
   UpgradeReport report_;
 };
 

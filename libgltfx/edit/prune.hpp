@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "edit/glb_rewrite.hpp"
+#include "edit/orphans.hpp"
 #include "json/edit.hpp"
-#include "upgrade/glb_rewrite.hpp"
-#include "upgrade/orphans.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 struct Pruned {
   std::vector<json::Edit> edits;  ///< as json::Editor::take() gives them
@@ -28,4 +28,4 @@ struct Pruned {
 Result<Pruned> prune(const json::Document& document, const References& references,
                      const Orphans& orphans, std::optional<std::uint64_t> bin_size);
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/pointers.hpp"
+#include "edit/pointers.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include "base/json_pointer.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 std::string element_key(std::string_view array, std::string_view index) {
@@ -61,4 +61,4 @@ bool Pointers::lead_below(std::string_view array, std::string_view index,
   return !below(array, index, steps).empty();
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

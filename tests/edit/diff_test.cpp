@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/diff.hpp"
+#include "edit/diff.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 std::string diff(const std::string& text, const std::vector<json::Edit>& edits) {
@@ -105,4 +105,4 @@ TEST(Diff, OfRandomEditsLeadsToTheNewText) {
 }
 
 }  // namespace
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

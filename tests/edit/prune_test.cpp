@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Orphans go, indices behind them move up, and of a BIN chunk only whole words that nobody needs.
-#include "upgrade/prune.hpp"
+#include "edit/prune.hpp"
 
 #include <gmock/gmock.h>
 
-#include "support.hpp"
+#include "json/parse.hpp"
+#include "schema/compile.hpp"
 
-namespace gltfx::upgrade::test {
+namespace gltfx::edit {
 namespace {
 
 using testing::ElementsAre;
@@ -147,4 +148,4 @@ TEST(Prune, AVendorsExtensionMayReferToTheBuffer) {
 }
 
 }  // namespace
-}  // namespace gltfx::upgrade::test
+}  // namespace gltfx::edit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/glb_rewrite.hpp"
+#include "edit/glb_rewrite.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "base/codes.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 constexpr std::size_t kHeader = 12;
@@ -123,4 +123,4 @@ Result<Pieces> rewrite_glb(const container::Container& container, std::string_vi
   return pieces;
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

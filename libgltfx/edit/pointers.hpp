@@ -10,7 +10,7 @@
 
 #include "json/document.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 /// A string that is a pointer into a root array, or a template of some ("/materials/{i}/...").
 struct PointerUse {
@@ -39,4 +39,4 @@ class Pointers {
   std::unordered_map<std::string, std::vector<std::size_t>> by_element_;
 };
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/orphans.hpp"
+#include "edit/orphans.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 using Indices = std::set<std::uint64_t>;
@@ -60,4 +60,4 @@ Orphans find_orphans(const json::Document& before, const References& before_refe
   return orphans;
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

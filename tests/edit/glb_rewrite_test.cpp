@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/glb_rewrite.hpp"
+#include "edit/glb_rewrite.hpp"
 
 #include <string>
 
@@ -9,7 +9,7 @@
 #include "container/glb_builder.hpp"
 #include "container/pieces.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 using container::Bytes;
@@ -121,4 +121,4 @@ TEST(GlbRewrite, WhereChunksCannotBeToldApartNothingIsWritten) {
 }
 
 }  // namespace
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

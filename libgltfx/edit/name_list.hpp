@@ -10,7 +10,7 @@
 
 #include "json/edit.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 /// One list of names in the root. Changes are collected and then made together, because a list that
 /// loses all of its names goes itself.
@@ -42,4 +42,4 @@ class NameList {
   std::vector<Entry> entries_;
 };
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -9,7 +9,7 @@
 #include "json/document.hpp"
 #include "schema/set.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 /// What an extension's object has beside the members of its own type: its `extras` unless they are
 /// empty, the extensions on it, and members that the type does not have. In the order of the text,
@@ -31,4 +31,4 @@ std::vector<std::string> foreign_content(const json::Document& document, const s
 std::map<std::string, json::NodeId> extensions_taken_out(const json::Document& document,
                                                          std::vector<json::NodeId> values);
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/references.hpp"
+#include "edit/references.hpp"
 
 #include "schema/check.hpp"
 #include "schema/no_findings.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 std::string first_unknown(const schema::CheckResult& result, const schema::Set& set) {
@@ -33,4 +33,4 @@ const std::vector<Reference>& References::to(std::string_view array) const {
   return found == by_array_.end() ? kNone : found->second;
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/removal.hpp"
+#include "edit/removal.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 #include "base/text.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 constexpr std::string_view kExtras = "extras";
@@ -117,4 +117,4 @@ std::map<std::string, json::NodeId> extensions_taken_out(const json::Document& d
   return found;
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -11,7 +11,7 @@
 #include "container/resolver.hpp"
 #include "json/document.hpp"
 
-namespace gltfx {
+namespace gltfx::edit {
 
 /// The files that a document refers to, relative to its folder, as container::Uri::path has them:
 /// members called "uri", wherever extensions put them; extras are nobody's business.
@@ -34,4 +34,4 @@ std::optional<Error> copy_companions(const json::Document& document,
                                      const container::Resolver& resolver,
                                      const std::filesystem::path& folder);
 
-}  // namespace gltfx
+}  // namespace gltfx::edit

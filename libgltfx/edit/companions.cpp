@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pipeline/companions.hpp"
+#include "edit/companions.hpp"
 
 #include <string>
 #include <system_error>
@@ -14,7 +14,7 @@
 #include "container/pieces.hpp"
 #include "container/uri.hpp"
 
-namespace gltfx {
+namespace gltfx::edit {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ std::optional<Error> copy_companions(const json::Document& document,
   return std::nullopt;
 }
 
-}  // namespace gltfx
+}  // namespace gltfx::edit

@@ -11,7 +11,7 @@
 #include "json/document.hpp"
 #include "schema/set.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 /// An index as it stands in the text.
 struct Reference {
@@ -34,4 +34,4 @@ class References {
   std::string unknown_;
 };
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/name_list.hpp"
+#include "edit/name_list.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 #include "json/writer.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 std::string json_string(std::string_view text) {
@@ -94,4 +94,4 @@ void NameList::apply(json::Editor& editor) const {
   }
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -11,7 +11,7 @@
 #include "base/result.hpp"
 #include "container/container.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 /// Bytes [begin, end).
 struct ByteRange {
@@ -37,4 +37,4 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 Result<std::vector<container::Bytes>> rewrite_glb(const container::Container& container,
                                                   std::string_view json, const BinChange& bin = {});
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -8,7 +8,7 @@
 
 #include "json/edit.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 /// What `edits` (as for json::apply_edits()) do to `text`, with three lines of context, as patch
 /// and git read it. `name` is the file's, quoted as git does where it has to be; `mark` stands
@@ -16,4 +16,4 @@ namespace gltfx::upgrade {
 std::string unified_diff(std::string_view text, std::span<const json::Edit> edits,
                          std::string_view name, std::string_view mark = {});
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "edit/references.hpp"
 #include "json/document.hpp"
 #include "schema/set.hpp"
-#include "upgrade/references.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 
 /// Indices by root array: "textures", "images", "bufferViews". Each was referred to before.
 using Orphans = std::map<std::string, std::set<std::uint64_t>>;
@@ -24,4 +24,4 @@ Orphans find_orphans(const json::Document& before, const References& before_refe
                      const std::vector<std::uint64_t>& released, const json::Document& now,
                      const References& now_references);
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

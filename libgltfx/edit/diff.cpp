@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/diff.hpp"
+#include "edit/diff.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 using Lines = std::vector<std::string_view>;
@@ -181,4 +181,4 @@ std::string unified_diff(std::string_view text, std::span<const json::Edit> edit
                 mark);
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade/prune.hpp"
+#include "edit/prune.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -11,14 +11,12 @@
 
 #include "base/json_pointer.hpp"
 #include "base/text.hpp"
+#include "edit/name_list.hpp"
+#include "edit/pointers.hpp"
+#include "edit/removal.hpp"
 #include "json/writer.hpp"
-#include "model/asset.hpp"
-#include "model/buffer_view.hpp"
-#include "upgrade/name_list.hpp"
-#include "upgrade/pointers.hpp"
-#include "upgrade/removal.hpp"
 
-namespace gltfx::upgrade {
+namespace gltfx::edit {
 namespace {
 
 using Indices = std::set<std::uint64_t>;
@@ -155,20 +153,38 @@ class Pruner {
     bool gone;
   };
 
+  std::optional<std::uint64_t> number(json::NodeId object, std::string_view member) const {
+    const json::NodeId value = document_.find(object, member);
+    return value == json::kNoNode ? std::nullopt : document_.unsigned_integer(value);
+  }
+
+  std::vector<json::NodeId> buffers_of_document() const {
+    std::vector<json::NodeId> buffers;
+    const json::NodeId nodes = list("buffers");
+    if (nodes == json::kNoNode || document_.kind(nodes) != json::Kind::array) return buffers;
+    for (const json::NodeId buffer : document_.elements(nodes)) buffers.push_back(buffer);
+    return buffers;
+  }
+
   // Nothing where something beside plain buffer views refers to the buffer.
   std::optional<std::vector<View>> views_of_bin() const {
     const auto found = orphans_.find("bufferViews");
     if (found == orphans_.end() || found->second.empty()) return std::nullopt;
-    const model::Asset asset(document_);
+    const json::NodeId list_of_views = list("bufferViews");
+    if (document_.kind(list_of_views) != json::Kind::array) return std::nullopt;
+    const std::vector<json::NodeId> buffers = buffers_of_document();
     std::vector<View> views;
     std::uint64_t index = 0, references = 0;
-    for (const model::BufferView& view : model::read_buffer_views(asset)) {
+    for (const json::NodeId view : document_.elements(list_of_views)) {
       const bool gone = found->second.count(index++) != 0;
-      if (!view.buffer || !view.byte_length) return std::nullopt;
-      if (document_.find(view.node, "extensions") != json::kNoNode) return std::nullopt;
-      references += *view.buffer == 0 ? 1U : 0U;
-      const std::uint64_t begin = view.byte_offset.value_or(0);
-      if (*view.buffer == 0) views.push_back({view.node, {begin, begin + *view.byte_length}, gone});
+      const auto buffer = number(view, "buffer");
+      const std::uint64_t length = number(view, "byteLength").value_or(0);
+      if (!buffer || *buffer >= buffers.size() || length == 0) return std::nullopt;
+      if (!document_.is_object(buffers[*buffer])) return std::nullopt;
+      if (document_.find(view, "extensions") != json::kNoNode) return std::nullopt;
+      references += *buffer == 0 ? 1U : 0U;
+      const std::uint64_t begin = number(view, "byteOffset").value_or(0);
+      if (*buffer == 0) views.push_back({view, {begin, begin + length}, gone});
     }
     const auto& to_buffers = references_.to("buffers");
     const auto to_bin = std::count_if(to_buffers.begin(), to_buffers.end(),
@@ -214,16 +230,15 @@ class Pruner {
 
   // A buffer keeps at least a byte: else nothing is cut.
   void shorten_buffer() {
-    const model::Asset asset(document_);
-    const json::NodeId length =
-        document_.find(asset.elements(model::RootArray::buffers)[0], "byteLength");
-    const std::uint64_t old = document_.unsigned_integer(length).value_or(0);
+    const json::NodeId buffer = buffers_of_document().front();
+    const std::uint64_t old = number(buffer, "byteLength").value_or(0);
     std::uint64_t left = old;
     for (const ByteRange& range : pruned_.cut) {
       left -= std::min(range.end, old) - std::min(range.begin, old);
     }
     if (left == 0) pruned_.cut.clear();
-    if (left != 0 && left != old) editor_.replace_scalar(length, std::to_string(left));
+    if (left == 0 || left == old) return;
+    editor_.replace_scalar(document_.find(buffer, "byteLength"), std::to_string(left));
   }
 
   void move_views(const std::vector<View>& views) {
@@ -255,4 +270,4 @@ Result<Pruned> prune(const json::Document& document, const References& reference
   return Pruner(document, references, orphans).run(bin_size);
 }
 
-}  // namespace gltfx::upgrade
+}  // namespace gltfx::edit
