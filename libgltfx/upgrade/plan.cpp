@@ -15,6 +15,7 @@
 #include "edit/name_list.hpp"
 #include "edit/removal.hpp"
 #include "json/writer.hpp"
+#include "model/format_version.hpp"
 #include "upgrade/carriers.hpp"
 #include "upgrade/choice.hpp"
 #include "upgrade/context.hpp"
@@ -337,6 +338,12 @@ std::vector<const schema::Extension*> legacy_of(const json::Document& document,
 }
 
 }  // namespace
+
+bool names_legacy(const json::Document& document, const schema::Set& set) {
+  const edit::NameList used(document, "extensionsUsed");
+  const edit::NameList required(document, "extensionsRequired");
+  return model::is_gltf_1(document) || !legacy_of(document, set, used, required).empty();
+}
 
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options, Pictures* pictures, AssetBytes* bytes) {
