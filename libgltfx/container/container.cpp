@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "base/work_count.hpp"
 #include "container/file.hpp"
 #include "container/glb.hpp"
 #include "container/open_file.hpp"
@@ -72,6 +73,7 @@ Result<Container> open_file(const std::filesystem::path& path, const OpenLimits&
 Result<Container> open_file(const File& file, const std::filesystem::path& path,
                             const OpenLimits& limits) {
   if (file.fault != ResolveFault::none) return failure(path, file.fault, file.problem);
+  ++work_count.opened;
   if (file.size > limits.max_bytes) return too_large(path, file.size, limits.max_bytes);
   if (file.size <= kCopyBelow) return copy_whole(file, path);
   const Copied head = copy_range(file.fd.get(), 0, kSniffBytes);

@@ -26,20 +26,20 @@ using model::RootArray;
 /// Everything that is read once and asked by all parts.
 struct Source {
   const model::Asset asset;
-  const model::Views views;
+  const model::Views& views;
   const schema::Set& schemas;
   const Uses uses;
   const model::LoadedResources loaded;
   const ByteCount bytes;
 
-  Source(const container::Container& container, const container::Resolver& resolver,
-         const json::Document& document, const schema::Set& known, unsigned jobs)
-      : asset(document),
-        views(asset),
+  Source(const model::OpenedAsset& opened, const schema::Set& known, unsigned jobs)
+      : asset(opened.document()),
+        views(opened.views()),
         schemas(known),
         uses(find_uses(asset, known)),
-        loaded(model::load_resources(container, resolver, asset, views, jobs)),
-        bytes(count_bytes(container, resolver, asset, views, loaded.data, uses)) {}
+        loaded(model::load_resources(opened.container(), opened.resolver(), asset, views, jobs)),
+        bytes(count_bytes(opened.container(), opened.resolver(), asset, views, loaded.data, uses)) {
+  }
 
   const json::Document& document() const { return asset.document(); }
 };
@@ -237,12 +237,11 @@ std::vector<NamedFacts> lights_of(const Source& source) {
 
 }  // namespace
 
-AssetFacts collect_facts(const container::Container& container, const container::Resolver& resolver,
-                         const json::Document& document, const schema::Set& schemas,
+AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
                          unsigned jobs) {
-  const Source source(container, resolver, document, schemas, jobs);
+  const Source source(opened, schemas, jobs);
   AssetFacts facts;
-  const bool glb = container.format == container::Format::glb;
+  const bool glb = opened.container().format == container::Format::glb;
   facts.mime_type = glb ? "model/gltf-binary" : "model/gltf+json";
   facts.problems = source.loaded.notes;
   facts.files = source.bytes.files;

@@ -4,18 +4,16 @@
 
 #include <gltfx/inspect.hpp>
 
-#include "container/container.hpp"
-#include "container/resolver.hpp"
-#include "json/document.hpp"
+#include "model/opened_asset.hpp"
 #include "schema/set.hpp"
 
 namespace gltfx::inspect {
 
 /// Pure but for the files that the asset refers to, which are opened and, but for headers of images
-/// and compressed geometry, not read. The document is the container's and has a root object. What
-/// is malformed counts as absent, what cannot be read is named in `problems`. Takes time n log n in
-/// the text and the bytes of compressed geometry; nothing recurses.
-AssetFacts collect_facts(const container::Container& container, const container::Resolver& resolver,
-                         const json::Document& document, const schema::Set& schemas, unsigned jobs);
+/// and compressed geometry, not read. The document has a root object. What is malformed counts as
+/// absent, what cannot be read is named in `problems`. Takes time n log n in the text and the bytes
+/// of compressed geometry; nothing recurses.
+AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
+                         unsigned jobs);
 
 }  // namespace gltfx::inspect

@@ -13,10 +13,10 @@
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "container/pieces.hpp"
+#include "edit/glb_rewrite.hpp"
 #include "interop/model_text.hpp"
 #include "interop/stored_bytes.hpp"
-#include "upgrade/glb_rewrite.hpp"
-#include "validate/validator.hpp"
+#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 namespace {
@@ -56,7 +56,7 @@ class Serialization {
     if (!glb || !notes_.error().empty()) return;
     const container::Container frame =
         container::open_bytes(container::Bytes::from_string(empty_glb()));
-    auto whole = upgrade::rewrite_glb(frame, asset.bytes, {stored.take_bin(), {}});
+    auto whole = edit::rewrite_glb(frame, asset.bytes, {stored.take_bin(), {}});
     if (whole) {
       asset.bytes = container::join(*whole);
     } else {
@@ -71,9 +71,10 @@ class Serialization {
     ValidateOptions options;
     options.jobs = options_.jobs;
     options.schemas = options_.schemas;
-    const container::Container opened =
+    container::Container opened =
         container::open_bytes(container::Bytes::from_string(asset.bytes), asset.name);
-    report_.validation = validate::validate(opened, asset.name, resolver, options);
+    validate::ValidatedAsset validated({asset.name, std::move(opened), resolver}, options);
+    report_.validation = validated.take_report();
     if (report_.validation.counts.errors > 0) notes_.fail("the model is no valid glTF");
   }
 

@@ -12,10 +12,10 @@
 #include "interop/decoded_data.hpp"
 #include "interop/image_data.hpp"
 #include "interop/model_text.hpp"
-#include "json/parse.hpp"
 #include "model/fields.hpp"
 #include "model/load_resources.hpp"
 #include "schema/compile.hpp"
+#include "validate/validated_asset.hpp"
 #include "validate/validator.hpp"
 
 namespace gltfx {
@@ -26,39 +26,44 @@ namespace fs = std::filesystem;
 /// One asset on its way into a model.
 class Conversion {
  public:
-  Conversion(const container::Container& container, const std::string& name,
-             const container::Resolver& resolver, const ToTinygltfOptions& options)
-      : container_(container), name_(name), resolver_(resolver), options_(options) {}
+  Conversion(model::OpenedAsset asset, const ToTinygltfOptions& options)
+      : options_(options), asset_(std::move(asset), validate_options(options)) {}
 
   TinygltfReport run(tinygltf::Model& model) {
     tinygltf::Model fresh;
-    if (validate()) convert(fresh);
-    report_.error = notes_.error();
-    report_.notes = notes_.take();
-    report_.done = report_.error.empty();
-    if (report_.done) model = std::move(fresh);
-    return std::move(report_);
+    if (is_convertible()) convert(fresh);
+    TinygltfReport report;
+    report.validation = asset_.take_report();
+    report.error = notes_.error();
+    report.notes = notes_.take();
+    report.done = report.error.empty();
+    if (report.done) model = std::move(fresh);
+    return report;
   }
 
  private:
-  bool validate() {
-    ValidateOptions options;
-    options.root = options_.root;
-    options.jobs = options_.jobs;
-    options.schemas = options_.schemas;
-    report_.validation = validate::validate(container_, name_, resolver_, options);
-    if (report_.validation.counts.errors > 0) notes_.fail("it is not valid");
-    if (report_.validation.unverified > 0) notes_.fail("Git-LFS pointers stand for its files");
-    if (!container_.json) notes_.fail("it holds no glTF");
+  static ValidateOptions validate_options(const ToTinygltfOptions& options) {
+    ValidateOptions wanted;
+    wanted.root = options.root;
+    wanted.jobs = options.jobs;
+    wanted.schemas = options.schemas;
+    return wanted;
+  }
+
+  bool is_convertible() {
+    if (asset_.report().counts.errors > 0) notes_.fail("it is not valid");
+    if (asset_.report().unverified > 0) notes_.fail("Git-LFS pointers stand for its files");
+    if (!asset_.asset().container().json) notes_.fail("it holds no glTF");
     return notes_.error().empty();
   }
 
   void convert(tinygltf::Model& model) {
-    const json::Parsed parsed = json::parse(container_.json);
-    interop::read_model(parsed.document, model, notes_);
-    const model::Asset asset(parsed.document);
-    const model::Views views(asset);
-    const auto loaded = model::load_resources(container_, resolver_, asset, views, options_.jobs);
+    const model::OpenedAsset& opened = asset_.asset();
+    interop::read_model(opened.document(), model, notes_);
+    const model::Asset asset(opened.document());
+    const model::Views& views = opened.views();
+    const auto loaded =
+        model::load_resources(opened.container(), opened.resolver(), asset, views, options_.jobs);
     if (!loaded.notes.empty()) {
       std::string why = loaded.notes.front();
       if (why.ends_with('.')) why.pop_back();
@@ -88,11 +93,8 @@ class Conversion {
     }
   }
 
-  const container::Container& container_;
-  const std::string& name_;
-  const container::Resolver& resolver_;
   const ToTinygltfOptions& options_;
-  TinygltfReport report_;
+  validate::ValidatedAsset asset_;
   interop::Notes notes_;
 };
 
@@ -120,26 +122,26 @@ TinygltfReport guarded(const std::string& name, const Work& work) {
 TinygltfReport to_tinygltf(const std::string& path, tinygltf::Model& model,
                            const ToTinygltfOptions& options) {
   return guarded(path, [&] {
-    const auto opened = container::open_file(path);
+    auto opened = container::open_file(path);
     if (!opened) return failed(path, opened.error().message);
     const fs::path folder = fs::path(path).parent_path();
     const container::Resolver resolver(options.root.empty() ? folder : fs::path(options.root),
                                        folder);
-    return Conversion(*opened, path, resolver, options).run(model);
+    return Conversion({path, *std::move(opened), resolver}, options).run(model);
   });
 }
 
 TinygltfReport to_tinygltf(const MemoryAsset& asset, tinygltf::Model& model,
                            const ToTinygltfOptions& options) {
   return guarded(asset.name, [&] {
-    const container::Container opened =
+    container::Container opened =
         container::open_bytes(container::Bytes::from_string(asset.bytes), asset.name);
     container::Resolver resolver;
     if (!options.root.empty()) resolver = container::Resolver(options.root, options.root);
     for (const auto& [path, bytes] : asset.files) {
       resolver.add(path, container::Bytes::from_string(bytes));
     }
-    return Conversion(opened, asset.name, resolver, options).run(model);
+    return Conversion({asset.name, std::move(opened), std::move(resolver)}, options).run(model);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/work_count.hpp"
 #include "json/literals.hpp"
 #include "json/parser.hpp"
 #include "json/scan.hpp"
@@ -22,12 +23,13 @@ bool is_closing(char c) { return c == ']' || c == '}'; }
 bool is_recoverable(Fault fault) { return fault >= Fault::byte_order_mark; }
 
 Parsed parse(SharedText text, const Limits& limits) {
+  ++work_count.parsed;
   if (!text) text = share_text({});
   return Parser(std::move(text), limits).run();
 }
 
 Parsed parse(std::string_view text, const Limits& limits) {
-  return parse(share_text(std::string(text)), limits);
+  return Parser(share_text(std::string(text)), limits).run();
 }
 
 Parsed Parser::run() {

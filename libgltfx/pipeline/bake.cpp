@@ -14,13 +14,14 @@
 #include "bake/develop.hpp"
 #include "bake/lighting.hpp"
 #include "base/pages.hpp"
-#include "codec/chance.hpp"
+#include "codec/client.hpp"
 #include "pipeline/bake_asset.hpp"
 #include "pipeline/bake_guard.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "pipeline/cached_verb.hpp"
 #include "pipeline/kept_picture.hpp"
-#include "pipeline/kept_result.hpp"
+#include "pipeline/open_asset.hpp"
 #include "pipeline/picture_file.hpp"
 #include "pipeline/thumbnail.hpp"
 
@@ -135,29 +136,24 @@ class Baker {
   std::size_t pictures_ = 0, done_ = 0;
 };
 
-std::optional<BakeReport> recalled(const std::optional<std::string>& kept, const std::string& path,
-                                   const BakeOptions& options) {
-  return kept ? recall_pictures(*kept, path, options) : std::nullopt;
-}
+/// Baking of one file, for cached().
+struct BakeVerb {
+  using Report = BakeReport;
+  const std::string& path;
+  const BakeOptions& options;
 
-BakeReport bake_or_recall(const std::string& path, const BakeOptions& options, const Hash128& key) {
-  KeptResult kept(path, *options.cache, key);
-  codec::Client::shared().prepare_images();
-  if (auto report = recalled(kept.as_it_was(), path, options)) return *std::move(report);
-  auto opened = open_asset(path, options.root);
-  if (!opened) return unreadable(path, opened.error().message);
-  const container::Resolver resolver = opened->resolver;
-  if (auto report = recalled(kept.by_content(opened->container, resolver), path, options)) {
-    return *std::move(report);
+  Result<model::OpenedAsset> open() const { return open_document(path, options.root); }
+  BakeReport refuse(const std::string& why) const { return unreadable(path, why); }
+  BakeReport run(model::OpenedAsset asset) const {
+    return bake_asset(validate_to_bake(std::move(asset), options), options);
   }
-  const auto lookups = std::make_shared<container::LookupLog>();
-  opened->resolver.record(lookups);
-  const std::uint64_t before = codec::faults_by_chance();
-  BakeReport report = bake_asset(path, *std::move(opened), options);
-  if (codec::faults_by_chance() != before) return report;
-  if (const auto packed = pack_pictures(report, options)) kept.keep(*packed, resolver, *lookups);
-  return report;
-}
+  std::optional<std::string> pack(const BakeReport& report) const {
+    return pack_pictures(report, options);
+  }
+  std::optional<BakeReport> unpack(const std::string& kept, const model::OpenedAsset*) const {
+    return recall_pictures(kept, path, options);
+  }
+};
 
 }  // namespace
 
@@ -180,16 +176,18 @@ std::string check_picture_name(const std::string& path) {
   return format ? std::string() : format.error().message;
 }
 
-BakeReport bake_asset(const std::string& path, OpenedAsset asset, const BakeOptions& options) {
-  return guarded(
-      path, [&] { return Baker(load_bake_scene(path, std::move(asset), options), options).run(); });
+BakeReport bake_asset(validate::ValidatedAsset asset, const BakeOptions& options) {
+  const std::string path = asset.asset().name();
+  return guarded(path,
+                 [&] { return Baker(load_bake_scene(std::move(asset), options), options).run(); });
 }
 
 BakeReport bake_with_key(const std::string& path, const BakeOptions& options, PictureKey& keys) {
   return guarded(path, [&] {
     const auto key = keys.of(options);
-    return key ? bake_or_recall(path, options, *key)
-               : Baker(load_bake_scene(path, options), options).run();
+    if (!key) return Baker(load_bake_scene(path, options), options).run();
+    codec::Client::shared().prepare_images();
+    return cached(path, *options.cache, *key, BakeVerb{path, options});
   });
 }
 

@@ -13,152 +13,110 @@
 #include "model/variants.hpp"
 #include "pipeline/bake_names.hpp"
 #include "pipeline/environment_file.hpp"
+#include "pipeline/open_asset.hpp"
 #include "pipeline/scene_builder.hpp"
 #include "schema/compile.hpp"
-#include "validate/validator.hpp"
 
 namespace gltfx {
 namespace {
 
-class Loader {
- public:
-  Loader(const std::string& path, const BakeOptions& options)
-      : path_(path),
-        options_(options),
-        schemas_(options.schemas ? options.schemas : schema::builtin_set()) {
-    result_.report.path = path;
-    result_.report.validation.path = path;
-  }
+BakeScene failed(BakeScene result, BakeProblem problem, std::string error) {
+  result.report.problem = problem;
+  result.report.error = std::move(error);
+  return result;
+}
 
-  BakeScene run() {
-    if (check() && open() && validate() && build()) prepare();
-    return std::move(result_);
+// What a program would not let through, from callers that are none.
+std::optional<std::string> find_refusal(const BakeOptions& options) {
+  constexpr std::uint32_t kMostPixels = 16384;          // along a side
+  constexpr std::uint64_t kMostInAll = 8192ULL * 8192;  // of some hundred bytes each
+  constexpr double kMostStops = 64;
+  const auto is_fine = [](const BakeSize& size) {
+    return std::min(size.width, size.height) > 0 &&
+           std::max(size.width, size.height) <= kMostPixels &&
+           std::uint64_t{size.width} * size.height <= kMostInAll;
+  };
+  if (options.sizes.empty() || !std::all_of(options.sizes.begin(), options.sizes.end(), is_fine)) {
+    return fmt::format("each size needs sides from 1 to {} pixels, and {} pixels in all at most",
+                       kMostPixels, kMostInAll);
   }
-
-  BakeScene run(OpenedAsset asset) {
-    asset_ = std::move(asset);
-    if (check() && validate() && build()) prepare();
-    return std::move(result_);
+  if (options.samples == 0 || options.samples > kMostBakeSamples) {
+    return fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples);
   }
-
- private:
-  bool fail(BakeProblem problem, std::string error) {
-    result_.report.problem = problem;
-    result_.report.error = std::move(error);
-    return false;
+  if (!(std::fabs(options.exposure) <= kMostStops)) {
+    return fmt::format("exposure: not from -{0} to {0} stops", kMostStops);
   }
+  return std::nullopt;
+}
 
-  // What a program would not let through, from callers that are none.
-  bool check() {
-    constexpr std::uint32_t kMostPixels = 16384;          // along a side
-    constexpr std::uint64_t kMostInAll = 8192ULL * 8192;  // of some hundred bytes each
-    constexpr double kMostStops = 64;
-    const auto is_fine = [](const BakeSize& size) {
-      return std::min(size.width, size.height) > 0 &&
-             std::max(size.width, size.height) <= kMostPixels &&
-             std::uint64_t{size.width} * size.height <= kMostInAll;
-    };
-    if (options_.sizes.empty() ||
-        !std::all_of(options_.sizes.begin(), options_.sizes.end(), is_fine)) {
-      return fail(
-          BakeProblem::refused,
-          fmt::format("each size needs sides from 1 to {} pixels, and {} pixels in all at most",
-                      kMostPixels, kMostInAll));
-    }
-    if (options_.samples == 0 || options_.samples > kMostBakeSamples) {
-      return fail(BakeProblem::refused,
-                  fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples));
-    }
-    if (!(std::fabs(options_.exposure) <= kMostStops)) {
-      return fail(BakeProblem::refused,
-                  fmt::format("exposure: not from -{0} to {0} stops", kMostStops));
-    }
-    return true;
+FileReport errors_of(FileReport report) {
+  std::erase_if(report.diagnostics,
+                [](const Diagnostic& each) { return each.severity != Severity::error; });
+  report.repeats.clear();
+  const std::uint64_t errors = report.counts.errors;
+  report.counts = Counts{};
+  report.counts.errors = errors;
+  return report;
+}
+
+Result<SceneOptions> scene_options(const model::Asset& asset, const BakeOptions& options) {
+  SceneOptions wanted;
+  wanted.time = options.time;
+  wanted.jobs = options.jobs;
+  const auto scene = find_named("scene", options.scene, names_in(asset, model::RootArray::scenes));
+  if (!scene) return scene.error();
+  const auto animation =
+      find_named("animation", options.animation, names_in(asset, model::RootArray::animations));
+  if (!animation) return animation.error();
+  const auto variant = find_named("variant", options.variant, model::variant_names(asset));
+  if (!variant) return variant.error();
+  wanted.scene = *scene;
+  wanted.animation = *animation;
+  wanted.variant = *variant;
+  return wanted;
+}
+
+// The asset is closed at the end: its bytes are in the scene by then.
+Result<std::unique_ptr<bake::Scene>> build(const validate::ValidatedAsset asset,
+                                           const BakeOptions& options) {
+  const auto wanted = scene_options(model::Asset(asset.asset().document()), options);
+  if (!wanted) return wanted.error();
+  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
+  return std::make_unique<bake::Scene>(build_scene(asset, *schemas, *wanted));
+}
+
+std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
+  if (!options.environment.empty()) {
+    auto environment = read_environment(options.environment);
+    if (!environment) return environment.error();
+    scene.environment = *std::move(environment);
   }
-
-  bool open() {
-    auto opened = open_asset(path_, options_.root);
-    if (!opened) return fail(BakeProblem::unreadable, opened.error().message);
-    asset_ = *std::move(opened);
-    codec::Client::shared().prepare_images();  // for textures, and the picture itself
-    return true;
+  // Other lights follow when it is known what they shine on.
+  for (bake::SceneMaterial& each : scene.materials) {
+    each.factors.emissive *= std::exp2(options.exposure);
   }
+  return std::nullopt;
+}
 
-  bool validate() {
-    ValidateOptions options;
-    options.root = options_.root;
-    options.jobs = options_.jobs;
-    options.schemas = schemas_;
-    FileReport report = validate::validate(asset_.container, path_, asset_.resolver, options);
-    std::erase_if(report.diagnostics,
-                  [](const Diagnostic& each) { return each.severity != Severity::error; });
-    report.repeats.clear();
-    const std::uint64_t errors = report.counts.errors;
-    report.counts = Counts{};
-    report.counts.errors = errors;
-    result_.report.validation = std::move(report);
-    if (errors == 0 || options_.force) return true;
-    return fail(BakeProblem::invalid, "it is not valid (--force draws it all the same)");
+BakeScene prepared(BakeScene result) {
+  auto subject = bake::find_subject(*result.scene);
+  if (!subject) {
+    return failed(std::move(result), BakeProblem::nothing_to_see, "it has no visible triangles");
   }
+  auto bvh = bake::Bvh::build(*result.scene);
+  // What a machine with more memory draws is not refused.
+  if (!bvh) return failed(std::move(result), BakeProblem::unreadable, bvh.error().message);
+  result.bvh.emplace(*std::move(bvh));
+  result.subject = std::move(subject);
+  return result;
+}
 
-  bool build() {
-    const model::Asset asset(asset_.parsed.document);
-    SceneOptions wanted;
-    wanted.time = options_.time;
-    wanted.jobs = options_.jobs;
-    const bool found =
-        set(wanted.scene,
-            find_named("scene", options_.scene, names_in(asset, model::RootArray::scenes))) &&
-        set(wanted.animation, find_named("animation", options_.animation,
-                                         names_in(asset, model::RootArray::animations))) &&
-        set(wanted.variant, find_named("variant", options_.variant, model::variant_names(asset)));
-    if (!found) return false;
-    auto scene = std::make_unique<bake::Scene>(
-        build_scene(asset_.container, asset_.resolver, asset_.parsed.document, *schemas_, wanted));
-    if (!options_.environment.empty()) {
-      auto environment = read_environment(options_.environment);
-      if (!environment) return fail(BakeProblem::unreadable, environment.error().message);
-      scene->environment = *std::move(environment);
-    }
-    // Other lights follow when it is known what they shine on.
-    for (bake::SceneMaterial& each : scene->materials) {
-      each.factors.emissive *= std::exp2(options_.exposure);
-    }
-    result_.report.notes = scene->notes;
-    result_.scene = std::move(scene);
-    asset_ = {};  // its bytes are in the scene by now
-    give_back_memory();
-    return true;
-  }
-
-  bool set(std::optional<std::uint32_t>& wanted, Result<std::optional<std::uint32_t>> found) {
-    if (!found) return fail(BakeProblem::refused, found.error().message);
-    wanted = *found;
-    return true;
-  }
-
-  void prepare() {
-    auto subject = bake::find_subject(*result_.scene);
-    if (!subject) {
-      fail(BakeProblem::nothing_to_see, "it has no visible triangles");
-      return;
-    }
-    auto bvh = bake::Bvh::build(*result_.scene);
-    if (!bvh) {
-      // What a machine with more memory draws is not refused.
-      fail(BakeProblem::unreadable, bvh.error().message);
-      return;
-    }
-    result_.bvh.emplace(*std::move(bvh));
-    result_.subject = std::move(subject);
-  }
-
-  const std::string& path_;
-  const BakeOptions& options_;
-  const std::shared_ptr<const schema::Set> schemas_;
-  OpenedAsset asset_;
-  BakeScene result_;
-};
+BakeScene empty_scene(const std::string& path) {
+  BakeScene scene;
+  scene.report.path = path;
+  scene.report.validation.path = path;
+  return scene;
+}
 
 std::vector<std::string> camera_names(const bake::Scene& scene) {
   std::vector<std::string> names;
@@ -168,12 +126,43 @@ std::vector<std::string> camera_names(const bake::Scene& scene) {
 
 }  // namespace
 
-BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
-  return Loader(path, options).run();
+validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options) {
+  ValidateOptions wanted;
+  wanted.root = options.root;
+  wanted.jobs = options.jobs;
+  wanted.schemas = options.schemas;
+  return {std::move(asset), wanted};
 }
 
-BakeScene load_bake_scene(const std::string& path, OpenedAsset asset, const BakeOptions& options) {
-  return Loader(path, options).run(std::move(asset));
+BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options) {
+  BakeScene result = empty_scene(asset.asset().name());
+  if (auto refusal = find_refusal(options)) {
+    return failed(std::move(result), BakeProblem::refused, *std::move(refusal));
+  }
+  result.report.validation = errors_of(asset.take_report());
+  if (result.report.validation.counts.errors > 0 && !options.force) {
+    return failed(std::move(result), BakeProblem::invalid,
+                  "it is not valid (--force draws it all the same)");
+  }
+  auto scene = build(std::move(asset), options);
+  if (!scene) return failed(std::move(result), BakeProblem::refused, scene.error().message);
+  give_back_memory();
+  if (auto trouble = light(**scene, options)) {
+    return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
+  }
+  result.report.notes = (*scene)->notes;
+  result.scene = *std::move(scene);
+  return prepared(std::move(result));
+}
+
+BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
+  if (auto refusal = find_refusal(options)) {
+    return failed(empty_scene(path), BakeProblem::refused, *std::move(refusal));
+  }
+  auto asset = open_document(path, options.root);
+  if (!asset) return failed(empty_scene(path), BakeProblem::unreadable, asset.error().message);
+  codec::Client::shared().prepare_images();  // for textures, and the picture itself
+  return load_bake_scene(validate_to_bake(*std::move(asset), options), options);
 }
 
 Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bake::Subject& subject,

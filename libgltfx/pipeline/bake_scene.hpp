@@ -13,7 +13,7 @@
 #include "bake/framing.hpp"
 #include "bake/scene.hpp"
 #include "bake/view.hpp"
-#include "pipeline/opened_asset.hpp"
+#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 
@@ -30,8 +30,12 @@ struct BakeScene {
 
 /// Opens, validates, reads and poses. Nothing is written.
 BakeScene load_bake_scene(const std::string& path, const BakeOptions& options);
-/// The same for what was opened already; `path` is its name.
-BakeScene load_bake_scene(const std::string& path, OpenedAsset asset, const BakeOptions& options);
+/// The same for what was opened and validated already. Without `force`, errors of its report refuse
+/// it. Precondition: the asset has a document.
+BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options);
+
+/// Validates as baking does.
+validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options);
 
 /// The views that the options ask for: one, or all of a turntable. An Error when there is no such
 /// camera.

@@ -8,7 +8,9 @@
 #include "base/pages.hpp"
 #include "inspect/facts.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/opened_asset.hpp"
+#include "pipeline/inspect_asset.hpp"
+#include "pipeline/open_asset.hpp"
+#include "pipeline/upgrade_asset.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -23,41 +25,6 @@ UpgradeFact fact_of(UpgradeAction&& action) {
   fact.done = action.done;
   fact.notes = std::move(action.notes);
   return fact;
-}
-
-// False when there are none; then the report says why. The asset is closed at the end: what looks
-// at it next opens it anew, and a large document is held once.
-bool collect(const std::string& path, const InspectOptions& options, const schema::Set& schemas,
-             InspectReport& report) {
-  auto opened = open_asset(path, options.root);
-  if (!opened) {
-    report.error = opened.error().message;
-    return false;
-  }
-  const json::Document& document = opened->parsed.document;
-  if (!document.is_object(document.root())) {
-    report.error = "it holds no glTF; 'gltfx validate' says why";
-    return false;
-  }
-  report.facts =
-      inspect::collect_facts(opened->container, opened->resolver, document, schemas, options.jobs);
-  return true;
-}
-
-InspectReport inspect_opened(const std::string& path, const InspectOptions& options) {
-  InspectReport report;
-  report.path = path;
-  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
-  if (!collect(path, options, *schemas, report)) return report;
-  give_back_memory();
-  UpgradeOptions wanted;
-  wanted.root = options.root;
-  wanted.schemas = schemas;
-  UpgradeReport upgrade = upgrade_file(path, wanted);
-  for (UpgradeAction& action : upgrade.actions)
-    report.upgrade.push_back(fact_of(std::move(action)));
-  report.upgrade_problem = std::move(upgrade.error);
-  return report;
 }
 
 InspectReport failed(const std::string& path, std::string why) {
@@ -79,10 +46,52 @@ InspectReport guarded(const std::string& path, const Work& work) {
   }
 }
 
+InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schemas, unsigned jobs) {
+  if (auto obstacle = find_obstacle(asset)) {
+    return failed(asset.name(), std::move(obstacle->message));
+  }
+  const json::Document& document = asset.document();
+  if (!document.is_object(document.root())) {
+    return failed(asset.name(), "it holds no glTF; 'gltfx validate' says why");
+  }
+  InspectReport report;
+  report.path = asset.name();
+  report.facts = inspect::collect_facts(asset, schemas, jobs);
+  return report;
+}
+
+InspectReport inspect_path(const std::string& path, const InspectOptions& options) {
+  auto asset = open_asset(path, options.root);
+  if (!asset) return failed(path, asset.error().message);
+  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
+  InspectReport report = collect(*asset, *schemas, options.jobs);
+  if (!report.facts) return report;
+  // The tables of a large document are not to be held beside the new document of an upgrade.
+  asset->forget_views();
+  give_back_memory();
+  UpgradeOptions wanted;
+  wanted.root = options.root;
+  wanted.schemas = schemas;
+  add_upgrade(rehearse_upgrade(*std::move(asset), wanted), report);
+  return report;
+}
+
 }  // namespace
 
+InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& schemas,
+                            unsigned jobs) {
+  return guarded(asset.name(), [&] { return collect(asset, schemas, jobs); });
+}
+
+void add_upgrade(UpgradeReport upgrade, InspectReport& report) {
+  for (UpgradeAction& action : upgrade.actions) {
+    report.upgrade.push_back(fact_of(std::move(action)));
+  }
+  report.upgrade_problem = std::move(upgrade.error);
+}
+
 InspectReport inspect_file(const std::string& path, const InspectOptions& options) {
-  return guarded(path, [&] { return inspect_opened(path, options); });
+  return guarded(path, [&] { return inspect_path(path, options); });
 }
 
 void inspect_files(const std::vector<std::string>& paths, const InspectOptions& options,
@@ -94,7 +103,7 @@ void inspect_files(const std::vector<std::string>& paths, const InspectOptions& 
         return guarded(paths[i], [&] {
           InspectOptions own = options;
           own.jobs = each;
-          return inspect_opened(paths[i], own);
+          return inspect_path(paths[i], own);
         });
       },
       consume);

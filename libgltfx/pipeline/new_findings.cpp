@@ -18,15 +18,18 @@ namespace {
 using ByCode = std::map<std::string_view, std::uint64_t>;
 using Diagnostics = std::vector<Diagnostic>;
 
-Diagnostics serious_findings(const Checked& asset, const std::string& path,
-                             const std::shared_ptr<const schema::Set>& schemas) {
-  ValidateOptions options;
-  options.jobs = 1;
-  options.schemas = schemas;
-  Diagnostics found =
-      validate::validate(asset.container, path, asset.resolver, options).diagnostics;
+Diagnostics serious_findings(const FileReport& report) {
+  Diagnostics found = report.diagnostics;
   std::erase_if(found, [](const Diagnostic& one) { return one.severity > Severity::warning; });
   return found;
+}
+
+Diagnostics serious_findings(const validate::ValidatedAsset& asset,
+                             const std::shared_ptr<const schema::Set>& schemas) {
+  if (asset.judged_by_default()) return serious_findings(asset.report());
+  const model::OpenedAsset& opened = asset.asset();
+  model::OpenedAsset again(opened.name(), opened.container(), opened.resolver());
+  return serious_findings(validate::validate(again, default_judgement(schemas)));
 }
 
 ByCode count_by_code(const Diagnostics& findings, Severity severity) {
@@ -70,11 +73,19 @@ std::vector<std::string> warnings_of(const Diagnostics& before, const Diagnostic
 
 }  // namespace
 
-NewFindings new_findings(const Checked& before, const Checked& after, const std::string& path,
+ValidateOptions default_judgement(const std::shared_ptr<const schema::Set>& schemas) {
+  ValidateOptions options;
+  options.jobs = 1;
+  options.schemas = schemas;
+  return options;
+}
+
+NewFindings new_findings(const validate::ValidatedAsset& before,
+                         const validate::ValidatedAsset& after,
                          const std::shared_ptr<const schema::Set>& schemas) {
-  const Diagnostics found = serious_findings(after, path, schemas);
+  const Diagnostics found = serious_findings(after, schemas);
   if (found.empty()) return {};
-  const Diagnostics known = serious_findings(before, path, schemas);
+  const Diagnostics known = serious_findings(before, schemas);
   const ByCode errors = more(known, found, Severity::error);
   return {errors.empty() ? std::string_view() : errors.begin()->first, warnings_of(known, found)};
 }

@@ -7,17 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "container/container.hpp"
-#include "container/resolver.hpp"
 #include "schema/set.hpp"
+#include "validate/validated_asset.hpp"
 
 namespace gltfx {
-
-/// An asset and where its references lead.
-struct Checked {
-  const container::Container& container;
-  const container::Resolver& resolver;
-};
 
 /// What an asset has that it had not, or not as often, by codes.
 struct NewFindings {
@@ -25,8 +18,14 @@ struct NewFindings {
   std::vector<std::string> warnings;  ///< one a code: "CODE at /pointer: message"
 };
 
-/// What `after` has that `before` has not. `path` is the asset's name.
-NewFindings new_findings(const Checked& before, const Checked& after, const std::string& path,
+/// What `after` has that `before` has not, as default options judge. Where `before` was validated
+/// with other options that is done anew, and not at all where nothing is wrong with `after`.
+/// `schemas` are those that both were validated with.
+NewFindings new_findings(const validate::ValidatedAsset& before,
+                         const validate::ValidatedAsset& after,
                          const std::shared_ptr<const schema::Set>& schemas);
+
+/// Default options for one of many files.
+ValidateOptions default_judgement(const std::shared_ptr<const schema::Set>& schemas);
 
 }  // namespace gltfx

@@ -11,7 +11,7 @@
 
 #include "base/replace_file.hpp"
 #include "base/text.hpp"
-#include "pipeline/companions.hpp"
+#include "edit/companions.hpp"
 
 namespace gltfx {
 namespace {
@@ -64,7 +64,7 @@ std::optional<Error> write_picture(const bake::Picture& picture, const std::stri
   if (!encoded) return encoded.error();
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) {
-    if (auto trouble = make_folder(folder)) return trouble;
+    if (auto trouble = edit::make_folder(folder)) return trouble;
   }
   const auto* text = reinterpret_cast<const char*>(encoded->bytes.data());
   return write_file(path, {text, encoded->bytes.size()});

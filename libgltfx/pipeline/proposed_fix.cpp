@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/proposed_fix.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -20,19 +23,20 @@ bool asks_for_upgrade(const Diagnostic& finding) {
   return finding.code == "EXTENSION_LEGACY" || finding.code == "EXTENSION_ARCHIVED";
 }
 
-// The first finding that names an extension of which the plan upgrades something.
-Diagnostic* first_mended(FileReport& report, const json::Document& document,
-                         const upgrade::Plan& plan) {
-  for (Diagnostic& finding : report.diagnostics) {
+// The place of the first finding that names an extension of which the plan upgrades something.
+std::optional<std::size_t> first_mended(const FileReport& report, const json::Document& document,
+                                        const upgrade::Plan& plan) {
+  for (std::size_t i = 0; i < report.diagnostics.size(); ++i) {
+    const Diagnostic& finding = report.diagnostics[i];
     if (!asks_for_upgrade(finding)) continue;
     const json::NodeId entry = document.resolve(finding.pointer);
     if (entry == json::kNoNode || !document.is_string(entry)) continue;
     const std::string name = document.string(entry);
     for (const UpgradeAction& action : plan.actions) {
-      if (action.done && action.from == name) return &finding;
+      if (action.done && action.from == name) return i;
     }
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 std::string description_of(const upgrade::Plan& plan) {
@@ -61,23 +65,23 @@ bool is_sound(const container::Container& container, const json::Parsed& parsed)
 
 }  // namespace
 
-void propose_fix(FileReport& report, const container::Container& container,
-                 const container::Resolver& resolver, const ValidateOptions& options) {
-  bool asked = false;
-  for (const Diagnostic& finding : report.diagnostics) asked |= asks_for_upgrade(finding);
-  if (!asked || !container.json) return;
-  const json::Parsed parsed = json::parse(container.json);
-  if (parsed.document.empty() || !is_sound(container, parsed)) return;
+void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& options) {
+  const model::OpenedAsset& asset = validated.asset();
+  const auto& findings = validated.report().diagnostics;
+  const bool asked = std::any_of(findings.begin(), findings.end(), asks_for_upgrade);
+  if (!asked || asset.document().empty()) return;
+  if (!is_sound(asset.container(), asset.parsed())) return;
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
-  const upgrade::Plan plan = upgrade::make_plan(parsed.document, *schemas, {});
-  Diagnostic* finding = first_mended(report, parsed.document, plan);
-  if (finding == nullptr || plan.edits.empty()) return;
-  const container::Container mended = container::open_bytes(
-      container::Bytes::from_string(json::apply_edits(*container.json, plan.edits)), report.path);
-  const NewFindings fresh =
-      new_findings({container, resolver}, {mended, resolver}, report.path, schemas);
-  if (!fresh.error.empty()) return;
-  finding->fix = std::make_shared<const ProposedFix>(fix_of(plan, *container.json));
+  const upgrade::Plan plan = upgrade::make_plan(asset.document(), *schemas, {});
+  const auto finding = first_mended(validated.report(), asset.document(), plan);
+  if (!finding || plan.edits.empty()) return;
+  const std::string_view text = *asset.container().json;
+  container::Container mended = container::open_bytes(
+      container::Bytes::from_string(json::apply_edits(text, plan.edits)), asset.name());
+  const validate::ValidatedAsset after({asset.name(), std::move(mended), asset.resolver()},
+                                       default_judgement(schemas));
+  if (!new_findings(validated, after, schemas).error.empty()) return;
+  validated.propose(*finding, std::make_shared<const ProposedFix>(fix_of(plan, text)));
 }
 
 }  // namespace gltfx

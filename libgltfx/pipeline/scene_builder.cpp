@@ -267,14 +267,14 @@ class SceneBuilder {
 
 }  // namespace
 
-bake::Scene build_scene(const container::Container& container, const container::Resolver& resolver,
-                        const json::Document& document, const schema::Set& schemas,
+bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
                         const SceneOptions& options) {
   SceneNotes notes;
-  const model::Asset asset(document);
-  const model::Views views(asset);
+  const model::OpenedAsset& opened = validated.asset();
+  const model::Asset asset(opened.document());
+  const model::Views& views = opened.views();
   model::LoadedResources loaded =
-      model::load_resources(container, resolver, asset, views, options.jobs);
+      model::load_resources(opened.container(), opened.resolver(), asset, views, options.jobs);
   for (std::string& note : loaded.notes) notes.add(std::move(note));
   bake::Scene scene = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run();
   scene.notes = notes.take();

@@ -6,10 +6,8 @@
 #include <optional>
 
 #include "bake/scene.hpp"
-#include "container/container.hpp"
-#include "container/resolver.hpp"
-#include "json/document.hpp"
 #include "schema/set.hpp"
+#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 
@@ -27,12 +25,11 @@ struct SceneOptions {
   std::uint64_t free_pixel_bytes = std::uint64_t{1} << 30U;
 };
 
-/// Reads, decodes and poses what is visible. The document is that of the container, and should have
-/// been validated: what is at fault is left out, and named in the notes of the scene, as is all
-/// else that is not drawn. Nothing outside of the resolver's root is opened; images and Draco
-/// bitstreams are decoded by worker processes. Keeps no reference.
-bake::Scene build_scene(const container::Container& container, const container::Resolver& resolver,
-                        const json::Document& document, const schema::Set& schemas,
+/// Reads, decodes and poses what is visible. What is at fault is left out, and named in the notes
+/// of the scene, as is all else that is not drawn. Nothing outside of the resolver's root is
+/// opened; images and Draco bitstreams are decoded by worker processes. Keeps no reference.
+/// Precondition: the asset has a document.
+bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
                         const SceneOptions& options);
 
 }  // namespace gltfx

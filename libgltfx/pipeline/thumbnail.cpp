@@ -12,11 +12,11 @@
 #include "container/base64.hpp"
 #include "container/container.hpp"
 #include "container/pieces.hpp"
+#include "edit/rewrite.hpp"
 #include "json/edit.hpp"
 #include "json/parse.hpp"
 #include "model/fields.hpp"
 #include "pipeline/picture_file.hpp"
-#include "upgrade/glb_rewrite.hpp"
 
 namespace gltfx {
 namespace {
@@ -36,10 +36,8 @@ class Embedding {
     if (auto trouble = open()) return trouble;
     json::Editor editor(parsed_.document);
     if (!edit(editor)) return Error{"the asset is put together in a way that leaves no room"};
-    const std::string json = json::apply_edits(*container_.json, editor.take());
-    if (container_.format == container::Format::gltf) return replace_file(path_, json, state_);
-    const auto glb = upgrade::rewrite_glb(container_, json, {more_, {}});
-    return glb ? replace(*glb) : glb.error();
+    const auto pieces = edit::rewrite(container_, editor.take(), {more_, {}});
+    return pieces ? replace(*pieces) : pieces.error();
   }
 
  private:
@@ -59,7 +57,7 @@ class Embedding {
     container_ = *std::move(opened);
     parsed_ = json::parse(container_.json);
     if (!parsed_.ok()) return Error{"its JSON has faults that make an edit ambiguous"};
-    if (const auto obstacle = upgrade::find_glb_obstacle(container_);
+    if (const auto obstacle = edit::find_glb_obstacle(container_);
         obstacle && container_.format == container::Format::glb) {
       return Error{"it cannot be written anew: " + *obstacle};
     }

@@ -11,12 +11,13 @@
 #include <string>
 #include <utility>
 
-#include "codec/chance.hpp"
 #include "container/container.hpp"
+#include "pipeline/cached_verb.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/kept_result.hpp"
+#include "pipeline/open_asset.hpp"
 #include "pipeline/proposed_fix.hpp"
 #include "pipeline/resolver_for.hpp"
+#include "pipeline/validate_asset.hpp"
 #include "pipeline/validation_key.hpp"
 #include "report/packed.hpp"
 #include "validate/validator.hpp"
@@ -50,61 +51,77 @@ FileReport guarded(const std::string& name, const ValidateOptions& options, cons
   return report;
 }
 
-FileReport validate_opened(const container::Container& opened, const std::string& name,
-                           const container::Resolver& resolver, const ValidateOptions& options) {
-  FileReport report = validate::validate(opened, name, resolver, options);
-  if (options.propose_fixes) propose_fix(report, opened, resolver, options);
-  return report;
+Validation with_report(validate::ValidatedAsset validated) {
+  FileReport report = validated.take_report();
+  return {std::move(report), validated.take_asset()};
 }
 
-std::optional<FileReport> unpacked(const std::optional<std::string>& kept,
-                                   const std::string& path) {
-  if (!kept) return std::nullopt;
-  auto report = report::unpack(*kept, rules());
-  if (report) report->path = path;
-  return report;
-}
+/// Validation of one file, for cached().
+struct ValidateVerb {
+  using Report = Validation;
+  const std::string& path;
+  const ValidateOptions& options;
 
-FileReport validate_or_recall(const std::string& path, const ValidateOptions& options) {
-  KeptResult kept(path, *options.cache, validation_key(options, options.cache->folder()));
-  if (auto report = unpacked(kept.as_it_was(), path)) return *std::move(report);
-  const auto opened = container::open_file(path);
-  if (!opened) return validate::unreadable(path, opened.error().message, options);
-  const container::Resolver resolver = resolver_for(fs::path(path).parent_path(), options.root);
-  if (auto report = unpacked(kept.by_content(*opened, resolver), path)) return *std::move(report);
-  const auto lookups = std::make_shared<container::LookupLog>();
-  container::Resolver recorded = resolver;
-  recorded.record(lookups);
-  // A report that a missing or interrupted decoder shaped may differ in the next run, even where
-  // no finding says so.
-  const std::uint64_t chances = codec::faults_by_chance();
-  FileReport report = validate_opened(*opened, path, recorded, options);
-  if (report.readable && codec::faults_by_chance() == chances) {
-    kept.keep(report::pack(report), resolver, *lookups);
+  Result<model::OpenedAsset> open() const { return open_asset(path, options.root); }
+  Validation refuse(const std::string& why) const {
+    return {validate::unreadable(path, why, options), std::nullopt};
   }
-  return report;
+  Validation run(model::OpenedAsset asset) const {
+    return with_report(validate_asset(std::move(asset), options));
+  }
+  static std::optional<std::string> pack(const Validation& validation) {
+    if (!validation.report.readable) return std::nullopt;
+    return report::pack(validation.report);
+  }
+  std::optional<Validation> unpack(const std::string& kept, model::OpenedAsset* asset) const {
+    auto report = report::unpack(kept, rules());
+    if (!report) return std::nullopt;
+    report->path = path;
+    Validation validation{*std::move(report), std::nullopt};
+    if (asset != nullptr) validation.asset = std::move(*asset);
+    return validation;
+  }
+};
+
+Validation validate_or_recall(const std::string& path, const ValidateOptions& options) {
+  const ValidateVerb verb{path, options};
+  if (options.cache && !options.changed_lines) {
+    return cached(path, *options.cache, validation_key(options, options.cache->folder()), verb);
+  }
+  auto opened = verb.open();
+  return opened ? verb.run(*std::move(opened)) : verb.refuse(opened.error().message);
 }
 
 }  // namespace
 
-FileReport validate_file(const std::string& path, const ValidateOptions& options) {
-  return guarded(path, options, [&] {
-    if (options.cache && !options.changed_lines) return validate_or_recall(path, options);
-    const auto opened = container::open_file(path);
-    if (!opened) return validate::unreadable(path, opened.error().message, options);
-    const container::Resolver resolver = resolver_for(fs::path(path).parent_path(), options.root);
-    return validate_opened(*opened, path, resolver, options);
+validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options) {
+  validate::ValidatedAsset validated(std::move(asset), options);
+  if (options.propose_fixes) propose_fix(validated, options);
+  return validated;
+}
+
+Validation validate_path(const std::string& path, const ValidateOptions& options) {
+  Validation validation;
+  validation.report = guarded(path, options, [&] {
+    Validation made = validate_or_recall(path, options);
+    validation.asset = std::move(made.asset);
+    return std::move(made.report);
   });
+  return validation;
+}
+
+FileReport validate_file(const std::string& path, const ValidateOptions& options) {
+  return validate_path(path, options).report;
 }
 
 FileReport validate_bytes(std::string bytes, const std::string& name,
                           const ValidateOptions& options) {
   return guarded(name, options, [&] {
-    const container::Container opened =
+    container::Container opened =
         container::open_bytes(container::Bytes::from_string(std::move(bytes)), name);
     const container::Resolver resolver =
         options.root.empty() ? container::Resolver() : resolver_for(options.root, options.root);
-    return validate_opened(opened, name, resolver, options);
+    return validate_asset({name, std::move(opened), resolver}, options).take_report();
   });
 }
 

@@ -121,8 +121,8 @@ class Search {
   Result<std::vector<Follower>> run() {
     std::vector<Follower> followers;
     const std::string index = std::to_string(carrier_.index);
-    for (const PointerUse* use : context_.pointers.below(carrier_.array, index, from_)) {
-      if (Pointers::is_template(*use)) return Error{"a graph leads to every element"};
+    for (const edit::PointerUse* use : context_.pointers.below(carrier_.array, index, from_)) {
+      if (edit::Pointers::is_template(*use)) return Error{"a graph leads to every element"};
       auto follower = follower_of(*use);
       if (!follower) return follower.error();
       followers.push_back(*std::move(follower));
@@ -131,7 +131,7 @@ class Search {
   }
 
  private:
-  Result<Follower> follower_of(const PointerUse& use) {
+  Result<Follower> follower_of(const edit::PointerUse& use) {
     Follower follower;
     follower.pointer = use.node;
     for (const json::NodeId animation : context_.asset.elements(model::RootArray::animations)) {
@@ -153,7 +153,7 @@ class Search {
     return follower;
   }
 
-  std::string target_of(const PointerUse& use) const {
+  std::string target_of(const edit::PointerUse& use) const {
     std::string pointer;
     append_pointer_step(pointer, use.steps[0]);
     append_pointer_step(pointer, use.steps[1]);

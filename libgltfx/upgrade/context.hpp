@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "edit/pointers.hpp"
 #include "json/edit.hpp"
 #include "model/asset.hpp"
 #include "schema/holds.hpp"
 #include "upgrade/material_split.hpp"
 #include "upgrade/plan.hpp"
-#include "upgrade/pointers.hpp"
 #include "upgrade/vertex_colors.hpp"
 
 namespace gltfx::upgrade {
@@ -63,7 +63,7 @@ struct Context {
   const UpgradeOptions& options;
   Pictures* const pictures;  ///< null: nobody can look at pixels
   AccessorValues values;
-  const Pointers pointers;
+  const edit::Pointers pointers;
   schema::Holds holds;
   json::Editor editor;
   Plan plan;

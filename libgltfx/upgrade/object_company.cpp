@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "edit/removal.hpp"
 #include "upgrade/object_plan.hpp"
-#include "upgrade/removal.hpp"
 
 namespace gltfx::upgrade {
 
@@ -32,7 +32,7 @@ schema::TypeId ObjectPlan::own_type() const {
 
 // What the object holds that is not its own extension's.
 std::vector<std::string> ObjectPlan::foreign() const {
-  return foreign_content(document_, context_.set, carrier_.object, own_type());
+  return edit::foreign_content(document_, context_.set, carrier_.object, own_type());
 }
 
 UpgradeAction ObjectPlan::judge_removal(const std::string& why) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "edit/removal.hpp"
 #include "json/equal.hpp"
 #include "json/parse.hpp"
 #include "upgrade/generation.hpp"
 #include "upgrade/object_plan.hpp"
-#include "upgrade/removal.hpp"
 
 namespace gltfx::upgrade {
 namespace {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "edit/removal.hpp"
 #include "json/parse.hpp"
 #include "upgrade/generation.hpp"
-#include "upgrade/removal.hpp"
 
 namespace gltfx::upgrade {
 
@@ -127,7 +127,7 @@ ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
 // Of an object whose values become part of another.
 void ObjectPlan::note_lost_members() {
   const std::vector<std::string> others =
-      foreign_members(document_, context_.set, carrier_.object, own_type());
+      edit::foreign_members(document_, context_.set, carrier_.object, own_type());
   if (!others.empty()) lose(fmt::format("it also has {}, lost with it", join_and(others)));
 }
 
@@ -135,7 +135,7 @@ void ObjectPlan::note_overwritten() {
   for (std::size_t i = 0; i < placements_.overwritten().size(); ++i) {
     const std::string note = fmt::format("{} is overwritten", placements_.overwritten()[i]);
     const std::vector<std::string> others =
-        foreign_below(document_, context_.set, placements_.taken_out()[i]);
+        edit::foreign_below(document_, context_.set, placements_.taken_out()[i]);
     if (others.empty()) {
       action_.notes.push_back(note);
     } else {

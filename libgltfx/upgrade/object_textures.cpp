@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "edit/removal.hpp"
 #include "upgrade/object_plan.hpp"
 #include "upgrade/packing.hpp"
-#include "upgrade/removal.hpp"
 
 namespace gltfx::upgrade {
 
@@ -71,7 +71,7 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
   });
   if (factors == found_.end() || is_pointed_at({"extensions", extension_.name, factor}) ||
       is_pointed_at({"extensions", extension_.name, step.from}) ||
-      !foreign_below(document_, context_.set, texture.value).empty()) {
+      !edit::foreign_below(document_, context_.set, texture.value).empty()) {
     return false;
   }
   texture.gone = true;

@@ -12,15 +12,16 @@
 #include <fmt/format.h>
 
 #include "base/json_pointer.hpp"
+#include "edit/name_list.hpp"
+#include "edit/removal.hpp"
 #include "json/writer.hpp"
+#include "model/format_version.hpp"
 #include "upgrade/carriers.hpp"
 #include "upgrade/choice.hpp"
 #include "upgrade/context.hpp"
 #include "upgrade/generation.hpp"
-#include "upgrade/name_list.hpp"
 #include "upgrade/object_plan.hpp"
 #include "upgrade/old_format.hpp"
-#include "upgrade/removal.hpp"
 
 namespace gltfx {
 
@@ -84,7 +85,7 @@ class ExtensionPlan {
     return any;
   }
 
-  void finish(NameList& used, NameList& required) {
+  void finish(edit::NameList& used, edit::NameList& required) {
     if (judged_.empty()) drop_unused_name(used, required);
     for (Judged& one : judged_) context_.plan.actions.push_back(std::move(one.action));
     if (converted_ + removed_ == 0) return;
@@ -143,15 +144,15 @@ class ExtensionPlan {
     return action;
   }
 
-  bool is_into(const PointerUse& use) const {
+  bool is_into(const edit::PointerUse& use) const {
     return use.steps.size() > 3 && use.steps[2] == "extensions" && use.steps[3] == extension_.name;
   }
 
   // A pointer to all objects, which cannot lead to two names.
   bool has_template() const {
     const auto& all = context_.pointers.all();
-    return std::any_of(all.begin(), all.end(), [this](const PointerUse& use) {
-      return Pointers::is_template(use) && is_into(use);
+    return std::any_of(all.begin(), all.end(), [this](const edit::PointerUse& use) {
+      return edit::Pointers::is_template(use) && is_into(use);
     });
   }
 
@@ -195,13 +196,13 @@ class ExtensionPlan {
 
   // A name in a list that no object goes with. Where the upgrade is only offered, a name may stay
   // unless it is one of the past.
-  void drop_unused_name(NameList& used, NameList& required) {
+  void drop_unused_name(edit::NameList& used, edit::NameList& required) {
     using schema::Status;
     const Status status = extension_.status;
     const bool past = status == Status::legacy || status == Status::archived;
     const bool wanted = choice_.wish == Wish::yes || (choice_.wish == Wish::offered && past);
     if (!wanted || extension_.homes.empty() || count_occurrences() > 0) return;
-    for (NameList* list : {&used, &required}) {
+    for (edit::NameList* list : {&used, &required}) {
       for (std::string& place : list->places(extension_.name)) {
         UpgradeAction action;
         action.pointer = std::move(place);
@@ -215,12 +216,12 @@ class ExtensionPlan {
     }
   }
 
-  void settle_names(NameList& used, NameList& required) {
+  void settle_names(edit::NameList& used, edit::NameList& required) {
     const std::string& from = extension_.name;
     const std::string& to = choice_.to;
     left_ = count_occurrences() - converted_ - removed_;
     const bool was_required = required.has(from);
-    for (NameList* list : {&used, &required}) {
+    for (edit::NameList* list : {&used, &required}) {
       if (left_ == 0 && converted_ > 0) list->replace(from, to);
       if (left_ == 0 && converted_ == 0) list->remove(from);
     }
@@ -236,14 +237,14 @@ class ExtensionPlan {
 
   // "/materials/3/extensions/OLD/member/..." becomes "/materials/3/extensions/NEW/other/...".
   void settle_pointers() {
-    for (const PointerUse& use : context_.pointers.all()) {
+    for (const edit::PointerUse& use : context_.pointers.all()) {
       if (!is_into(use)) continue;
-      const bool every = Pointers::is_template(use) && left_ == 0 && removed_ == 0;
+      const bool every = edit::Pointers::is_template(use) && left_ == 0 && removed_ == 0;
       if (every || done_.count("/" + use.steps[0] + "/" + use.steps[1]) > 0) rename(use);
     }
   }
 
-  void rename(const PointerUse& use) {
+  void rename(const edit::PointerUse& use) {
     std::string pointer;
     const std::string_view member = use.steps.size() > 4 ? use.steps[4] : std::string_view();
     std::vector<std::string> steps(use.steps.begin(), use.steps.begin() + 2);
@@ -295,10 +296,10 @@ void settle_dropped(Context& context) {
 }
 
 // Extensions whose last object went with something that was taken out.
-void settle_taken_out(Context& context, NameList& used, NameList& required) {
+void settle_taken_out(Context& context, edit::NameList& used, edit::NameList& required) {
   std::vector<json::NodeId> values;
   for (const auto& [value, action] : context.taken_out) values.push_back(value);
-  const auto gone = extensions_taken_out(context.document, std::move(values));
+  const auto gone = edit::extensions_taken_out(context.document, std::move(values));
   std::set<std::string> listed = used.remove_all(gone);
   listed.merge(required.remove_all(gone));
   if (listed.empty()) return;
@@ -313,8 +314,8 @@ void settle_taken_out(Context& context, NameList& used, NameList& required) {
 // Extensions that may stand in the document, those first on whose results others build: what puts
 // values into its carrier before what copies them from there.
 std::vector<const schema::Extension*> legacy_of(const json::Document& document,
-                                                const schema::Set& set, const NameList& used,
-                                                const NameList& required) {
+                                                const schema::Set& set, const edit::NameList& used,
+                                                const edit::NameList& required) {
   std::vector<const schema::Extension*> legacy;
   for (const schema::Extension& extension : set.extensions()) {
     const std::string& name = extension.name;
@@ -338,6 +339,12 @@ std::vector<const schema::Extension*> legacy_of(const json::Document& document,
 
 }  // namespace
 
+bool names_legacy(const json::Document& document, const schema::Set& set) {
+  const edit::NameList used(document, "extensionsUsed");
+  const edit::NameList required(document, "extensionsRequired");
+  return model::is_gltf_1(document) || !legacy_of(document, set, used, required).empty();
+}
+
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options, Pictures* pictures, AssetBytes* bytes) {
   if (auto action = find_old_format(document, options)) {
@@ -345,8 +352,8 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
     plan.actions.push_back(*std::move(action));
     return plan;
   }
-  NameList used(document, "extensionsUsed");
-  NameList required(document, "extensionsRequired");
+  edit::NameList used(document, "extensionsUsed");
+  edit::NameList required(document, "extensionsRequired");
   const std::vector<const schema::Extension*> legacy = legacy_of(document, set, used, required);
   if (legacy.empty()) return {};
   Context context(document, set, options, pictures, bytes);

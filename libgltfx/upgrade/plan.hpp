@@ -28,6 +28,10 @@ struct Plan {
   Additions additions;  ///< that they refer to; settle() makes further edits of it
 };
 
+/// Whether a plan for the document would hold anything, or look for it: it names an extension that
+/// has an upgrade, or is of glTF 1.0.
+bool names_legacy(const json::Document& document, const schema::Set& set);
+
 /// Plans for a document that was read to its end; where it has faults, find_ambiguity() says
 /// whether the plan can be trusted. Time is linear in its size but for the number of extensions.
 /// `generation`, `only`, `to`, `ior`, `unsafe` and `pack` of the options are looked at. `pictures`

@@ -127,7 +127,7 @@ class Settler {
   bool is_taken(const std::string& path, std::string_view bytes) const {
     return std::any_of(
         settlement_.files.begin(), settlement_.files.end(),
-        [&](const NewFile& file) { return file.path == path && *file.bytes != bytes; });
+        [&](const edit::NewFile& file) { return file.path == path && *file.bytes != bytes; });
   }
 
   // The URI of a new file named after an old one; empty when all names are taken.

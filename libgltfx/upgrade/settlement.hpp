@@ -11,22 +11,17 @@
 
 #include "base/result.hpp"
 #include "container/container.hpp"
+#include "edit/new_file.hpp"
 #include "json/edit.hpp"
 #include "upgrade/additions.hpp"
 #include "upgrade/asset_bytes.hpp"
 
 namespace gltfx::upgrade {
 
-/// A file that the asset refers to from now on.
-struct NewFile {
-  std::string path;  ///< from the asset's folder, '/' separated, as container::Uri has it
-  std::shared_ptr<const std::string> bytes;
-};
-
 struct Settlement {
   std::vector<json::Edit> edits;  ///< of the document; for json::merge_edits()
   std::string bin;                ///< follows the data of the BIN chunk; empty: it stays as it is
-  std::vector<NewFile> files;
+  std::vector<edit::NewFile> files;
 };
 
 /// Whether a new file may have that path: nothing is there, or exactly these bytes.

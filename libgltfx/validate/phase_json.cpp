@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
@@ -160,24 +158,22 @@ bool report_syntax(const json::Parsed& parsed, std::string_view text, const json
 
 }  // namespace
 
-bool parse_document(const container::Container& container, const ValidateOptions& options,
-                    Collector& collector, json::Document& document) {
-  collector.keep_text(container.json);
-  json::Parsed parsed = json::parse(container.json);
+bool check_text(const SharedText& text, const json::Parsed& parsed, const ValidateOptions& options,
+                Collector& collector) {
+  collector.keep_text(text);
   bool readable = true;
   if (!parsed.faults.empty()) {
-    const json::LineIndex lines(*container.json);
+    const json::LineIndex lines(*text);
     if (deviations_of(options.profile).syntax_faults_end_the_report) {
-      readable = report_syntax(parsed, *container.json, lines, collector);
+      readable = report_syntax(parsed, *text, lines, collector);
     } else {
       for (const json::ParseFault& fault : parsed.faults) {
-        report_fault(fault, *container.json, lines, false, collector);
+        report_fault(fault, *text, lines, false, collector);
       }
       report_unlisted(parsed.unrecorded_faults, collector);
     }
   }
-  document = std::move(parsed.document);
-  return readable && !document.empty();
+  return readable && !parsed.document.empty();
 }
 
 }  // namespace gltfx::validate

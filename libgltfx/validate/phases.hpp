@@ -9,6 +9,7 @@
 
 #include "container/container.hpp"
 #include "json/document.hpp"
+#include "json/parse.hpp"
 #include "model/resource_data.hpp"
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
@@ -19,10 +20,11 @@ namespace gltfx::validate {
 bool check_container(const container::Container& container, const std::string& name,
                      FileReport& report, Collector& collector);
 
-/// Phase 2: reads the JSON text. True when there is a document to look at. A text with faults that
-/// leave no doubt of what was meant has one, unless Deviations::syntax_faults_end_the_report.
-bool parse_document(const container::Container& container, const ValidateOptions& options,
-                    Collector& collector, json::Document& document);
+/// Phase 2: what is wrong with the JSON text. True when there is a document to look at. A text with
+/// faults that leave no doubt of what was meant has one, unless
+/// Deviations::syntax_faults_end_the_report.
+bool check_text(const SharedText& text, const json::Parsed& parsed, const ValidateOptions& options,
+                Collector& collector);
 
 /// Names files for what they are: glTF 1.0, drafts, VRM. False when the rules of glTF 2.0 would
 /// only produce noise.

@@ -8,7 +8,7 @@
 
 #include "base/codes.hpp"
 #include "base/parallel.hpp"
-#include "json/parse.hpp"
+#include "base/work_count.hpp"
 #include "model/info.hpp"
 #include "schema/compile.hpp"
 #include "validate/collector.hpp"
@@ -69,17 +69,18 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   report.info->resources = std::move(resources.listed);
 }
 
-// Phase 3: the schema walk with object rules at its heels.
-schema::CheckResult check_objects(Context& context, json::Document& document) {
+// Phase 3: the schema walk with object rules at its heels. `own` is the document of a profile that
+// hides broken members.
+schema::CheckResult check_objects(Context& context, json::Document& own) {
   const ObjectRules& rules = object_rules(context.deviations.reading_order);
   const auto visit = [&](const schema::ObjectType& type, json::NodeId object, const Path& path) {
     const auto found = rules.find(type.name);
     if (found == rules.end()) return;
     for (const ObjectRuleEntry& entry : found->second) entry.rule(context, object, path);
   };
-  if (context.order != nullptr) return check_as_khronos(context, document, *context.order, visit);
-  return schema::check(document, context.schemas, {}, context.schema_sink, context.link_sink,
-                       visit);
+  if (context.order != nullptr) return check_as_khronos(context, own, *context.order, visit);
+  return schema::check(context.document, context.schemas, {}, context.schema_sink,
+                       context.link_sink, visit);
 }
 
 // Phase 4.
@@ -93,7 +94,7 @@ void check_links(const Context& context) {
 // Phases 3 to 7. Each phase reports to a sink of its own, so that two of them can run at once:
 // what they share is only read, unless phase 3 hides broken members of the document.
 // Returns whether all of them could run.
-bool check_document(Context& context, json::Document& document, Collector& collector,
+bool check_document(Context& context, json::Document& own, Collector& collector,
                     FileReport& report) {
   const unsigned jobs = jobs_for(context);
   schema::CheckResult checked;
@@ -101,7 +102,7 @@ bool check_document(Context& context, json::Document& document, Collector& colle
   model::SceneGraph graph;
   run_both(
       context.deviations.broken_values_are_absent ? 1 : jobs,
-      [&] { checked = check_objects(context, document); },
+      [&] { checked = check_objects(context, own); },
       [&] {
         views = model::Views(context.asset);
         graph = model::SceneGraph(context.asset, views.nodes);
@@ -120,18 +121,23 @@ bool check_document(Context& context, json::Document& document, Collector& colle
 
 }  // namespace
 
-FileReport validate(const container::Container& container, const std::string& name,
-                    const container::Resolver& resolver, const ValidateOptions& options) {
+FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options) {
+  ++work_count.validated;
+  const container::Container& container = opened.container();
+  const Deviations& deviations = deviations_of(options.profile);
+  const bool hides = deviations.broken_values_are_absent;
   FileReport report;
-  report.path = name;
+  report.path = opened.name();
   Collector collector(options);
-  json::Document document;
-  const bool has_text = check_container(container, name, report, collector);
-  if (has_text && parse_document(container, options, collector, document)) {
+  const bool has_text = check_container(container, opened.name(), report, collector);
+  // Members that are hidden here are seen by others.
+  json::Document own;
+  if (has_text && hides) own = opened.document();
+  const json::Document& document = has_text && !hides ? opened.document() : own;
+  if (has_text && check_text(container.json, opened.parsed(), options, collector)) {
     const auto set = options.schemas ? options.schemas : schema::builtin_set();
     Sink& forms = collector.sink(Phase::schema);
     Sink& links = collector.sink(Phase::reference);
-    const Deviations& deviations = deviations_of(options.profile);
     const bool additions = !deviations.no_additional_rules;
     const model::Asset asset(document, !additions);  // one of which limits the objects
     const bool earlier = additions && !earlier_interactivity(document).empty();
@@ -141,7 +147,7 @@ FileReport validate(const container::Container& container, const std::string& na
     std::optional<LinkOrder> order;
     if (deviations.reading_order) order.emplace(links);
     Context context{container,
-                    resolver,
+                    opened.resolver(),
                     document,
                     *set,
                     asset,
@@ -155,9 +161,9 @@ FileReport validate(const container::Container& container, const std::string& na
     Suppressions suppressions;
     if (options.inline_suppressions && additions) suppressions = Suppressions(document);
     if (!suppressions.empty()) collector.suppress(&suppressions);
-    if (check_identity(context, collector) &&
-        check_document(context, document, collector, report)) {
+    if (check_identity(context, collector) && check_document(context, own, collector, report)) {
       suppressions.report(options, links);
+      if (!hides) opened.keep_views(std::move(context.views));
     }
     report.left_out = suppressions.total();
   }

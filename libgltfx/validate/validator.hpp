@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The phases of validation in their order, over one opened container.
+/// The phases of validation in their order, over one opened asset.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -7,16 +7,14 @@
 
 #include <string>
 
-#include "container/container.hpp"
-#include "container/resolver.hpp"
+#include "model/opened_asset.hpp"
 
 namespace gltfx::validate {
 
 /// Runs every phase that can run; each collects and none stops the next, unless what it would look
-/// at does not exist. `name` is the path as the user gave it: it stands in the report, and its
-/// ending says which container was promised.
-FileReport validate(const container::Container& container, const std::string& name,
-                    const container::Resolver& resolver, const ValidateOptions& options);
+/// at does not exist. The asset's name stands in the report, and its ending says which container
+/// was promised. The asset keeps the tables that were made of its document.
+FileReport validate(model::OpenedAsset& asset, const ValidateOptions& options);
 
 /// The report on a file that could not be opened.
 FileReport unreadable(const std::string& name, const std::string& reason,

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include "edit/diff.hpp"
 #include "json/parse.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/choice.hpp"
-#include "upgrade/diff.hpp"
 #include "upgrade/plan.hpp"
 
 namespace {
@@ -42,7 +42,7 @@ void check(std::string_view text, const UpgradeOptions& options) {
   const schema::Set& set = *schema::builtin_set();
   const upgrade::Plan plan = upgrade::make_plan(old.document, set, options);
   check_edits(text, plan.edits);
-  require(plan.edits.empty() == upgrade::unified_diff(text, plan.edits, "x").empty());
+  require(plan.edits.empty() == edit::unified_diff(text, plan.edits, "x").empty());
   const std::string fresh = json::apply_edits(text, plan.edits);
   const json::Parsed parsed = json::parse(std::string_view(fresh));
   require(parsed.ok());

@@ -10,7 +10,7 @@
 #include "container/container.hpp"
 #include "container/resolver.hpp"
 #include "container/temp_folder.hpp"
-#include "json/parse.hpp"
+#include "model/opened_asset.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx::inspect {
@@ -21,11 +21,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 AssetFacts facts_of(const std::string& text, const container::Resolver& resolver = {}) {
-  const container::Container opened =
-      container::open_bytes(container::Bytes::from_string(text), "a.gltf");
-  const json::Parsed parsed = json::parse(opened.json);
-  EXPECT_FALSE(parsed.document.empty());
-  return collect_facts(opened, resolver, parsed.document, *schema::builtin_set(), 1);
+  const model::OpenedAsset opened(
+      "a.gltf", container::open_bytes(container::Bytes::from_string(text), "a.gltf"), resolver);
+  EXPECT_FALSE(opened.document().empty());
+  return collect_facts(opened, *schema::builtin_set(), 1);
 }
 
 std::uint64_t bytes(const AssetFacts& facts, ByteUse use) {

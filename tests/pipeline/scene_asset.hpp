@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "json/parse.hpp"
 #include "model/bytes_asset.hpp"
 #include "model/packed_bytes.hpp"
 #include "pipeline/scene_builder.hpp"
 #include "schema/compile.hpp"
+#include "validate/validated_asset.hpp"
 
 namespace gltfx::test {
 
@@ -18,12 +18,11 @@ inline constexpr int kUnsignedByte = 5121;
 /// The scene of a text that stands nowhere: nothing is looked up beside it.
 inline bake::Scene scene_of_text(const std::string& text, const SceneOptions& options = {}) {
   const auto bytes = container::Bytes::from_string(std::string(text));
-  const container::Container container = container::open_bytes(bytes, "a.gltf");
-  const json::Parsed parsed = json::parse(container.json);
-  EXPECT_FALSE(parsed.document.empty()) << text;
-  if (parsed.document.empty()) return {};
-  return build_scene(container, container::Resolver(), parsed.document, *schema::builtin_set(),
-                     options);
+  const validate::ValidatedAsset asset(
+      {"a.gltf", container::open_bytes(bytes, "a.gltf"), container::Resolver()}, {});
+  EXPECT_FALSE(asset.asset().document().empty()) << text;
+  if (asset.asset().document().empty()) return {};
+  return build_scene(asset, *schema::builtin_set(), options);
 }
 
 /// `members`: those of the root object beside the accessors.

@@ -17,9 +17,10 @@ using testing::IsEmpty;
 
 // What a file may include: headers of its own room, and of rooms on floors below.
 const std::map<std::string, int, std::less<>> kFloors{
-    {"base", 0},   {"json", 1},    {"codec", 1},    {"image", 2},    {"container", 2},
-    {"schema", 2}, {"report", 2},  {"model", 3},    {"validate", 4}, {"upgrade", 4},
-    {"bake", 4},   {"inspect", 4}, {"pipeline", 5}, {"interop", 5},  {"tools", 6},
+    {"base", 0},      {"json", 1},     {"codec", 1},   {"image", 2},
+    {"container", 2}, {"schema", 2},   {"report", 2},  {"model", 3},
+    {"edit", 3},      {"validate", 4}, {"upgrade", 4}, {"bake", 4},
+    {"inspect", 4},   {"pipeline", 5}, {"interop", 5}, {"tools", 6},
 };
 
 // The room a public header belongs to.

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edit/companions.hpp"
+
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include "base/file_draft.hpp"
+#include "base/stale_files.hpp"
+#include "base/text.hpp"
+#include "container/file.hpp"
+#include "container/pieces.hpp"
+#include "container/uri.hpp"
+
+namespace gltfx::edit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
+                          const fs::path& folder) {
+  if (path.starts_with("..")) {
+    return Error{
+        fmt::format("{} lies outside the asset's folder and would be missed in the new one",
+                    quoted(path, 200))};
+  }
+  const container::Resolved resolved = resolver.open(path);
+  if (resolved.fault == container::ResolveFault::not_found) return std::nullopt;
+  if (resolved.fault != container::ResolveFault::none) {
+    return Error{container::describe(resolved.fault, path, resolved.problem)};
+  }
+  const fs::path target = folder / path;
+  if (auto trouble = make_folder(target.parent_path())) return trouble;
+  return put_file(target, resolved.bytes);
+}
+
+std::optional<Error> create(const fs::path& target, const container::Bytes& bytes) {
+  FileDraft draft(target, std::nullopt);
+  if (auto trouble = container::write_pieces(draft, {bytes})) return trouble;
+  if (auto trouble = draft.finish()) return trouble;
+  return draft.publish();
+}
+
+}  // namespace
+
+bool has_bytes(const fs::path& file, const container::Bytes& bytes) {
+  const container::Loaded present =
+      container::load_file(container::open_regular(AT_FDCWD, file.c_str()));
+  return present.fault == container::ResolveFault::none &&
+         container::same_bytes(present.bytes, bytes);
+}
+
+std::optional<Error> put_file(const fs::path& target, const container::Bytes& bytes) {
+  remove_stale_files(target);
+  std::error_code fault;
+  std::optional<Error> trouble;
+  if (!fs::exists(target, fault)) {
+    trouble = create(target, bytes);
+    if (!trouble) return std::nullopt;
+  }
+  if (fs::exists(target, fault) && has_bytes(target, bytes)) return std::nullopt;
+  if (trouble) return trouble;
+  return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
+}
+
+std::set<std::string> referred_paths(const json::Document& document) {
+  std::set<std::string> paths;
+  const json::KeyId extras = document.key_id("extras");
+  const json::KeyId uri = document.key_id("uri");
+  for (json::NodeId id = 0; id < document.node_count();) {
+    const json::Node& node = document.node(id);
+    if (node.kind == json::Kind::key && node.next == extras) {
+      id = document.next(id + 1);
+      continue;
+    }
+    if (node.kind == json::Kind::key && node.next == uri && document.is_string(id + 1)) {
+      container::Uri reference = container::classify_uri(document.string(id + 1));
+      if (reference.kind == container::UriKind::relative_path) {
+        paths.insert(std::move(reference.path));
+      }
+    }
+    ++id;
+  }
+  return paths;
+}
+
+std::optional<Error> make_folder(const fs::path& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (!fault) return std::nullopt;
+  return Error{fmt::format("cannot create {}: {}", quoted(folder.native(), 200), fault.message())};
+}
+
+std::optional<Error> copy_companions(const json::Document& document,
+                                     const container::Resolver& resolver, const fs::path& folder) {
+  for (const std::string& path : referred_paths(document)) {
+    if (auto trouble = copy(path, resolver, folder)) return trouble;
+  }
+  return std::nullopt;
+}
+
+}  // namespace gltfx::edit

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A file that is written beside an asset.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "container/bytes.hpp"
+
+namespace gltfx::edit {
+
+/// A file that the asset refers to from now on.
+struct NewFile {
+  std::string path;  ///< from the asset's folder, '/' separated, as container::Uri has it
+  std::shared_ptr<const std::string> bytes;
+
+  /// The bytes, which keep their memory.
+  container::Bytes content() const { return {std::as_bytes(std::span(*bytes)), bytes}; }
+};
+
+}  // namespace gltfx::edit

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+/// JSON pointers that stand in a document as text: those of animations and of interactivity graphs.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "json/document.hpp"
+
+namespace gltfx::edit {
+
+/// A string that is a pointer into a root array, or a template of some ("/materials/{i}/...").
+struct PointerUse {
+  json::NodeId node = json::kNoNode;
+  std::vector<std::string> steps;
+};
+
+/// All of them but those in `extras`, which are nobody's business.
+class Pointers {
+ public:
+  explicit Pointers(const json::Document& document);
+
+  /// Those that lead to, or below, a place of an element of a root array, templates of such too.
+  std::vector<const PointerUse*> below(std::string_view array, std::string_view index,
+                                       std::span<const std::string> steps) const;
+  /// Whether one leads to, or below, a place of an element of a root array. A template leads to
+  /// every element.
+  bool lead_below(std::string_view array, std::string_view index,
+                  std::span<const std::string> steps) const;
+  const std::vector<PointerUse>& all() const { return uses_; }
+  static bool is_template(const PointerUse& use);
+
+ private:
+  std::vector<PointerUse> uses_;
+  /// Positions in uses_ by the first two steps, "materials/3"; templates by the first.
+  std::unordered_map<std::string, std::vector<std::size_t>> by_element_;
+};
+
+}  // namespace gltfx::edit

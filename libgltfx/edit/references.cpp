@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edit/references.hpp"
+
+#include "schema/check.hpp"
+#include "schema/no_findings.hpp"
+
+namespace gltfx::edit {
+namespace {
+
+std::string first_unknown(const schema::CheckResult& result, const schema::Set& set) {
+  for (const std::string& name : result.extensions_seen) {
+    if (set.find_extension(name) == schema::kNone) return name;
+  }
+  return {};
+}
+
+}  // namespace
+
+References::References(const json::Document& document, const schema::Set& set) {
+  const schema::ReferenceVisitor visit = [this](std::string_view array, std::uint64_t index,
+                                                Span span) {
+    if (array.size() > 1) by_array_[std::string(array.substr(1))].push_back({index, span});
+  };
+  schema::CheckOptions options;
+  options.references = &visit;
+  schema::NoFindings nobody;
+  unknown_ = first_unknown(schema::check(document, set, options, nobody, nobody), set);
+}
+
+const std::vector<Reference>& References::to(std::string_view array) const {
+  static const std::vector<Reference> kNone;
+  const auto found = by_array_.find(array);
+  return found == by_array_.end() ? kNone : found->second;
+}
+
+}  // namespace gltfx::edit

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edit/write_asset.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include "base/file_draft.hpp"
+#include "base/replace_file.hpp"
+#include "container/open_file.hpp"
+#include "container/pieces.hpp"
+#include "edit/companions.hpp"
+
+namespace gltfx::edit {
+namespace {
+
+namespace fs = std::filesystem;
+using Trouble = std::optional<Error>;
+using Failure = std::optional<WriteFailure>;
+
+Failure not_written(const Trouble& trouble) {
+  if (!trouble) return std::nullopt;
+  return WriteFailure{false, trouble->message};
+}
+
+class Writer {
+ public:
+  Writer(const OldAsset& old, const Destination& to, const NewBytes& bytes, const WriteCheck& check)
+      : old_(old), to_(to), bytes_(bytes), check_(check) {}
+
+  Failure run() const {
+    std::error_code fault;
+    const bool in_place = to_.in_place || fs::equivalent(to_.output, old_.path, fault);
+    return in_place ? write_in_place() : write_elsewhere();
+  }
+
+ private:
+  // The draft holds the new bytes, and these can take their place: made of what was read, checked
+  // as they are on the disk, with the attributes of what they replace.
+  Failure fill(FileDraft& draft) const {
+    if (auto failure = not_written(container::write_pieces(draft, bytes_.pieces))) return failure;
+    if (auto failure = not_written(changed_meanwhile())) return failure;
+    if (check_) {
+      const auto written =
+          container::open_file(container::adopt_regular(draft.reader()), old_.path);
+      if (!written) return not_written(written.error());
+      if (auto why = check_(*written)) return WriteFailure{true, *std::move(why)};
+    }
+    return not_written(draft.finish());
+  }
+
+  Trouble changed_meanwhile() const {
+    const auto now = file_state(old_.path);
+    if (!now) return now.error();
+    if (*now == old_.state) return std::nullopt;
+    return Error{"it was changed by another program since it was read; run again"};
+  }
+
+  Trouble write_files() const {
+    const fs::path folder = target_folder(old_.path, to_.output);
+    for (const NewFile& file : bytes_.files) {
+      if (auto trouble = put_file(folder / file.path, file.content())) return trouble;
+    }
+    return std::nullopt;
+  }
+
+  Failure write_in_place() const {
+    FileDraft draft(old_.path, old_.state);
+    if (auto failure = fill(draft)) return failure;
+    if (auto failure = not_written(write_files())) return failure;
+    const fs::path copy = old_.path + ".bak";
+    if (auto failure = not_written(to_.backup ? keep_old(copy) : std::nullopt)) return failure;
+    const Failure failure = not_written(draft.publish());
+    std::error_code ignored;
+    if (failure && to_.backup) fs::remove(copy, ignored);
+    return failure;
+  }
+
+  Trouble keep_old(const fs::path& copy) const {
+    FileDraft draft(copy, fs::path(old_.path));
+    if (auto trouble = container::write_pieces(draft, {old_.container.bytes})) return trouble;
+    if (auto trouble = draft.finish()) return trouble;
+    return draft.publish();
+  }
+
+  Failure write_elsewhere() const {
+    const fs::path folder = target_folder(old_.path, to_.output);
+    if (auto failure = not_written(make_folder(folder))) return failure;
+    const auto seen = state_if_there(to_.output);
+    if (!seen) return not_written(seen.error());
+    FileDraft draft(to_.output, *seen);
+    if (auto failure = fill(draft)) return failure;
+    if (auto failure = not_written(copy_others(folder))) return failure;
+    if (auto failure = not_written(write_files())) return failure;
+    return not_written(draft.publish());
+  }
+
+  Trouble copy_others(const fs::path& folder) const {
+    const fs::path own = fs::path(old_.path).parent_path();
+    std::error_code fault;
+    if (fs::equivalent(folder, own.empty() ? fs::path(".") : own, fault)) return std::nullopt;
+    return copy_companions(old_.document, old_.resolver, folder);
+  }
+
+  const OldAsset& old_;
+  const Destination& to_;
+  const NewBytes& bytes_;
+  const WriteCheck& check_;
+};
+
+}  // namespace
+
+Failure write_asset(const OldAsset& old, const Destination& to, const NewBytes& bytes,
+                    const WriteCheck& check) {
+  return Writer(old, to, bytes, check).run();
+}
+
+fs::path target_folder(const std::string& path, const std::string& output) {
+  const fs::path folder = fs::path(output.empty() ? path : output).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+}  // namespace gltfx::edit

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The last step of an edit: new bytes take the place of old ones.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/file_state.hpp"
+#include "container/container.hpp"
+#include "container/resolver.hpp"
+#include "edit/new_file.hpp"
+#include "json/document.hpp"
+
+namespace gltfx::edit {
+
+/// The asset that was read.
+struct OldAsset {
+  const std::string& path;
+  FileState state;  ///< before it was read
+  const container::Container& container;
+  const json::Document& document;
+  const container::Resolver& resolver;
+};
+
+/// Where new bytes go.
+struct Destination {
+  std::string output;     ///< empty: where the old ones are
+  bool in_place = false;  ///< where the old ones are
+  bool backup = false;    ///< in place: keep the old bytes as ASSET.bak
+};
+
+/// The folder that the asset at `path` is written to.
+std::filesystem::path target_folder(const std::string& path, const std::string& output);
+
+/// What is to be written.
+struct NewBytes {
+  const std::vector<container::Bytes>& pieces;  ///< one behind the other, of the asset
+  const std::vector<NewFile>& files;            ///< that it refers to
+};
+
+/// Why new bytes were not written. `refused`: the check said so.
+struct WriteFailure {
+  bool refused = false;
+  std::string error;
+};
+
+/// Why an asset must not be written, or nothing.
+using WriteCheck = std::function<std::optional<std::string>(const container::Container&)>;
+
+/// Writes the bytes to their destination, files before the asset that refers to them. The asset is
+/// checked as it is on the disk, before it takes its place; a null check passes. Nothing when all
+/// is durable, else why it is not; then the old bytes are there still.
+std::optional<WriteFailure> write_asset(const OldAsset& old, const Destination& to,
+                                        const NewBytes& bytes, const WriteCheck& check);
+
+}  // namespace gltfx::edit

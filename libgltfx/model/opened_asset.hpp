@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+/// One asset, opened once: what all verbs work on.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "container/container.hpp"
+#include "container/resolver.hpp"
+#include "json/parse.hpp"
+#include "model/views.hpp"
+
+namespace gltfx::model {
+
+/// A container, what its references lead to, and what is made of its text: each once, when somebody
+/// asks for it. References that it gives stay valid when it is moved. Calls that make something are
+/// not to be made by two threads at once.
+class OpenedAsset {
+ public:
+  /// `name` is the path as the user gave it.
+  OpenedAsset(std::string name, container::Container container, container::Resolver resolver);
+  /// `parsed` is the container's text.
+  OpenedAsset(std::string name, container::Container container, container::Resolver resolver,
+              json::Parsed parsed);
+
+  const std::string& name() const { return name_; }
+  const container::Container& container() const { return container_; }
+  const container::Resolver& resolver() const { return resolver_; }
+  /// From now on look-ups of the resolver are recorded.
+  void record(std::shared_ptr<container::LookupLog> log) { resolver_.record(std::move(log)); }
+
+  /// Without a text: no document.
+  const json::Parsed& parsed() const;
+  const json::Document& document() const { return parsed().document; }
+  /// Tables of the document, of which some validations have made them already.
+  const Views& views() const;
+  void keep_views(Views views) { views_ = std::make_unique<const Views>(std::move(views)); }
+  /// Gives their memory back.
+  void forget_views() { views_.reset(); }
+
+ private:
+  std::string name_;
+  container::Container container_;
+  container::Resolver resolver_;
+  mutable std::unique_ptr<const json::Parsed> parsed_;  ///< null until somebody asks
+  mutable std::unique_ptr<const Views> views_;          ///< likewise
+};
+
+}  // namespace gltfx::model

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/planned_upgrade.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "edit/companions.hpp"
+#include "edit/diff.hpp"
+#include "edit/orphans.hpp"
+#include "edit/prune.hpp"
+#include "edit/references.hpp"
+#include "edit/write_asset.hpp"
+#include "pipeline/patch_path.hpp"
+#include "upgrade/ambiguity.hpp"
+#include "upgrade/asset_pictures.hpp"
+#include "upgrade/plan.hpp"
+#include "upgrade/render.hpp"
+#include "upgrade/settlement.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+using model::OpenedAsset;
+
+PlannedUpgrade without_plan(PlannedUpgrade planned, UpgradeProblem problem, std::string error) {
+  return {failed(std::move(planned.report), problem, std::move(error)), {}, {}, {}, {}, {}};
+}
+
+bool is_lossless(const std::vector<UpgradeAction>& actions) {
+  return std::all_of(actions.begin(), actions.end(), [](const UpgradeAction& action) {
+    return !action.is_due() || (action.fate == UpgradeFate::safe && !action.lossy);
+  });
+}
+
+// A new name is one that is free, or taken by the same bytes, where the asset is and where it goes.
+bool is_free(const OpenedAsset& asset, const std::string& output, const std::string& path,
+             std::string_view content) {
+  const container::Resolved here = asset.resolver().open(path);
+  if (here.fault == container::ResolveFault::none
+          ? here.bytes.text() != content
+          : here.fault != container::ResolveFault::not_found) {
+    return false;
+  }
+  const fs::path there = edit::target_folder(asset.name(), output) / path;
+  std::error_code fault;
+  return !fs::exists(fs::symlink_status(there, fault)) ||
+         edit::has_bytes(there, {std::as_bytes(std::span(content)), nullptr});
+}
+
+// Makes new images and finds a place for all that is added.
+Result<upgrade::Settlement> settle(const upgrade::Additions& additions, const OpenedAsset& asset,
+                                   const std::string& output, const upgrade::AssetBytes& bytes,
+                                   upgrade::Pictures& pictures) {
+  std::vector<std::shared_ptr<const std::string>> images;
+  for (const upgrade::ImageJob& job : additions.images()) {
+    auto file = upgrade::render(job, pictures, upgrade::ImageCache::shared(), bytes.origin());
+    if (!file) return file.error();
+    images.push_back(*std::move(file));
+  }
+  return upgrade::settle(additions, images, asset.container(), bytes,
+                         [&](const std::string& path, std::string_view content) {
+                           return is_free(asset, output, path, content);
+                         });
+}
+
+std::vector<UpgradeOrphan> listed(const edit::Orphans& orphans, upgrade::AssetBytes& bytes) {
+  std::vector<UpgradeOrphan> list;
+  for (const auto& [array, indices] : orphans) {
+    for (const std::uint64_t index : indices) {
+      UpgradeOrphan orphan{fmt::format("/{}/{}", array, index), 0, false};
+      if (array == "images") {
+        const auto content = bytes.image(index);
+        orphan.bytes = content ? content->size() : 0;
+      }
+      list.push_back(std::move(orphan));
+    }
+  }
+  return list;
+}
+
+void parse_new_text(const OpenedAsset& asset, PlannedUpgrade& planned) {
+  planned.text = share_text(json::apply_edits(*asset.container().json, planned.edits));
+  planned.parsed = json::parse(planned.text);
+}
+
+// What additions refer to is not missed: they stand behind everything that was there before.
+void look_for_orphans(const OpenedAsset& asset, const std::vector<std::uint64_t>& released,
+                      bool prune, const schema::Set& schemas, upgrade::AssetBytes& bytes,
+                      PlannedUpgrade& planned) {
+  parse_new_text(asset, planned);
+  const json::Document& now = planned.parsed.document;
+  const edit::References before(asset.document(), schemas);
+  const edit::References after(now, schemas);
+  const edit::Orphans orphans = edit::find_orphans(asset.document(), before, released, now, after);
+  UpgradeReport& report = planned.report;
+  report.orphans = listed(orphans, bytes);
+  if (!prune || report.orphans.empty()) return;
+  std::optional<std::uint64_t> bin_size;
+  if (bytes.buffer_storage(0) == upgrade::Storage::bin_chunk) {
+    bin_size = asset.container().bin->length;
+  }
+  auto pruned = edit::prune(now, after, orphans, bin_size);
+  if (!pruned) {
+    report.orphans_kept = pruned.error().message;
+    return;
+  }
+  planned.edits = json::chain_edits(*asset.container().json, planned.edits, pruned->edits);
+  planned.bin.cut = std::move(pruned->cut);
+  for (UpgradeOrphan& orphan : report.orphans) orphan.removed = true;
+  report.names_removed = std::move(pruned->names);
+  planned.text = nullptr;  // another one by now
+  planned.parsed = {};
+}
+
+// No patch changes the JSON inside a binary file: there the diff is a comment of one.
+std::string diff_text(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
+  const bool is_text = asset.container().format == container::Format::gltf;
+  return edit::unified_diff(*asset.container().json, edits, patch_path(asset.name()),
+                            is_text ? "" : "# ");
+}
+
+// In a GLB the new text has blanks behind it.
+bool same_but_for_padding(std::string_view with, std::string_view without) {
+  return with.starts_with(without) &&
+         with.find_first_not_of(' ', without.size()) == std::string_view::npos;
+}
+
+}  // namespace
+
+UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string error) {
+  report.problem = problem;
+  report.error = std::move(error);
+  for (UpgradeAction& action : report.actions) action.done = false;
+  report.changes = false;
+  report.new_files.clear();
+  report.new_warnings.clear();
+  report.diff.clear();
+  report.orphans.clear();
+  return report;
+}
+
+PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
+                            const UpgradeOptions& options,
+                            const std::shared_ptr<const schema::Set>& schemas) {
+  const OpenedAsset& asset = validated.asset();
+  const model::Asset elements(asset.document());
+  upgrade::AssetBytes bytes(elements, asset.container(), asset.resolver());
+  upgrade::AssetPictures pictures(bytes, upgrade::ImageCache::shared());
+  upgrade::Plan plan = upgrade::make_plan(asset.document(), *schemas, options, &pictures, &bytes);
+  PlannedUpgrade planned;
+  UpgradeReport& report = planned.report;
+  report.path = asset.name();
+  if (const std::string why = pictures.failure(); !why.empty()) {
+    return without_plan(std::move(planned), UpgradeProblem::unreadable, why);
+  }
+  const auto ambiguity = upgrade::find_ambiguity(asset.parsed(), plan);
+  report.actions = std::move(plan.actions);
+  planned.edits = std::move(plan.edits);
+  if (report.due() == 0) return planned;
+  const auto refuse = [&planned](std::string why) {
+    return without_plan(std::move(planned), UpgradeProblem::refused, std::move(why));
+  };
+  if (ambiguity) return refuse(*ambiguity);
+  const auto obstacle = edit::find_glb_obstacle(asset.container());
+  if (obstacle && !planned.edits.empty()) return refuse("it cannot be written anew: " + *obstacle);
+  report.changes = !planned.edits.empty() || !plan.additions.empty();
+  if (options.strict && !is_lossless(report.actions)) {
+    return refuse("not everything can be upgraded without loss (--strict)");
+  }
+  if (!plan.additions.empty()) {
+    auto settled = settle(plan.additions, asset, options.output, bytes, pictures);
+    if (!settled) return refuse(settled.error().message);
+    planned.edits = json::merge_edits(std::move(planned.edits), std::move(settled->edits));
+    planned.bin.more = std::move(settled->bin);
+    planned.files = std::move(settled->files);
+    for (const edit::NewFile& file : planned.files) report.new_files.push_back(file.path);
+  }
+  if (report.changes && elements.count(model::RootArray::textures) > 0) {
+    look_for_orphans(asset, plan.released, options.prune, *schemas, bytes, planned);
+  }
+  if (options.diff) report.diff = diff_text(asset, planned.edits);
+  return planned;
+}
+
+OpenedAsset upgraded(const OpenedAsset& before, PlannedUpgrade& plan,
+                     container::Container changed) {
+  container::Resolver resolver = before.resolver();
+  for (const edit::NewFile& file : plan.files) resolver.add(file.path, file.content());
+  if (!plan.text || !changed.json || !same_but_for_padding(*changed.json, *plan.text)) {
+    return {before.name(), std::move(changed), std::move(resolver)};
+  }
+  changed.json = std::exchange(plan.text, nullptr);
+  return {before.name(), std::move(changed), std::move(resolver), std::move(plan.parsed)};
+}
+
+}  // namespace gltfx

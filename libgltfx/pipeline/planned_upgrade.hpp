@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What an upgrade is to change, settled to the last byte: from a plan to edits of the text, bytes
+/// of the BIN chunk and new files.
+#pragma once
+
+#include <gltfx/upgrade.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/shared_text.hpp"
+#include "edit/new_file.hpp"
+#include "edit/rewrite.hpp"
+#include "json/parse.hpp"
+#include "validate/validated_asset.hpp"
+
+namespace gltfx {
+
+/// Nothing of it is written or checked yet.
+struct PlannedUpgrade {
+  UpgradeReport report;  ///< where it has a problem, nothing else of this means anything
+  std::vector<json::Edit> edits;
+  edit::BinChange bin;
+  std::vector<edit::NewFile> files;  ///< that the new document refers to
+  SharedText text;                   ///< with all edits made; null where nobody needed it yet
+  json::Parsed parsed;               ///< of that
+};
+
+/// `schemas` is never null.
+PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& asset, const UpgradeOptions& options,
+                            const std::shared_ptr<const schema::Set>& schemas);
+
+/// Why a file is not dealt with as it was asked: the report says that nothing was done.
+UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string error);
+
+/// The asset that the changed container makes, with new files where it looks for them. The new text
+/// is not parsed a second time.
+model::OpenedAsset upgraded(const model::OpenedAsset& before, PlannedUpgrade& plan,
+                            container::Container changed);
+
+}  // namespace gltfx
