@@ -77,7 +77,7 @@ Result<SceneOptions> scene_options(const model::Asset& asset, const BakeOptions&
 }
 
 // The asset is closed at the end: its bytes are in the scene by then.
-Result<std::unique_ptr<bake::Scene>> build(const validate::ValidatedAsset asset,
+Result<std::unique_ptr<bake::Scene>> build(validate::ValidatedAsset asset,
                                            const BakeOptions& options) {
   const auto wanted = scene_options(model::Asset(asset.asset().document()), options);
   if (!wanted) return wanted.error();
