@@ -76,9 +76,9 @@ struct Deviations : schema::Deviations {
   /// ("Buffers and Buffer Views"): the bytes must be there. Seen: findings on such data.
   bool short_data_uris_are_kept = false;
 
-  /// Khronos: reads the headers of JPEG, PNG and WebP, and as far as the members of the report
-  /// need. Specification ("Images"): more formats come with extensions. Seen:
-  /// IMAGE_UNRECOGNIZED_FORMAT for other formats, and nothing on headers that readers dispute.
+  /// Khronos: reads the headers of JPEG, PNG and WebP, as far as `info` needs them. Specification
+  /// ("Images"): more formats come with extensions. Seen: IMAGE_UNRECOGNIZED_FORMAT for other
+  /// formats, and nothing on headers that readers dispute.
   bool few_image_formats = false;
 
   /// Khronos: skips an image with an extension that is not supported. Specification: silent. Seen:
