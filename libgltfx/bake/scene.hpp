@@ -73,7 +73,8 @@ struct SceneMaterial {
   /// Factors in the words of the specification. For specular-glossiness the base colour is the
   /// diffuse factor. Of iridescence the thickness is the maximum.
   Material factors;
-  float alpha = 1;  ///< of the base colour factor
+  float alpha = 1;              ///< of the base colour factor
+  float emissive_strength = 1;  ///< factors.emissive is multiplied by it already
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5F;
   bool double_sided = false;
@@ -95,9 +96,9 @@ struct SceneMaterial {
   const TextureUse& use(Slot slot) const { return textures[static_cast<std::size_t>(slot)]; }
 };
 
-/// Where a parameter stands: a member of that name, or nowhere.
-using ParameterMember = std::variant<std::monostate, double Material::*, Rgb Material::*,
-                                     float SceneMaterial::*, Float3 SceneMaterial::*>;
+/// Where a parameter stands: a member of that name.
+using ParameterMember = std::variant<double Material::*, Rgb Material::*, float SceneMaterial::*,
+                                     Float3 SceneMaterial::*>;
 inline constexpr auto kParameterMembers =
     material_members<ParameterMember, Material, SceneMaterial>();
 

@@ -11,14 +11,11 @@ namespace {
 
 using bake::Slot;
 
-using Numbers = std::array<float, 4>;
-
 // Puts the numbers of a parameter where they belong.
 struct Assign {
   bake::SceneMaterial& to;
-  const Numbers& from;
+  const std::array<float, 4>& from;
 
-  void operator()(std::monostate) const {}
   void operator()(double Material::*member) const {
     to.factors.*member = static_cast<double>(from[0]);
   }
@@ -31,18 +28,6 @@ struct Assign {
     to.*member = {from[0], from[1], from[2]};
   }
 };
-
-// All parameters have a place but one, which is a factor of another.
-constexpr bool has_place(std::size_t parameter) {
-  return bake::kParameterMembers[parameter].index() != 0 ||
-         parameter == static_cast<std::size_t>(MaterialParameter::emissive_strength);
-}
-static_assert([] {
-  for (std::size_t i = 0; i < kMaterialParameters; ++i) {
-    if (!has_place(i)) return false;
-  }
-  return true;
-}());
 
 // The text of KHR_texture_transform contradicts itself: its words and its example turn coordinates
 // counter-clockwise as they are seen, with v running down the image; its lines of GLSL turn them
@@ -100,7 +85,7 @@ class Translation {
       std::visit(Assign{to_, from_.values[i]}, bake::kParameterMembers[i]);
     }
     Material& m = to_.factors;
-    m.emissive *= static_cast<double>(from_.of(MaterialParameter::emissive_strength)[0]);
+    m.emissive *= static_cast<double>(to_.emissive_strength);
     m.unlit = from_.unlit;
     m.scattering = static_cast<Scattering>(from_.scattering);
     to_.name = from_.name;

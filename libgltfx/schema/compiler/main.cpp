@@ -11,7 +11,6 @@
 
 #include "schema/compile.hpp"
 #include "schema/compiler/embed.hpp"
-#include "schema/compiler/material_table.hpp"
 #include "schema/image.hpp"
 
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "schema/compiler/material_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include <fmt/format.h>
+
+#include "schema/compiler/embed.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -145,9 +145,8 @@ class Table {
     std::string text;
     for (const std::string& name : parameters_.names) {
       text += format(
-          "    [] {{\n      if constexpr (requires {{ &M::{0}; }}) return Member(&M::{0});\n"
-          "      else if constexpr (requires {{ &N::{0}; }}) return Member(&N::{0});\n"
-          "      else return Member();\n    }}(),\n",
+          "    [] {{ if constexpr (requires {{ &M::{0}; }}) return Member(&M::{0}); "
+          "else return Member(&N::{0}); }}(),\n",
           name);
     }
     return text;
@@ -182,7 +181,7 @@ class Table {
            readings_ +
            "};\n"
            "}  // namespace material_table\n\n"
-           "/// By parameter: the member of that name of M, else of N, else Member().\n"
+           "/// By parameter: the member of that name of M, else of N.\n"
            "template <class Member, class M, class N>\n"
            "constexpr std::array<Member, kMaterialParameters> material_members() {\n"
            "  return {\n" +
