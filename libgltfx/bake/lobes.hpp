@@ -33,15 +33,67 @@ struct diffuse_brdf : Lobe {
   Proposal sample(const Vec3d&, const Random3& r) const { return {cosine_hemisphere(r.u, r.v)}; }
 };
 
-/// diffuse_btdf(color): Lambert on the other side.
-struct diffuse_btdf : Lobe {
+/// What the V-shaped cavities of a rough diffuse surface make of Lambert's law, for
+/// KHR_materials_diffuse_roughness: EON, the model of OpenPBR, which the text names. It is Fujii's
+/// form of the model of Oren and Nayar, plus the light that bounces more than once: white loses
+/// nothing. (J. Portsmouth, P. Kutz and S. Hill, EON: A Practical Energy-Preserving Rough Diffuse
+/// BRDF, Journal of Computer Graphics Techniques 14(1), 2025.)
+class Cavities {
+ public:
+  Cavities(double roughness, const Vec3d& v)
+      : roughness_(roughness),
+        a_(1 / (1 + (0.5 - 2 * inv_pi / 3) * roughness)),
+        mean_(a_ * (1 + (2.0 / 3 - 28 * inv_pi / 15) * roughness)),
+        kept_v_(roughness > 0 ? kept(v.z) : 0) {}
+
+  /// The BRDF times pi of facets of a colour: that colour where it is smooth.
+  Rgb tint(const Rgb& color, const Directions& d) const {
+    if (roughness_ <= 0) return color;
+    const double s = dot(d.v, d.l) - d.v.z * d.l.z;
+    const double once = a_ * (1 + roughness_ * (s > 0 ? s / std::fmax(d.v.z, d.l.z) : s));
+    const double again = mean_ * kept_v_ * kept(d.l.z) / (1 - mean_);
+    return color * (Rgb(once) + again * color / (Rgb(1) - (1 - mean_) * color));
+  }
+
+ private:
+  // What white facets do not let go at the first bounce: 1 less the albedo under a cosine.
+  double kept(double cosine) const {
+    const double sine = std::sqrt(std::fmax(0.0, 1 - square(cosine)));
+    const double ends = cosine * (1 + sine + square(sine)) / (1 + sine);  // (1 - sine^3) / cosine
+    const double g =
+        sine * (std::acos(std::fmin(cosine, 1.0)) - sine * cosine + 2.0 / 3 * (ends - 1));
+    return 1 - a_ * (1 + roughness_ * inv_pi * g);
+  }
+
+  double roughness_;
+  double a_, mean_;  ///< A of the model, and the mean albedo of the first bounce
+  double kept_v_;
+};
+
+/// diffuse_brdf of a rough surface.
+struct rough_diffuse_brdf : diffuse_brdf {
+  Cavities cavities;
+
+  rough_diffuse_brdf(const Rgb& c, double roughness, const Vec3d& v)
+      : diffuse_brdf(c), cavities(roughness, v) {}
+  Rgb eval(const Directions& d, const Through& through) const {
+    if (!d.reflects(kDiffuseReflect, Measure::solid_angle)) return {};
+    return cavities.tint(color, d) * (through.diffuse * inv_pi);
+  }
+};
+
+/// diffuse_btdf(color) of a rough surface, or of a smooth one: the same lobe on the other side, as
+/// the text says that diffuse transmission relies on it.
+struct rough_diffuse_btdf : Lobe {
   static constexpr int kKinds = kDiffuseTransmit;
   Rgb color;
+  Cavities cavities;
 
-  explicit diffuse_btdf(const Rgb& c) : Lobe{max_value(c)}, color(c) {}
+  rough_diffuse_btdf(const Rgb& c, double roughness, const Vec3d& v)
+      : Lobe{max_value(c)}, color(c), cavities(roughness, v) {}
   Rgb eval(const Directions& d, const Through& through) const {
     if (!d.transmits(kDiffuseTransmit, Measure::solid_angle)) return {};
-    return color * (through.diffuse * inv_pi);
+    return cavities.tint(color, d) * (through.diffuse * inv_pi);
   }
   double pdf(const Directions& d) const {
     return d.transmits(kAllLobes, Measure::solid_angle) ? d.l.z * inv_pi : 0;

@@ -42,8 +42,8 @@ struct SeenLayers {
 
 /// Whether a material is that of the core specification, as far as its lobes go.
 inline bool is_core(const Material& m) {
-  return m.transmission == 0 && m.diffuse_transmission == 0 && max_value(m.sheen_color) <= 0 &&
-         m.clearcoat == 0;
+  return m.transmission == 0 && m.diffuse_transmission == 0 && m.diffuse_roughness == 0 &&
+         max_value(m.sheen_color) <= 0 && m.clearcoat == 0;
 }
 
 /// The core material as a graph of nodes (Appendix B). They refer to `seen`. It is what is left of
@@ -70,9 +70,11 @@ inline auto material_graph(const Material& m, const Seen& seen, const SeenLayers
   const double scatter_strength =
       m.scattering == Scattering::unified && !volume ? m.scatter_strength : 0;
 
+  // No text says how rough facets look from the dense side.
+  const double diffuse_roughness = seen.ior.eta < 1 ? 0 : m.diffuse_roughness;
   const auto diffuse_bsdf = mix(
-      diffuse_brdf(m.base_color),
-      diffuse_btdf(m.diffuse_transmission_color),
+      rough_diffuse_brdf(m.base_color, diffuse_roughness, seen.v),
+      rough_diffuse_btdf(m.diffuse_transmission_color, diffuse_roughness, seen.v),
       m.diffuse_transmission);
 
   const auto transmitted_bsdf = mix(

@@ -22,7 +22,7 @@ class Reader {
   Float4 texel(Slot slot) const {
     const TextureUse& use = material_.use(slot);
     const Float2 uv = uv_of(use);
-    return sample_texture(scene_.textures[use.texture], uv[0], uv[1], is_srgb(slot));
+    return sample_texture(scene_.textures[use.texture], uv[0], uv[1], reading(slot).srgb);
   }
 
   void scale(Rgb& value, Slot slot) const {
@@ -57,23 +57,23 @@ class Reader {
   mutable Float2 uv_{};
 };
 
-constexpr std::uint32_t kR = 0;
-constexpr std::uint32_t kG = 1;
-constexpr std::uint32_t kA = 3;
-
-void read_metallic_roughness(const Reader& reader, Material& m) {
-  if (!reader.has(Slot::metallic_roughness)) return;
-  const Float4 texel = reader.texel(Slot::metallic_roughness);
-  m.roughness *= static_cast<double>(texel[1]);
-  m.metallic *= static_cast<double>(texel[2]);
-}
-
-void read_transmission(const Reader& reader, Material& m) {
-  reader.scale(m.transmission, Slot::transmission, kR);
-  reader.scale(m.diffuse_transmission, Slot::diffuse_transmission, kA);
-  reader.scale(m.diffuse_transmission_color, Slot::diffuse_transmission_color);
-  reader.scale(m.scatter_strength, Slot::scatter_strength, kA);
-  reader.scale(m.scatter_color, Slot::multiscatter_color);
+// Multiplies what the slot scales of a surface. Where several numbers share its texels, these are
+// read once.
+void scale(const Reader& reader, Slot slot, Material& m) {
+  const auto& scales = reading(slot).scales;
+  const Float4 texel = scales.size() > 1 ? reader.texel(slot) : Float4();
+  for (const Scaling& scaling : scales) {
+    const ParameterMember& member = kParameterMembers[static_cast<std::size_t>(scaling.parameter)];
+    if (const auto* color = std::get_if<Rgb Material::*>(&member)) {
+      if (max_value(m.**color) > 0) reader.scale(m.**color, slot);
+    } else if (const auto* number = std::get_if<double Material::*>(&member)) {
+      if (scales.size() > 1) {
+        m.** number *= static_cast<double>(texel[scaling.channel]);
+      } else {
+        reader.scale(m.**number, slot, scaling.channel);
+      }
+    }
+  }
 }
 
 void read_anisotropy(const Reader& reader, Material& m) {
@@ -84,24 +84,16 @@ void read_anisotropy(const Reader& reader, Material& m) {
       std::atan2(2.0 * static_cast<double>(texel[1]) - 1, 2.0 * static_cast<double>(texel[0]) - 1);
 }
 
-void read_layers(const Reader& reader, const SceneMaterial& material, Material& m) {
-  reader.scale(m.specular, Slot::specular, kA);
-  reader.scale(m.specular_color, Slot::specular_color);
-  reader.scale(m.clearcoat, Slot::clearcoat, kR);
-  reader.scale(m.clearcoat_roughness, Slot::clearcoat_roughness, kG);
-  reader.scale(m.sheen_roughness, Slot::sheen_roughness, kA);
-  if (max_value(m.sheen_color) > 0) reader.scale(m.sheen_color, Slot::sheen_color);
-  reader.scale(m.iridescence, Slot::iridescence, kR);
-  if (m.iridescence > 0 && reader.has(Slot::iridescence_thickness)) {
-    const auto least = static_cast<double>(material.iridescence_thickness_minimum);
-    const auto share = static_cast<double>(reader.texel(Slot::iridescence_thickness)[1]);
-    m.iridescence_thickness = least + (m.iridescence_thickness - least) * share;
-  }
+void read_thickness_of_film(const Reader& reader, const SceneMaterial& material, Material& m) {
+  if (m.iridescence <= 0 || !reader.has(Slot::iridescence_thickness)) return;
+  const auto least = static_cast<double>(material.iridescence_thickness_minimum);
+  const auto share = static_cast<double>(reader.texel(Slot::iridescence_thickness)[1]);
+  m.iridescence_thickness = least + (m.iridescence_thickness - least) * share;
 }
 
 // What else the material has stays.
 void read_specular_glossiness(const Reader& reader, const SceneMaterial& material, Material& m) {
-  Rgb specular = to_vec(material.specular);
+  Rgb specular = to_vec(material.f0);
   auto glossiness = static_cast<double>(material.glossiness);
   if (reader.has(Slot::specular_glossiness)) {
     reader.scale(specular, Slot::specular_glossiness);
@@ -123,17 +115,16 @@ Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& 
   Material m = material.factors;
   const Float4 tint = color_at(mesh, hit);
   m.base_color *= to_vec({tint[0], tint[1], tint[2]});
-  reader.scale(m.base_color, Slot::base_color);
-  if (m.unlit) return m;
-  if (max_value(m.emissive) > 0) reader.scale(m.emissive, Slot::emissive);
-  if (material.specular_glossiness) {
-    read_specular_glossiness(reader, material, m);
-  } else {
-    read_metallic_roughness(reader, m);
+  // How deep a volume is, the paths through it find out.
+  for (std::size_t i = 0; i < kMaterialSlots; ++i) {
+    const auto slot = static_cast<Slot>(i);
+    if (slot == Slot::thickness || !reader.has(slot)) continue;
+    if (!m.unlit || slot == Slot::base_color) scale(reader, slot, m);
   }
-  read_transmission(reader, m);
+  if (m.unlit) return m;
+  if (material.specular_glossiness) read_specular_glossiness(reader, material, m);
   read_anisotropy(reader, m);
-  read_layers(reader, material, m);
+  read_thickness_of_film(reader, material, m);
   if (material.tinted_by_base_color) add_translucency(m, m.diffuse_transmission);
   return m;
 }

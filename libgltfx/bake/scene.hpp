@@ -12,7 +12,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
+
+#include "base/material_table.hpp"
 
 namespace gltfx::bake {
 
@@ -48,37 +51,10 @@ struct Texture {
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// What a material reads from textures. The slot decides channels and colour space.
-enum class Slot : std::uint8_t {
-  base_color,                  ///< RGBA, sRGB; also the diffuse map of specular-glossiness
-  metallic_roughness,          ///< G roughness, B metalness
-  normal,                      ///< RGB
-  emissive,                    ///< RGB, sRGB
-  transmission,                ///< R
-  diffuse_transmission,        ///< A (or as `channel` says)
-  diffuse_transmission_color,  ///< RGB, sRGB
-  thickness,                   ///< G
-  scatter_strength,            ///< A
-  multiscatter_color,          ///< RGB, sRGB
-  specular,                    ///< A
-  specular_color,              ///< RGB, sRGB
-  specular_glossiness,         ///< RGB specular in sRGB, A glossiness
-  sheen_color,                 ///< RGB, sRGB
-  sheen_roughness,             ///< A
-  clearcoat,                   ///< R
-  clearcoat_roughness,         ///< G
-  clearcoat_normal,            ///< RGB
-  anisotropy,                  ///< RG direction, B strength
-  iridescence,                 ///< R
-  iridescence_thickness,       ///< G
-  count
-};
-inline constexpr std::size_t kSlots = static_cast<std::size_t>(Slot::count);
-/// Whether the colours of a slot are encoded as sRGB.
-constexpr bool is_srgb(Slot slot) {
-  return slot == Slot::base_color || slot == Slot::emissive ||
-         slot == Slot::diffuse_transmission_color || slot == Slot::multiscatter_color ||
-         slot == Slot::specular_color || slot == Slot::specular_glossiness ||
-         slot == Slot::sheen_color;
+using Slot = MaterialSlot;
+/// What the texels of a slot are.
+constexpr const SlotReading& reading(Slot slot) {
+  return material_table::kReadings[static_cast<std::size_t>(slot)];
 }
 
 /// One use of a texture by a material.
@@ -97,7 +73,8 @@ struct SceneMaterial {
   /// Factors in the words of the specification. For specular-glossiness the base colour is the
   /// diffuse factor. Of iridescence the thickness is the maximum.
   Material factors;
-  float alpha = 1;  ///< of the base colour factor
+  float alpha = 1;              ///< of the base colour factor
+  float emissive_strength = 1;  ///< factors.emissive is multiplied by it already
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5F;
   bool double_sided = false;
@@ -107,17 +84,23 @@ struct SceneMaterial {
   /// KHR_materials_pbrSpecularGlossiness: what these hold takes the place of metalness, roughness,
   /// specular (whose slots have no texture then) and index of refraction.
   bool specular_glossiness = false;
-  Float3 specular{1, 1, 1};
+  Float3 f0{1, 1, 1};
   float glossiness = 1;
 
   /// The first generation of KHR_materials_translucency: factors.diffuse_transmission is its
   /// factor, and what passes is tinted by the base colour.
   bool tinted_by_base_color = false;
 
-  std::array<TextureUse, kSlots> textures{};
+  std::array<TextureUse, kMaterialSlots> textures{};
   TextureUse& use(Slot slot) { return textures[static_cast<std::size_t>(slot)]; }
   const TextureUse& use(Slot slot) const { return textures[static_cast<std::size_t>(slot)]; }
 };
+
+/// Where a parameter stands: a member of that name.
+using ParameterMember = std::variant<double Material::*, Rgb Material::*, float SceneMaterial::*,
+                                     Float3 SceneMaterial::*>;
+inline constexpr auto kParameterMembers =
+    material_members<ParameterMember, Material, SceneMaterial>();
 
 /// Triangles with one material, posed: skinned and morphed where the asset says so. Attributes are
 /// by vertex, and empty where there are none.

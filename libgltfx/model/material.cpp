@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/material.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "model/fields.hpp"
@@ -9,228 +9,139 @@
 namespace gltfx::model {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// The phase function of a medium has no value at the very ends.
-constexpr Limits kAnisotropyLimits{-0.999F, 0.999F};
+using Parameter = MaterialParameter;
 
-class MaterialReader {
- public:
-  MaterialReader(const Asset& asset, const Properties& material)
-      : asset_(asset), material_(material) {}
+constexpr std::string_view kFirstTranslucency = "KHR_materials_translucency";
 
-  Material read() {
-    read_core();
-    read_specular_glossiness();
-    read_diffuse_transmission();
-    read_media();
-    read_layers();
-    return result_;
+AlphaMode alpha_mode(const Properties& material) {
+  const std::string mode = string_member(material.document(), material.node(), "alphaMode");
+  if (mode == "MASK") return AlphaMode::mask;
+  return mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+}
+
+bool has(const Properties& owner, std::string_view name) {
+  return owner.document().find(owner.node(), name) != json::kNoNode;
+}
+
+// Drafts changed names; the one that is there counts.
+template <class Row>
+std::string_view name_in(const Properties& owner, const Row& row) {
+  return row.alias.empty() || has(owner, row.property) ? row.property : row.alias;
+}
+
+Properties owner_in(const Properties& object, std::string_view owner) {
+  return owner.empty() ? object : object.object(owner);
+}
+
+// What has no default is a distance: infinite when absent, and 0 is none.
+std::array<float, 4> value_of(const Properties& owner, const ParameterRow& row) {
+  const std::string_view name = name_in(owner, row);
+  std::array<float, 4> value = row.absent;
+  const Limits limits{row.least, row.most};
+  if (row.numbers > 1) {
+    owner.read(name, {value.data(), row.numbers}, limits);
+  } else {
+    value[0] = owner.number(name, row.absent[0], limits);
+    if (std::isinf(row.absent[0]) && value[0] <= 0) value[0] = row.absent[0];
   }
+  return value;
+}
 
- private:
-  TextureSlot slot(const Properties& owner, std::string_view name) const {
-    return read_slot(asset_, owner, name);
+// Slots of the forerunners of diffuse transmission were also written as bare indices.
+TextureSlot slot_of(const Asset& asset, const Properties& owner, const SlotRow& row, bool bare) {
+  const std::string_view name = name_in(owner, row);
+  TextureSlot slot = read_slot(asset, owner, name);
+  if (bare && !slot.texture) slot.texture = asset.index(owner.node(), name, RootArray::textures);
+  return slot;
+}
+
+void read_text(const Asset& asset, const Properties& object, const MaterialText& text,
+               Material& to) {
+  for (const ParameterRow& row : text.parameters) {
+    to.of(row.parameter) = value_of(owner_in(object, row.owner), row);
   }
-
-  AlphaMode alpha_mode() const {
-    const std::string mode = string_member(asset_.document(), material_.node(), "alphaMode");
-    if (mode == "MASK") return AlphaMode::mask;
-    return mode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+  const bool bare = text.extension.ends_with("_translucency");
+  for (const SlotRow& row : text.slots) {
+    to.of(row.slot) = slot_of(asset, owner_in(object, row.owner), row, bare);
   }
+}
 
-  void read_core() {
-    const Properties pbr = material_.object("pbrMetallicRoughness");
-    result_.name = asset_.name(material_.node());
-    result_.base_color_factor =
-        pbr.numbers("baseColorFactor", result_.base_color_factor, kUnitLimits);
-    result_.base_color_texture = slot(pbr, "baseColorTexture");
-    result_.metallic_factor = pbr.number("metallicFactor", 1, kUnitLimits);
-    result_.roughness_factor = pbr.number("roughnessFactor", 1, kUnitLimits);
-    result_.metallic_roughness_texture = slot(pbr, "metallicRoughnessTexture");
-    result_.normal_texture = slot(material_, "normalTexture");
-    result_.normal_scale = material_.object("normalTexture").number("scale", 1);
-    result_.occlusion_texture = slot(material_, "occlusionTexture");
-    result_.occlusion_strength =
-        material_.object("occlusionTexture").number("strength", 1, kUnitLimits);
-    result_.emissive_texture = slot(material_, "emissiveTexture");
-    result_.emissive_factor = material_.numbers<3>("emissiveFactor", {0, 0, 0}, kUnitLimits);
-    result_.alpha_mode = alpha_mode();
-    result_.alpha_cutoff = material_.number("alphaCutoff", 0.5F, kPositiveLimits);
-    result_.double_sided = material_.flag("doubleSided", false);
-    result_.unlit = material_.extension("KHR_materials_unlit").exists();
-    result_.emissive_strength = material_.extension("KHR_materials_emissive_strength")
-                                    .number("emissiveStrength", 1, kPositiveLimits);
+Scattering scattering_of(std::string_view extension) {
+  if (extension == "KHR_materials_scatter") return Scattering::unified;
+  if (extension == "KHR_materials_volume_scatter") return Scattering::multiscatter;
+  const bool distance = extension == "KHR_materials_sss" || extension == "KHR_materials_subsurface";
+  return distance ? Scattering::distance : Scattering::none;
+}
+
+bool scatters(const Material& material, Scattering kind) {
+  const auto& color = material.of(Parameter::scatter_color);
+  switch (kind) {
+    case Scattering::none:
+      return true;
+    case Scattering::distance:
+      return std::isfinite(material.of(Parameter::scatter_distance)[0]);
+    case Scattering::multiscatter:
+      return std::any_of(color.begin(), color.begin() + 3, [](float c) { return c != 0; });
+    case Scattering::unified:
+      break;
   }
+  return material.of(Parameter::scatter_strength)[0] > 0;
+}
 
-  void read_specular_glossiness() {
-    const Properties from = material_.extension("KHR_materials_pbrSpecularGlossiness");
-    if (!from.exists()) return;
-    SpecularGlossiness& to = result_.specular_glossiness.emplace();
-    to.diffuse_factor = from.numbers("diffuseFactor", to.diffuse_factor, kUnitLimits);
-    to.diffuse_texture = slot(from, "diffuseTexture");
-    to.specular_factor = from.numbers("specularFactor", to.specular_factor, kUnitLimits);
-    to.glossiness_factor = from.number("glossinessFactor", 1, kUnitLimits);
-    to.specular_glossiness_texture = slot(from, "specularGlossinessTexture");
-  }
-
-  void read_diffuse_transmission() {
-    DiffuseTransmission& to = result_.diffuse_transmission;
-    const Properties from = material_.extension("KHR_materials_diffuse_transmission");
-    if (!from.exists()) return read_translucency();
-    to.factor = from.number("diffuseTransmissionFactor", 0, kUnitLimits);
-    to.texture = slot(from, "diffuseTransmissionTexture");
-    to.color_factor = from.numbers("diffuseTransmissionColorFactor", to.color_factor, kUnitLimits);
-    to.color_texture = slot(from, "diffuseTransmissionColorTexture");
-  }
-
-  // The forerunner under its two names. Its first generation has no colour of its own and the
-  // factor in R; there, and later, texture slots were also written as bare indices.
-  void read_translucency() {
-    const bool renamed = !material_.extension("KHR_materials_translucency").exists();
-    const Properties from =
-        material_.extension(renamed ? "3DS_materials_translucency" : "KHR_materials_translucency");
-    if (!from.exists()) return;
-    DiffuseTransmission& to = result_.diffuse_transmission;
-    to.factor = from.number("translucencyFactor", 0, kUnitLimits);
-    to.texture = lenient_slot(from, "translucencyTexture");
-    const bool own_color =
-        renamed || has(from, "translucencyColorFactor") || has(from, "translucencyColorTexture");
-    to.first_generation = !own_color;
-    to.color_factor = from.numbers("translucencyColorFactor", to.color_factor, kUnitLimits);
-    to.color_texture = lenient_slot(from, "translucencyColorTexture");
-  }
-
-  bool has(const Properties& owner, std::string_view name) const {
-    return asset_.document().find(owner.node(), name) != json::kNoNode;
-  }
-
-  TextureSlot lenient_slot(const Properties& owner, std::string_view name) const {
-    TextureSlot found = slot(owner, name);
-    if (!found.texture) found.texture = asset_.index(owner.node(), name, RootArray::textures);
-    return found;
-  }
-
-  void read_media() {
-    const Properties volume = material_.extension("KHR_materials_volume");
-    result_.volume.thickness_factor = volume.number("thicknessFactor", 0, kPositiveLimits);
-    result_.volume.thickness_texture = slot(volume, "thicknessTexture");
-    result_.volume.attenuation_distance = distance(volume, "attenuationDistance");
-    result_.volume.attenuation_color =
-        volume.numbers<3>("attenuationColor", {1, 1, 1}, kUnitLimits);
-    Properties subsurface = material_.extension("KHR_materials_sss");
-    if (!subsurface.exists()) read_subsurface(material_.extension("KHR_materials_subsurface"));
-    read_subsurface(subsurface);
-    const Properties scatter = material_.extension("KHR_materials_volume_scatter");
-    VolumeScatter& medium = result_.volume_scatter;
-    medium.multiscatter_color = scatter.numbers<3>(
-        renamed(scatter, "multiscatterColor", "multiscatterColorFactor"), {0, 0, 0}, kUnitLimits);
-    medium.multiscatter_color_texture = slot(scatter, "multiscatterColorTexture");
-    medium.anisotropy = scatter.number("scatterAnisotropy", 0, kAnisotropyLimits);
-    read_scatter();
-  }
-
-  void read_subsurface(const Properties& from) {
-    if (!from.exists()) return;
-    result_.subsurface.scatter_distance = distance(from, "scatterDistance");
-    result_.subsurface.scatter_color = from.numbers<3>("scatterColor", {0, 0, 0}, kUnitLimits);
-  }
-
-  // Drafts changed names; the one that is there counts.
-  std::string_view renamed(const Properties& owner, std::string_view name,
-                           std::string_view other) const {
-    return has(owner, name) ? name : other;
-  }
-
-  void read_scatter() {
-    const Properties from = material_.extension("KHR_materials_scatter");
-    Scatter& to = result_.scatter;
-    to.strength_factor =
-        from.number(renamed(from, "scatterStrengthFactor", "scatterFactor"), 0, kUnitLimits);
-    to.strength_texture = slot(from, renamed(from, "scatterStrengthTexture", "scatterTexture"));
-    to.multiscatter_color_factor =
-        from.numbers("multiscatterColorFactor", to.multiscatter_color_factor, kUnitLimits);
-    to.multiscatter_color_texture = slot(from, "multiscatterColorTexture");
-    to.anisotropy = from.number("scatterAnisotropy", 0, kAnisotropyLimits);
-  }
-
-  // Infinite when absent; 0 is no distance.
-  static float distance(const Properties& owner, std::string_view name) {
-    const float metres = owner.number(name, kInfinity, kPositiveLimits);
-    return metres > 0 ? metres : kInfinity;
-  }
-
-  void read_layers() {
-    result_.ior = ior(material_.extension("KHR_materials_ior"), "ior", 1.5F);
-    result_.dispersion =
-        material_.extension("KHR_materials_dispersion").number("dispersion", 0, kPositiveLimits);
-    const Properties transmission = material_.extension("KHR_materials_transmission");
-    result_.transmission_factor = transmission.number("transmissionFactor", 0, kUnitLimits);
-    result_.transmission_texture = slot(transmission, "transmissionTexture");
-    read_specular(material_.extension("KHR_materials_specular"));
-    read_sheen(material_.extension("KHR_materials_sheen"));
-    read_clearcoat(material_.extension("KHR_materials_clearcoat"));
-    read_iridescence(material_.extension("KHR_materials_iridescence"));
-    const Properties anisotropy = material_.extension("KHR_materials_anisotropy");
-    result_.anisotropy.strength = anisotropy.number("anisotropyStrength", 0, kUnitLimits);
-    result_.anisotropy.rotation = anisotropy.number("anisotropyRotation", 0);
-    result_.anisotropy.texture = slot(anisotropy, "anisotropyTexture");
-  }
-
+// What the texts say beside names and ranges.
+void finish(Material& material) {
   // Indices are 0, which has a meaning of its own, or at least 1.
-  static float ior(const Properties& owner, std::string_view name, float absent) {
-    const float value = owner.number(name, absent, kPositiveLimits);
-    return value > 0 && value < 1 ? 1 : value;
-  }
+  float& ior = material.of(Parameter::ior)[0];
+  if (ior > 0 && ior < 1) ior = 1;
+  // The phase function of a medium has no value at the very ends.
+  float& anisotropy = material.of(Parameter::scatter_anisotropy)[0];
+  anisotropy = std::clamp(anisotropy, -0.999F, 0.999F);
+  if (!material.specular_glossiness) return;
+  material.of(MaterialSlot::specular) = {};
+  material.of(MaterialSlot::specular_color) = {};
+}
 
-  void read_specular(const Properties& from) {
-    Specular& to = result_.specular;
-    to.factor = from.number("specularFactor", 1, kUnitLimits);
-    to.texture = slot(from, "specularTexture");
-    to.color_factor = from.numbers("specularColorFactor", to.color_factor, kPositiveLimits);
-    to.color_texture = slot(from, "specularColorTexture");
+// Of several texts about one thing the latest that has an effect counts.
+void read_extension(const Asset& asset, const Properties& object, const MaterialText& text,
+                    Material& material) {
+  if (!object.exists()) return;
+  Material with = material;
+  read_text(asset, object, text, with);
+  const Scattering kind = scattering_of(text.extension);
+  if (!scatters(with, kind)) return;
+  material = std::move(with);
+  if (kind != Scattering::none) material.scattering = kind;
+  if (text.extension == kFirstTranslucency) {
+    material.first_generation =
+        !has(object, "translucencyColorFactor") && !has(object, "translucencyColorTexture");
+  } else if (text.extension == "KHR_materials_diffuse_transmission") {
+    material.first_generation = false;
   }
-
-  void read_sheen(const Properties& from) {
-    Sheen& to = result_.sheen;
-    to.color_factor = from.numbers("sheenColorFactor", to.color_factor, kUnitLimits);
-    to.color_texture = slot(from, "sheenColorTexture");
-    to.roughness_factor = from.number("sheenRoughnessFactor", 0, kUnitLimits);
-    to.roughness_texture = slot(from, "sheenRoughnessTexture");
-  }
-
-  void read_clearcoat(const Properties& from) {
-    Clearcoat& to = result_.clearcoat;
-    to.factor = from.number("clearcoatFactor", 0, kUnitLimits);
-    to.texture = slot(from, "clearcoatTexture");
-    to.roughness_factor = from.number("clearcoatRoughnessFactor", 0, kUnitLimits);
-    to.roughness_texture = slot(from, "clearcoatRoughnessTexture");
-    to.normal_texture = slot(from, "clearcoatNormalTexture");
-    to.normal_scale = from.object("clearcoatNormalTexture").number("scale", 1);
-  }
-
-  void read_iridescence(const Properties& from) {
-    Iridescence& to = result_.iridescence;
-    to.factor = from.number("iridescenceFactor", 0, kUnitLimits);
-    to.texture = slot(from, "iridescenceTexture");
-    to.ior = from.number("iridescenceIor", to.ior, {1, kPositiveLimits.most});
-    to.thickness_minimum =
-        from.number("iridescenceThicknessMinimum", to.thickness_minimum, kPositiveLimits);
-    to.thickness_maximum =
-        from.number("iridescenceThicknessMaximum", to.thickness_maximum, kPositiveLimits);
-    to.thickness_texture = slot(from, "iridescenceThicknessTexture");
-  }
-
-  const Asset& asset_;
-  const Properties& material_;
-  Material result_;
-};
+}
 
 }  // namespace
 
 Material read_material(const Asset& asset, std::uint32_t index, const AnimatedValues* animated) {
   const Properties properties(asset.document(), asset.elements(RootArray::materials)[index],
                               animated, "/materials/" + std::to_string(index));
-  return MaterialReader(asset, properties).read();
+  Material material;
+  material.name = asset.name(properties.node());
+  material.alpha_mode = alpha_mode(properties);
+  material.double_sided = properties.flag("doubleSided", false);
+  material.unlit = properties.extension("KHR_materials_unlit").exists();
+  material.specular_glossiness =
+      properties.extension("KHR_materials_pbrSpecularGlossiness").exists();
+  std::for_each(std::rbegin(material_table::kRows), std::rend(material_table::kRows),
+                [&](const ParameterRow& row) { material.of(row.parameter) = row.absent; });
+  for (const MaterialText& text : material_table::kTexts) {
+    if (text.extension.empty()) {
+      read_text(asset, properties, text, material);
+    } else {
+      read_extension(asset, properties.extension(text.extension), text, material);
+    }
+  }
+  finish(material);
+  return material;
 }
 
 }  // namespace gltfx::model

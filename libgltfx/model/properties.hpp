@@ -48,6 +48,9 @@ class Properties {
   float number(std::string_view name, float absent, const Limits& limits = {}) const;
   bool flag(std::string_view name, bool absent) const;
 
+  /// Puts as many numbers as there are values into them; leaves them where the member is absent.
+  void read(std::string_view name, std::span<float> values, const Limits& limits) const;
+
   template <std::size_t N>
   std::array<float, N> numbers(std::string_view name, const std::array<float, N>& absent,
                                const Limits& limits = {}) const {
@@ -59,7 +62,6 @@ class Properties {
  private:
   /// What an animation says of a member, or null.
   const std::vector<float>* animated(std::string_view name) const;
-  void read(std::string_view name, std::span<float> values, const Limits& limits) const;
 
   const json::Document& document_;
   json::NodeId object_;

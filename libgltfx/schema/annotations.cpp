@@ -23,6 +23,12 @@ Slot read_slot(const Build& build, Site at) {
   slot.srgb = build.text(build.member(at, "colorSpace")) == "srgb";
   const Site scaled_by = build.member(at, "scaledBy");
   if (scaled_by.exists()) slot.scaled_by = build.text(scaled_by);
+  const Site factors = build.member(at, "factors");
+  if (!factors.exists()) return slot;
+  const json::Document& document = build.document(factors);
+  for (const auto& member : document.members(factors.node)) {
+    slot.factors.emplace_back(document.key(member.key_id), document.string(member.value));
+  }
   return slot;
 }
 

@@ -42,6 +42,7 @@ class ExtensionBuilder {
     extension.excludes = relations(word("excludes"));
     extension.requires_ = relations(word("requires"));
     extension.overridden_by = relations(word("overriddenBy"));
+    extension.strength = text(word("strength"));
     extension.standalone = flag(word("standalone"));
     extension.khronos_validator = flag(word("khronosValidator"));
     extension.must_be_required = must_be_required();

@@ -43,7 +43,6 @@ constexpr std::string_view kWithoutSchema[]{
     "KHR_materials_clearcoat_ior",
     "KHR_materials_coat",
     "KHR_materials_common",
-    "KHR_materials_diffuse_roughness",
     "KHR_materials_fuzz",
     "KHR_physics_rigid_bodies",
     "KHR_quantized_geometry",

@@ -151,6 +151,8 @@ std::optional<Flaw> FormCheck::flaw(Form form, json::NodeId node) const {
       return literals(node);
     case Form::names_map:
       return map_of(Form::names, node);
+    case Form::channel_factors:
+      return channel_factors(node);
     case Form::enum_additions:
       return map_of(Form::literals, node);
     case Form::enum_names:
@@ -252,6 +254,16 @@ std::optional<Flaw> FormCheck::enum_names(json::NodeId node) const {
     if (digits.empty() || digits.size() > 15 ||
         digits.find_first_not_of("0123456789") != digits.npos) {
       return Flaw{member.key, "must have integers as keys"};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Flaw> FormCheck::channel_factors(json::NodeId node) const {
+  if (auto flaw = map_of(Form::nonempty_text, node)) return flaw;
+  for (const auto& member : document_.members(node)) {
+    if (!is_channels(document_.key(member.key_id))) {
+      return Flaw{member.key, "must have channels as keys: letters of rgba, in this order"};
     }
   }
   return std::nullopt;

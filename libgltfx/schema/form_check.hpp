@@ -33,6 +33,7 @@ class FormCheck {
   Maybe literals(json::NodeId node) const;
   Maybe map_of(Form value, json::NodeId node) const;
   Maybe enum_names(json::NodeId node) const;
+  Maybe channel_factors(json::NodeId node) const;
   Maybe homes(json::NodeId node) const;
   Maybe one_of(Form form, json::NodeId node) const;
   const json::Document& document_;

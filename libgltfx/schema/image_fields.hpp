@@ -8,7 +8,7 @@ namespace gltfx::schema {
 
 template <class Archive>
 void exchange(Archive& archive, Slot& slot) {
-  archive(slot.channels, slot.srgb, slot.scaled_by);
+  archive(slot.channels, slot.srgb, slot.scaled_by, slot.factors);
 }
 
 template <class Archive>
@@ -23,9 +23,9 @@ void exchange(Archive& archive, Literal& literal) {
 
 template <class Archive>
 void exchange(Archive& archive, Property& property) {
-  archive(property.name, property.shape, property.required, property.mutable_type,
-          property.animated_minimum, property.aliases, property.default_json, property.deprecated,
-          property.added_late, property.unit, property.description);
+  archive(property.name, property.shape, property.required, property.parameter,
+          property.mutable_type, property.animated_minimum, property.aliases, property.default_json,
+          property.deprecated, property.added_late, property.unit, property.description);
 }
 
 template <class Archive>
@@ -86,19 +86,18 @@ void exchange(Archive& archive, UpgradeLoss& loss) {
 template <class Archive>
 void exchange(Archive& archive, Upgrade& upgrade) {
   archive(upgrade.to, upgrade.alternatives, upgrade.opt_in, upgrade.together, upgrade.conversion,
-          upgrade.blocked_by, upgrade.stays, upgrade.strength, upgrade.hidden_by, upgrade.steps,
-          upgrade.losses);
+          upgrade.blocked_by, upgrade.stays, upgrade.hidden_by, upgrade.steps, upgrade.losses);
 }
 
 template <class Archive>
 void exchange(Archive& archive, Extension& extension) {
   archive(extension.name, extension.title, extension.description, extension.spec, extension.status,
           extension.homes, extension.excludes, extension.requires_, extension.overridden_by,
-          extension.standalone, extension.optional_with_fallback, extension.khronos_validator,
-          extension.must_be_required, extension.fallback, extension.image_mime_types,
-          extension.vertex_attributes, extension.morph_attributes, extension.instance_attributes,
-          extension.successor, extension.generations, extension.upgrade, extension.enum_additions,
-          extension.from_user);
+          extension.strength, extension.standalone, extension.optional_with_fallback,
+          extension.khronos_validator, extension.must_be_required, extension.fallback,
+          extension.image_mime_types, extension.vertex_attributes, extension.morph_attributes,
+          extension.instance_attributes, extension.successor, extension.generations,
+          extension.upgrade, extension.enum_additions, extension.from_user);
 }
 
 }  // namespace gltfx::schema

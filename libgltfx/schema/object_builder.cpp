@@ -86,6 +86,7 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
   }
   const Site annotation = build_.member(schema, "x-gltfx");
   if (!annotation.exists()) return property;
+  property.parameter = text(build_.member(annotation, "parameter"));
   property.mutable_type = text(build_.member(annotation, "mutable"));
   const Site least = build_.member(annotation, "animatedMinimum");
   if (least.exists() && build_.document(least).is_number(least.node)) {

@@ -27,6 +27,7 @@ class ReferenceCheck {
     for (TypeId id = 0; id < set_.types.size(); ++id) slots(set_.types[id]);
     for (SourceId id = 0; id < build_.sources.size(); ++id) {
       if (!build_.sources[id].is_extension()) continue;
+      strength(id);
       generations(id);
       const std::size_t faults = build_.faults.size();
       upgrade(id);
@@ -147,14 +148,28 @@ class ReferenceCheck {
   }
 
   void scaled_by(const ObjectType& type, const Slot& slot, Site at) {
-    const auto is_factor = [&](const Property& p) { return p.name == slot.scaled_by; };
+    if (!slot.scaled_by.empty()) factor(type, slot.scaled_by, build_.member(at, "scaledBy"));
+    const Site factors = build_.member(at, "factors");
+    for (const auto& [channels, name] : slot.factors) {
+      factor(type, name, build_.member(factors, channels));
+    }
+  }
+
+  void factor(const ObjectType& type, const std::string& name, Site place) {
+    const auto is_factor = [&](const Property& p) { return p.name == name; };
     const bool known = std::any_of(type.properties.begin(), type.properties.end(), is_factor);
-    if (slot.scaled_by.empty() || known || type.origin != set_.shapes[type.shape].type) return;
-    const Site place = build_.member(at, "scaledBy");
-    if (!place.exists()) return;
+    if (known || type.origin != set_.shapes[type.shape].type || !place.exists()) return;
     std::vector<std::string_view> names;
     for (const Property& property : type.properties) names.push_back(property.name);
-    unknown(place, slot.scaled_by, "no property of the same object", names);
+    unknown(place, name, "no property of the same object", names);
+  }
+
+  void strength(SourceId id) {
+    const Extension& extension = set_.extensions[build_.extension_of[id]];
+    if (extension.strength.empty() || extension.homes.empty()) return;
+    const Site root{id, build_.sources[id].document.root()};
+    has_member(object_type(extension), extension.strength,
+               build_.member(build_.member(root, "x-gltfx"), "strength"));
   }
 
   // Members that generations speak of have to exist on the extension's object.
@@ -215,9 +230,6 @@ class ReferenceCheck {
     const Extension* successor = described(upgrade.to, build_.member(at, "to"));
     if (successor == nullptr) return;
     const TypeId own = object_type(extension);
-    if (!upgrade.strength.empty()) {
-      has_member(own, upgrade.strength, build_.member(at, "strength"));
-    }
     upgrade_steps(extension, own, object_type(*successor), build_.member(at, "steps"));
     for (const std::string& name : upgrade.alternatives) {
       const Extension* other = described(name, build_.member(at, "alternatives"));

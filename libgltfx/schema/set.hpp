@@ -44,6 +44,8 @@ struct Slot {
   std::string channels;  ///< subset of "rgba", in that order
   bool srgb = false;
   std::string scaled_by;  ///< property of the same object that multiplies the texel; may be empty
+  /// Channels with a property of their own that multiplies them: {"g", "roughnessFactor"}.
+  std::vector<std::pair<std::string, std::string>> factors;
 };
 
 /// What an integer indexes, or a string names.
@@ -68,6 +70,7 @@ struct Property {
   std::string name;
   ShapeId shape = kNone;
   bool required = false;
+  std::string parameter;     ///< of the shader: "base_color"; empty: the shader does not read it
   std::string mutable_type;  ///< object-model type for animation pointers; empty: not mutable
   /// Of what animations write, where that is less free than what may be written into the file.
   double animated_minimum = -std::numeric_limits<double>::infinity();
@@ -196,7 +199,6 @@ struct Upgrade {
   std::string conversion;            ///< code that does what steps cannot say; empty: none
   std::vector<Relation> blocked_by;  ///< extensions beside which an object stays
   std::vector<UpgradeStay> stays;
-  std::string strength;             ///< member that turns the effect off when it is 0
   std::vector<Relation> hidden_by;  ///< extensions beside which the effect is not seen
   std::vector<UpgradeStep> steps;
   std::vector<UpgradeLoss> losses;
@@ -207,6 +209,7 @@ struct Extension {
   Status status = Status::vendor;
   std::vector<std::pair<TypeId, ShapeId>> homes;  ///< object type it sits on, shape of its object
   std::vector<Relation> excludes, requires_, overridden_by;
+  std::string strength;  ///< member that turns the effect off when it is 0; empty: none
   bool standalone = false;
   bool khronos_validator = false;  ///< the Khronos validator checks it
   MustBeRequired must_be_required = MustBeRequired::optional;

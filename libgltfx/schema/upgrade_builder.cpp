@@ -57,7 +57,6 @@ Upgrade read_upgrade(const Build& build, Site at) {
   upgrade.together = word("together").exists() &&
                      build.document(at).kind(word("together").node) == json::Kind::true_value;
   upgrade.conversion = text_of(build, word("convert"));
-  upgrade.strength = text_of(build, word("strength"));
   upgrade.hidden_by = read_others(build, word("hiddenBy"));
   upgrade.blocked_by = read_others(build, word("blockedBy"));
   each_element(build, build.member(at, "steps"),

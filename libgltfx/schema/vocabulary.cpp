@@ -70,6 +70,7 @@ constexpr std::array kWord{
     Word{"ref", F::target},
     Word{"refName", F::name_target},
     Word{"slot", F::slot},
+    Word{"parameter", F::nonempty_text},
     Word{"mutable", F::mutable_type},
     Word{"animatedMinimum", F::number},
     Word{"enumNames", F::enum_names},
@@ -88,6 +89,7 @@ constexpr std::array kExtension{
     Word{"excludes", F::relations},
     Word{"requires", F::companions},
     Word{"overriddenBy", F::relations},
+    Word{"strength", F::nonempty_text},
     Word{"standalone", F::flag},
     Word{"mustBeRequired", F::requirement},
     Word{"fallback", F::nonempty_text},
@@ -109,6 +111,7 @@ constexpr std::array kSlot{
     Word{"channels", F::channels, K::none, true},
     Word{"colorSpace", F::color_space, K::none, true},
     Word{"scaledBy", F::nonempty_text},
+    Word{"factors", F::channel_factors},
 };
 constexpr std::array kRelation{
     Word{"extension", F::extension_name, K::none, true},
@@ -133,12 +136,11 @@ constexpr std::array kGeneration{
 };
 
 constexpr std::array kUpgrade{
-    Word{"to", F::extension_name},   Word{"alternatives", F::names},
-    Word{"optIn", F::nonempty_text}, Word{"together", F::flag},
-    Word{"convert", F::conversion},  Word{"strength", F::nonempty_text},
-    Word{"hiddenBy", F::relations},  Word{"blockedBy", F::relations},
-    Word{"steps", F::upgrade_steps}, Word{"losses", F::upgrade_losses},
-    Word{"stays", F::upgrade_stays},
+    Word{"to", F::extension_name},     Word{"alternatives", F::names},
+    Word{"optIn", F::nonempty_text},   Word{"together", F::flag},
+    Word{"convert", F::conversion},    Word{"hiddenBy", F::relations},
+    Word{"blockedBy", F::relations},   Word{"steps", F::upgrade_steps},
+    Word{"losses", F::upgrade_losses}, Word{"stays", F::upgrade_stays},
 };
 constexpr std::array kUpgradeStep{
     Word{"step", F::step_kind, K::none, true},

@@ -84,6 +84,7 @@ enum class Form : std::uint8_t {
   name_target,
   slot,
   slot_map,
+  channel_factors,
   mutable_type,
   enum_names,
   channels,

@@ -50,7 +50,7 @@ ObjectPlan::Problem ObjectPlan::reason_to_go() {
   if (conversion_ != nullptr) {
     if (Problem why = conversion_->reason_to_go(bench())) return why;
   }
-  const std::string& name = extension_.upgrade.strength;
+  const std::string& name = extension_.strength;
   if (name.empty() || is_pointed_at({"extensions", extension_.name, name})) return std::nullopt;
   const json::NodeId strength = document_.find(carrier_.object, name);
   const bool there = strength != json::kNoNode;

@@ -83,8 +83,8 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
   if (constant == 1) return true;
   const double product = document_.number(factors->value).value * constant;
   factors->json = number_text(product);
-  action_.removed = product == 0 && factor == extension_.upgrade.strength && !is_own_pointed_at() &&
-                    foreign().empty();
+  action_.removed =
+      product == 0 && factor == extension_.strength && !is_own_pointed_at() && foreign().empty();
   return true;
 }
 

@@ -41,6 +41,7 @@ class Chance {
     m.transmission = number();
     m.diffuse_transmission = number();
     m.diffuse_transmission_color = color();
+    m.diffuse_roughness = number();
     return m;
   }
 

@@ -132,6 +132,7 @@ std::vector<Named> materials() {
     m.anisotropy = 0.7;
     m.anisotropy_rotation = 1.7;
   });
+  add("sandstone", [](Material& m) { m.diffuse_roughness = 0.8; });
   add("leaf", [](Material& m) { m.diffuse_transmission = 0.6; });
   add("frosted pane", [](Material& m) { m.transmission = 0.8; });
   add("glass", [](Material& m) {

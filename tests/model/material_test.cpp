@@ -2,6 +2,7 @@
 // Materials, textures, lights, cameras and variants as numbers.
 #include "model/material.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -21,6 +22,9 @@ using testing::ElementsAre;
 using testing::FloatEq;
 using testing::IsEmpty;
 
+using Parameter = MaterialParameter;
+using Color = std::array<float, 3>;
+
 const std::string kTextures = R"("textures": [{}, {}, {}, {}])";
 
 Material material(const std::string& object, const AnimatedValues& animated = {}) {
@@ -31,48 +35,55 @@ Material extended(const std::string& extensions) {
   return material(R"({"extensions": {)" + extensions + "}}");
 }
 
+float number(const Material& m, Parameter parameter) { return m.of(parameter)[0]; }
+Color color(const Material& m, Parameter parameter) {
+  const auto& of = m.of(parameter);
+  return {of[0], of[1], of[2]};
+}
+auto textures(const Material& m) {
+  return std::count_if(m.slots.begin(), m.slots.end(),
+                       [](const TextureSlot& slot) { return slot.texture.has_value(); });
+}
+
 TEST(Material, DefaultsAreThoseOfTheSpecification) {
   const Material m = material("{}");
-  EXPECT_THAT(m.base_color_factor, ElementsAre(1, 1, 1, 1));
-  EXPECT_EQ(m.metallic_factor, 1);
-  EXPECT_EQ(m.roughness_factor, 1);
-  EXPECT_THAT(m.emissive_factor, ElementsAre(0, 0, 0));
-  EXPECT_EQ(m.emissive_strength, 1);
+  EXPECT_THAT(m.of(Parameter::base_color), ElementsAre(1, 1, 1, 1));
+  EXPECT_EQ(number(m, Parameter::metallic), 1);
+  EXPECT_EQ(number(m, Parameter::roughness), 1);
+  EXPECT_THAT(color(m, Parameter::emissive), ElementsAre(0, 0, 0));
+  EXPECT_EQ(number(m, Parameter::emissive_strength), 1);
   EXPECT_EQ(m.alpha_mode, AlphaMode::opaque);
-  EXPECT_EQ(m.alpha_cutoff, 0.5F);
+  EXPECT_EQ(number(m, Parameter::alpha_cutoff), 0.5F);
   EXPECT_FALSE(m.double_sided || m.unlit || m.specular_glossiness);
-  EXPECT_EQ(m.ior, 1.5F);
-  EXPECT_EQ(m.specular.factor, 1);
-  EXPECT_THAT(m.specular.color_factor, ElementsAre(1, 1, 1));
-  EXPECT_TRUE(std::isinf(m.volume.attenuation_distance));
-  EXPECT_TRUE(std::isinf(m.subsurface.scatter_distance));
-  EXPECT_EQ(m.iridescence.ior, 1.3F);
-  EXPECT_FALSE(m.diffuse_transmission.first_generation);
-  int slots = 0;
-  for_each_slot(m, [&](const TextureSlot&) { ++slots; });
-  EXPECT_EQ(slots, 0);
+  EXPECT_EQ(number(m, Parameter::ior), 1.5F);
+  EXPECT_EQ(number(m, Parameter::specular), 1);
+  EXPECT_THAT(color(m, Parameter::specular_color), ElementsAre(1, 1, 1));
+  EXPECT_TRUE(std::isinf(number(m, Parameter::attenuation_distance)));
+  EXPECT_TRUE(std::isinf(number(m, Parameter::scatter_distance)));
+  EXPECT_EQ(number(m, Parameter::iridescence_ior), 1.3F);
+  EXPECT_FALSE(m.first_generation);
+  EXPECT_EQ(textures(m), 0);
 }
 
 TEST(Material, CoreMembers) {
   const Material m = material(R"({"name": "oak", "pbrMetallicRoughness": {
  "baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.6,
  "baseColorTexture": {"index": 1, "texCoord": 2}, "metallicRoughnessTexture": {"index": 2}},
- "normalTexture": {"index": 3, "scale": 2}, "occlusionTexture": {"index": 0, "strength": 0.25},
+ "normalTexture": {"index": 3, "scale": 2},
  "emissiveTexture": {"index": 9}, "emissiveFactor": [1, 0.5, 0], "alphaMode": "MASK",
  "alphaCutoff": 0.75, "doubleSided": true})");
   EXPECT_EQ(m.name, "oak");
-  EXPECT_THAT(m.base_color_factor, ElementsAre(0.1F, 0.2F, 0.3F, 0.4F));
-  EXPECT_EQ(m.metallic_factor, 0.5F);
-  EXPECT_EQ(m.roughness_factor, 0.6F);
-  EXPECT_EQ(m.base_color_texture.texture, 1U);
-  EXPECT_EQ(m.base_color_texture.tex_coord, 2U);
-  EXPECT_EQ(m.metallic_roughness_texture.texture, 2U);
-  EXPECT_EQ(m.normal_texture.texture, 3U);
-  EXPECT_EQ(m.normal_scale, 2);
-  EXPECT_EQ(m.occlusion_strength, 0.25F);
-  EXPECT_FALSE(m.emissive_texture.texture) << "there is no texture 9";
+  EXPECT_THAT(m.of(Parameter::base_color), ElementsAre(0.1F, 0.2F, 0.3F, 0.4F));
+  EXPECT_EQ(number(m, Parameter::metallic), 0.5F);
+  EXPECT_EQ(number(m, Parameter::roughness), 0.6F);
+  EXPECT_EQ(m.of(MaterialSlot::base_color).texture, 1U);
+  EXPECT_EQ(m.of(MaterialSlot::base_color).tex_coord, 2U);
+  EXPECT_EQ(m.of(MaterialSlot::metallic_roughness).texture, 2U);
+  EXPECT_EQ(m.of(MaterialSlot::normal).texture, 3U);
+  EXPECT_EQ(number(m, Parameter::normal_scale), 2);
+  EXPECT_FALSE(m.of(MaterialSlot::emissive).texture) << "there is no texture 9";
   EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
-  EXPECT_EQ(m.alpha_cutoff, 0.75F);
+  EXPECT_EQ(number(m, Parameter::alpha_cutoff), 0.75F);
   EXPECT_TRUE(m.double_sided);
 }
 
@@ -81,12 +92,12 @@ TEST(Material, NumbersOutOfRangeAreBroughtIntoIt) {
       material(R"({"pbrMetallicRoughness": {"metallicFactor": 7, "roughnessFactor": -1},
  "emissiveFactor": [2, 0, "x"], "extensions": {"KHR_materials_ior": {"ior": 0.5},
  "KHR_materials_volume": {"attenuationDistance": 0}, "KHR_materials_dispersion": {"dispersion": 1e300}}})");
-  EXPECT_EQ(m.metallic_factor, 1);
-  EXPECT_EQ(m.roughness_factor, 0);
-  EXPECT_THAT(m.emissive_factor, ElementsAre(0, 0, 0));
-  EXPECT_EQ(m.ior, 1);
-  EXPECT_TRUE(std::isinf(m.volume.attenuation_distance));
-  EXPECT_TRUE(std::isfinite(m.dispersion));
+  EXPECT_EQ(number(m, Parameter::metallic), 1);
+  EXPECT_EQ(number(m, Parameter::roughness), 0);
+  EXPECT_THAT(color(m, Parameter::emissive), ElementsAre(0, 0, 0));
+  EXPECT_EQ(number(m, Parameter::ior), 1);
+  EXPECT_TRUE(std::isinf(number(m, Parameter::attenuation_distance)));
+  EXPECT_TRUE(std::isfinite(number(m, Parameter::dispersion)));
 }
 
 TEST(Material, LayersOfExtensions) {
@@ -99,90 +110,105 @@ TEST(Material, LayersOfExtensions) {
  "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.4, "iridescenceThicknessMinimum": 200, "iridescenceThicknessMaximum": 300, "iridescenceTexture": {"index": 0}, "iridescenceThicknessTexture": {"index": 3}},
  "KHR_materials_dispersion": {"dispersion": 0.5},
  "KHR_materials_transmission": {"transmissionFactor": 0.9, "transmissionTexture": {"index": 1}})");
-  EXPECT_EQ(m.ior, 0) << "zero has a meaning of its own";
-  EXPECT_EQ(m.emissive_strength, 5);
-  EXPECT_THAT(m.specular.color_factor, ElementsAre(2, 1, 0));
-  EXPECT_THAT(m.sheen.color_factor, ElementsAre(0.1F, 0.2F, 0.3F));
-  EXPECT_EQ(m.sheen.roughness_factor, 0.4F);
-  EXPECT_EQ(m.clearcoat.roughness_factor, 0.25F);
-  EXPECT_EQ(m.clearcoat.normal_scale, 0.5F);
-  EXPECT_EQ(m.anisotropy.rotation, 1.5F);
-  EXPECT_EQ(m.iridescence.thickness_minimum, 200);
-  EXPECT_EQ(m.iridescence.thickness_texture.texture, 3U);
-  EXPECT_EQ(m.dispersion, 0.5F);
-  EXPECT_EQ(m.transmission_factor, 0.9F);
-  int slots = 0;
-  for_each_slot(m, [&](const TextureSlot&) { ++slots; });
-  EXPECT_EQ(slots, 11);
+  EXPECT_EQ(number(m, Parameter::ior), 0) << "zero has a meaning of its own";
+  EXPECT_EQ(number(m, Parameter::emissive_strength), 5);
+  EXPECT_THAT(color(m, Parameter::specular_color), ElementsAre(2, 1, 0));
+  EXPECT_THAT(color(m, Parameter::sheen_color), ElementsAre(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(number(m, Parameter::sheen_roughness), 0.4F);
+  EXPECT_EQ(number(m, Parameter::clearcoat_roughness), 0.25F);
+  EXPECT_EQ(number(m, Parameter::clearcoat_normal_scale), 0.5F);
+  EXPECT_EQ(number(m, Parameter::anisotropy_rotation), 1.5F);
+  EXPECT_EQ(number(m, Parameter::iridescence_thickness_minimum), 200);
+  EXPECT_EQ(m.of(MaterialSlot::iridescence_thickness).texture, 3U);
+  EXPECT_EQ(number(m, Parameter::dispersion), 0.5F);
+  EXPECT_EQ(number(m, Parameter::transmission), 0.9F);
+  EXPECT_EQ(textures(m), 11);
 }
 
 TEST(Material, Media) {
   const Material m = extended(R"(
- "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 0.5, "attenuationColor": [0.9, 0.8, 0.7], "thicknessTexture": {"index": 0}},
- "KHR_materials_sss": {"scatterDistance": 0.01, "scatterColor": [0.5, 0.25, 0.125]},
- "KHR_materials_volume_scatter": {"multiscatterColorFactor": [0.1, 0.2, 0.3], "scatterAnisotropy": -2},
- "KHR_materials_scatter": {"scatterFactor": 0.5, "scatterTexture": {"index": 2}, "multiscatterColorFactor": [0.3, 0.2, 0.1], "scatterAnisotropy": 0.5})");
-  EXPECT_EQ(m.volume.thickness_factor, 2);
-  EXPECT_EQ(m.volume.attenuation_distance, 0.5F);
-  EXPECT_THAT(m.subsurface.scatter_color, ElementsAre(0.5F, 0.25F, 0.125F));
-  EXPECT_THAT(m.volume_scatter.multiscatter_color, ElementsAre(0.1F, 0.2F, 0.3F));
-  EXPECT_EQ(m.volume_scatter.anisotropy, -0.999F);
-  EXPECT_EQ(m.scatter.strength_factor, 0.5F);
-  EXPECT_EQ(m.scatter.strength_texture.texture, 2U);
-  EXPECT_THAT(m.scatter.multiscatter_color_factor, ElementsAre(0.3F, 0.2F, 0.1F));
-  const Material later = extended(R"("KHR_materials_subsurface": {"scatterDistance": 3},
+ "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 0.5, "attenuationColor": [0.9, 0.8, 0.7], "thicknessTexture": {"index": 0}})");
+  EXPECT_EQ(number(m, Parameter::thickness), 2);
+  EXPECT_EQ(number(m, Parameter::attenuation_distance), 0.5F);
+  EXPECT_THAT(color(m, Parameter::attenuation_color), ElementsAre(0.9F, 0.8F, 0.7F));
+  EXPECT_EQ(m.of(MaterialSlot::thickness).texture, 0U);
+  EXPECT_EQ(m.scattering, Scattering::none);
+}
+
+TEST(Material, OfSeveralTextsAboutScatteringTheLatestThatScattersCounts) {
+  const std::string distance =
+      R"("KHR_materials_sss": {"scatterDistance": 0.01, "scatterColor": [0.5, 0.25, 0.125]})";
+  const std::string multiscatter =
+      R"(, "KHR_materials_volume_scatter": {"multiscatterColorFactor": [0.1, 0.2, 0.3], "scatterAnisotropy": -2})";
+  const std::string unified =
+      R"(, "KHR_materials_scatter": {"scatterFactor": 0.5, "scatterTexture": {"index": 2}, "multiscatterColorFactor": [0.3, 0.2, 0.1], "scatterAnisotropy": 0.5})";
+  const Material first = extended(distance);
+  EXPECT_EQ(first.scattering, Scattering::distance);
+  EXPECT_EQ(number(first, Parameter::scatter_distance), 0.01F);
+  EXPECT_THAT(color(first, Parameter::scatter_color), ElementsAre(0.5F, 0.25F, 0.125F));
+  const Material second = extended(distance + multiscatter);
+  EXPECT_EQ(second.scattering, Scattering::multiscatter);
+  EXPECT_THAT(color(second, Parameter::scatter_color), ElementsAre(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(number(second, Parameter::scatter_anisotropy), -0.999F);
+  const Material third = extended(distance + multiscatter + unified);
+  EXPECT_EQ(third.scattering, Scattering::unified);
+  EXPECT_EQ(number(third, Parameter::scatter_strength), 0.5F);
+  EXPECT_EQ(third.of(MaterialSlot::scatter_strength).texture, 2U);
+  EXPECT_THAT(color(third, Parameter::scatter_color), ElementsAre(0.3F, 0.2F, 0.1F));
+  EXPECT_EQ(number(third, Parameter::scatter_anisotropy), 0.5F);
+  const Material off = extended(distance + R"(, "KHR_materials_volume_scatter": {},
+ "KHR_materials_scatter": {"scatterTexture": {"index": 2}})");
+  EXPECT_EQ(off.scattering, Scattering::distance);
+  EXPECT_FALSE(off.of(MaterialSlot::scatter_strength).texture);
+  const Material renamed = extended(R"("KHR_materials_subsurface": {"scatterDistance": 3},
  "KHR_materials_volume_scatter": {"multiscatterColor": [0.5, 0.5, 0.5]})");
-  EXPECT_EQ(later.subsurface.scatter_distance, 3);
-  EXPECT_THAT(later.volume_scatter.multiscatter_color, ElementsAre(0.5F, 0.5F, 0.5F));
+  EXPECT_THAT(color(renamed, Parameter::scatter_color), ElementsAre(0.5F, 0.5F, 0.5F));
 }
 
 TEST(Material, SpecularGlossiness) {
   const Material m =
       extended(R"("KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.1, 0.2, 0.3, 0.4],
  "specularFactor": [0.5, 0.6, 0.7], "glossinessFactor": 0.8, "diffuseTexture": {"index": 1},
- "specularGlossinessTexture": {"index": 2}}, "KHR_materials_unlit": {})");
+ "specularGlossinessTexture": {"index": 2}}, "KHR_materials_specular": {"specularTexture": {"index": 0}},
+ "KHR_materials_unlit": {})");
   ASSERT_TRUE(m.specular_glossiness);
-  EXPECT_THAT(m.specular_glossiness->diffuse_factor, ElementsAre(0.1F, 0.2F, 0.3F, 0.4F));
-  EXPECT_THAT(m.specular_glossiness->specular_factor, ElementsAre(0.5F, 0.6F, 0.7F));
-  EXPECT_EQ(m.specular_glossiness->glossiness_factor, 0.8F);
-  EXPECT_EQ(m.specular_glossiness->diffuse_texture.texture, 1U);
-  EXPECT_EQ(m.specular_glossiness->specular_glossiness_texture.texture, 2U);
+  EXPECT_THAT(m.of(Parameter::base_color), ElementsAre(0.1F, 0.2F, 0.3F, 0.4F));
+  EXPECT_THAT(color(m, Parameter::f0), ElementsAre(0.5F, 0.6F, 0.7F));
+  EXPECT_EQ(number(m, Parameter::glossiness), 0.8F);
+  EXPECT_EQ(m.of(MaterialSlot::base_color).texture, 1U);
+  EXPECT_EQ(m.of(MaterialSlot::specular_glossiness).texture, 2U);
+  EXPECT_FALSE(m.of(MaterialSlot::specular).texture) << "it has a specular map of its own";
   EXPECT_TRUE(m.unlit);
 }
 
 TEST(Material, DiffuseTransmissionAndItsForerunners) {
-  const DiffuseTransmission now =
+  const Material now =
       extended(R"("KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.5,
  "diffuseTransmissionColorFactor": [0.1, 0.2, 0.3], "diffuseTransmissionTexture": {"index": 1},
- "diffuseTransmissionColorTexture": {"index": 2}}, "KHR_materials_translucency": {"translucencyFactor": 1})")
-          .diffuse_transmission;
-  EXPECT_EQ(now.factor, 0.5F);
+ "diffuseTransmissionColorTexture": {"index": 2}}, "KHR_materials_translucency": {"translucencyFactor": 1})");
+  EXPECT_EQ(number(now, Parameter::diffuse_transmission), 0.5F);
   EXPECT_FALSE(now.first_generation);
-  EXPECT_THAT(now.color_factor, ElementsAre(0.1F, 0.2F, 0.3F));
-  EXPECT_EQ(now.texture.texture, 1U);
-  EXPECT_EQ(now.color_texture.texture, 2U);
+  EXPECT_THAT(color(now, Parameter::diffuse_transmission_color), ElementsAre(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(now.of(MaterialSlot::diffuse_transmission).texture, 1U);
+  EXPECT_EQ(now.of(MaterialSlot::diffuse_transmission_color).texture, 2U);
 
   const std::string base =
       R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.6, 0.7, 1], "baseColorTexture": {"index": 3}})";
-  const DiffuseTransmission first =
-      material(
-          "{" + base +
-          R"(, "extensions": {"KHR_materials_translucency": {"translucencyFactor": 0.75, "translucencyTexture": 0}}})")
-          .diffuse_transmission;
-  EXPECT_EQ(first.factor, 0.75F);
+  const Material first = material(
+      "{" + base +
+      R"(, "extensions": {"KHR_materials_translucency": {"translucencyFactor": 0.75, "translucencyTexture": 0}}})");
+  EXPECT_EQ(number(first, Parameter::diffuse_transmission), 0.75F);
   EXPECT_TRUE(first.first_generation);
-  EXPECT_EQ(first.texture.texture, 0U) << "a bare index";
+  EXPECT_EQ(first.of(MaterialSlot::diffuse_transmission).texture, 0U) << "a bare index";
 
   for (const std::string name : {"KHR_materials_translucency", "3DS_materials_translucency"}) {
-    const DiffuseTransmission later =
-        material(
-            "{" + base + R"(, "extensions": {")" + name +
-            R"(": {"translucencyFactor": 0.25, "translucencyColorFactor": [0.5, 1, 1], "translucencyTexture": {"index": 1}}}})")
-            .diffuse_transmission;
-    EXPECT_EQ(later.factor, 0.25F);
+    const Material later = material(
+        "{" + base + R"(, "extensions": {")" + name +
+        R"(": {"translucencyFactor": 0.25, "translucencyColorFactor": [0.5, 1, 1], "translucencyTexture": {"index": 1}}}})");
+    EXPECT_EQ(number(later, Parameter::diffuse_transmission), 0.25F);
     EXPECT_FALSE(later.first_generation);
-    EXPECT_THAT(later.color_factor, ElementsAre(0.5F, 1, 1));
-    EXPECT_FALSE(later.color_texture.texture);
+    EXPECT_THAT(color(later, Parameter::diffuse_transmission_color), ElementsAre(0.5F, 1, 1));
+    EXPECT_FALSE(later.of(MaterialSlot::diffuse_transmission_color).texture);
   }
 }
 
@@ -198,13 +224,14 @@ TEST(Material, AnAnimationTakesThePlaceOfWhatIsWritten) {
   const Material m = material(R"({"emissiveFactor": [0.5, 0, 0], "normalTexture": {"index": 0,
  "extensions": {"KHR_texture_transform": {"rotation": 1}}}, "extensions": {"KHR_materials_ior": {}}})",
                               animated);
-  EXPECT_THAT(m.base_color_factor, ElementsAre(0, 0.5F, 1, 1)) << "limited like any other";
-  EXPECT_THAT(m.emissive_factor, ElementsAre(0.5F, 0, 0)) << "two numbers are no colour";
-  EXPECT_EQ(m.normal_scale, 3);
-  EXPECT_THAT(m.normal_texture.offset, ElementsAre(4, 5));
-  EXPECT_EQ(m.normal_texture.rotation, 1);
-  EXPECT_EQ(m.ior, 2);
-  EXPECT_EQ(m.alpha_cutoff, 0.5F);
+  EXPECT_THAT(m.of(Parameter::base_color), ElementsAre(0, 0.5F, 1, 1)) << "limited like any other";
+  EXPECT_THAT(color(m, Parameter::emissive), ElementsAre(0.5F, 0, 0))
+      << "two numbers are no colour";
+  EXPECT_EQ(number(m, Parameter::normal_scale), 3);
+  EXPECT_THAT(m.of(MaterialSlot::normal).offset, ElementsAre(4, 5));
+  EXPECT_EQ(m.of(MaterialSlot::normal).rotation, 1);
+  EXPECT_EQ(number(m, Parameter::ior), 2);
+  EXPECT_EQ(number(m, Parameter::alpha_cutoff), 0.5F);
 }
 
 TEST(Texture, SamplersHaveTheirNumbers) {
@@ -232,10 +259,10 @@ TEST(Texture, SamplersHaveTheirNumbers) {
 TEST(Texture, TransformsMayReplaceTheSet) {
   const Material m = material(R"({"normalTexture": {"index": 0, "texCoord": 1, "extensions":
  {"KHR_texture_transform": {"offset": [0.5, 1], "rotation": 0.25, "scale": [2, 3], "texCoord": 4}}}})");
-  EXPECT_EQ(m.normal_texture.tex_coord, 4U);
-  EXPECT_THAT(m.normal_texture.offset, ElementsAre(0.5F, 1));
-  EXPECT_EQ(m.normal_texture.rotation, 0.25F);
-  EXPECT_THAT(m.normal_texture.scale, ElementsAre(2, 3));
+  EXPECT_EQ(m.of(MaterialSlot::normal).tex_coord, 4U);
+  EXPECT_THAT(m.of(MaterialSlot::normal).offset, ElementsAre(0.5F, 1));
+  EXPECT_EQ(m.of(MaterialSlot::normal).rotation, 0.25F);
+  EXPECT_THAT(m.of(MaterialSlot::normal).scale, ElementsAre(2, 3));
 }
 
 TEST(Lights, KindsAndDefaults) {

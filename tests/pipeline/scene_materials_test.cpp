@@ -80,6 +80,26 @@ TEST(SceneMaterials, FactorsAreThoseOfTheAsset) {
   EXPECT_EQ(m.factors.scattering, Scattering::none);
 }
 
+// What a user of <gltfx/material.hpp> gets without saying anything is what a file gets.
+TEST(SceneMaterials, DefaultsOfTheLibraryAreThoseOfTheSchemas) {
+  const bake::SceneMaterial read = drawn("{}").materials.at(0);
+  const bake::SceneMaterial plain;
+  for (std::size_t i = 0; i < kMaterialParameters; ++i) {
+    // Without scattering its strength counts for nothing.
+    if (i == static_cast<std::size_t>(MaterialParameter::scatter_strength)) continue;
+    const auto& member = bake::kParameterMembers[i];
+    if (const auto* number = std::get_if<double Material::*>(&member)) {
+      EXPECT_EQ(read.factors.**number,
+                static_cast<double>(static_cast<float>(plain.factors.**number)))
+          << i;
+    } else if (const auto* color = std::get_if<Rgb Material::*>(&member)) {
+      EXPECT_EQ(read.factors.**color, plain.factors.**color) << i;
+    } else if (const auto* single = std::get_if<float bake::SceneMaterial::*>(&member)) {
+      EXPECT_EQ(read.**single, plain.**single) << i;
+    }
+  }
+}
+
 TEST(SceneMaterials, OneTextSaysHowLightScatters) {
   const auto factors = [](const std::string& extensions) {
     return drawn(R"({"extensions": {)" + extensions + "}}").materials.at(0).factors;
@@ -133,7 +153,7 @@ TEST(SceneMaterials, SpecularGlossinessTakesThePlaceOfTheBase) {
   EXPECT_TRUE(m.specular_glossiness);
   EXPECT_EQ(m.factors.base_color, Rgb(0.5, 0.25, 0));
   EXPECT_EQ(m.alpha, 0.5F);
-  EXPECT_THAT(m.specular, ElementsAre(0.25F, 0.5F, 1));
+  EXPECT_THAT(m.f0, ElementsAre(0.25F, 0.5F, 1));
   EXPECT_EQ(m.glossiness, 0.5F);
   EXPECT_EQ(m.use(Slot::base_color).texture, bake::kNone);
   EXPECT_NE(m.use(Slot::specular_glossiness).texture, bake::kNone);

@@ -46,6 +46,18 @@ TEST_P(MembersWith, OneMistakeAreRefusedAtItsPlace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
+    ChannelFactors, MembersWith,
+    testing::Values(
+        Mistake{
+            "channel_scaled_by_nothing",
+            R"("properties": {"leafFactor": {}, "t": {"$ref": "gltfx:core/textureInfo", "x-gltfx": {"slot": {"channels": "ga", "colorSpace": "linear", "factors": {"g": "leafFactor", "a": @"leafFacto"}}}}})",
+            "/properties/t/x-gltfx/slot/factors/a", "did you mean 'leafFactor'?"},
+        Mistake{
+            "factor_of_no_channel",
+            R"("properties": {"leafFactor": {}, "t": {"$ref": "gltfx:core/textureInfo", "x-gltfx": {"slot": {"channels": "ga", "colorSpace": "linear", "factors": {@"x": "leafFactor"}}}}})",
+            "/properties/t/x-gltfx/slot/factors/x", "letters of rgba"}));
+
+INSTANTIATE_TEST_SUITE_P(
     Compile, MembersWith,
     testing::Values(
         Mistake{"unknown_keyword", R"(@"propertees": {})", "/propertees",

@@ -87,6 +87,12 @@ void write_slot(Writer& writer, const schema::Slot& slot) {
   writer.member("channels", slot.channels);
   writer.member("colorSpace", slot.srgb ? "srgb" : "linear");
   member_if(writer, "scaledBy", slot.scaled_by);
+  if (!slot.factors.empty()) {
+    writer.key("factors");
+    writer.begin_object();
+    for (const auto& [channels, factor] : slot.factors) writer.member(channels, factor);
+    writer.end_object();
+  }
   writer.end_object();
 }
 
@@ -112,6 +118,7 @@ void write_property(Writer& writer, const Set& set, const schema::Property& prop
     }
     if (shape.slot) write_slot(writer, *shape.slot);
   }
+  member_if(writer, "parameter", property.parameter);
   member_if(writer, "mutable", property.mutable_type);
   if (std::isfinite(property.animated_minimum)) {
     writer.key("animatedMinimum");

@@ -169,12 +169,17 @@ std::string limit_words(const Set& set, ShapeId id) {
 }
 
 std::string slot_words(const schema::Slot& slot) {
-  std::string channels;
-  for (const char c : slot.channels) channels += static_cast<char>(c - 'a' + 'A');
+  const auto capital = [](std::string channels) {
+    for (char& c : channels) c = static_cast<char>(c - 'a' + 'A');
+    return channels;
+  };
   const bool only_alpha = slot.channels == "a";
-  std::string words =
-      fmt::format("reads {} ({})", channels, slot.srgb && !only_alpha ? "RGB is sRGB" : "linear");
+  std::string words = fmt::format("reads {} ({})", capital(slot.channels),
+                                  slot.srgb && !only_alpha ? "RGB is sRGB" : "linear");
   if (!slot.scaled_by.empty()) words += fmt::format(", scaled by {}", printable(slot.scaled_by));
+  for (const auto& [channels, factor] : slot.factors) {
+    words += fmt::format(", {} scaled by {}", capital(channels), printable(factor));
+  }
   return words;
 }
 

@@ -42,10 +42,11 @@ enum class Scattering : std::uint8_t {
 /// colour), each as its specification has it after the texture is read. Defaults are those of a
 /// material that names neither the property nor its extension.
 struct Material {
-  Rgb base_color{1, 1, 1};  ///< 0 to 1
-  double metallic = 1;      ///< 0 to 1
-  double roughness = 1;     ///< 0 to 1; alpha is its square
-  Rgb emissive;             ///< radiance: factor, texture and emissiveStrength multiplied
+  Rgb base_color{1, 1, 1};       ///< 0 to 1
+  double metallic = 1;           ///< 0 to 1
+  double roughness = 1;          ///< 0 to 1; alpha is its square
+  double diffuse_roughness = 0;  ///< 0 to 1; 0 is Lambertian
+  Rgb emissive;                  ///< radiance: factor, texture and emissiveStrength multiplied
 
   double ior = 1.5;             ///< >= 1, or 0: infinite, as specular-glossiness needs it
   double outside_ior = 1;       ///< of the medium that the surface lies in, for nested volumes

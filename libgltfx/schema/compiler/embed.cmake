@@ -14,8 +14,8 @@ target_link_libraries(gltfx_schema_core PUBLIC gltfx_json PRIVATE gltfx_options 
 gltfx_group(gltfx_schema_core ALONE schema/make_set.cpp)
 
 add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/embed.cpp
-  schema/compiler/literal.cpp)
-target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options)
+  schema/compiler/literal.cpp schema/compiler/material_table.cpp)
+target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options fmt::fmt)
 
 add_executable(gltfx_rule_compiler schema/compiler/rule_main.cpp schema/compiler/rule_page.cpp
   schema/compiler/literal.cpp)
@@ -27,11 +27,15 @@ file(GLOB schema_files CONFIGURE_DEPENDS RELATIVE ${schema_root}
   ${schema_root}/core/*.json ${schema_root}/extensions/*.json ${schema_root}/meta/*.json)
 list(TRANSFORM schema_files PREPEND ${schema_root}/ OUTPUT_VARIABLE schema_paths)
 set(embedded ${CMAKE_CURRENT_BINARY_DIR}/embedded_schemas.cpp)
-add_custom_command(OUTPUT ${embedded}
-  COMMAND gltfx_schema_compiler ${embedded} ${schema_root} ${schema_files}
+# What bake and model read of the schemas: in the folder of base/, so that every room may include it.
+set(material_table ${generated}/base/material_table.hpp)
+add_custom_command(OUTPUT ${embedded} ${material_table}
+  COMMAND gltfx_schema_compiler ${embedded} ${material_table} ${schema_root} ${schema_files}
   DEPENDS gltfx_schema_compiler ${schema_paths}
   COMMENT "Compiling and embedding schema files" VERBATIM)
 
+add_custom_target(gltfx_material_table DEPENDS ${material_table})
+add_dependencies(gltfx_schema gltfx_material_table)
 set_property(TARGET gltfx_schema PROPERTY SOURCES
   ${CMAKE_CURRENT_SOURCE_DIR}/schema/builtin.cpp ${embedded})
 target_link_libraries(gltfx_schema PUBLIC gltfx_schema_core)

@@ -16,4 +16,9 @@ std::string minified(const std::string& json);
 /// Set. Literals are split below what compilers take (64 KiB).
 std::string embed(const std::vector<SourceFile>& files, const std::string& image);
 
+/// The header base/material_table.hpp: rows of base/material_row.hpp for the core, for extensions
+/// that have a successor, and for the others, each in the order of the set. Where several texts
+/// name one parameter, what comes later is the later text.
+std::string material_table(const Set& set);
+
 }  // namespace gltfx::schema

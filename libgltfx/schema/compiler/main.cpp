@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Build step: compiles all schema files, so that a mistake in one fails the build with its place,
-// and writes the C++ file that embeds their texts.
+// and writes the C++ file that embeds their texts, and the table of material parameters.
 //
-//   gltfx_schema_compiler OUT.cpp ROOT FILE...      FILE relative to ROOT
+//   gltfx_schema_compiler OUT.cpp TABLE.hpp ROOT FILE...      FILE relative to ROOT
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -59,10 +59,10 @@ bool are_right(const std::vector<SourceFile>& files) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return fail("usage: gltfx_schema_compiler OUT.cpp ROOT FILE...");
-  const std::string root = std::string(argv[2]) + "/";
+  if (argc < 5) return fail("usage: gltfx_schema_compiler OUT.cpp TABLE.hpp ROOT FILE...");
+  const std::string root = std::string(argv[3]) + "/";
   std::vector<SourceFile> files;
-  for (int i = 3; i < argc; ++i) {
+  for (int i = 4; i < argc; ++i) {
     SourceFile file{root + argv[i], {}, false};
     if (!read_file(file.name, file.text)) return fail(file.name + ": cannot be read");
     files.push_back(std::move(file));
@@ -74,5 +74,10 @@ int main(int argc, char** argv) {
   }
   const Compiled compiled = gltfx::schema::compile(described(files, 0));
   const std::string out = gltfx::schema::embed(files, gltfx::schema::write_image(*compiled.set));
-  return write_file(argv[1], out) ? 0 : fail(std::string(argv[1]) + ": cannot be written");
+  if (!write_file(argv[1], out)) return fail(std::string(argv[1]) + ": cannot be written");
+  // A header that stays as it is rebuilds nothing.
+  const std::string table = gltfx::schema::material_table(*compiled.set);
+  std::string before;
+  if (read_file(argv[2], before) && before == table) return 0;
+  return write_file(argv[2], table) ? 0 : fail(std::string(argv[2]) + ": cannot be written");
 }

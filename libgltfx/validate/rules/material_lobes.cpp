@@ -226,32 +226,36 @@ class MaterialCheck {
 
   // --- Extensions whose main factor is 0 ---
 
-  struct Switch {
-    std::string_view extension, factor;
-  };
+  // Whether an extension does nothing until its main factor is set.
+  bool is_off_by_default(const schema::Extension& extension) const {
+    const schema::Set& schemas = context_.schemas;
+    const schema::ShapeId home = extension.home(schemas.find_type("material"));
+    if (home == schema::kNone || extension.strength.empty()) return false;
+    const auto* factor = schemas.find_property(schemas.shape(home).type, extension.strength);
+    return factor->default_json.find_first_of("123456789") == std::string::npos;
+  }
 
   void check_switched_off() const {
-    constexpr std::array kSwitches{
-        Switch{"KHR_materials_anisotropy", "anisotropyStrength"},
-        Switch{"KHR_materials_clearcoat", "clearcoatFactor"},
-        Switch{"KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"},
-        Switch{"KHR_materials_iridescence", "iridescenceFactor"},
-        Switch{"KHR_materials_scatter", "scatterStrengthFactor"},
-        Switch{"KHR_materials_sheen", "sheenColorFactor"},
-        Switch{"KHR_materials_volume", "thicknessFactor"}};
-    for (const Switch& each : kSwitches) {
-      if (is_fixed_at_zero(each)) report_off(each);
+    const json::NodeId extensions = object_member(document_, material_, "extensions");
+    if (extensions == json::kNoNode) return;
+    for (const auto member : document_.members(extensions)) {
+      const schema::ExtensionId id = context_.schemas.find_extension(document_.key(member.key_id));
+      if (id == schema::kNone) continue;
+      const schema::Extension& each = context_.schemas.extensions()[id];
+      if (each.successor.empty() && is_off_by_default(each) && is_fixed_at_zero(each)) {
+        report_off(each);
+      }
     }
   }
 
   // A number, or a colour, that is 0 or missing.
-  bool is_fixed_at_zero(const Switch& each) const {
-    const json::NodeId value = document_.find(extension(each.extension), each.factor);
+  bool is_fixed_at_zero(const schema::Extension& each) const {
+    const json::NodeId value = document_.find(extension(each.name), each.strength);
     const bool color = value != json::kNoNode && document_.kind(value) == json::Kind::number_array;
     if (!color && value != json::kNoNode && !document_.is_number(value)) return false;
-    if (!color) return fixed(each.extension, each.factor, 0) == 0.0;
+    if (!color) return fixed(each.name, each.strength, 0) == 0.0;
     if (shared_.animated.contains(
-            pointer(fmt::format("extensions/{}/{}", each.extension, each.factor)))) {
+            pointer(fmt::format("extensions/{}/{}", each.name, each.strength)))) {
       return false;
     }
     for (json::NumberCursor at(document_, value); at.valid(); at.advance()) {
@@ -261,17 +265,17 @@ class MaterialCheck {
   }
 
   // Textures that a factor of 0 hides are reported where they are.
-  void report_off(const Switch& off) const {
+  void report_off(const schema::Extension& off) const {
     std::vector<std::string> others;
-    for (const auto member : document_.members(extension(off.extension))) {
+    for (const auto member : document_.members(extension(off.name))) {
       const std::string_view name = document_.key(member.key_id);
       if (name.ends_with("Texture")) return;
-      if (name != off.factor && name != "extras" && name != "extensions")
+      if (name != off.strength && name != "extras" && name != "extensions")
         others.push_back(printable(name));
     }
     if (others.empty()) return;
-    report(off.extension, "", Code::MATERIAL_LOBE_OFF,
-           fmt::format("{} is 0, so {} {} no effect.", off.factor, join_and(others),
+    report(off.name, "", Code::MATERIAL_LOBE_OFF,
+           fmt::format("{} is 0, so {} {} no effect.", off.strength, join_and(others),
                        others.size() == 1 ? "has" : "have"));
   }
 

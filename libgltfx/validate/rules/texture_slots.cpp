@@ -44,26 +44,6 @@ std::vector<double> numbers_at(const json::Document& document, json::NodeId valu
   return numbers;
 }
 
-// Factors that switch a whole lobe off, with all of its textures.
-constexpr std::array<std::string_view, 7> kSwitches{
-    "clearcoatFactor",    "sheenColorFactor",      "iridescenceFactor", "diffuseTransmissionFactor",
-    "translucencyFactor", "scatterStrengthFactor", "specularFactor"};
-
-struct PackedFactor {
-  std::string_view property, factor, channels;
-};
-// Textures whose channels have factors of their own.
-constexpr std::array kPackedFactors{
-    PackedFactor{"metallicRoughnessTexture", "roughnessFactor", "g"},
-    PackedFactor{"metallicRoughnessTexture", "metallicFactor", "b"},
-    PackedFactor{"specularGlossinessTexture", "specularFactor", "rgb"},
-    PackedFactor{"specularGlossinessTexture", "glossinessFactor", "a"}};
-
-// Alpha is coverage beside the base colour only.
-bool is_coverage(std::string_view property) {
-  return property == "baseColorTexture" || property == "diffuseTexture";
-}
-
 class SlotReader {
  public:
   SlotReader(const Context& context, const Animated& animated)
@@ -85,7 +65,7 @@ class SlotReader {
     if (slot.images.empty()) return std::nullopt;
     read_material(slot);
     slot.srgb = use.slot->srgb;
-    slot.coverage = is_coverage(slot.property);
+    slot.coverage = is_coverage(use);
     slot.normal_map = is_normal_map(slot.property);
     slot.channels = ChannelSet(use.slot->channels);
     if (slot.coverage && alpha_mode(slot) == "OPAQUE") slot.channels.remove('a');
@@ -132,6 +112,13 @@ class SlotReader {
     return mode.empty() ? "OPAQUE" : mode;
   }
 
+  // Alpha is coverage beside the base colour only.
+  bool is_coverage(const schema::SlotUse& use) const {
+    if (use.owner_type == schema::kNone) return false;
+    const auto* factor = context_.schemas.find_property(use.owner_type, use.slot->scaled_by);
+    return factor != nullptr && factor->parameter == "base_color";
+  }
+
   // Channels whose factor is 0 and stays so.
   void hide(TextureSlot& slot, std::string_view member, std::string_view names) const {
     if (slot.effective.empty()) return;
@@ -145,14 +132,17 @@ class SlotReader {
     if (slot.effective.empty()) slot.hidden_by = member;
   }
 
-  // A factor that turns off what the texture is a part of.
-  void switch_off(TextureSlot& slot, std::string_view member) const {
+  // The factor that turns off what the texture is a part of.
+  void switch_off(TextureSlot& slot) const {
+    const schema::TypeId type = slot.use->owner_type;
+    if (type == schema::kNone) return;
+    const schema::ExtensionId extension = context_.schemas.type(type).extension;
+    if (extension == schema::kNone) return;
+    const std::string& member = context_.schemas.extensions()[extension].strength;
     const std::vector<double> factor = factor_of(context_, *slot.use, member);
     const bool off = !factor.empty() && std::all_of(factor.begin(), factor.end(),
                                                     [](double value) { return value == 0; });
-    // Of specular-glossiness it is a colour, and there is diffuse light beside it.
-    const bool lobe = member != "specularFactor" || factor.size() == 1;
-    if (!off || !lobe || slot.effective.empty()) return;
+    if (!off || slot.effective.empty()) return;
     if (animated_.contains(sibling_pointer(slot, member))) return;
     slot.effective = ChannelSet();
     slot.hidden_by = member;
@@ -171,11 +161,9 @@ class SlotReader {
     const std::string& channels = slot.use->slot->channels;
     hide_by_own(slot, "scale");
     hide_by_own(slot, "strength");
-    for (const std::string_view lobe : kSwitches) switch_off(slot, lobe);
+    switch_off(slot);
     hide(slot, slot.use->slot->scaled_by, channels);
-    for (const auto& [property, factor, names] : kPackedFactors) {
-      if (slot.property == property) hide(slot, factor, names);
-    }
+    for (const auto& [names, factor] : slot.use->slot->factors) hide(slot, factor, names);
   }
 
   const Context& context_;
