@@ -59,7 +59,7 @@ class Reader {
 
 // Multiplies what the slot scales of a surface. Where several numbers share its texels, these are
 // read once.
-void scale(const Reader& reader, Slot slot, Material& m) {
+void scale_by_slot(const Reader& reader, Slot slot, Material& m) {
   const auto& scales = reading(slot).scales;
   const Float4 texel = scales.size() > 1 ? reader.texel(slot) : Float4();
   for (const Scaling& scaling : scales) {
@@ -119,7 +119,7 @@ Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& 
   for (std::size_t i = 0; i < kMaterialSlots; ++i) {
     const auto slot = static_cast<Slot>(i);
     if (slot == Slot::thickness || !reader.has(slot)) continue;
-    if (!m.unlit || slot == Slot::base_color) scale(reader, slot, m);
+    if (!m.unlit || slot == Slot::base_color) scale_by_slot(reader, slot, m);
   }
   if (m.unlit) return m;
   if (material.specular_glossiness) read_specular_glossiness(reader, material, m);

@@ -26,8 +26,7 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/model/light.cpp",
      "reads the lights of the extension as numbers, to draw by them; tells that of another"},
     {"libgltfx/model/material.cpp",
-     "reads the materials of the extensions as numbers: every one means something else to a "
-     "shader"},
+     "decides which of several texts about one thing counts: a relation between their values"},
     {"libgltfx/model/meshopt_view.hpp", "decodes the payloads of the two extensions it names"},
     {"libgltfx/model/pose.cpp", "asks the extension whether a node is to be seen"},
     {"libgltfx/model/texture.cpp", "reads how a slot moves its texture coordinates"},
