@@ -40,10 +40,10 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
     const auto variant = static_cast<std::uint64_t>(number.value);
     const auto [first, is_new] = seen.emplace(variant, index);
     if (!is_new && (first->second != index || context.khronos())) {
-      report_link(context, Path(array, element), number.span,
-                  Code::KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT,
-                  fmt::format("Variant {} already has the material of mapping {}.", variant,
-                              first->second));
+      report_link(
+          context, Path(array, element), number.span,
+          Code::KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT,
+          fmt::format("Variant {} already has a material in mapping {}.", variant, first->second));
     }
     report_references(context, number.span);
   };
