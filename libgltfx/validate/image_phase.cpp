@@ -15,6 +15,7 @@
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/active_extensions.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/texture_slots.hpp"
 #include "validate/rules/unseen_use.hpp"
 
 namespace gltfx::validate {
@@ -90,9 +91,9 @@ class ImageCheck {
         report_unrecognized(*data.bytes);
         break;
       case HeaderFault::Kind::unexpected_end:
-        resource_.find(Code::IMAGE_UNEXPECTED_EOS, "",
-                       fmt::format("The image ends after {} bytes, before its header does.",
-                                   data.bytes->size()));
+        resource_.find(
+            Code::IMAGE_UNEXPECTED_EOS, "",
+            fmt::format("The image ends after {} bytes, inside its header.", data.bytes->size()));
         break;
       case HeaderFault::Kind::invalid:
         resource_.find(Code::IMAGE_DATA_INVALID, "", fault.problem);
@@ -115,25 +116,24 @@ class ImageCheck {
   void report_unrecognized(const container::Bytes& bytes) const {
     constexpr Code kCode = Code::IMAGE_UNRECOGNIZED_FORMAT;
     if (deviations().few_image_formats) {
-      resource_.find(kCode, "", "The first bytes are those of no image format known here.");
+      resource_.find(kCode, "", "The image is not a PNG, JPEG or WebP file.");
       return;
     }
     const container::Content found = container::name_content(bytes.text());
     if (is_of_an_extension(found)) return;
-    const std::string message =
-        fmt::format("The image is {}; it must be {}.",
-                    found.name.empty() ? "of no format known here" : found.name,
-                    join_or(std::vector<std::string>(enabled_.begin(), enabled_.end())));
+    const std::string message = fmt::format(
+        "The image is {}; it must be {}.", found.name.empty() ? "in an unknown format" : found.name,
+        join_or(std::vector<std::string>(enabled_.begin(), enabled_.end())));
     if (!user_.empty() && (found.image || found.name.empty())) {
-      resource_.find(kCode, "", message,
-                     fmt::format("unless {}, of which nothing is known here, allows the format, "
-                                 "convert the image",
-                                 gltfx::quoted(user_)),
-                     Severity::warning);
+      resource_.find(
+          kCode, "", message,
+          fmt::format("convert the image, unless the unknown extension {} allows the format",
+                      gltfx::quoted(user_)),
+          Severity::warning);
       return;
     }
     resource_.find(kCode, "", message,
-                   found.image || found.name.empty() ? "" : "fetch or export the image again");
+                   found.image || found.name.empty() ? "" : "export or download the image again");
   }
 
   // Formats that no reader here knows, but a declared extension does: told by the type that the
@@ -151,13 +151,13 @@ class ImageCheck {
     const std::string_view type = image::media_type(format);
     if (!contains(enabled_, type)) {
       resource_.find(Code::IMAGE_NON_ENABLED_MIME_TYPE, "",
-                     fmt::format("The image is {}; that format needs an extension.", type));
+                     fmt::format("The image is {}, which requires an extension.", type));
     }
     const std::string said = declared_.empty() || declared_ == type ? uri_type() : declared_;
     if (said.empty() || said == type) return;
     resource_.find(Code::IMAGE_MIME_TYPE_INVALID,
                    resource_.info.storage == "buffer-view" ? "bufferView" : "uri",
-                   fmt::format("The image says it is {}, but its bytes are those of {}.",
+                   fmt::format("The declared type of the image is {}, but its data is {}.",
                                gltfx::quoted(said), type));
   }
 
@@ -198,11 +198,11 @@ class ImageCheck {
     };
     if (!power_of_two(header.width) || !power_of_two(header.height)) {
       resource_.find(Code::IMAGE_NPOT_DIMENSIONS, "",
-                     fmt::format("The image has {} by {} pixels.", header.width, header.height), {},
+                     fmt::format("The image has {}x{} pixels.", header.width, header.height), {},
                      Severity::hint);
     }
     if (header.bits == 16) {
-      resource_.find(Code::IMAGE_16_BIT, "", "The image has 16 bits a channel.");
+      resource_.find(Code::IMAGE_16_BIT, "", "The image has 16 bits per channel.");
     }
     if (header.interlaced) {
       resource_.find(
@@ -225,14 +225,14 @@ class ImageCheck {
     const bool own = header.primaries == image::Tag::custom ||
                      header.transfer == image::Tag::custom ||
                      (all && header.transfer == image::Tag::linear);
-    add(profile, "a colour profile");
-    add(own && !profile, "a colour space of its own");
-    add(!header.square_pixels, "pixels that are not square");
+    add(profile, "a color profile");
+    add(own && !profile, "a custom color space");
+    add(!header.square_pixels, "non-square pixels");
     add(all && header.exif, "EXIF metadata");
-    add(!all && header.animated && webp, "an animation");
+    add(!all && header.animated && webp, "animation");
     if (!features.empty()) {
       resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
-                     fmt::format("The image has {}; glTF ignores it.", features), {},
+                     fmt::format("The image has {}, which glTF ignores.", features), {},
                      Severity::info);
     }
     if (all && header.animated) check_animation(webp);
@@ -241,8 +241,8 @@ class ImageCheck {
   // A PNG has a still image beside its frames, a WebP has frames only.
   void check_animation(bool webp) const {
     resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
-                   webp ? "The image is animated: some readers show its first frame, others fail."
-                        : "The image is animated; glTF shows its still image only.");
+                   webp ? "The image is animated: some loaders show its first frame, others fail."
+                        : "The image is animated; glTF only shows its still image.");
   }
 
   const Resource& resource_;
@@ -286,9 +286,10 @@ struct TextureCheck {
     if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
     // A format that no extension brings is a fault of the image, and has been reported there.
     if (!contains(enabled, type) && !context.deviations.consequences_are_reported) return;
-    report_member(sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,
-                  fmt::format("Image {} is {}; it must be {} here.", *source, gltfx::quoted(type),
-                              join_or(allowed)));
+    report_member(
+        sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,
+        fmt::format("The texture uses {}, which is {}; it must be {}.",
+                    image_label(context, *source), gltfx::quoted(type), join_or(allowed)));
   }
 };
 

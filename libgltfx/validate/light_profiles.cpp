@@ -56,23 +56,23 @@ bool skip_tilt(std::string_view& text) {
 std::string fault_of(std::string_view text) {
   const std::string_view version = first_line(text);
   if (std::find(kVersions.begin(), kVersions.end(), version) == kVersions.end()) {
-    return "The profile does not begin as LM-63 of 1995, 2002 or 2019 does.";
+    return "The profile does not start with the header of LM-63-1995, LM-63-2002 or LM-63-2019.";
   }
   const std::size_t tilt = text.find("\nTILT=");
-  if (tilt == std::string_view::npos) return "The profile has no line with TILT=.";
+  if (tilt == std::string_view::npos) return "The profile has no TILT= line.";
   text.remove_prefix(tilt + 1);
   const bool included = first_line(text) == "TILT=INCLUDE";
   text.remove_prefix(std::min(text.find('\n'), text.size()));
-  if (included && !skip_tilt(text)) return "The tilt of the profile ends too early.";
+  if (included && !skip_tilt(text)) return "The tilt data of the profile is incomplete.";
   // Lamps, lumens, a factor and two counts of angles stand before the kind of photometry.
   std::optional<double> kind;
   for (int i = 0; i < 6; ++i) {
     kind = take_number(text);
-    if (!kind) return "The numbers behind TILT= are not all there.";
+    if (!kind) return "The data after TILT= is incomplete.";
   }
   const bool known = *kind == 1 || *kind == 2 || *kind == 3;
   return known ? std::string()
-               : "The photometry of the profile is of no type; there are C, B and A.";
+               : "The photometric type of the profile is not 1 (C), 2 (B) or 3 (A).";
 }
 
 }  // namespace

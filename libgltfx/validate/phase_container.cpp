@@ -40,10 +40,9 @@ bool check_promised_glb(const container::Container& container, Collector& collec
     return false;
   }
   const bool json = container.format == container::Format::gltf;
-  collector.report_offset(
-      Phase::container, 0,
-      make(Code::GLB_INVALID_MAGIC, "The file does not begin with the four bytes 'glTF'.",
-           json ? "this looks like JSON text: rename the file to .gltf" : ""));
+  collector.report_offset(Phase::container, 0,
+                          make(Code::GLB_INVALID_MAGIC, "The file does not start with 'glTF'.",
+                               json ? "rename the file to .gltf: it looks like JSON text" : ""));
   return false;
 }
 
@@ -57,18 +56,18 @@ bool check_container(const container::Container& container, const std::string& n
     report.unverified = 1;
     collector.report_file(
         Phase::container,
-        make(Code::GIT_LFS_POINTER, "The file is a Git-LFS pointer; the asset itself is not here.",
-             "fetch it with 'git lfs pull'"));
+        make(Code::GIT_LFS_POINTER, "The file is a Git LFS pointer, not the asset itself.",
+             "run 'git lfs pull'"));
     return false;
   }
   if (ends_with_ignoring_case(name, ".glb")) {
     return check_promised_glb(container, collector) && container.json != nullptr;
   }
   if (container.format == container::Format::glb && ends_with_ignoring_case(name, ".gltf")) {
-    collector.report_file(
-        Phase::container,
-        make(Code::FILE_EXTENSION_MISMATCH, "The file is named .gltf but holds a binary GLB.",
-             "rename it to .glb: loaders choose their reader by the name"));
+    collector.report_file(Phase::container,
+                          make(Code::FILE_EXTENSION_MISMATCH,
+                               "The file name ends in .gltf, but the file is a binary GLB.",
+                               "rename the file to .glb"));
   }
   if (container.format == container::Format::unknown ||
       container.format == container::Format::empty) {

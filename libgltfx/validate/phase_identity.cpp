@@ -27,7 +27,7 @@ bool check_version_1(const Context& context, Collector& collector) {
   json::NodeId place = json::kNoNode;
   asset_version(context.document, place);
   Finding finding(Code::GLTF_VERSION_1);
-  finding.message = "This is a glTF 1.0 asset; only glTF 2.0 can be checked.";
+  finding.message = "The asset is glTF 1.0; only glTF 2.0 is supported.";
   finding.span =
       place != json::kNoNode ? context.document.span(place) : first_character(context.document, 0);
   collector.report_file(Phase::schema, std::move(finding));
@@ -41,7 +41,7 @@ void name_draft(const Context& context) {
   const Path asset(root, "asset");
   const Path version(asset, "version");
   Finding finding(Code::GLTF_VERSION_2_1_DRAFT);
-  finding.message = "The asset says it is glTF 2.1, a draft; it is checked by the rules of 2.0.";
+  finding.message = "The asset has the draft version 2.1; it is checked as glTF 2.0.";
   finding.span = context.document.span(place);
   context.schema_sink.report(version, std::move(finding));
 }
@@ -55,10 +55,9 @@ void name_vrm(const Context& context) {
     const json::NodeId object = context.document.find(extensions, name);
     if (object == json::kNoNode) continue;
     Finding finding(Code::VRM_ASSET);
-    finding.message = fmt::format(
-        "This is a VRM {} avatar; it is checked as glTF, without the "
-        "rules of VRM.",
-        name == "VRM" ? "0.x" : "1.0");
+    finding.message =
+        fmt::format("The asset is a VRM {} avatar; the VRM requirements are not checked.",
+                    name == "VRM" ? "0.x" : "1.0");
     finding.span = first_character(context.document, object);
     context.schema_sink.report(Path(at_extensions, name), std::move(finding));
   }
@@ -70,8 +69,8 @@ bool check_amount(const Context& context, Collector& collector) {
   if (count <= most) return true;
   Finding finding(Code::TOO_MANY_OBJECTS);
   finding.message = fmt::format(
-      "The root arrays have {} elements; at most {} are expected in {} bytes of JSON. Nothing more "
-      "is checked.",
+      "The root arrays have {} elements, but at most {} are allowed in {} bytes of JSON; the rest "
+      "is not checked.",
       count, most, context.document.text().size());
   finding.span = first_character(context.document, 0);
   collector.report_file(Phase::schema, std::move(finding));

@@ -44,21 +44,21 @@ Code code_of(json::Fault fault) {
 std::string default_message(json::Fault fault) {
   switch (fault) {
     case json::Fault::byte_order_mark:
-      return "The text begins with a byte order mark.";
+      return "The text starts with a byte order mark.";
     case json::Fault::trailing_comma:
-      return "There is a comma behind the last item.";
+      return "Trailing comma.";
     case json::Fault::missing_comma:
-      return "A comma is missing between two items.";
+      return "Missing comma.";
     case json::Fault::duplicate_key:
-      return "This name stands twice in one object.";
+      return "Duplicate key.";
     case json::Fault::lone_surrogate:
-      return "Half of a surrogate pair stands alone.";
+      return "Unpaired surrogate.";
     case json::Fault::number_out_of_range:
-      return "The number is beyond what a double can hold.";
+      return "The number is out of range of a double.";
     case json::Fault::trailing_data:
-      return "There is more text behind the end of the JSON value.";
+      return "There is text after the JSON value.";
     case json::Fault::too_deep:
-      return "Arrays and objects are nested too deeply.";
+      return "The JSON is nested too deeply.";
     case json::Fault::too_large:
       return "The JSON text is larger than 4 GiB.";
     case json::Fault::invalid_utf8:
@@ -85,15 +85,15 @@ std::string comma_help(const json::ParseFault& fault, std::string_view text,
   const std::size_t before = text.find_last_not_of(" \t\r\n", fault.span.begin - 1);
   const auto at = static_cast<std::uint32_t>(before);
   const Location end = lines.locate({at, at + 1});
-  if (end.line == lines.locate(fault.span).line) return "add a ',' between the two";
-  return fmt::format("add a ',' behind column {} of line {}", end.column, end.line);
+  if (end.line == lines.locate(fault.span).line) return "add a ',' between the two items";
+  return fmt::format("add a ',' after line {}, column {}", end.line, end.column);
 }
 
 std::string opening_help(const json::ParseFault& fault, std::string_view text,
                          const json::LineIndex& lines) {
   if (fault.other.empty()) return {};
   const Location at = lines.locate(fault.other);
-  return fmt::format("the {} opened in line {}, column {} is not closed",
+  return fmt::format("close the {} that opens at line {}, column {}",
                      gltfx::quoted(fault.other.in(text)), at.line, at.column);
 }
 
@@ -106,15 +106,13 @@ std::string help_for(const json::ParseFault& fault, std::string_view text,
       return comma_help(fault, text, lines);
     case json::Fault::duplicate_key: {
       const Location first = lines.locate(fault.other);
-      return fmt::format(
-          "the first one is in line {}, column {}; readers keep one of them, and not all keep the "
-          "same",
-          first.line, first.column);
+      return fmt::format("remove this one or the first one at line {}, column {}", first.line,
+                         first.column);
     }
     case json::Fault::byte_order_mark:
       return "save the file as UTF-8 without a byte order mark";
     case json::Fault::bad_escape:
-      return "the path in a URI has '/' between folders, not a backslash";
+      return "use '/' instead of a backslash in the path of a URI";
     case json::Fault::syntax:
     case json::Fault::unexpected_end:
       return opening_help(fault, text, lines);
@@ -136,7 +134,7 @@ void report_fault(const json::ParseFault& fault, std::string_view text,
 void report_unlisted(std::uint64_t count, Collector& collector) {
   if (count == 0) return;
   Finding finding(Code::INVALID_JSON);
-  finding.message = fmt::format("The text has {} more faults like these.", count);
+  finding.message = fmt::format("The text has {} more syntax errors.", count);
   collector.report_file(Phase::json, std::move(finding));
 }
 

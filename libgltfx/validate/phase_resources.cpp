@@ -44,13 +44,13 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared)
   if (!glb.bin) {
     if (!glb.cut_short) {
       resource.find(Code::BUFFER_MISSING_GLB_DATA, "",
-                    "The buffer has no uri, so it is the BIN chunk, but the file has none.");
+                    "The buffer has no uri and the GLB has no BIN chunk.");
     }
     return std::nullopt;
   }
   if (glb.bin->length > padded(declared)) {
     resource.find(Code::BUFFER_GLB_CHUNK_TOO_BIG, "",
-                  fmt::format("The BIN chunk has {} bytes more than the buffer and its padding.",
+                  fmt::format("The BIN chunk is {} bytes longer than the padded buffer.",
                               glb.bin->length - padded(declared)));
   }
   return glb.bytes.part(static_cast<std::size_t>(glb.bin->offset),
@@ -65,11 +65,11 @@ std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uin
   const json::NodeId member = resource.context.document.find(resource.object, "byteLength");
   Finding finding(Code::BUFFER_BYTE_LENGTH_MISMATCH);
   finding.message =
-      fmt::format("The buffer declares {} bytes, but only {} are there.", declared, bytes.size());
+      fmt::format("byteLength is {}, but the data has only {} bytes.", declared, bytes.size());
   finding.span = resource.context.document.span(member);
   if (const auto found = container::name_content(bytes.text()).name;
       !found.empty() && resource.info.storage == "external") {
-    finding.help = fmt::format("the file is {}", found);
+    finding.help = fmt::format("replace the file: it is {}", found);
   }
   resource.sink.report(resource.path, std::move(finding));
   const bool kept =
@@ -127,8 +127,9 @@ bool is_torn_file(const Context& context, json::NodeId object, bool buffer,
 }
 
 void report_torn(const Context& context, model::RootArray array, std::size_t index, Sink& sink) {
-  report_element(sink, context, array, index, Code::IO_ERROR,
-                 "The file became shorter while it was read; what was missing counts as zeros.");
+  report_element(
+      sink, context, array, index, Code::IO_ERROR,
+      "The file became shorter while it was read; the missing bytes are treated as zeros.");
 }
 
 }  // namespace

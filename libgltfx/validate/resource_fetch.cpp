@@ -32,10 +32,10 @@ Code code_of(ResolveFault fault) {
 
 void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
   ++resource.report.unverified;
-  resource.find(Code::GIT_LFS_POINTER, "uri",
-                fmt::format("{} is a Git-LFS pointer; its content is not here.",
-                            gltfx::quoted(uri.normalized)),
-                "fetch it with 'git lfs pull'");
+  resource.find(
+      Code::GIT_LFS_POINTER, "uri",
+      fmt::format("{} is a Git LFS pointer, not the file itself.", gltfx::quoted(uri.normalized)),
+      "run 'git lfs pull'");
 }
 
 std::optional<container::Bytes> open_file(const Resource& resource, const container::Uri& uri) {

@@ -138,7 +138,7 @@ void Suppressions::read(json::NodeId wish, const std::string& host) {
   const json::NodeId list = document_->find(wish, "ignore");
   if (list == json::kNoNode || document_->kind(list) != json::Kind::array) {
     Entry entry{host, own, wish, {}, {}};
-    entry.problem = "'gltfx' in extras has no list 'ignore' of objects";
+    entry.problem = "'gltfx' has no array 'ignore'";
     entries_.push_back(std::move(entry));
     return;
   }
@@ -155,12 +155,12 @@ void Suppressions::read_entry(json::NodeId item, const std::string& host, std::s
   entry.has_reason =
       reason != json::kNoNode && document_->is_string(reason) && !document_->string(reason).empty();
   if (code == json::kNoNode || !document_->is_string(code)) {
-    entry.problem = "an entry of 'ignore' names a rule by its 'code'";
+    entry.problem = "the entry has no string 'code'";
   } else if (const RuleDescription* rule = find_rule(document_->string(code)); rule != nullptr) {
     entry.code = static_cast<Code>(rule - rules().data());
   } else {
     const std::string word = document_->string(code);
-    entry.problem = fmt::format("there is no rule {}{}", gltfx::quoted(word), nearest_code(word));
+    entry.problem = fmt::format("unknown rule {}{}", gltfx::quoted(word), nearest_code(word));
   }
   entries_.push_back(std::move(entry));
 }
@@ -200,20 +200,21 @@ void Suppressions::report_entry(const Entry& entry, const ValidateOptions& optio
   };
   if (!entry.problem.empty()) {
     return say(Code::SUPPRESSION_INVALID,
-               fmt::format("This leaves nothing out: {}{}", entry.problem,
+               fmt::format("The suppression has no effect: {}{}", entry.problem,
                            entry.problem.back() == '?' ? "" : "."),
                R"(write {"ignore": [{"code": "UNUSED_OBJECT", "reason": "..."}]})");
   }
   if (!entry.has_reason) {
     say(Code::SUPPRESSION_WITHOUT_REASON,
-        fmt::format("{} is left out here without a reason.", code_name(*entry.code)),
-        "say why in 'reason'");
+        fmt::format("The suppression of {} has no reason.", code_name(*entry.code)),
+        "add a 'reason'");
   }
   if (entry.total() == 0 && is_heard(options, *entry.code) &&
       !may_be_silent(*entry.code, options)) {
     say(Code::SUPPRESSION_UNUSED,
-        fmt::format("{} is not found here, so nothing is left out.", code_name(*entry.code)),
-        "remove the entry");
+        fmt::format("The suppression of {} has no effect: there is no such finding here.",
+                    code_name(*entry.code)),
+        "remove the suppression");
   }
 }
 

@@ -109,8 +109,7 @@ TEST(Bounds, ThatAreMalformedAreNotCompared) {
 TEST(Floats, InfinitiesAndNaNAreFoundAndCounted) {
   const std::string asset = scalars(kFloat, 4, floats({1, kNaN, kInfinity, -kInfinity}), "1", "1");
   EXPECT_EQ(about_data(asset), (Lines{"ACCESSOR_INVALID_FLOAT /accessors/0 x3"}));
-  EXPECT_EQ(message(asset, "ACCESSOR_INVALID_FLOAT"),
-            "Element 1 is no number (NaN). It is the first of 3.");
+  EXPECT_EQ(message(asset, "ACCESSOR_INVALID_FLOAT"), "Element 1 is NaN. This is the first of 3.");
 }
 
 TEST(Floats, TheKhronosProfileListsThemAndComparesBoundsAllTheSame) {
@@ -193,9 +192,9 @@ TEST(Colours, OfFloatsLieWithinZeroAndOne) {
       with_attribute("COLOR_0", "VEC3", kFloat, 2, floats({0, 1, 1.0000001F, -0.0F, -0.1F, 0.5F}));
   EXPECT_EQ(about_data(asset),
             (Lines{"ACCESSOR_NON_CLAMPED /meshes/0/primitives/0/attributes/COLOR_0 x2"}));
-  EXPECT_EQ(
-      message(asset, "ACCESSOR_NON_CLAMPED"),
-      "Component 2 of element 0 is 1.0000001192092896, not within 0 and 1. It is the first of 2.");
+  EXPECT_EQ(message(asset, "ACCESSOR_NON_CLAMPED"),
+            "Component 2 of element 0 is 1.0000001192092896; it must be between 0 and 1. This is "
+            "the first of 2.");
 }
 
 // `indices` of a mesh of `vertices`.
@@ -275,7 +274,7 @@ TEST(Sparse, ElementsAreCheckedLikeOthers) {
                  R"(, "sparse": {"count": 1, "indices": {"componentType": 5123, "bufferView": )" +
                      std::to_string(place) + R"(}, "values": {"bufferView": )" +
                      std::to_string(values) + "}}");
-  EXPECT_EQ(message(asset.text(), "ACCESSOR_INVALID_FLOAT"), "Element 1 is no number (NaN).");
+  EXPECT_EQ(message(asset.text(), "ACCESSOR_INVALID_FLOAT"), "Element 1 is NaN.");
 }
 
 TEST(Sparse, ClaimsOfElementsThatTakeNoBytesAreNotFollowed) {

@@ -78,10 +78,11 @@ TEST(AttributeFormats, TheHelpNamesTheExtensionThatAllowsOne) {
       asset_with(R"("accessors": [)" + accessor("5123 VEC3") +
                  R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])");
   const std::string code = "MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT";
-  EXPECT_EQ(message(asset, code), "'POSITION' is VEC3 of UNSIGNED_SHORT; it may be VEC3 of FLOAT.");
-  EXPECT_EQ(help(asset, code),
-            "KHR_mesh_quantization allows this format; declare it in extensionsUsed and "
-            "extensionsRequired");
+  EXPECT_EQ(message(asset, code),
+            "'POSITION' is VEC3 of UNSIGNED_SHORT; it must be VEC3 of FLOAT.");
+  EXPECT_EQ(
+      help(asset, code),
+      "add KHR_mesh_quantization to extensionsUsed and extensionsRequired: it allows this format");
 }
 
 TEST(AttributeFormats, AttributesOfOnesOwnMayBeAnythingBut32BitIntegers) {

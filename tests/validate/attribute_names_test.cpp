@@ -41,7 +41,7 @@ TEST(AttributeNames, ANearMissIsNamed) {
   EXPECT_EQ(help_for("TEXCOORD"), "did you mean 'TEXCOORD_0'?");
   EXPECT_EQ(help_for("normal"), "did you mean 'NORMAL'?");
   EXPECT_EQ(help_for("temperature"),
-            "names of your own begin with an underscore, such as _TEMPERATURE");
+            "start the name of a custom attribute with an underscore, such as _TEMPERATURE");
 }
 
 TEST(AttributeNames, SkinningCannotBeMorphed) {

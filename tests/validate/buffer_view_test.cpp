@@ -64,7 +64,7 @@ TEST(BufferView, TheMessageNamesTheNumbers) {
   EXPECT_EQ(message(asset_with(R"("buffers": [{"byteLength": 10}],
     "bufferViews": [{"buffer": 0, "byteOffset": 4, "byteLength": 8}])"),
                     "BUFFER_VIEW_TOO_LONG"),
-            "The view takes 8 bytes from byte 4 on, but buffer 0 declares only 10.");
+            "The buffer view takes 8 bytes at offset 4, but buffer 0 has only 10 bytes.");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(ImageContent, IsNamedWhereItIsNoImageForTextures) {
       {"\xff\xd8\xff", "a JPEG that is cut short"},
       {"RIFF\x10\0\0\0WAVEfmt "s, "a RIFF file, but no WebP image"},
       {"PK\x03\x04" + kTail, "a ZIP archive"},
-      {"once upon a time", "of no format known here"},
+      {"once upon a time", "in an unknown format"},
   };
   for (const auto& [bytes, name] : cases) {
     const Diagnostic found = finding(shown(bytes, R"(, "mimeType": "image/png")"));
@@ -88,7 +88,7 @@ TEST(ImageContent, FilesAreToldTheSameWay) {
   ASSERT_EQ(report.diagnostics.size(), 1U);
   EXPECT_EQ(report.diagnostics[0].severity, Severity::error);
   EXPECT_THAT(report.diagnostics[0].message, HasSubstr("The image is an empty file;"));
-  EXPECT_EQ(report.diagnostics[0].help, "fetch or export the image again");
+  EXPECT_EQ(report.diagnostics[0].help, "export or download the image again");
 }
 
 TEST(ImageContent, FormatsOfDeclaredExtensionsAreToldByTheirBytesToo) {

@@ -147,9 +147,9 @@ TEST(Images, AnimatedWebpIsAWarning) {
   EXPECT_EQ(about(animated), (Lines{"IMAGE_FEATURES_UNSUPPORTED /images/0"}));
   EXPECT_EQ(feature_severity(animated, Profile::standard), Severity::warning);
   EXPECT_EQ(message(animated, "IMAGE_FEATURES_UNSUPPORTED"),
-            "The image is animated: some readers show its first frame, others fail.");
+            "The image is animated: some loaders show its first frame, others fail.");
   EXPECT_EQ(message(animated, "IMAGE_FEATURES_UNSUPPORTED", Profile::khronos),
-            "The image has an animation; glTF ignores it.");
+            "The image has animation, which glTF ignores.");
 }
 
 Severity data_severity(const std::string& asset) {

@@ -91,7 +91,7 @@ TEST(PrimitiveMode, CountsIndicesWhereThereAreSome) {
   const std::string two = R"("attributes": {"POSITION": 2}, "indices": 9)";
   EXPECT_EQ(places(asset(two), code), Lines{kPrimitive});
   EXPECT_EQ(message(asset(two), code),
-            "TRIANGLES are drawn from a multiple of 3; here are 2 indices.");
+            "The primitive has 2 indices; for TRIANGLES it must have a multiple of 3.");
   EXPECT_EQ(places(asset(R"("attributes": {"POSITION": 3}, "indices": 99)"), code), Lines{})
       << "the broken index is reported";
   EXPECT_EQ(

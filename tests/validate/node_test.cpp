@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "validate/part.hpp"
+#include "validate/selected.hpp"
 
 namespace gltfx::test {
 namespace {
@@ -136,6 +137,13 @@ TEST(NodeMesh, ALoopIsNoSecondParentAsWell) {
   EXPECT_EQ(findings(nodes, codes, Profile::khronos),
             (Lines{"NODE_PARENT_OVERRIDE /nodes/2/children/0", "NODE_LOOP /nodes/1",
                    "NODE_LOOP /nodes/2"}));
+}
+
+TEST(Scene, TheMessageNamesTheNodes) {
+  const std::string part = R"("scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"name": "tmpParent", "children": [1]}, {}])";
+  EXPECT_EQ(message(asset(part), "SCENE_NON_ROOT_NODE"),
+            "Scene 0 lists node 1 as a root, but it is a child of node 0 ('tmpParent').");
 }
 
 TEST(Scene, ListsRootsOnly) {

@@ -222,7 +222,7 @@ TEST(Glb, TheBinChunkMayBePaddedToFourBytes) {
   const std::string big = glb(4, std::string(8, 'x'));
   EXPECT_EQ(verdict(big, options_for()), (Lines{"BUFFER_GLB_CHUNK_TOO_BIG /buffers/0"}));
   EXPECT_EQ(message(big, "BUFFER_GLB_CHUNK_TOO_BIG"),
-            "The BIN chunk has 4 bytes more than the buffer and its padding.");
+            "The BIN chunk is 4 bytes longer than the padded buffer.");
 }
 
 TEST(Glb, ABufferThatIsOnlyAFallbackNeedsNoBinChunk) {

@@ -64,8 +64,8 @@ TEST(TextureAlpha, OneFindingForAllImagesThatATextureMayShow) {
 TEST(TextureAlpha, TheImageIsNamed) {
   const std::string text = sheen(jpeg_header()).text();
   EXPECT_EQ(message(text, "TEXTURE_ALPHA_MISSING"),
-            "sheenRoughnessTexture reads A, but image 0 is a JPEG, which has no alpha: it reads as "
-            "1, so the texture has no effect.");
+            "sheenRoughnessTexture reads A, but image 0 is a JPEG, which has no alpha, so alpha is "
+            "1 and the texture has no effect.");
 }
 
 TEST(TextureAlpha, GlossinessLiesBesideAColour) {

@@ -245,7 +245,7 @@ TEST(NormalMaps, OfTwoChannelsWithFullBlueAreNotUnit) {
 
 TEST(NormalMaps, ThatAreHeightMapsInRgbAreFound) {
   EXPECT_EQ(normals("\x20\x20\x20\x90\x90\x90"), Lines{"TEXTURE_CHANNELS_EQUAL" + kSlot});
-  EXPECT_NE(normal_message("\x20\x20\x20\x90\x90\x90").find("as in a height map"),
+  EXPECT_NE(normal_message("\x20\x20\x20\x90\x90\x90").find("it may be a height map"),
             std::string::npos);
   EXPECT_EQ(normals("\x80\x80\x80"), Lines{"TEXTURE_CHANNELS_EQUAL" + kSlot}) << "no vector";
   EXPECT_EQ(normals("\x20\x20\x20\x90\x90\x91"), Lines{"NORMAL_MAP_NOT_UNIT" + kSlot})

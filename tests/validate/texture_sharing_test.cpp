@@ -26,8 +26,8 @@ TEST(ColorSpace, OneChannelIsNotBoth) {
 TEST(ColorSpace, BothSlotsAreNamed) {
   EXPECT_EQ(
       message(Textured{color_and_occlusion(), {rgb_png()}}.text(), "TEXTURE_COLOR_SPACE_CONFLICT"),
-      "occlusionTexture reads R of image 0 as linear, but "
-      "/materials/0/pbrMetallicRoughness/baseColorTexture reads it as sRGB.");
+      "occlusionTexture reads R of image 0 as linear, but baseColorTexture of material 0 reads it "
+      "as sRGB.");
 }
 
 TEST(ColorSpace, AlphaBesideColoursIsTheIntendedPacking) {

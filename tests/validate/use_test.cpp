@@ -80,7 +80,7 @@ TEST(Use, TheMessageTellsBothUses) {
                         std::string(kAccessors) + kMesh +
                         R"("bufferViews": [{"buffer": 0, "byteLength": 12, "target": 34963}, {}])"),
                     "BUFFER_VIEW_TARGET_OVERRIDE"),
-            "View 0 holds vertex indices by its target; here it is used for vertex attributes.");
+            "Buffer view 0 is used for vertex attributes, but its target is for vertex indices.");
 }
 
 TEST(ImageSource, TheViewOfAnImageHasNoStride) {

@@ -39,28 +39,31 @@ std::string sentence(const Job& job, Fault fault) {
   const meshopt::Layout& layout = job.view.layout;
   switch (fault) {
     case Fault::header:
-      return fmt::format("The stream begins with {:#04x}, which no stream of {} does.",
+      return fmt::format("The header of the compressed data is {:#04x}, which is invalid for {}.",
                          std::to_integer<unsigned>(job.stream.view().front()),
                          mode_text(layout.mode));
     case Fault::version:
-      return fmt::format("The stream begins with {:#04x}: {} does not have that version of {}.",
-                         std::to_integer<unsigned>(job.stream.view().front()), job.view.extension,
-                         mode_text(layout.mode));
+      return fmt::format(
+          "The header of the compressed data is {:#04x}; {} does not support that version of {}.",
+          std::to_integer<unsigned>(job.stream.view().front()), job.view.extension,
+          mode_text(layout.mode));
     case Fault::too_short:
-      return fmt::format("{} bytes cannot hold {} elements of {} bytes.", job.stream.size(),
-                         layout.count, layout.stride);
+      return fmt::format(
+          "The compressed data has {} bytes, which is too short for count {} and byteStride {}.",
+          job.stream.size(), layout.count, layout.stride);
     case Fault::channel:
-      return "The last bytes of the stream name a way to store differences that there is not.";
+      return "The compressed data has an invalid channel mode.";
     case Fault::table:
-      return "The table in the last 16 bytes of the stream is malformed.";
+      return "The table in the last 16 bytes of the compressed data is invalid.";
     case Fault::unwritten:
-      return "A triangle refers to an edge or a vertex before the first one.";
+      return "A compressed triangle refers to an edge or vertex before the first one.";
     case Fault::number:
-      return "A number of the stream has more than five bytes.";
+      return "A compressed number has more than five bytes.";
     case Fault::trailing:
-      return fmt::format("Bytes of the stream are left over behind its {} elements.", layout.count);
+      return "The compressed data has extra bytes after its last element.";
     default:
-      return fmt::format("The stream ends before all of its {} elements are there.", layout.count);
+      return fmt::format("The compressed data ends before its last element; count is {}.",
+                         layout.count);
   }
 }
 
@@ -91,19 +94,19 @@ class Reporting {
     if (job.fault != Fault::none) return report(job, code_of(job.fault), sentence(job, job.fault));
     if (!job.affordable) {
       return report(job, Code::MESHOPT_NOT_DECODED,
-                    fmt::format("{} bytes of stream hold {} elements of {} bytes, too many to "
-                                "decode; they were not looked at.",
+                    fmt::format("{} bytes of compressed data have {} elements of {} bytes, which "
+                                "exceeds the limit; the data is not checked.",
                                 job.stream.size(), layout.count, layout.stride));
     }
     if (job.misfits.count != 0) {
-      return report(job, Code::MESHOPT_FILTER_INPUT_INVALID,
-                    fmt::format("{} of {} elements are nothing that the filter can take; the "
-                                "first is element {}.",
-                                job.misfits.count, layout.count, job.misfits.first));
+      return report(
+          job, Code::MESHOPT_FILTER_INPUT_INVALID,
+          fmt::format("{} of {} elements are invalid input for the filter, starting at element {}.",
+                      job.misfits.count, layout.count, job.misfits.first));
     }
     if (job.differs) {
       report(job, Code::MESHOPT_FALLBACK_DIFFERS,
-             "The plain copy has other bytes than the stream.");
+             "The fallback data differs from the decoded data.");
     }
     if (job.plain) return;
     const bool rounded = layout.filter != meshopt::Filter::none;

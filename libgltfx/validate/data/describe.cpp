@@ -46,35 +46,36 @@ std::string sentence(const Looked& looked, const Fault& fault) {
     case FaultKind::invalid_float:
       return fmt::format("{} is {}.", place_text(looked, fault), value);
     case FaultKind::not_unit:
-      return fmt::format("The vector of element {} has length {}, not 1.", element, value);
+      return fmt::format("The vector in element {} has length {}; it must be 1.", element, value);
     case FaultKind::bad_sign:
-      return fmt::format("The sign (w) of element {} is {}, neither 1 nor -1.", element, value);
+      return fmt::format("w of element {} is {}; it must be 1 or -1.", element, value);
     case FaultKind::not_clamped:
     case FaultKind::bad_opacity:
-      return fmt::format("{} is {}, not within 0 and 1.", place_text(looked, fault), value);
+      return fmt::format("{} is {}; it must be between 0 and 1.", place_text(looked, fault), value);
     case FaultKind::index_out_of_range:
-      return fmt::format("Index {} is {}, but {}.", element, value,
-                         fault.other < 0 ? "there are no vertices"
-                                         : "the last vertex is " + value_text(fault.other));
+      return fmt::format("Element {} of the indices is {}, but the primitive has {} vertices.",
+                         element, value, fault.other < 0 ? "no" : value_text(fault.other + 1));
     case FaultKind::restart:
-      return fmt::format("Index {} is {}, the greatest of its type, which restarts primitives.",
+      return fmt::format("Element {} of the indices is {}, which is the primitive restart value.",
                          element, value);
     case FaultKind::negative_time:
-      return fmt::format("Time {} is {}, before the animation begins.", element, value);
+      return fmt::format("Time {} is {}; it must not be negative.", element, value);
     case FaultKind::not_increasing:
-      return fmt::format("Time {} is {}, not after {}.", element, value, value_text(fault.other));
+      return fmt::format("Time {} is {}; it must be greater than the previous one, {}.", element,
+                         value, value_text(fault.other));
     case FaultKind::not_unit_quaternion:
     case FaultKind::not_unit_instance:
     case FaultKind::not_unit_splat:
-      return fmt::format("The quaternion of element {} has length {}, not 1.", element, value);
+      return fmt::format("The quaternion in element {} has length {}; it must be 1.", element,
+                         value);
     case FaultKind::out_of_limits:
       return fmt::format("{} is {}; the property must be {} {}.", place_text(looked, fault), value,
-                         fault.value <= fault.other ? "above or at" : "below or at",
+                         fault.value <= fault.other ? "at least" : "at most",
                          value_text(fault.other));
     case FaultKind::negative_scale:
-      return fmt::format("{} is {}, less than 0.", place_text(looked, fault), value);
+      return fmt::format("{} is {}; it must not be negative.", place_text(looked, fault), value);
     case FaultKind::bad_matrix:
-      return fmt::format("{} is {}, but must be {}.", place_text(looked, fault), value,
+      return fmt::format("{} is {}; it must be {}.", place_text(looked, fault), value,
                          value_text(fault.other));
   }
   return {};
@@ -114,7 +115,7 @@ bool is_of_values(FaultKind kind) {
 void soften(const Looked& looked, Finding& finding) {
   if (!looked.draco) return;
   if (looked.lossy) finding.severity = Severity::warning;
-  finding.message += looked.lossy ? kAfterDraco : " This is so after Draco decoding.";
+  finding.message += looked.lossy ? kAfterDraco : " This is the value after Draco decoding.";
 }
 
 Finding finding_at_bound(const Looked& looked, const Check& check, const BoundFault& fault,
@@ -129,7 +130,7 @@ Finding finding_at_bound(const Looked& looked, const Check& check, const BoundFa
 }  // namespace
 
 std::string value_text(double value) {
-  if (std::isnan(value)) return "no number (NaN)";
+  if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value < 0 ? "negative infinity" : "infinity";
   return number_text(value);
 }
@@ -144,7 +145,7 @@ Span element_span(const json::Document& document, json::NodeId array, std::uint6
 Finding describe(const Looked& looked, const Check& check, const Fault& fault,
                  std::uint64_t count) {
   std::string message = sentence(looked, fault);
-  if (count > 1) message += fmt::format(" It is the first of {}.", count);
+  if (count > 1) message += fmt::format(" This is the first of {}.", count);
   Finding finding =
       finding_on(looked.context, check.place.node,
                  kFaultCodes[static_cast<std::size_t>(fault.kind)], std::move(message));
@@ -158,10 +159,10 @@ Finding describe(const Looked& looked, const Check& check, const Fault& fault,
 
 Finding describe_mismatch(const Looked& looked, const Check& check, const BoundFault& fault) {
   const bool minimum = check.kind == CheckKind::minimum;
-  return finding_at_bound(
-      looked, check, fault, minimum ? Code::ACCESSOR_MIN_MISMATCH : Code::ACCESSOR_MAX_MISMATCH,
-      fmt::format("The {} is declared as {}, but is {}.", minimum ? "minimum" : "maximum",
-                  value_text(fault.declared), value_text(fault.actual)));
+  return finding_at_bound(looked, check, fault,
+                          minimum ? Code::ACCESSOR_MIN_MISMATCH : Code::ACCESSOR_MAX_MISMATCH,
+                          fmt::format("{} is {}; it must be {}.", minimum ? "min" : "max",
+                                      value_text(fault.declared), value_text(fault.actual)));
 }
 
 Finding describe_outside(const Looked& looked, const Check& check, const BoundFault& fault) {
@@ -169,15 +170,14 @@ Finding describe_outside(const Looked& looked, const Check& check, const BoundFa
   return finding_at_bound(
       looked, check, fault,
       minimum ? Code::ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND : Code::ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND,
-      fmt::format("{} of {} elements lie {} the declared {}, {}.", fault.outside, looked.count,
-                  minimum ? "below" : "above", minimum ? "minimum" : "maximum",
+      fmt::format("{} of {} elements are {} the declared {}, {}.", fault.outside, looked.count,
+                  minimum ? "below" : "above", minimum ? "min" : "max",
                   value_text(fault.declared)));
 }
 
 Finding describe_degenerate(const Looked& looked, const Check& check, std::uint64_t count) {
-  return finding_on(
-      looked.context, check.place.node, Code::ACCESSOR_INDEX_TRIANGLE_DEGENERATE,
-      fmt::format("{} of {} triangles have two equal corners.", count, looked.count / 3));
+  return finding_on(looked.context, check.place.node, Code::ACCESSOR_INDEX_TRIANGLE_DEGENERATE,
+                    fmt::format("{} of {} triangles are degenerate.", count, looked.count / 3));
 }
 
 }  // namespace gltfx::validate

@@ -26,7 +26,7 @@ struct Looked {
 
 /// The sentence that ends messages about what Draco has decoded.
 inline constexpr std::string_view kAfterDraco =
-    " These are the values after Draco decoding, which is not exact.";
+    " This is the value after Draco decoding, which is lossy.";
 
 /// One fault, or `count` of them of which `fault` is the first.
 Finding describe(const Looked& looked, const Check& check, const Fault& fault, std::uint64_t count);

@@ -60,7 +60,7 @@ class GeometryDecoding {
                                          : Code::DRACO_DECODE_FAILED;
     std::string message = fault != nullptr
                               ? fault->message
-                              : "Earlier bitstreams of this file took all that decoding may take.";
+                              : "Other Draco data in the file reached the limit on decoding.";
     with_draco_path(primitive, kDracoGeometryExtension, [&](const Path& path) {
       report_member(phase_.sink, phase_.context, path, primitive.reference.object, "bufferView",
                     code, std::move(message));

@@ -25,7 +25,7 @@ using model::Format;
 std::string text_of(const codec::DracoAttribute& attribute) {
   const Format format = model::format_of(attribute, false);
   if (format.known()) return model::format_text(format);
-  return fmt::format("{} components of a type that glTF lacks", attribute.components);
+  return fmt::format("{} components of a type that glTF does not support", attribute.components);
 }
 
 // Indices as numbers of type T.
@@ -90,7 +90,7 @@ class PrimitiveCheck {
     const codec::DracoAttribute* decoded = model::find_attribute(mesh_, id);
     if (decoded == nullptr) {
       return report(name, value, Code::DRACO_ATTRIBUTE_ID_UNKNOWN,
-                    fmt::format("The bitstream has no attribute with id {}.", id));
+                    fmt::format("The Draco data has no attribute with the ID {}.", id));
     }
     if (!attribute->accessor) return;
     const bool sound = check_format(name, value, *attribute->accessor, *decoded) &&
@@ -105,7 +105,7 @@ class PrimitiveCheck {
     if (!format.known()) return false;
     if (model::format_of(decoded, format.normalized) == format) return true;
     report(name, value, Code::DRACO_FORMAT_MISMATCH,
-           fmt::format("The bitstream holds {}, but accessor {} is {}.", text_of(decoded), index,
+           fmt::format("The Draco data is {}, but accessor {} is {}.", text_of(decoded), index,
                        model::format_text(format)));
     return false;
   }
@@ -116,7 +116,7 @@ class PrimitiveCheck {
     if (!count || *count == mesh_.points) return count.has_value();
     if (!reported_counts_.insert(*count).second) return false;
     report(name, value, Code::DRACO_COUNT_MISMATCH,
-           fmt::format("The bitstream holds {} points, but accessor {} has {} elements.",
+           fmt::format("The Draco data has {} points, but accessor {} has {} elements.",
                        mesh_.points, index, *count));
     return false;
   }
@@ -146,17 +146,18 @@ class PrimitiveCheck {
     if (!reported_counts_.empty()) return;
     if (*target.count != count) {
       return report_indices(Code::DRACO_COUNT_MISMATCH,
-                            fmt::format("The bitstream holds {} triangles, {} indices; accessor {} "
-                                        "has {} elements.",
+                            fmt::format("The number of triangles in the Draco data is {} ({} "
+                                        "indices), but accessor {} has {} elements.",
                                         mesh_.faces, count, index, *target.count));
     }
     const ComponentType type = target.format.component;
     if (!model::can_index_elements(type) || target.format.type != model::ElementType::scalar)
       return;
     if (mesh_.points > 0 && !model::value_range(type).contains(mesh_.points - 1.0)) {
-      return report_indices(Code::DRACO_INDEX_TYPE_TOO_SMALL,
-                            fmt::format("The bitstream holds {} points, which {} cannot count.",
-                                        mesh_.points, model::component_type_name(type)));
+      return report_indices(
+          Code::DRACO_INDEX_TYPE_TOO_SMALL,
+          fmt::format("The Draco data has {} points, which exceeds the range of {}.", mesh_.points,
+                      model::component_type_name(type)));
     }
     if (!needs_data(index)) return;
     auto data = AccessorData::packed(target.format, count, index_bytes(mesh_, type), 0);

@@ -45,7 +45,7 @@ std::string edge_text(std::uint64_t edge) {
 }
 
 std::string first_of(std::string sentence, std::uint64_t count) {
-  return count > 1 ? fmt::format("{} It is the first of {}.", sentence, count) : sentence;
+  return count > 1 ? fmt::format("{} This is the first of {}.", sentence, count) : sentence;
 }
 
 class VisibilityCheck {
@@ -62,7 +62,9 @@ class VisibilityCheck {
     if (mode && *mode < model::Mode::triangles) {
       phase_.sink.report(path_,
                          finding_on(context_, object_, Code::EDGE_VISIBILITY_INVALID_MODE,
-                                    fmt::format("The primitive is {}.", model::mode_name(*mode))));
+                                    fmt::format("The mode of the primitive is {}; it must be "
+                                                "TRIANGLES, TRIANGLE_STRIP or TRIANGLE_FAN.",
+                                                model::mode_name(*mode))));
       return;
     }
     const auto triangles = read_triangles(phase_, primitive_);
@@ -103,8 +105,8 @@ class VisibilityCheck {
     }
     if (bits % 8 != 0 && (bytes->back() >> (bits % 8)) != 0) {
       report("visibility", Code::EDGE_VISIBILITY_PADDING,
-             fmt::format("Bits are set behind the {} edges of {} triangles.", coded.size(),
-                         triangles.size()));
+             fmt::format("The padding bits after the {} edges of {} triangles are not zero.",
+                         coded.size(), triangles.size()));
     }
     check_codes(coded);
   }
@@ -128,8 +130,9 @@ class VisibilityCheck {
       for (; i < coded.size() && coded[i].edge == edge; ++i) ++tally.of[coded[i].value];
       if (tally.of[2] + tally.of[3] != 0) hard_.push_back(edge);
       if (tally.sound() || faults++ != 0) continue;
-      first = fmt::format("The edge {} is coded {} times as 0, {} as 1, {} as 2 and {} as 3.",
-                          edge_text(edge), tally.of[0], tally.of[1], tally.of[2], tally.of[3]);
+      first = fmt::format(
+          "The edge {} is encoded {} times as 0, {} times as 1, {} times as 2 and {} times as 3.",
+          edge_text(edge), tally.of[0], tally.of[1], tally.of[2], tally.of[3]);
     }
     if (faults != 0) {
       report("visibility", Code::EDGE_VISIBILITY_REPEATED, first_of(std::move(first), faults));
@@ -145,16 +148,20 @@ class VisibilityCheck {
     const Code code = Code::EDGE_SILHOUETTE_NORMALS_MISMATCH;
     if (!given || silhouettes == 0) {
       report("silhouetteNormals", code,
-             given ? std::string("There are normals, but no silhouette edges.")
-                   : fmt::format("{} silhouette edges have no normals.", silhouettes));
+             given
+                 ? std::string("There are silhouette normals, but no silhouette edges.")
+                 : fmt::format(
+                       "The number of silhouette edges is {}, but there are no silhouette normals.",
+                       silhouettes));
       return;
     }
     if (!index) return;
     const auto count = context_.views.accessors[*index].count;
     if (count && *count != silhouettes * 2) {
       report("silhouetteNormals", code,
-             fmt::format("There are {} normals for {} silhouette edges; each has two.", *count,
-                         silhouettes));
+             fmt::format("The number of silhouette normals is {}; for {} silhouette edges it must "
+                         "be two per edge.",
+                         *count, silhouettes));
     }
     check_lengths(*index);
   }
@@ -167,7 +174,8 @@ class VisibilityCheck {
     std::string first;
     const auto note = [&](std::uint64_t element, double length) {
       if (faults++ == 0) {
-        first = fmt::format("The normal of element {} has length {:.4g}, not 1.", element, length);
+        first = fmt::format("The normal in element {} has length {:.4g}; it must be 1.", element,
+                            length);
       }
     };
     model::with_component_type(data->format().component, [&](auto type) {
@@ -227,7 +235,9 @@ class VisibilityCheck {
     std::size_t run = 0;  // vertices of the line so far
     const auto end_run = [&](std::size_t at) {
       if (run < 2 && fault.empty()) {
-        fault = fmt::format("The line that ends before element {} has {} vertices.", at, run);
+        fault = fmt::format(
+            "The line string that ends before element {} has {} vertices; it must have at least 2.",
+            at, run);
       }
       run = 0;
     };
@@ -252,14 +262,15 @@ class VisibilityCheck {
 
   void note_edge(std::uint64_t edge, std::string& fault, std::string& repeat) {
     if (!std::binary_search(edges_.begin(), edges_.end(), edge)) {
-      if (fault.empty()) fault = fmt::format("No triangle has an edge {}.", edge_text(edge));
+      if (fault.empty())
+        fault = fmt::format("The segment {} is not a triangle edge.", edge_text(edge));
       return;
     }
     const bool coded = std::binary_search(hard_.begin(), hard_.end(), edge);
     if (!drawn_.insert(edge).second || coded) {
       if (!repeat.empty()) return;
-      repeat = fmt::format("The edge {} is {} already.", edge_text(edge),
-                           coded ? "visible by visibility" : "part of a line");
+      repeat = fmt::format("The edge {} is already {}.", edge_text(edge),
+                           coded ? "marked in visibility" : "in a line string");
     }
   }
 

@@ -105,8 +105,8 @@ void report_unchecked(DataPhase& phase, std::uint32_t index) {
   const model::Accessor& accessor = phase.context.views.accessors[index];
   report_element(phase.sink, phase.context, model::RootArray::accessors, index,
                  Code::ACCESSOR_DATA_NOT_CHECKED,
-                 fmt::format("The accessor has {} elements, far more than the file has bytes for; "
-                             "they were not looked at.",
+                 fmt::format("The accessor has {} elements, far more than the size of the file "
+                             "allows; they are not checked.",
                              *accessor.count));
 }
 

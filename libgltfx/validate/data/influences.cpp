@@ -120,14 +120,17 @@ class InfluenceReport {
         return fmt::format("Joint {} of vertex {} is {}, but skin {} has {} joints.", slot, vertex,
                            value, limit.skin, limit.joints);
       case InfluenceFault::joint_repeated:
-        return fmt::format("Joint {} of vertex {} is {}, which the vertex has already.", slot,
+        return fmt::format("Joint {} of vertex {} is {}, which the vertex already has.", slot,
                            vertex, value);
       case InfluenceFault::negative_weight:
-        return fmt::format("Weight {} of vertex {} is {}.", slot, vertex, value);
+        return fmt::format("Weight {} of vertex {} is {}; it must not be negative.", slot, vertex,
+                           value);
       case InfluenceFault::joint_without_weight:
-        return fmt::format("Joint {} of vertex {} is {}, but has no weight.", slot, vertex, value);
+        return fmt::format("Joint {} of vertex {} is {}, but its weight is 0.", slot, vertex,
+                           value);
       case InfluenceFault::wrong_sum:
-        return fmt::format("The weights of vertex {} sum up to {}, not 1.", vertex, value);
+        return fmt::format("The weights of vertex {} sum to {}; they must sum to 1.", vertex,
+                           value);
     }
     return {};
   }
@@ -139,7 +142,7 @@ class InfluenceReport {
                          influence.fault == InfluenceFault::wrong_sum;
     const std::string name = fmt::format("{}_{}", weights ? "WEIGHTS" : "JOINTS", influence.set);
     std::string message = sentence(influence, skinned.limit);
-    if (found.count > 1) message += fmt::format(" It is the first of {}.", found.count);
+    if (found.count > 1) message += fmt::format(" This is the first of {}.", found.count);
     if (weights && skinned.lossy) message += kAfterDraco;
     Finding finding = finding_on(phase_.context,
                                  (weights ? skinned.weights : skinned.joints)[influence.set]->value,

@@ -64,8 +64,8 @@ class ManifoldCheck {
     }
     if (faults == 0) return;
     report("manifoldPrimitive", Code::MANIFOLD_NOT_CLOSED,
-           fmt::format("The side from vertex {} to {} has not exactly one that runs back. {} of {} "
-                       "sides are like that.",
+           fmt::format("The edge from vertex {} to {} does not have exactly one opposite edge. {} "
+                       "of {} edges are not closed.",
                        first >> 32U, first & UINT32_MAX, faults, sides.size()));
   }
 
@@ -111,8 +111,7 @@ class ManifoldCheck {
     if (unlisted != 0) {
       report(
           "mergeIndices", Code::MANIFOLD_MERGE_INVALID,
-          fmt::format("{} indices of the manifold are neither those that are drawn nor those that "
-                      "are listed in their place.",
+          fmt::format("{} indices of the manifold are neither drawn indices nor listed as merged.",
                       unlisted));
     }
     check_positions(primitive, merged, *drawn);
@@ -124,8 +123,10 @@ class ManifoldCheck {
     const auto what = read_indices(phase_, values);
     if (!where || !what) return false;
     if (where->size() != what->size()) {
-      report("mergeIndices", Code::MANIFOLD_MERGE_INVALID,
-             fmt::format("{} places have {} new vertices.", where->size(), what->size()));
+      report(
+          "mergeIndices", Code::MANIFOLD_MERGE_INVALID,
+          fmt::format("The number of merged indices is {}, but the number of merged values is {}.",
+                      where->size(), what->size()));
       return false;
     }
     for (std::size_t i = 0; i < where->size(); ++i) merges[(*where)[i]] = (*what)[i];
@@ -143,9 +144,10 @@ class ManifoldCheck {
     };
     for (std::size_t i = 0; i < merged.size(); ++i) {
       if (place(merged[i]) == place(drawn[i])) continue;
-      report("mergeValues", Code::MANIFOLD_MERGE_INVALID,
-             fmt::format("Index {} leads to vertex {} instead of {}, which lies elsewhere.", i,
-                         merged[i], drawn[i]));
+      report(
+          "mergeValues", Code::MANIFOLD_MERGE_INVALID,
+          fmt::format("Index {} refers to vertex {} instead of {}, which has a different position.",
+                      i, merged[i], drawn[i]));
       return;
     }
   }

@@ -25,9 +25,10 @@ void check_pairs(DataPhase& phase, json::NodeId object, const Indices& pairs,
     if (faults++ == 0) first = i;
   }
   if (faults == 0) return;
-  std::string message = fmt::format("No triangle has an edge between vertices {} and {}.",
-                                    pairs[first], pairs[first + 1]);
-  if (faults > 1) message += fmt::format(" It is the first of {}.", faults);
+  std::string message =
+      fmt::format("The segment between vertices {} and {} is not a triangle edge.", pairs[first],
+                  pairs[first + 1]);
+  if (faults > 1) message += fmt::format(" This is the first of {}.", faults);
   report_member(phase.sink, phase.context, path, object, "indices", Code::OUTLINE_NOT_AN_EDGE,
                 std::move(message));
 }
@@ -37,11 +38,12 @@ void check_outline(DataPhase& phase, const ExtensionPlace& place, const Path& pa
   const model::Primitive primitive = model::read_primitive(context.asset, place.host);
   if (primitive.mode &&
       (*primitive.mode != model::Mode::triangles || primitive.indices_node == json::kNoNode)) {
-    phase.sink.report(path, finding_on(context, place.object, Code::OUTLINE_NOT_TRIANGLES,
-                                       *primitive.mode == model::Mode::triangles
-                                           ? std::string("The triangles have no indices.")
-                                           : fmt::format("The primitive is {}.",
-                                                         model::mode_name(*primitive.mode))));
+    phase.sink.report(
+        path, finding_on(context, place.object, Code::OUTLINE_NOT_TRIANGLES,
+                         *primitive.mode == model::Mode::triangles
+                             ? std::string("The primitive has no indices.")
+                             : fmt::format("The mode of the primitive is {}; it must be TRIANGLES.",
+                                           model::mode_name(*primitive.mode))));
     return;
   }
   const auto index = context.asset.index(place.object, "indices", model::RootArray::accessors);

@@ -41,11 +41,11 @@ class SparseReport {
 
   void send(bool order, const SparseFault& fault, std::uint64_t count) const {
     std::string message =
-        order ? fmt::format("Sparse index {} is {}, not greater than {} before it.", fault.position,
-                            fault.index, fault.other)
+        order ? fmt::format("Sparse index {} is {}; it must be greater than the previous one, {}.",
+                            fault.position, fault.index, fault.other)
               : fmt::format("Sparse index {} is {}, but the accessor has {} elements.",
                             fault.position, fault.index, fault.other);
-    if (count > 1) message += fmt::format(" It is the first of {}.", count);
+    if (count > 1) message += fmt::format(" This is the first of {}.", count);
     const json::NodeId sparse = phase_.context.views.accessors[accessor_].sparse;
     Finding finding = finding_on(
         phase_.context, sparse,

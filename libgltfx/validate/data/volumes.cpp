@@ -93,11 +93,9 @@ void check_mesh(DataPhase& phase, const model::Mesh& mesh, std::size_t index) {
   }
   const std::size_t open = boundary.open_edges();
   if (open == 0) return;
-  report_element(phase.sink, context, model::RootArray::meshes, index,
-                 Code::KHR_MATERIALS_VOLUME_NOT_CLOSED,
-                 fmt::format("The mesh encloses a volume, but {} of its edges have no triangle on "
-                             "the other side.",
-                             open));
+  report_element(
+      phase.sink, context, model::RootArray::meshes, index, Code::KHR_MATERIALS_VOLUME_NOT_CLOSED,
+      fmt::format("The mesh has a volume, but {} of its edges have only one triangle.", open));
 }
 
 }  // namespace

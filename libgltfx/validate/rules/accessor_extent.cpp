@@ -14,10 +14,11 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
   const std::uint64_t offset = extent.byte_offset.value_or(0);
   const bool aligned = offset % extent.component_size == 0;
   if (!aligned) {
-    report_member(context.link_sink, context, path, extent.object, "byteOffset",
-                  Code::ACCESSOR_OFFSET_ALIGNMENT,
-                  fmt::format("{} is no multiple of the component size, {} bytes.", offset,
-                              extent.component_size));
+    report_member(
+        context.link_sink, context, path, extent.object, "byteOffset",
+        Code::ACCESSOR_OFFSET_ALIGNMENT,
+        fmt::format("byteOffset is {}, which is not a multiple of the component size, {} bytes.",
+                    offset, extent.component_size));
   }
   // Where the accessor's own offset is at fault, the sum says nothing new.
   if (!with_view || (!aligned && !context.deviations.consequences_are_reported)) return;
@@ -25,8 +26,8 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
   const Checked total = checked_add(view_offset, offset);
   if (!total || *total % extent.component_size == 0) return;
   report_link(context, path, extent.object, Code::ACCESSOR_TOTAL_OFFSET_ALIGNMENT,
-              fmt::format("The data begins at byte {} of the buffer ({} of view {}, and {} "
-                          "more), which is no multiple of the component size, {} bytes.",
+              fmt::format("The data starts at byte {} of the buffer ({} in buffer view {} plus "
+                          "{}), which is not a multiple of the component size, {} bytes.",
                           *total, view_offset, extent.view, offset, extent.component_size));
 }
 
@@ -52,8 +53,8 @@ void check_extent(const Context& context, const Extent& extent, const Path& path
   const std::uint64_t length = extent.length.value_or(UINT64_MAX);
   if (view.byte_length && fits(offset, length, *view.byte_length)) return;
   std::string message =
-      fmt::format("The elements take {} bytes from byte {} on, but view {} has only {}.", length,
-                  offset, extent.view, view.byte_length.value_or(0));
+      fmt::format("The elements take {} bytes at offset {}, but buffer view {} has only {} bytes.",
+                  length, offset, extent.view, view.byte_length.value_or(0));
   if (!view.byte_length || offset > *view.byte_length) {
     report_member(context.link_sink, context, path, extent.object, "byteOffset",
                   Code::ACCESSOR_TOO_LONG, std::move(message));

@@ -23,10 +23,11 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
   if (view == nullptr) return;
   const std::uint64_t size = model::element_size(accessor.format);
   if (view->byte_stride && *view->byte_stride < size) {
-    report_link(context, path, accessor.node, Code::ACCESSOR_SMALL_BYTESTRIDE,
-                fmt::format("The stride of view {} is {} bytes, but an element ({}) takes {}.",
-                            *accessor.buffer_view, *view->byte_stride,
-                            model::format_text(accessor.format), size));
+    report_link(
+        context, path, accessor.node, Code::ACCESSOR_SMALL_BYTESTRIDE,
+        fmt::format("byteStride of buffer view {} is {}, but an element ({}) takes {} bytes.",
+                    *accessor.buffer_view, *view->byte_stride, model::format_text(accessor.format),
+                    size));
     // Lengths counted with a wrong stride mean nothing.
     if (!context.deviations.consequences_are_reported) return;
   }
@@ -47,7 +48,7 @@ void check_part(const Context& context, const model::SparsePart& part, std::uint
                   Path(path, "bufferView"));
   if (context.views.buffer_views[*part.buffer_view].byte_stride) {
     report_link(context, Path(path, "bufferView"), place, Code::BUFFER_VIEW_INVALID_BYTE_STRIDE,
-                fmt::format("View {} has a byteStride, but holds a part of a sparse accessor.",
+                fmt::format("Buffer view {} has a byteStride, but contains sparse accessor data.",
                             *part.buffer_view));
   }
   const unsigned component = model::component_size(part.format.component);
@@ -68,7 +69,7 @@ void check_sparse(const Context& context, const model::Accessor& accessor, const
   if (*sparse->count > *accessor.count) {
     report_member(context.link_sink, context, at, accessor.sparse, "count",
                   Code::ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE,
-                  fmt::format("{} elements are replaced, but the accessor has only {}.",
+                  fmt::format("The sparse accessor replaces {} elements, but has only {}.",
                               *sparse->count, *accessor.count));
   }
   check_part(context, sparse->indices, *sparse->count, Path(at, "indices"));

@@ -26,13 +26,13 @@ void check_bound_values(const Context& context, const model::Accessor& accessor,
     const bool whole = at.number().is_integer();
     if (whole && range.contains(value)) continue;
     if (!std::isfinite(value)) continue;
-    Finding finding = finding_on(
-        context, array, whole ? Code::INVALID_GL_VALUE : Code::ARRAY_TYPE_MISMATCH,
-        whole ? fmt::format("{} is no value of a component of type {}, which goes from {} to {}.",
-                            number_text(value), type, number_text(range.least),
-                            number_text(range.most))
-              : fmt::format("{} is no integer, but components are of type {}.", number_text(value),
-                            type));
+    Finding finding =
+        finding_on(context, array, whole ? Code::INVALID_GL_VALUE : Code::ARRAY_TYPE_MISMATCH,
+                   whole ? fmt::format("{} is out of range of {}; it must be between {} and {}.",
+                                       number_text(value), type, number_text(range.least),
+                                       number_text(range.most))
+                         : fmt::format("{} is not an integer, but the component type is {}.",
+                                       number_text(value), type));
     finding.span = at.number().span;
     context.schema_sink.report(path, std::move(finding));
   }
@@ -44,9 +44,9 @@ void report_bound_length(const Context& context, const model::Accessor& accessor
   const unsigned components = model::component_count(accessor.format.type);
   context.schema_sink.report(
       path, finding_on(context, array, Code::ARRAY_LENGTH_NOT_IN_LIST,
-                       fmt::format("A bound of {} elements has {} number{}, not {}.",
-                                   model::element_type_name(accessor.format.type), components,
-                                   components == 1 ? "" : "s", size)));
+                       fmt::format("The bound has {} number{}; for {} it must have {}.", size,
+                                   size == 1 ? "" : "s",
+                                   model::element_type_name(accessor.format.type), components)));
 }
 
 void check_bound(const Context& context, const model::Accessor& accessor, json::NodeId array,
@@ -78,10 +78,10 @@ void check_matrix_offset(const Context& context, const model::Accessor& accessor
   if (!model::is_matrix(accessor.format.type) || !accessor.byte_offset) return;
   if (context.document.find(accessor.node, "bufferView") == json::kNoNode) return;
   if (*accessor.byte_offset % 4 == 0) return;
-  report_member(
-      context.schema_sink, context, path, accessor.node, "byteOffset",
-      Code::ACCESSOR_MATRIX_ALIGNMENT,
-      fmt::format("Matrices begin at multiples of 4 bytes; {} is none.", *accessor.byte_offset));
+  report_member(context.schema_sink, context, path, accessor.node, "byteOffset",
+                Code::ACCESSOR_MATRIX_ALIGNMENT,
+                fmt::format("byteOffset is {}; for matrices it must be a multiple of 4.",
+                            *accessor.byte_offset));
 }
 
 void check_min_and_max(const Context& context, json::NodeId object, const Path& path) {
@@ -102,9 +102,9 @@ void check_accessor(const Context& context, json::NodeId object, const Path& pat
 schema::Reading read_offset(const Context& context, json::NodeId object, json::NodeId value,
                             const Path& path) {
   if (context.document.find(object, "bufferView") != json::kNoNode) return schema::Reading::judge;
-  context.schema_sink.report(
-      Path(path, "byteOffset"),
-      finding_on(context, value, Code::UNSATISFIED_DEPENDENCY, "'byteOffset' needs 'bufferView'."));
+  context.schema_sink.report(Path(path, "byteOffset"),
+                             finding_on(context, value, Code::UNSATISFIED_DEPENDENCY,
+                                        "'byteOffset' requires 'bufferView'."));
   return schema::Reading::drop;
 }
 
@@ -119,7 +119,7 @@ schema::Reading read_integers(const Context& context, const model::Accessor& acc
     sound = false;
     Finding finding =
         finding_on(context, array, whole ? Code::INVALID_GL_VALUE : Code::ARRAY_TYPE_MISMATCH,
-                   fmt::format("A bound of components of type {} has other values.",
+                   fmt::format("The bound has a value that is out of range of {}.",
                                model::component_type_name(accessor.format.component)));
     finding.span = span;
     context.schema_sink.report(path, std::move(finding));

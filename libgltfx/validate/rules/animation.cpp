@@ -78,7 +78,7 @@ class AnimationCheck {
     for (std::size_t i = 0; i < used.size() && unseen_.empty(); ++i) {
       if (used[i] != 0) continue;
       report_link(context_, Path(samplers, i), animation.samplers[i].object, Code::UNUSED_OBJECT,
-                  "No channel uses this sampler.");
+                  "The sampler is not used by any channel.");
     }
   }
 
@@ -113,12 +113,12 @@ class AnimationCheck {
                    const Path& path) {
     if (is_judged(times.format) && times.format != kTimes) {
       report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT,
-                fmt::format("Accessor {} with the times is {} instead of {}.", *sampler.input,
+                fmt::format("Input accessor {} is {}; it must be {}.", *sampler.input,
                             format_text(times.format), format_text(kTimes)));
     }
     if (times.min == json::kNoNode || times.max == json::kNoNode) {
       report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS,
-                fmt::format("Accessor {} with the times has no {}.", *sampler.input,
+                fmt::format("Input accessor {} has no {}.", *sampler.input,
                             times.min == json::kNoNode ? "min" : "max"));
     }
     const bool few = context_.deviations.missing_integers_are_minus_one
@@ -126,7 +126,7 @@ class AnimationCheck {
                          : times.count == 1U;
     if (sampler.interpolation == model::Interpolation::cubic_spline && few) {
       report_at(path, sampler, "input", Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_TOO_FEW_ELEMENTS,
-                "A CUBICSPLINE has one keyframe; a curve needs two.");
+                "The CUBICSPLINE sampler has fewer than two keyframes.");
     }
   }
 
@@ -140,13 +140,13 @@ class AnimationCheck {
     const model::BufferView* view = context_.views.view_of(accessor);
     if (view == nullptr || !view->byte_stride) return;
     report_at(path, sampler, member, Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE,
-              fmt::format("Accessor {} lies in buffer view {}, which has a byteStride.", index,
+              fmt::format("Accessor {} uses buffer view {}, which has a byteStride.", index,
                           *accessor.buffer_view));
   }
 
   void report_duplicate(const AnimationChannel& channel, std::size_t later, const Path& path) {
     report_link(context_, Path(path, "target"), channel.target, Code::ANIMATION_DUPLICATE_TARGETS,
-                fmt::format("Channel {} moves the same property, too.", later));
+                fmt::format("Channel {} has the same target.", later));
   }
 
   void check_target(const AnimationChannel& channel, const Path& path) {
@@ -164,14 +164,16 @@ class AnimationCheck {
   void check_transform(const AnimationChannel& channel, const model::Node& node, const Path& at) {
     if (model::float_array<16>(context_.document, node.matrix)) {
       report_link(context_, at, channel.target, Code::ANIMATION_CHANNEL_TARGET_NODE_MATRIX,
-                  fmt::format("The channel moves the {} of node {}, which has a matrix.",
-                              model::animation_path_name(channel.path), *channel.node));
+                  fmt::format("The channel animates the {} of {}, which has a matrix.",
+                              model::animation_path_name(channel.path), node_label(*channel.node)));
     }
     if (node.skin) {
-      report_member(context_.link_sink, context_, at, channel.target, "path",
-                    Code::ANIMATION_CHANNEL_TARGET_NODE_SKIN,
-                    fmt::format("Node {} has a skinned mesh, which follows its joints alone.",
-                                *channel.node));
+      report_member(
+          context_.link_sink, context_, at, channel.target, "path",
+          Code::ANIMATION_CHANNEL_TARGET_NODE_SKIN,
+          fmt::format(
+              "The channel animates {}, which has a skinned mesh: only its joints transform it.",
+              node_label(*channel.node)));
     }
   }
 
@@ -183,8 +185,12 @@ class AnimationCheck {
     if (broken && !context_.deviations.broken_values_are_absent) return;
     report_link(
         context_, at, channel.target, Code::ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS,
-        fmt::format("Node {} has no mesh with morph targets, so there are no weights to move.",
-                    *channel.node));
+        fmt::format("The channel animates the weights of {}, which has no mesh with morph targets.",
+                    node_label(*channel.node)));
+  }
+
+  std::string node_label(std::uint32_t node) const {
+    return object_label(context_, model::RootArray::nodes, node);
   }
 
   std::uint64_t morph_targets(const model::Node& node) const {

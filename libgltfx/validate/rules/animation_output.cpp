@@ -45,9 +45,9 @@ std::string_view path_formats_text(AnimationPath path) {
     case AnimationPath::scale:
       return "VEC3 of FLOAT";
     case AnimationPath::rotation:
-      return "VEC4 of FLOAT or of normalized bytes or shorts";
+      return "VEC4 of FLOAT or normalized bytes or shorts";
     case AnimationPath::weights:
-      return "SCALAR of FLOAT or of normalized bytes or shorts";
+      return "SCALAR of FLOAT or normalized bytes or shorts";
     default:
       return "";
   }
@@ -82,17 +82,18 @@ void check_output_count(const Context& context, const model::AnimationSampler& s
   if (values != 1) reckoning += fmt::format(" of {} values", values);
   report_member(context.link_sink, context, channel_path, channel, "sampler",
                 Code::ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_COUNT,
-                fmt::format("Output accessor {} has {} elements instead of {}, for {}.",
+                fmt::format("Output accessor {} has {} elements; it must have {}, for {}.",
                             *sampler.output, *found, *expected, reckoning));
 }
 
 void report_output_format(const Context& context, const model::AnimationSampler& sampler,
                           std::string_view what, std::string_view wanted, json::NodeId channel,
                           const Path& channel_path) {
-  report_member(context.link_sink, context, channel_path, channel, "sampler",
-                Code::ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT,
-                fmt::format("Output accessor {} for {} is {} instead of {}.", *sampler.output, what,
-                            format_text(context.views.accessors[*sampler.output].format), wanted));
+  report_member(
+      context.link_sink, context, channel_path, channel, "sampler",
+      Code::ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT,
+      fmt::format("Output accessor {} for {} is {}; it must be {}.", *sampler.output, what,
+                  format_text(context.views.accessors[*sampler.output].format), wanted));
 }
 
 }  // namespace gltfx::validate

@@ -84,7 +84,7 @@ std::string wanted_format(PropertyType type) {
   const std::string_view element = model::element_type_name(element_type(type));
   if (type == PropertyType::boolean) return fmt::format("{} of UNSIGNED_BYTE", element);
   if (type == PropertyType::integer) {
-    return fmt::format("{} of integers that are not normalized", element);
+    return fmt::format("{} of integers, not normalized", element);
   }
   return std::string(element);
 }
@@ -144,7 +144,7 @@ class PointerCheck {
   void check_plain(const AnimationChannel& channel, const Path& path) {
     if (model::string_member(context_.document, channel.target, "path") != kPath) return;
     report_link(context_, Path(path, "target"), channel.target, Code::ANIMATION_POINTER_MISSING,
-                fmt::format("The path is 'pointer', but there is no {} with the pointer.",
+                fmt::format("The path is 'pointer', but the target has no {}.",
                             kAnimationPointerExtension));
   }
 
@@ -154,7 +154,7 @@ class PointerCheck {
     const bool given = node != json::kNoNode && context_.document.unsigned_integer(node);
     if (deviations.broken_values_are_absent ? linked && channel.node : given) {
       report_link(context_, place, node, Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE,
-                  "The target has a node beside the pointer.");
+                  "The target has both a pointer and a node.");
     }
     const json::NodeId path = context_.document.find(channel.target, "path");
     const bool text = path != json::kNoNode && context_.document.is_string(path);
@@ -162,7 +162,7 @@ class PointerCheck {
     const std::string name = text ? context_.document.string(path) : std::string();
     if (name == kPath) return;
     report_link(context_, place, path, Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH,
-                fmt::format("The path is {} instead of 'pointer'.", gltfx::quoted(name)));
+                fmt::format("The path is {}; it must be 'pointer'.", gltfx::quoted(name)));
   }
 
   void check_pointer(const model::Animation& animation, std::size_t index, json::NodeId extension,
@@ -179,12 +179,12 @@ class PointerCheck {
         return;  // told by the schema walk
       case PropertyTarget::Status::unresolved:
         report_link(context_, at, value, Code::ANIMATION_POINTER_UNRESOLVED,
-                    fmt::format("The pointer leads nowhere: {}.", target.reason), help);
+                    fmt::format("The pointer does not resolve: {}.", target.reason), help);
         return;
       case PropertyTarget::Status::immutable:
         report_link(
             context_, at, value, Code::ANIMATION_POINTER_NOT_MUTABLE,
-            fmt::format("The pointer names nothing that can be animated: {}.", target.reason));
+            fmt::format("The target of the pointer cannot be animated: {}.", target.reason));
         return;
       default:
         break;
@@ -201,7 +201,7 @@ class PointerCheck {
 
   void report_duplicate(const Path& at, json::NodeId value, std::size_t other) {
     report_link(context_, at, value, Code::ANIMATION_POINTER_DUPLICATE,
-                fmt::format("Channel {} of this animation moves the same property.", other));
+                fmt::format("Channel {} has the same target.", other));
   }
 
   void check_sampler(const model::Animation& animation, const AnimationChannel& channel,
@@ -213,8 +213,8 @@ class PointerCheck {
     if (is_discrete(target.type) && interpolates) {
       report_member(context_.link_sink, context_, path, channel.object, "sampler",
                     Code::ANIMATION_POINTER_INTERPOLATION,
-                    fmt::format("{} is of type {}, which has nothing between two keyframes; "
-                                "sampler {} is {}.",
+                    fmt::format("{} has type {}, which cannot be interpolated, but the "
+                                "interpolation of sampler {} is {}.",
                                 printable(target.property), property_type_name(target.type),
                                 *channel.sampler, interpolation_name(sampler.interpolation)));
       return;

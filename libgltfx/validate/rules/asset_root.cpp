@@ -45,8 +45,8 @@ void check_min_version(const Context& context, json::NodeId asset, const Path& p
   if (!least || !(version < *least)) return;
   report_member(context.schema_sink, context, path, asset, "minVersion",
                 Code::ASSET_MIN_VERSION_GREATER_THAN_VERSION,
-                fmt::format("minVersion {}.{} is above version {}.{}.", least->major, least->minor,
-                            version.major, version.minor));
+                fmt::format("minVersion {}.{} is greater than version {}.{}.", least->major,
+                            least->minor, version.major, version.minor));
 }
 
 // glTF 1.0 and the draft of 2.1 are named by the identity phase, which is an addition.
@@ -55,12 +55,13 @@ void check_known(const Context& context, json::NodeId asset, const Path& path,
   if (version.major != 2) {
     report_member(context.schema_sink, context, path, asset, "version",
                   Code::UNKNOWN_ASSET_MAJOR_VERSION,
-                  fmt::format("The asset is glTF {}.{}; only version 2 is known.", version.major,
-                              version.minor));
+                  fmt::format("The asset is glTF {}.{}; only version 2 is supported.",
+                              version.major, version.minor));
   } else if (version.minor > (context.deviations.minor_versions_are_unknown ? 0U : 1U)) {
-    report_member(
-        context.schema_sink, context, path, asset, "version", Code::UNKNOWN_ASSET_MINOR_VERSION,
-        fmt::format("There is no glTF 2.{}; the asset is checked as 2.0.", version.minor));
+    report_member(context.schema_sink, context, path, asset, "version",
+                  Code::UNKNOWN_ASSET_MINOR_VERSION,
+                  fmt::format("The asset has the unknown version 2.{}; it is checked as glTF 2.0.",
+                              version.minor));
   }
 }
 

@@ -29,14 +29,14 @@ void check_bounds(const MeshState& state, const AttributeUse& use, const Path& p
   if (has_bounds(state.context, use.accessor)) return;
   report(
       state, use, path, Code::MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS,
-      fmt::format("Accessor {} holds positions, but has no min and max.", *use.attribute.accessor));
+      fmt::format("Accessor {} has positions, but not both min and max.", *use.attribute.accessor));
 }
 
 std::string format_help(const MeshState& state, const AttributeUse& use) {
   const std::string_view extension =
       extension_that_allows(state.context.schemas, use.attribute, use.target, use.accessor.format);
   if (extension.empty()) return {};
-  return fmt::format("{} allows this format; declare it in extensionsUsed and extensionsRequired",
+  return fmt::format("add {} to extensionsUsed and extensionsRequired: it allows this format",
                      extension);
 }
 
@@ -48,7 +48,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   if (allowed == nullptr) {
     if (use.target || format.component != model::ComponentType::uint32) return true;
     report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT,
-           fmt::format("{} is {}, but attributes cannot have 32-bit integers.",
+           fmt::format("{} is {}; attributes cannot have 32-bit integers.",
                        quoted(use.attribute.name), model::format_text(format)));
     return false;
   }
@@ -56,7 +56,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   // A type that glTF does not have is a fault of the accessor, not of its use.
   if (!judged && !state.context.deviations.unknown_formats_are_judged) return true;
   report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT,
-         fmt::format("{} is {}; it may be {}.", quoted(use.attribute.name),
+         fmt::format("{} is {}; it must be {}.", quoted(use.attribute.name),
                      model::format_text(format), formats_text(*allowed)),
          format_help(state, use));
   return false;
@@ -80,13 +80,11 @@ bool is_misaligned(const MeshState& state, const model::Accessor& accessor, bool
 
 std::string alignment_text(const model::Accessor& accessor) {
   if (accessor.byte_offset && *accessor.byte_offset % 4 != 0) {
-    return fmt::format("The attribute begins at byte {} of its view, no multiple of 4.",
+    return fmt::format("The attribute has byteOffset {}, which is not a multiple of 4.",
                        *accessor.byte_offset);
   }
-  return fmt::format(
-      "Elements of {} bytes lie side by side; without a byteStride they are not "
-      "aligned to 4 bytes.",
-      model::element_size(accessor.format));
+  return fmt::format("Elements of {} bytes without a byteStride are not 4-byte aligned.",
+                     model::element_size(accessor.format));
 }
 
 }  // namespace
@@ -108,7 +106,8 @@ void check_shared_view(MeshState& state, const AttributeUse& use, const Path& pa
   state.views_in_use[view_index] = true;
   if (!shared) return;
   report(state, use, path, Code::MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE,
-         fmt::format("View {} holds several attributes, but has no byteStride.", view_index),
+         fmt::format("Buffer view {} is shared by several attributes, but has no byteStride.",
+                     view_index),
          fmt::format("add byteStride to buffer view {}", view_index));
 }
 

@@ -47,7 +47,7 @@ std::string suggestion(std::string_view name) {
       "POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0", "JOINTS_0", "WEIGHTS_0"};
   const std::string_view near = nearest(name, kNames);
   if (!near.empty() && near != name) return fmt::format("did you mean '{}'?", near);
-  return "names of your own begin with an underscore, such as _TEMPERATURE";
+  return "start the name of a custom attribute with an underscore, such as _TEMPERATURE";
 }
 
 // Extensions name attributes PREFIX_x:NAME. What one adds is in its schema file; of one without
@@ -74,8 +74,9 @@ void check_name(const Context& context, std::string_view name, json::NodeId valu
   context.schema_sink.report(
       Path(path, name),
       finding_on(context, value, Code::MESH_PRIMITIVE_INVALID_ATTRIBUTE,
-                 target && skinning ? fmt::format("{} cannot be morphed.", quoted(name))
-                                    : fmt::format("{} is no attribute of glTF.", quoted(name)),
+                 target && skinning
+                     ? fmt::format("{} is not allowed in a morph target.", quoted(name))
+                     : fmt::format("{} is not a glTF attribute.", quoted(name)),
                  target && skinning ? std::string() : suggestion(name)));
 }
 
@@ -121,7 +122,7 @@ void check_presence(const Context& context, const model::Primitive& primitive, c
   context.schema_sink.report(
       Path(path, tangent->name),
       finding_on(context, tangent->value, Code::MESH_PRIMITIVE_TANGENT_WITHOUT_NORMAL,
-                 "TANGENT is ignored, because the primitive has no NORMAL."));
+                 "TANGENT is ignored because the primitive has no NORMAL."));
 }
 
 void check_continuity(const Context& context, const model::Primitive& primitive, SemanticKind kind,
@@ -129,12 +130,10 @@ void check_continuity(const Context& context, const model::Primitive& primitive,
   if (sets.continuous()) return;
   const std::string_view name = model::semantic_prefix(kind);
   context.schema_sink.report(
-      path,
-      finding_on(context, primitive.attributes_node,
-                 Code::MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY,
-                 fmt::format("{0} sets are numbered from 0 without gaps, but the highest of {1} is "
-                             "{0}_{2}.",
-                             name, sets.count, sets.highest)));
+      path, finding_on(context, primitive.attributes_node,
+                       Code::MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY,
+                       fmt::format("The number of {0} sets is {1}, but the highest one is {0}_{2}.",
+                                   name, sets.count, sets.highest)));
 }
 
 void check_sets(const Context& context, const model::Primitive& primitive, const Path& path) {
@@ -156,7 +155,8 @@ void check_sets(const Context& context, const model::Primitive& primitive, const
       path,
       finding_on(
           context, primitive.attributes_node, Code::MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH,
-          fmt::format("The primitive has {} JOINTS but {} WEIGHTS.", joint_sets, weight_sets)));
+          fmt::format("The number of JOINTS sets is {}, but the number of WEIGHTS sets is {}.",
+                      joint_sets, weight_sets)));
 }
 
 void check_primitive(const Context& context, json::NodeId object, const Path& path) {

@@ -25,8 +25,9 @@ void check_gains(const Context& context, json::NodeId source, const Path& path) 
   const auto feeds = length_of(context.document, source, "reverbFeed");
   const auto gains = length_of(context.document, source, "reverbFeedGain");
   if (!feeds || !gains || *feeds == *gains) return;
-  report_member(context.link_sink, context, path, source, "reverbFeedGain", Code::AUDIO_GAIN_COUNT,
-                fmt::format("There are {} gains for {} reverbs.", *gains, *feeds));
+  report_member(
+      context.link_sink, context, path, source, "reverbFeedGain", Code::AUDIO_GAIN_COUNT,
+      fmt::format("reverbFeedGain has {} numbers, but reverbFeed has {}.", *gains, *feeds));
 }
 
 void check_sources(const Context& context, json::NodeId object, const Path& path) {

@@ -34,7 +34,7 @@ class BudgetCheck {
       if (within(std::max(header->width, header->height), budgets.texture_size)) continue;
       const auto index = static_cast<std::uint32_t>(i);
       report_element(sink_, context_, model::RootArray::images, i, Code::BUDGET_TEXTURE_SIZE,
-                     fmt::format("{} has {} by {} pixels; the budget is {} along a side.",
+                     fmt::format("The size of {} is {}x{}; the budget is {} per side.",
                                  image_label(context_, index), header->width, header->height,
                                  budgets.texture_size));
     }

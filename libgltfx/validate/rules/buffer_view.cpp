@@ -19,18 +19,18 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
   if (view.byte_length && *view.byte_stride > *view.byte_length) {
     report_member(context.schema_sink, context, path, object, "byteStride",
                   Code::BUFFER_VIEW_TOO_BIG_BYTE_STRIDE,
-                  fmt::format("The stride of {} bytes is larger than the view, which has {}.",
+                  fmt::format("byteStride is {}, but the buffer view has only {} bytes.",
                               *view.byte_stride, *view.byte_length));
   }
   // Otherwise told by the walk.
   if (context.deviations.reading_order && *view.byte_stride % 4 != 0) {
     report_member(context.schema_sink, context, path, object, "byteStride", Code::VALUE_MULTIPLE_OF,
-                  fmt::format("The stride of {} bytes is no multiple of 4.", *view.byte_stride));
+                  fmt::format("byteStride is {}; it must be a multiple of 4.", *view.byte_stride));
   }
   if (view.target == model::ViewTarget::indices) {
     report_member(context.schema_sink, context, path, object, "byteStride",
                   Code::BUFFER_VIEW_INVALID_BYTE_STRIDE,
-                  "A view whose target is vertex indices has no byteStride.");
+                  "The buffer view has a byteStride, but its target is vertex indices.");
   }
 }
 
@@ -58,7 +58,7 @@ void check_extent(const Context& context, const model::BufferView& view, const P
   report_member(
       context.link_sink, context, path, view.node, begins_outside ? "byteOffset" : "byteLength",
       Code::BUFFER_VIEW_TOO_LONG,
-      fmt::format("The view takes {} bytes from byte {} on, but buffer {} declares only {}.",
+      fmt::format("The buffer view takes {} bytes at offset {}, but buffer {} has only {} bytes.",
                   view.byte_length.value_or(0), offset, *view.buffer, *size));
 }
 

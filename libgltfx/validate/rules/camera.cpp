@@ -28,7 +28,7 @@ void check_planes(const Context& context, json::NodeId object, const Path& path,
   context.schema_sink.report(
       path,
       finding_on(context, context.document.find(object, "zfar"), Code::CAMERA_ZFAR_LEQUAL_ZNEAR,
-                 fmt::format("zfar is {}, which does not lie behind znear at {}.",
+                 fmt::format("zfar is {}; it must be greater than znear, {}.",
                              number_text(*far_plane), number_text(*near_plane))));
 }
 
@@ -38,9 +38,8 @@ void check_magnification(const Context& context, json::NodeId object, const Path
   if (!value || (zero ? *value != 0 : *value >= 0)) return;
   report_member(context.schema_sink, context, path, object, name,
                 zero ? Code::CAMERA_XMAG_YMAG_ZERO : Code::CAMERA_XMAG_YMAG_NEGATIVE,
-                zero ? fmt::format("{} is 0: the camera has no view.", name)
-                     : fmt::format("{} is {}: a magnification should be positive.", name,
-                                   number_text(*value)));
+                zero ? fmt::format("{} is 0; it must not be 0.", name)
+                     : fmt::format("{} is {}; it should be positive.", name, number_text(*value)));
 }
 
 void check_orthographic(const Context& context, json::NodeId object, const Path& path) {
@@ -58,9 +57,9 @@ void check_angle(const Context& context, json::NodeId object, const Path& path) 
     context.schema_sink.report(
         path,
         finding_on(context, context.document.find(object, "yfov"), Code::CAMERA_YFOV_GEQUAL_PI,
-                   fmt::format("yfov is {} radians, half a turn or more.", number_text(*angle)),
-                   degrees ? fmt::format("if {} degrees are meant, write {:.6g}",
-                                         number_text(*angle), *angle * std::numbers::pi / 180)
+                   fmt::format("yfov is {} radians; it must be less than pi.", number_text(*angle)),
+                   degrees ? fmt::format("for {} degrees, write {:.6g}", number_text(*angle),
+                                         *angle * std::numbers::pi / 180)
                            : std::string()));
   }
 }

@@ -88,14 +88,14 @@ double rounded(double value) { return double{static_cast<float>(value)}; }
 
 std::string_view why_not_decomposable(const Matrix& matrix, bool strictly) {
   if (matrix[3] != 0 || matrix[7] != 0 || matrix[11] != 0 || matrix[15] != 1) {
-    return "projects: its last row is not 0, 0, 0, 1";
+    return "its last row is not 0, 0, 0, 1";
   }
   const Rotation axes{column(matrix, 0), column(matrix, 1), column(matrix, 2)};
   const double det = determinant(axes);
-  if (det == 0) return "flattens: its determinant is 0";
+  if (det == 0) return "its determinant is 0";
   Vector lengths{};
   for (std::size_t c = 0; c < 3; ++c) lengths[c] = std::sqrt(dot(axes[c], axes[c]));
-  if (strictly && shears(axes, lengths)) return "shears: its axes are not at right angles";
+  if (strictly && shears(axes, lengths)) return "its axes are not perpendicular";
   Vector scale = lengths;
   if (det < 0) scale[0] = -scale[0];
   Rotation turned = axes;
@@ -107,7 +107,7 @@ std::string_view why_not_decomposable(const Matrix& matrix, bool strictly) {
     for (double& part : again[c]) part = rounded(rounded(part) * rounded(scale[c]));
   }
   const double change = std::abs(norm(again, matrix) - norm(axes, matrix));
-  return change < kNormTolerance ? "" : "shears: taken apart and put together it is another one";
+  return change < kNormTolerance ? "" : "translation, rotation and scale do not reproduce it";
 }
 
 }  // namespace gltfx::validate

@@ -119,7 +119,7 @@ void check_member(const Context& context, json::NodeId object, const Wanted& wan
   if (format.type == type && allows(wanted.components, format)) return;
   report_member(context.link_sink, context, path, object, wanted.member,
                 Code::EXTENSION_ACCESSOR_INVALID_FORMAT,
-                fmt::format("Accessor {} is {} instead of {} of {}.", *index, format_text(format),
+                fmt::format("Accessor {} is {}; it must be {} of {}.", *index, format_text(format),
                             model::element_type_name(type), components_text(wanted.components)));
 }
 
@@ -175,8 +175,9 @@ void check_outlines(const Context& context) {
       context, "CESIUM_primitive_outline", [&](const ExtensionPlace& place, const Path& path) {
         const auto count = count_of(context, place.object, "indices");
         if (!count || *count % 2 == 0) return;
-        report_count(context, path, place.object, "indices",
-                     fmt::format("{} indices are no pairs, one for each edge.", *count));
+        report_count(
+            context, path, place.object, "indices",
+            fmt::format("The number of indices is {}; it must be even, two per edge.", *count));
       });
 }
 
@@ -193,8 +194,7 @@ void check_visibility(const Context& context) {
         const std::uint64_t bytes = triangles / 4 * 3 + (triangles % 4 * 6 + 7) / 8;
         if (*count == bytes) return;
         report_count(context, path, place.object, "visibility",
-                     fmt::format("{} bytes do not hold two bits for each edge of {} triangles: "
-                                 "that takes {}.",
+                     fmt::format("The visibility has {} bytes; for {} triangles it must have {}.",
                                  *count, triangles, bytes));
       });
 }

@@ -86,42 +86,42 @@ void report_unknown(const Entry& entry) {
   const auto misspelt = entry.names.misspelt.find(entry.name);
   if (misspelt != entry.names.misspelt.end()) {
     entry.report(Code::EXTENSION_NAME_MISSPELT,
-                 fmt::format("{} is no extension that is known here.", gltfx::quoted(entry.name)),
+                 fmt::format("{} is not a known extension.", gltfx::quoted(entry.name)),
                  fmt::format("did you mean {}?", gltfx::quoted(misspelt->second)));
     return;
   }
   if (!schema::is_extension_name(entry.name) && !schema::is_known_without_schema(entry.name)) {
     entry.report(Code::INVALID_EXTENSION_NAME_FORMAT,
-                 fmt::format("{} is no name of an extension; names look like VENDOR_what_it_does.",
+                 fmt::format("{} is not a valid extension name; it must have the form PREFIX_name.",
                              gltfx::quoted(entry.name)));
   }
   if (entry.names.required.count(entry.name) != 0) {
     if (entry.name != entry.names.required_unknown.front()) return;
     entry.report(Code::UNSUPPORTED_EXTENSION_REQUIRED,
-                 fmt::format("The asset cannot be read without {}, of which nothing is known here.",
+                 fmt::format("The asset requires {}, which is unknown; its content is not checked.",
                              names_text(entry.names.required_unknown)));
   } else {
-    entry.report(Code::UNSUPPORTED_EXTENSION,
-                 fmt::format("Nothing is known of {}; what it says was not checked.",
-                             gltfx::quoted(entry.name)));
+    entry.report(
+        Code::UNSUPPORTED_EXTENSION,
+        fmt::format("{} is unknown; its content is not checked.", gltfx::quoted(entry.name)));
   }
 }
 
 std::string successor_help(const schema::Extension& extension) {
   if (extension.successor.empty()) return {};
   const bool mendable = extension.upgrade.to == extension.successor;
-  std::string help = fmt::format("its successor is {}", extension.successor);
-  if (!mendable) return help;
+  if (!mendable) return fmt::format("use {}", extension.successor);
   const bool on_request = !extension.upgrade.opt_in.empty();
-  return fmt::format("{}; 'gltfx upgrade{}{}' brings the file there", help,
-                     on_request ? " --only " : "", on_request ? extension.name : "");
+  return fmt::format("run 'gltfx upgrade{}{}' to convert it to {}", on_request ? " --only " : "",
+                     on_request ? extension.name : "", extension.successor);
 }
 
 void report_status(const Entry& entry, const schema::Extension& extension) {
   switch (extension.status) {
     case schema::Status::legacy:
       entry.report(Code::EXTENSION_LEGACY,
-                   fmt::format("{} was replaced before it was released.", extension.name),
+                   fmt::format("{} is a legacy extension; it was replaced before its release.",
+                               extension.name),
                    successor_help(extension));
       break;
     case schema::Status::archived:
@@ -130,7 +130,7 @@ void report_status(const Entry& entry, const schema::Extension& extension) {
       break;
     case schema::Status::draft:
       entry.report(Code::EXTENSION_DRAFT,
-                   fmt::format("{} is a draft and may still change.", extension.name),
+                   fmt::format("{} is a draft and can still change.", extension.name),
                    successor_help(extension));
       break;
     default:
@@ -150,16 +150,16 @@ void report_use(const Entry& entry, const schema::Extension& extension) {
     // It may be used inside of one that is not looked into, such as a transform of its textures.
     if (!entry.names.unseen.empty()) return;
     entry.report(Code::EXTENSION_UNUSED,
-                 fmt::format("{} is declared but used nowhere.", extension.name));
+                 fmt::format("{} is declared but not used.", extension.name));
   } else if (extension.must_be_required == schema::MustBeRequired::recommended &&
              entry.names.required.count(extension.name) == 0) {
     entry.report(
         Code::EXTENSION_SHOULD_BE_REQUIRED,
-        fmt::format("{} has no fallback, but the asset does not require it.", extension.name));
+        fmt::format("{} has no fallback, but is not in extensionsRequired.", extension.name));
   } else if (extension.optional_with_fallback && entry.names.required.count(extension.name) != 0 &&
              entry.names.without_fallback.count(extension.name) == 0) {
     entry.report(Code::EXTENSION_REQUIRED_WITH_FALLBACK,
-                 fmt::format("The asset requires {}, but {} serves readers without it everywhere.",
+                 fmt::format("{} is in extensionsRequired, but {} is always present as a fallback.",
                              extension.name, gltfx::quoted(extension.fallback)));
   }
 }

@@ -72,8 +72,8 @@ void check_object(const Context& context, json::NodeId object, const Path& path,
     // An accessor or buffer without bytes is legal in itself and reads as zeros: the asset loads
     // everywhere and looks wrong, so this is a warning and no error.
     finding.severity = Severity::warning;
-    finding.message = fmt::format(
-        "The data is only there in the form of {}, but the asset does not require it.", name);
+    finding.message =
+        fmt::format("The data has no fallback for {}, which is not in extensionsRequired.", name);
     finding.help = fmt::format("add \"{}\" to extensionsRequired", name);
     finding.span = document.span(member.key);
     context.link_sink.report(Path(at_extensions, name), std::move(finding));

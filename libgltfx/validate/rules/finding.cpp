@@ -8,9 +8,45 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/json_pointer.hpp"
+#include "base/text.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::validate {
+namespace {
+
+// "meshes": "mesh".
+std::string_view singular(std::string_view array) {
+  return array.substr(0, array.size() - (array == "meshes" ? 2 : 1));
+}
+
+std::optional<std::size_t> index_from(std::string_view text) {
+  std::size_t index = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, index);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(index) : std::nullopt;
+}
+
+}  // namespace
+
+std::string object_label(const Context& context, model::RootArray array, std::size_t index) {
+  const std::string name = context.asset.name(context.asset.elements(array)[index]);
+  std::string label = fmt::format("{} {}", singular(model::root_array_name(array)), index);
+  return name.empty() ? label : fmt::format("{} ({})", label, gltfx::quoted(name));
+}
+
+std::string member_label(const Context& context, std::string_view pointer) {
+  const auto names = split_pointer(pointer);
+  if (!names || names->size() < 3) return printable(pointer);
+  const auto index = index_from((*names)[1]);
+  for (std::size_t i = 0; index && i < model::kRootArrayCount; ++i) {
+    const auto array = static_cast<model::RootArray>(i);
+    if (model::root_array_name(array) != names->front()) continue;
+    if (*index >= context.asset.count(array)) break;
+    return fmt::format("{} of {}", printable(names->back()), object_label(context, array, *index));
+  }
+  return printable(pointer);
+}
 
 Finding finding_on(const Context& context, json::NodeId value, Code code, std::string message,
                    std::string help) {
@@ -69,11 +105,8 @@ void report_at(Sink& sink, std::string_view pointer, Finding finding) {
   std::vector<Path> steps(1);
   steps.reserve(names->size() + 1);  // a step points to the one before it
   for (const std::string& name : *names) {
-    std::uint64_t index = 0;
-    const char* const end = name.data() + name.size();
-    const auto read = std::from_chars(name.data(), end, index);
-    if (read.ec == std::errc() && read.ptr == end) {
-      steps.emplace_back(steps.back(), index);
+    if (const auto index = index_from(name)) {
+      steps.emplace_back(steps.back(), std::uint64_t{*index});
     } else {
       steps.emplace_back(steps.back(), std::string_view(name));
     }
@@ -86,7 +119,7 @@ bool check_root_extension(const Context& context, std::string_view extension, js
   const json::Document& document = context.document;
   if (model::extension_object(document, document.root(), extension) != json::kNoNode) return true;
   report_link(context, path, object, Code::UNSATISFIED_DEPENDENCY,
-              fmt::format("{} is not defined at the root of the asset.", extension));
+              fmt::format("The root object has no {}.", extension));
   return false;
 }
 

@@ -38,6 +38,11 @@ void report_element(Sink& sink, const Context& context, model::RootArray array, 
 void report_references(const Context& context, json::NodeId value);
 void report_references(const Context& context, Span place);
 
+/// How messages name another object: "node 1 ('tmpParent')", or "node 1" when it has no name.
+std::string object_label(const Context& context, model::RootArray array, std::size_t index);
+/// The same for a member: "emissiveTexture of material 0 ('glass')".
+std::string member_label(const Context& context, std::string_view pointer);
+
 /// Reports a finding at a pointer that is known as text, such as that of a texture slot.
 void report_at(Sink& sink, std::string_view pointer, Finding finding);
 

@@ -22,16 +22,15 @@ constexpr std::string_view kImageBasedLightExtension = "EXT_lights_image_based";
 std::string fault_of(const image::Header& header, std::size_t level,
                      std::optional<std::uint64_t> size) {
   if (header.width != header.height) {
-    return fmt::format("has {} by {} pixels; faces are square", header.width, header.height);
+    return fmt::format("is {}x{}; it must be square", header.width, header.height);
   }
   if (!std::has_single_bit(header.width)) {
-    return fmt::format("has {} pixels a side, which is no power of two", header.width);
+    return fmt::format("is {0}x{0}; it must be a power of two", header.width);
   }
   if (!size) return {};
   const std::uint64_t wanted = level < 64 ? *size >> level : 0;
   if (header.width == wanted) return {};
-  return fmt::format("has {} pixels a side; on level {} it must be {}", header.width, level,
-                     wanted);
+  return fmt::format("is {0}x{0}; on level {1} it must be {2}x{2}", header.width, level, wanted);
 }
 
 class LightCheck {
@@ -63,8 +62,9 @@ class LightCheck {
     if (!header || !header->doubt.empty()) return;
     const std::string fault = fault_of(*header, level, size);
     if (fault.empty()) return;
-    Finding finding = finding_on(context_, json::kNoNode, Code::IMAGE_BASED_LIGHT_FACE_SIZE,
-                                 fmt::format("{} {}.", image_label(context_, image), fault));
+    Finding finding =
+        finding_on(context_, json::kNoNode, Code::IMAGE_BASED_LIGHT_FACE_SIZE,
+                   fmt::format("The size of {} {}.", image_label(context_, image), fault));
     finding.span = span;
     sink_.report(path, std::move(finding));
   }

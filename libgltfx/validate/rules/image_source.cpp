@@ -21,7 +21,7 @@ void check_image(const Context& context, json::NodeId image, const Path& path) {
   report_view_use(context, *view, model::ViewUse::image, place, at);
   if (!context.views.buffer_views[*view].byte_stride) return;
   report_link(context, at, place, Code::IMAGE_BUFFER_VIEW_WITH_BYTESTRIDE,
-              fmt::format("View {} holds an image, but has a byteStride.", *view));
+              fmt::format("Buffer view {} contains an image, but has a byteStride.", *view));
 }
 
 void check_images(const Context& context) {

@@ -59,10 +59,10 @@ class InstancingCheck {
   void check_host(const ExtensionPlace& place, const Path& path) {
     if (context_.document.find(place.host, "mesh") == json::kNoNode) {
       report_link(context_, path, place.object, Code::INSTANCING_NODE_WITHOUT_MESH,
-                  fmt::format("Node {} has no mesh to draw many times.", place.index));
+                  "The instanced node has no mesh.");
     } else if (context_.asset.index(place.host, "skin", model::RootArray::skins)) {
       report_link(context_, path, place.object, Code::INSTANCING_NODE_WITH_SKIN,
-                  fmt::format("Node {} is skinned and drawn many times.", place.index));
+                  "The instanced node has a skin.");
     }
   }
 
@@ -75,7 +75,7 @@ class InstancingCheck {
       return;
     }
     report_link(context_, path, attribute.value, Code::INSTANCING_ACCESSOR_INVALID_FORMAT,
-                fmt::format("Accessor {} for {} is {} instead of {} of {}.", *attribute.accessor,
+                fmt::format("Accessor {} for {} is {}; it must be {} of {}.", *attribute.accessor,
                             attribute.name, format_text(format), fmt::join(wanted->types, " or "),
                             fmt::join(wanted->components, " or ")));
   }
@@ -83,7 +83,7 @@ class InstancingCheck {
   void report_count(const model::Attribute& attribute, std::uint64_t own, std::uint64_t first,
                     const Path& path) {
     report_link(context_, path, attribute.value, Code::INSTANCING_UNEQUAL_COUNT,
-                fmt::format("{} has {} instances, the first attribute has {}.",
+                fmt::format("{} has {} elements, but the first attribute has {}.",
                             gltfx::quoted(attribute.name), own, first));
   }
 

@@ -81,9 +81,10 @@ class GraphCheck {
       const auto [first, fresh] = known.try_emplace(signature->name, types_.size() - 1);
       if (fresh) continue;
       const Path at(list, types_.size() - 1);
-      report_link(context_, Path(at, "signature"), document_.find(type, "signature"),
-                  Code::INTERACTIVITY_TYPE_REPEATED,
-                  fmt::format("Type {} has the signature {}, too.", first->second, quoted(name)));
+      report_link(
+          context_, Path(at, "signature"), document_.find(type, "signature"),
+          Code::INTERACTIVITY_TYPE_REPEATED,
+          fmt::format("Type {} already has the signature {}.", first->second, quoted(name)));
     }
   }
 
@@ -112,8 +113,9 @@ class GraphCheck {
       if (id == json::kNoNode || !document_.is_string(id)) continue;
       const auto [first, fresh] = known.try_emplace(document_.string(id), i);
       if (fresh) continue;
-      report_link(context_, Path(at, "id"), id, Code::INTERACTIVITY_EVENT_REPEATED,
-                  fmt::format("Event {} has the id {}, too.", first->second, quoted(first->first)));
+      report_link(
+          context_, Path(at, "id"), id, Code::INTERACTIVITY_EVENT_REPEATED,
+          fmt::format("Event {} already has the id {}.", first->second, quoted(first->first)));
     }
   }
 
@@ -140,11 +142,11 @@ class GraphCheck {
     const Path at(path, "value");
     if (length != signature->length) {
       report_link(context_, at, value, Code::INTERACTIVITY_VALUE_LENGTH,
-                  fmt::format("The value has {} element{}, a {} has {}.", length,
+                  fmt::format("The value has {} element{}; for {} it must have {}.", length,
                               length == 1 ? "" : "s", signature->name, signature->length));
     } else if (!has_kind(*signature, value)) {
       report_link(context_, at, value, Code::INTERACTIVITY_VALUE_KIND,
-                  fmt::format("The elements are no {} values.", signature->name));
+                  fmt::format("The value is not of type {}.", signature->name));
     }
   }
 
@@ -185,13 +187,14 @@ class GraphCheck {
       const auto other = model::unsigned_member(document_, each.value, "node");
       if (!other || (flows ? *other > index : *other < index)) continue;
       const Path socket(at, document_.key(each.key_id));
-      report_link(context_, Path(socket, "node"), document_.find(each.value, "node"),
-                  Code::INTERACTIVITY_NODE_ORDER,
-                  flows
-                      ? fmt::format("The flow of node {} goes to node {}, which is not behind it.",
-                                    index, *other)
-                      : fmt::format("Node {} takes a value from node {}, which is not before it.",
-                                    index, *other));
+      report_link(
+          context_, Path(socket, "node"), document_.find(each.value, "node"),
+          Code::INTERACTIVITY_NODE_ORDER,
+          flows ? fmt::format("A flow of node {} leads to node {}; it must lead to a later node.",
+                              index, *other)
+                : fmt::format(
+                      "Node {} takes a value from node {}; it must take it from an earlier node.",
+                      index, *other));
     }
   }
 
@@ -212,8 +215,8 @@ class GraphCheck {
       }
       report_link(
           context_, Path(list, position), number.span, Code::INTERACTIVITY_INDEX_UNRESOLVED,
-          fmt::format("{} names element {} of {}, of which there are {}.",
-                      quoted(setting.operation), number_text(number.value), setting.list, count));
+          fmt::format("{} refers to {}[{}], but the length of {} is {}.", quoted(setting.operation),
+                      setting.list, number_text(number.value), setting.list, count));
     }
   }
 
@@ -242,10 +245,10 @@ void check_graphs(const Context& context) {
   const Path extension(extensions, kInteractivityExtension);
   const std::string_view earlier = earlier_interactivity(context.document);
   if (!earlier.empty()) {
-    report_link(context, extension, object, kEarlierInteractivity,
-                fmt::format("The behaviour graphs follow an earlier draft of {} ({}); they are not "
-                            "checked.",
-                            kInteractivityExtension, earlier));
+    report_link(
+        context, extension, object, kEarlierInteractivity,
+        fmt::format("The behavior graphs follow an earlier draft of {} ({}); they are not checked.",
+                    kInteractivityExtension, earlier));
     return;
   }
   const Path list(extension, "graphs");

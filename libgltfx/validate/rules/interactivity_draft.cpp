@@ -20,21 +20,21 @@ bool has(const json::Document& document, json::NodeId object, std::string_view m
 
 std::string_view mark_of_node(const json::Document& document, json::NodeId node) {
   if (!has(document, node, "declaration") && has(document, node, "type")) {
-    return "nodes name their operation themselves";
+    return "nodes have a 'type'";
   }
   std::size_t empty = 0;
   for (const std::string_view name : kMaps) {
     const json::NodeId map = document.find(node, name);
     if (map == json::kNoNode) continue;
-    if (document.is_array(map)) return "the sockets of nodes are lists";
+    if (document.is_array(map)) return "node sockets are arrays";
     if (document.is_object(map) && document.object_size(map) == 0) ++empty;
   }
   // One alone may be a slip.
-  return empty < 2 ? "" : "what is empty is written out";
+  return empty < 2 ? "" : "there are empty arrays";
 }
 
 std::string_view mark_of_graph(const json::Document& document, json::NodeId graph) {
-  if (has(document, graph, "customEvents")) return "events are 'customEvents'";
+  if (has(document, graph, "customEvents")) return "there are 'customEvents'";
   for (const json::NodeId variable : object_list(document, graph, "variables")) {
     if (variable != json::kNoNode && has(document, variable, "id")) return "variables have an 'id'";
   }
@@ -53,7 +53,7 @@ std::string_view earlier_interactivity(const json::Document& document) {
       model::extension_object(document, document.root(), kInteractivityDraftExtension);
   if (object == json::kNoNode) return {};
   if (!has(document, object, "graphs")) {
-    return has(document, object, "nodes") ? "the graph is not in 'graphs'" : std::string_view();
+    return has(document, object, "nodes") ? "there is no 'graphs'" : std::string_view();
   }
   for (const json::NodeId graph : object_list(document, object, "graphs")) {
     if (graph == json::kNoNode) continue;

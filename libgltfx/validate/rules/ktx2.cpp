@@ -51,21 +51,21 @@ void check_payload(const ImageUse& use, std::string_view extension) {
   const bool right = astc ? use.file.model == Ktx2Model::astc : !basis || is_basis(use.file);
   if (right) return;
   use.report(Code::KTX2_PAYLOAD_INVALID,
-             fmt::format("The image does not hold what {} asks for: {}.", extension,
+             fmt::format("The payload of the image is not allowed by {}; it must be {}.", extension,
                          astc ? "ASTC"
-                              : "ETC1S with BasisLZ, or UASTC alone or with Zstandard, of RGB, "
-                                "RGBA, R or RG"));
+                              : "ETC1S with BasisLZ, or UASTC with or without Zstandard, with RGB, "
+                                "RGBA, R or RG channels"));
 }
 
 void check_extents(const ImageUse& use, std::string_view extension) {
   if (!use.file.is_2d()) {
     use.report(Code::KTX2_NOT_2D,
-               "The image is no single flat picture, as textures of materials are.");
+               "The image is an array, a cube map or a volume; it must be a single 2D image.");
   }
   if (extension != "KHR_texture_basisu") return;
   if (use.file.width % 4 != 0 || use.file.height % 4 != 0) {
     use.report(Code::KTX2_DIMENSIONS_NOT_MULTIPLE_OF_4,
-               fmt::format("The image has {} by {} pixels, which are no multiples of 4.",
+               fmt::format("The image has {}x{} pixels; both must be multiples of 4.",
                            use.file.width, use.file.height));
   }
 }
@@ -73,16 +73,15 @@ void check_extents(const ImageUse& use, std::string_view extension) {
 void check_metadata(const ImageUse& use) {
   const Ktx2& file = use.file;
   if (file.orientation && *file.orientation != "rd") {
-    use.report(Code::KTX2_ORIENTATION_INVALID,
-               fmt::format("KTXorientation is {}; textures run to the right and down: 'rd'.",
-                           gltfx::quoted(*file.orientation)));
+    use.report(Code::KTX2_ORIENTATION_INVALID, fmt::format("KTXorientation is {}; it must be 'rd'.",
+                                                           gltfx::quoted(*file.orientation)));
   }
   if (file.swizzle && *file.swizzle != "rgba") {
-    use.report(Code::KTX2_SWIZZLE_INVALID, fmt::format("KTXswizzle is {}; only 'rgba' is allowed.",
-                                                       gltfx::quoted(*file.swizzle)));
+    use.report(Code::KTX2_SWIZZLE_INVALID,
+               fmt::format("KTXswizzle is {}; it must be 'rgba'.", gltfx::quoted(*file.swizzle)));
   }
   if (file.premultiplied) {
-    use.report(Code::KTX2_PREMULTIPLIED_ALPHA, "The colours of the image are multiplied by alpha.");
+    use.report(Code::KTX2_PREMULTIPLIED_ALPHA, "The image has premultiplied alpha.");
   }
 }
 
@@ -104,7 +103,7 @@ void check_levels(const ImageUse& use, json::NodeId texture, json::NodeId object
   if (use.file.level_count >= full || !wants_levels(use.phase.context, texture)) return;
   report_member(use.phase.sink, use.phase.context, path, object, "source",
                 Code::KTX2_MIP_LEVELS_MISSING,
-                fmt::format("The sampler reads smaller levels, but {} has {} of {}.",
+                fmt::format("The sampler uses mipmaps, but {} has only {} of {} levels.",
                             image_label(use.phase.context, use.image), use.file.level_count, full));
 }
 
@@ -151,11 +150,22 @@ void check_contents(const TexturePhase& phase, const TextureSlot& slot, std::uin
   for (const char channel : {'g', 'b'}) {
     if (!slot.effective.has(channel) || holds(*file.contents, channel)) continue;
     report_slot(phase.context, phase.sink, slot, Code::KTX2_CHANNELS_MISSING,
-                fmt::format("{} reads {}, but {} holds {} only.", slot.property,
+                fmt::format("{} reads {}, but {} only has {}.", slot.property,
                             slot.effective.text(), image_label(phase.context, image),
                             *file.contents == image::Channels::red ? "R" : "R and G"));
     return;
   }
+}
+
+std::string transfer_text(std::uint8_t transfer) {
+  if (transfer == image::kKtx2TransferSrgb) return "an sRGB transfer function";
+  if (transfer == image::kKtx2TransferLinear) return "a linear transfer function";
+  return fmt::format("transfer function {}", transfer);
+}
+
+std::string primaries_text(std::uint8_t primaries) {
+  if (primaries == image::kKtx2PrimariesBt709) return "BT.709 primaries";
+  return primaries == 0 ? "UNSPECIFIED primaries" : fmt::format("primaries {}", primaries);
 }
 
 // A wrong transfer function shows; wrong primaries do not, since readers do not look at them.
@@ -167,12 +177,14 @@ void check_color_space(const TexturePhase& phase, const TextureSlot& slot, std::
   const bool wrong_transfer = file.transfer != transfer;
   if (!wrong_transfer && file.primaries == primaries) return;
   const std::string_view wanted =
-      wrong_transfer ? (slot.srgb ? "the transfer function of sRGB" : "a linear transfer function")
-                     : (slot.srgb ? "the primaries of BT.709" : "no primaries");
-  report_slot(phase.context, phase.sink, slot, Code::KTX2_COLOR_SPACE_INVALID,
-              fmt::format("{} needs {}, which {} does not declare.", slot.property, wanted,
-                          image_label(phase.context, image)),
-              {}, wrong_transfer ? std::nullopt : std::optional(Severity::warning));
+      wrong_transfer ? (slot.srgb ? "an sRGB transfer function" : "a linear transfer function")
+                     : (slot.srgb ? "BT.709 primaries" : "UNSPECIFIED primaries");
+  report_slot(
+      phase.context, phase.sink, slot, Code::KTX2_COLOR_SPACE_INVALID,
+      fmt::format("{} requires {}, but {} declares {}.", slot.property, wanted,
+                  image_label(phase.context, image),
+                  wrong_transfer ? transfer_text(file.transfer) : primaries_text(file.primaries)),
+      {}, wrong_transfer ? std::nullopt : std::optional(Severity::warning));
 }
 
 }  // namespace

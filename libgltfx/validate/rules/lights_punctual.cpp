@@ -30,7 +30,7 @@ void check_cone(const Context& context, json::NodeId spot, const Path& path) {
   const bool given = context.document.find(spot, "outerConeAngle") != json::kNoNode;
   report_member(context.schema_sink, context, path, spot, "outerConeAngle",
                 Code::KHR_LIGHTS_PUNCTUAL_LIGHT_SPOT_ANGLES,
-                fmt::format("The outer cone angle, {}{}, is not above the inner one, {}.",
+                fmt::format("outerConeAngle is {}{}; it must be greater than innerConeAngle, {}.",
                             number_text(*outer), given ? "" : " by default", number_text(*inner)));
 }
 
@@ -38,7 +38,8 @@ void report_extra(const Context& context, json::NodeId light, const Path& path,
                   std::string_view member, const std::string& type) {
   if (!context.document.holds(light, member)) return;
   report_member(context.schema_sink, context, path, light, member, Code::EXTRA_PROPERTY,
-                fmt::format("A light of type {} has no {}.", gltfx::quoted(type), member));
+                fmt::format("{} has no effect on a light of type {}.", gltfx::quoted(member),
+                            gltfx::quoted(type)));
 }
 
 void check_light(const Context& context, json::NodeId light, const Path& path) {

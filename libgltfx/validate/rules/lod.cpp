@@ -32,10 +32,9 @@ class LodCheck {
     for_each_extension(
         context_, array_, kLodExtension, [&](const ExtensionPlace& place, const Path& path) {
           if (!on_cycle_[place.index]) return;
-          report_member(
-              context_.link_sink, context_, path, place.object, "ids", Code::LOD_CYCLE,
-              fmt::format("The levels of {} {} lead round in a circle.",
-                          array_ == model::RootArray::nodes ? "node" : "material", place.index));
+          report_member(context_.link_sink, context_, path, place.object, "ids", Code::LOD_CYCLE,
+                        fmt::format("The levels of detail of {} form a cycle.",
+                                    object_label(context_, array_, place.index)));
         });
   }
 
@@ -49,8 +48,9 @@ class LodCheck {
           if (!level) return;
           levels_[place.index].push_back(*level);
           if (known.insert(*level).second) return;
-          report_link(context_, Path(ids, position), span, Code::LOD_REPEATED,
-                      fmt::format("Level {} is listed before in this list.", *level));
+          report_link(
+              context_, Path(ids, position), span, Code::LOD_REPEATED,
+              fmt::format("The list already contains {}.", object_label(context_, array_, *level)));
         });
   }
 
@@ -71,10 +71,12 @@ class LodCheck {
     const std::size_t levels = levels_[place.index].size() + 1;
     if (falling && count == levels) return;
     const Path at(*path.parent()->parent(), "extras");
-    report_link(context_, Path(at, kMember), list, Code::LOD_COVERAGE_MISMATCH,
-                count != levels
-                    ? fmt::format("There are {} coverages for {} levels.", count, levels)
-                    : std::string("A coverage is not smaller than the one before."));
+    report_link(
+        context_, Path(at, kMember), list, Code::LOD_COVERAGE_MISMATCH,
+        count != levels
+            ? fmt::format("MSFT_screencoverage has length {}; it must be {}, one value per level.",
+                          count, levels)
+            : std::string("The values of MSFT_screencoverage are not in decreasing order."));
   }
 
   // Takes away, again and again, what nothing that is left refers to; then the same against the

@@ -29,7 +29,7 @@ void check_alpha_cutoff(const Context& context, json::NodeId material, const Pat
   if (!consequences && !sound()) return;
   report_member(context.schema_sink, context, path, material, "alphaCutoff",
                 Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE,
-                fmt::format("alphaCutoff has no effect while alphaMode is {}.",
+                fmt::format("alphaCutoff has no effect because alphaMode is {}.",
                             mode.empty() ? "'OPAQUE' (the default)" : gltfx::quoted(mode)));
 }
 

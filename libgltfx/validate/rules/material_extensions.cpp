@@ -61,10 +61,9 @@ void check_shared_mapping(const Subject& subject, json::NodeId normal, std::stri
   const bool set = wanted.texcoord != found.texcoord;
   Finding finding = finding_on(
       context, texture, code,
-      set ? fmt::format("{} reads TEXCOORD_{} by its transform, but normalTexture reads "
-                        "TEXCOORD_{}.",
-                        member, number_text(found.texcoord), number_text(wanted.texcoord))
-          : fmt::format("{} and normalTexture differ in their transform.", member));
+      set ? fmt::format("{} uses TEXCOORD_{}, but normalTexture uses TEXCOORD_{}.", member,
+                        number_text(found.texcoord), number_text(wanted.texcoord))
+          : fmt::format("{} and normalTexture have different transforms.", member));
   if (!set && wanted.rotation == found.rotation) finding.severity = Severity::hint;
   context.link_sink.report(Path(subject.path, member), std::move(finding));
 }
@@ -84,8 +83,8 @@ void check_shared_texcoord(const Subject& subject, std::string_view member, Code
   const bool broken = !found || !wanted;
   if (found == wanted || (broken && !context.deviations.consequences_are_reported)) return;
   report_member(context.link_sink, context, subject.path, subject.object, member, code,
-                fmt::format("{} reads {}, but normalTexture reads {}.", member,
-                            texcoord_text(found), texcoord_text(wanted)));
+                fmt::format("{} uses {}, but normalTexture uses {}.", member, texcoord_text(found),
+                            texcoord_text(wanted)));
 }
 
 void check_anisotropy(const Subject& subject) {
@@ -107,7 +106,7 @@ bool has_extension(const Subject& subject, std::string_view name) {
 void check_dispersion(const Subject& subject) {
   if (has_extension(subject, "KHR_materials_volume")) return;
   subject.report(Code::KHR_MATERIALS_DISPERSION_NO_VOLUME,
-                 "The dispersion has no effect: the material has no KHR_materials_volume.");
+                 "The dispersion has no effect because the material has no KHR_materials_volume.");
 }
 
 bool is_black(const json::Document& document, json::NodeId material) {
@@ -128,10 +127,10 @@ void check_emissive_strength(const Subject& subject) {
   if (!strength || *strength < 0 || *strength == 1) return;
   if (!is_black(document, subject.material)) return;
   const json::NodeId factor = document.find(subject.material, "emissiveFactor");
-  subject.report(Code::KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR,
-                 fmt::format("emissiveStrength {} multiplies an emissiveFactor that is {}.",
-                             number_text(*strength),
-                             factor == json::kNoNode ? "not given, so black" : "black"));
+  subject.report(
+      Code::KHR_MATERIALS_EMISSIVE_STRENGTH_ZERO_FACTOR,
+      fmt::format("emissiveStrength is {}, but emissiveFactor is {}.", number_text(*strength),
+                  factor == json::kNoNode ? "not set (default: black)" : "black"));
 }
 
 // --- Volume ---
@@ -168,15 +167,17 @@ bool is_transmissive(const Subject& subject) {
 void check_volume(const Subject& subject) {
   const json::Document& document = subject.context.document;
   if (!is_transmissive(subject)) {
-    subject.report(Code::KHR_MATERIALS_VOLUME_NO_TRANSMISSION,
-                   "No extension of the material lets light through its surface into the volume.");
+    subject.report(
+        Code::KHR_MATERIALS_VOLUME_NO_TRANSMISSION,
+        "The volume has no effect because no extension of the material transmits light.");
   }
   const auto thickness = number_member(document, subject.object, "thicknessFactor");
   if (!thickness || !(*thickness > 0)) return;
   if (!model::true_member(document, subject.material, "doubleSided")) return;
-  subject.report(Code::KHR_MATERIALS_VOLUME_DOUBLE_SIDED,
-                 fmt::format("The material is double-sided, but its volume is {} thick.",
-                             number_text(*thickness)));
+  subject.report(
+      Code::KHR_MATERIALS_VOLUME_DOUBLE_SIDED,
+      fmt::format("The material is double-sided, but has a volume with thicknessFactor {}.",
+                  number_text(*thickness)));
 }
 
 // --- Iridescence ---
@@ -197,12 +198,14 @@ void check_iridescence(const Context& context, json::NodeId object, const Path& 
     if (!document.holds(object, minimum)) return;
     report_member(context.schema_sink, context, path, object, minimum,
                   Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE,
-                  "The minimum thickness has no effect without a thickness texture.");
+                  "iridescenceThicknessMinimum has no effect without iridescenceThicknessTexture.");
   } else if (least == most) {
-    report_member(context.schema_sink, context, path, object, texture,
-                  Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_TEXTURE_UNUSED,
-                  fmt::format("The texture has no effect: minimum and maximum are both {}.",
-                              number_text(*least)));
+    report_member(
+        context.schema_sink, context, path, object, texture,
+        Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_TEXTURE_UNUSED,
+        fmt::format(
+            "The texture has no effect because the minimum and maximum thickness are both {}.",
+            number_text(*least)));
   }
 }
 

@@ -106,13 +106,13 @@ class MaterialCheck {
     const std::string animated = pointer("extensions/KHR_materials_ior/ior");
     if (shared_.animated.contains(animated)) {
       report("KHR_materials_ior", "ior", Code::KHR_MATERIALS_IOR_ZERO_ANIMATED,
-             "ior is animated, but 0 in the material: readers ignore the animation.");
+             "ior is animated, but 0 in the material, so the animation is ignored.");
     }
     const json::NodeId volume = extension("KHR_materials_volume");
     const auto thickness = number_member(document_, volume, "thicknessFactor");
     if (!thickness || !(*thickness > 0)) return;
     report("KHR_materials_ior", "ior", Code::KHR_MATERIALS_IOR_ZERO_VOLUME,
-           fmt::format("ior is 0, so no light is refracted into the volume, which is {} thick.",
+           fmt::format("ior is 0, so the volume with thicknessFactor {} has no effect.",
                        number_text(*thickness)));
   }
 
@@ -122,7 +122,8 @@ class MaterialCheck {
     constexpr double kRutile = 2.04;  // as much as any mineral has
     if (!dispersion || *dispersion <= kRutile) return;
     report("KHR_materials_dispersion", "dispersion", Code::KHR_MATERIALS_DISPERSION_UNUSUAL,
-           fmt::format("A dispersion of {} is that of no material.", number_text(*dispersion)));
+           fmt::format("dispersion is {}, which is more than that of any material.",
+                       number_text(*dispersion)));
   }
 
   // The default of metallicFactor is 1.
@@ -144,8 +145,8 @@ class MaterialCheck {
       if (!value || !(*value > 0)) continue;
       const bool given = document_.find(base, "metallicFactor") != json::kNoNode;
       report(name, "", Code::KHR_MATERIALS_TRANSMISSION_METAL,
-             fmt::format("No light passes through metal: metallicFactor is {}.",
-                         given ? "1" : "not given, and 1 by default"));
+             fmt::format("The material is transmissive, but metallicFactor is {}.",
+                         given ? "1" : "not set (default: 1)"));
       return;
     }
   }
@@ -157,7 +158,8 @@ class MaterialCheck {
     const auto transmission = fixed("KHR_materials_transmission", "transmissionFactor", 0);
     if (!transmission || !(*transmission > 0) || may_have_alpha()) return;
     report("KHR_materials_transmission", "", Code::KHR_MATERIALS_TRANSMISSION_ALPHA_MODE,
-           fmt::format("alphaMode is {}, but alpha is 1: transmission needs OPAQUE.", mode));
+           fmt::format("alphaMode is {}, but alpha is 1; for transmission it should be OPAQUE.",
+                       mode));
   }
 
   bool may_have_alpha() const {
@@ -187,10 +189,11 @@ class MaterialCheck {
     const bool shines = metallic != 0 || !(roughness > 0.5);
     if (!shines && !is_emissive()) return;
     report("KHR_materials_unlit", "", Code::KHR_MATERIALS_UNLIT_FALLBACK,
-           shines ? fmt::format("Readers without the extension show metallicFactor {} and "
-                                "roughnessFactor {}.",
-                                number_text(metallic), number_text(roughness))
-                  : "Readers without the extension show an emissive surface.");
+           shines
+               ? fmt::format(
+                     "Loaders without the extension use metallicFactor {} and roughnessFactor {}.",
+                     number_text(metallic), number_text(roughness))
+               : "Loaders without the extension show an emissive surface.");
   }
 
   bool is_emissive() const {
@@ -220,7 +223,7 @@ class MaterialCheck {
     if (object_member(document_, owner, texture) == json::kNoNode) return false;
     report_member(context_.link_sink, context_, path, owner, texture,
                   Code::KHR_MATERIALS_UNLIT_TEXTURE,
-                  fmt::format("{} is not seen: the material is unlit.", texture));
+                  fmt::format("{} has no effect because the material is unlit.", texture));
     return true;
   }
 

@@ -25,9 +25,10 @@ void check_entry(const Context& context, const ExtensionPlace& place,
   const json::NodeId type = model::object_member(document, calls[*index], "type");
   const std::string name = model::string_member(document, type, "typeName");
   if (name.empty() || name == "material") return;
-  report_member(
-      context.link_sink, context, path, place.object, "functionCall", Code::MDL_NOT_A_MATERIAL,
-      fmt::format("Call {} returns {} instead of a material.", *index, gltfx::quoted(name)));
+  report_member(context.link_sink, context, path, place.object, "functionCall",
+                Code::MDL_NOT_A_MATERIAL,
+                fmt::format("Function call {} returns {}; it must return a material.", *index,
+                            gltfx::quoted(name)));
 }
 
 void check_mdl(const Context& context) {

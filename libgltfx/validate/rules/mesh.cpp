@@ -29,7 +29,7 @@ void check_target_counts(const Context& context, const std::vector<json::NodeId>
     context.schema_sink.report(
         count > 0 ? targets : primitive,
         finding_on(context, place, Code::MESH_PRIMITIVES_UNEQUAL_TARGETS_COUNT,
-                   fmt::format("This primitive has {}, but the first one has {}.",
+                   fmt::format("The primitive has {}, but the first one has {}.",
                                targets_text(count), targets_text(expected))));
   }
 }

@@ -61,7 +61,8 @@ bool same_but_indices(const json::Document& document, const model::Primitive& a,
 // Why a primitive cannot be in a group; empty: it can.
 std::string why_not_grouped(const json::Document& document, const model::Primitive& primitive) {
   if (primitive.mode && !is_strip(*primitive.mode)) {
-    return fmt::format("it is {}, which needs no restart", model::mode_name(*primitive.mode));
+    return fmt::format("its mode is {}, which does not use primitive restart",
+                       model::mode_name(*primitive.mode));
   }
   if (primitive.indices_node == json::kNoNode) return "it has no indices";
   if (document.find(primitive.node, "targets") != json::kNoNode) return "it has morph targets";
@@ -105,7 +106,7 @@ class RestartCheck {
     if (primitive.node == json::kNoNode) return;
     if (owner_[index] != SIZE_MAX && owner_[index] != group) {
       report_link(context_, path, span, Code::RESTART_PRIMITIVE_REPEATED,
-                  fmt::format("Primitive {} is in group {} already.", index, owner_[index]));
+                  fmt::format("Primitive {} is already in group {}.", index, owner_[index]));
     }
     owner_[index] = group;
     const std::string why = why_not_grouped(context_.document, primitive);
@@ -117,8 +118,9 @@ class RestartCheck {
     } else if (!same_but_indices(context_.document, primitive, *first)) {
       report_link(
           context_, path, span, Code::RESTART_PRIMITIVES_DIFFER,
-          fmt::format("Primitive {} differs from the first of its group in more than its indices.",
-                      index));
+          fmt::format(
+              "Primitive {} differs from the first one of its group in more than the indices.",
+              index));
     }
   }
 
@@ -145,14 +147,14 @@ struct Shared {
 // Why a primitive cannot be part of the manifold; empty: it can.
 std::string why_no_part(const Context& context, const model::Primitive& primitive, Shared& shared) {
   if (primitive.mode && *primitive.mode != model::Mode::triangles) {
-    return fmt::format("it is {} instead of TRIANGLES", model::mode_name(*primitive.mode));
+    return fmt::format("its mode is {}, not TRIANGLES", model::mode_name(*primitive.mode));
   }
   if (primitive.indices_node == json::kNoNode) return "it has no indices";
   for (const model::Attribute& each : primitive.attributes) {
     if (!each.accessor) continue;
     const auto [known, fresh] = shared.accessors.try_emplace(each.name, *each.accessor);
     if (!fresh && known->second != *each.accessor) {
-      return fmt::format("its {} is accessor {}, while another primitive has {}", each.name,
+      return fmt::format("its {} is accessor {}, but that of another primitive is {}", each.name,
                          *each.accessor, known->second);
     }
   }
@@ -160,8 +162,9 @@ std::string why_no_part(const Context& context, const model::Primitive& primitiv
   const auto view = context.views.accessors[*primitive.indices].buffer_view;
   if (!view) return {};
   if (shared.index_view && *shared.index_view != *view) {
-    return fmt::format("its indices lie in buffer view {}, those of another in {}", *view,
-                       *shared.index_view);
+    return fmt::format(
+        "its indices are in buffer view {}, but those of another primitive are in {}", *view,
+        *shared.index_view);
   }
   shared.index_view = view;
   return {};
@@ -183,10 +186,10 @@ void check_manifold(const Context& context, const ExtensionPlace& place, const P
   if (whole == json::kNoNode) return;
   const std::string why = why_no_part(context, model::read_primitive(context.asset, whole), shared);
   // Its own mode and indices are in the schema file.
-  if (why.empty() || !why.starts_with("its ")) return;
+  if (why.empty() || !why.starts_with("its ") || why.starts_with("its mode")) return;
   report_member(context.link_sink, context, path, place.object, "manifoldPrimitive",
                 Code::MANIFOLD_PRIMITIVE_UNFIT,
-                fmt::format("The manifold primitive does not go with the others: {}.", why));
+                fmt::format("The manifold primitive does not match the others: {}.", why));
 }
 
 void check_manifolds(const Context& context) {

@@ -93,12 +93,13 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
       (context.deviations.consequences_are_reported || view->target != model::ViewTarget::indices);
   if (at_fault) {
     report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE,
-                fmt::format("View {} holds indices, but has a byteStride.", *accessor.buffer_view));
+                fmt::format("Buffer view {} contains indices, but has a byteStride.",
+                            *accessor.buffer_view));
   }
   if (is_index_format(accessor.format)) return;
   if (!accessor.format.known() && !context.deviations.unknown_formats_are_judged) return;
   report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT,
-              fmt::format("Indices are {}; they may be SCALAR of UNSIGNED_BYTE, "
+              fmt::format("The indices are {}; they must be SCALAR of UNSIGNED_BYTE, "
                           "UNSIGNED_SHORT or UNSIGNED_INT.",
                           model::format_text(accessor.format)));
 }
@@ -145,10 +146,10 @@ void check_mode(const Context& context, const Primitive& primitive, const Path& 
   if (!count || goes_with(*count, *primitive.mode)) return;
   report_link(
       context, path, primitive.node, Code::MESH_PRIMITIVE_INCOMPATIBLE_MODE,
-      fmt::format("{} are drawn from {}; here are {}.", model::mode_name(*primitive.mode),
-                  mode_demand(*primitive.mode),
+      fmt::format("The primitive has {}; for {} it must have {}.",
                   *count == 1 ? (indexed ? "1 index" : "1 vertex")
-                              : fmt::format("{} {}", *count, indexed ? "indices" : "vertices")));
+                              : fmt::format("{} {}", *count, indexed ? "indices" : "vertices"),
+                  model::mode_name(*primitive.mode), mode_demand(*primitive.mode)));
 }
 
 // --- Morph targets ---
@@ -176,8 +177,9 @@ void check_base(const Context& context, const Attribute& attribute, const Attrib
                 const Path& path) {
   const bool broken = base != nullptr && !base->accessor;
   if (base == nullptr || (broken && context.deviations.broken_values_are_absent)) {
-    report_link(context, path, attribute.value, Code::MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR,
-                fmt::format("{} is morphed, but the primitive has none.", quoted(attribute.name)));
+    report_link(
+        context, path, attribute.value, Code::MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR,
+        fmt::format("The target has {}, but the primitive does not.", quoted(attribute.name)));
     return;
   }
   if (broken) return;
@@ -186,8 +188,8 @@ void check_base(const Context& context, const Attribute& attribute, const Attrib
   if (!differ(context, expected, count)) return;
   report_link(context, path, attribute.value,
               Code::MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT,
-              fmt::format("{} has {} offsets for {} vertices.", quoted(attribute.name),
-                          count.value_or(0), expected.value_or(0)));
+              fmt::format("{} has {} elements, but the primitive has {} vertices.",
+                          quoted(attribute.name), count.value_or(0), expected.value_or(0)));
 }
 
 bool can_be_morphed(const Context& context, const Attribute& attribute) {

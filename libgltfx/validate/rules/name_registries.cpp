@@ -24,8 +24,8 @@ void check_range(const Context& context, json::NodeId stage, const Path& path) {
   if (!least || !most || !first || (*least <= *first && *first <= *most)) return;
   report_member(context.link_sink, context, path, stage, "initialValue",
                 Code::ARTICULATION_RANGE_ORDER,
-                fmt::format("The stage begins at {}, outside of {} to {}.", number_text(*first),
-                            number_text(*least), number_text(*most)));
+                fmt::format("initialValue is {}; it must be between {} and {}.",
+                            number_text(*first), number_text(*least), number_text(*most)));
 }
 
 void check_articulations(const Context& context) {
@@ -71,7 +71,7 @@ void check_unique_names(const Context& context, const std::vector<json::NodeId>&
     if (fresh) continue;
     const Path at(list, i);
     report_link(context, Path(at, "name"), name, Code::NAME_REPEATED,
-                fmt::format("Element {} of this list is named {}, too.", first->second,
+                fmt::format("Element {} already has the name {}.", first->second,
                             gltfx::quoted(first->first)));
   }
 }

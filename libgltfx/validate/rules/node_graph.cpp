@@ -95,16 +95,20 @@ class GraphCheck {
     if (broken && !context_.deviations.broken_values_are_absent) return;
     report_link(
         context_, path, node.object, Code::NODE_EMPTY,
-        "The node has neither children nor mesh, camera, extension or extras, and is no joint.");
+        "The node has no children, mesh, camera, extensions or extras, and is not a joint.");
+  }
+
+  std::string label(model::RootArray array, std::uint32_t index) const {
+    return object_label(context_, array, index);
   }
 
   void check_loop(NodeIndex index, const Path& path) {
     if (!graph_.on_loop(index)) return;
     const NodeIndex parent = graph_.parent(index);
     report_link(context_, path, nodes_[index].object, Code::NODE_LOOP,
-                parent == index
-                    ? std::string("The node is its own child.")
-                    : fmt::format("The node is above its own parent, node {}.", parent));
+                parent == index ? std::string("The node is its own child.")
+                                : fmt::format("The node is an ancestor of its parent, {}.",
+                                              label(model::RootArray::nodes, parent)));
   }
 
   // Whether a node or one above it moves: from the top down, each node once.
@@ -134,20 +138,23 @@ class GraphCheck {
   void check_skinned(const model::Node& node, NodeIndex index, const Path& path) {
     if (!model::read_transform(context_.document, node).is_identity()) {
       report_link(context_, path, node.object, Code::NODE_SKINNED_MESH_LOCAL_TRANSFORMS,
-                  "The transform of this node has no effect: its mesh follows the joints.");
+                  "The transform of the node has no effect because its mesh is skinned.");
     }
     const NodeIndex parent = graph_.parent(index);
     if (parent != kNoNodeIndex) {
       const bool moved = moved_[parent] != 0;
       if (moved) {
         report_link(context_, path, node.object, Code::NODE_SKINNED_MESH_PARENT_TRANSFORMS,
-                    "Transforms of the nodes above have no effect: the mesh follows the joints.");
+                    "The transforms of the parents have no effect because the mesh of the node is "
+                    "skinned.");
       }
       // One cause, one finding: a transform above says that there is an above.
       if (!moved || context_.deviations.consequences_are_reported) {
         report_link(
             context_, path, node.object, Code::NODE_SKINNED_MESH_NON_ROOT,
-            fmt::format("The node is a child of node {}, which does not move its mesh.", parent));
+            fmt::format(
+                "The node has a skinned mesh, but is a child of {}, which does not transform it.",
+                label(model::RootArray::nodes, parent)));
       }
     }
     check_scenes(*node.skin, index, path, node.skin_value);
@@ -159,9 +166,10 @@ class GraphCheck {
     if (top == kNoNodeIndex || own == kNoNodeIndex) return;
     const auto scene = scenes_->scene_without(own, top);
     if (!scene) return;
-    report_link(context_, path, place, Code::NODE_SKIN_NO_SCENE,
-                fmt::format("Scene {} has this node, but not node {} with the joints of skin {}.",
-                            *scene, top, skin));
+    report_link(
+        context_, path, place, Code::NODE_SKIN_NO_SCENE,
+        fmt::format("Scene {} contains the node, but not {}, the root of the joints of {}.", *scene,
+                    label(model::RootArray::nodes, top), label(model::RootArray::skins, skin)));
   }
 
   const Context& context_;

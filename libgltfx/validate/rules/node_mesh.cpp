@@ -54,8 +54,12 @@ class NodeCheck {
     } else if (mesh.has_joints &&
                (node.skin_value == json::kNoNode || context_.deviations.broken_values_are_absent)) {
       report_link(context_, path, node.mesh_value, Code::NODE_SKINNED_MESH_WITHOUT_SKIN,
-                  fmt::format("Mesh {} is bound to joints, but the node has no skin.", *node.mesh));
+                  fmt::format("The node has no skin, but {} is skinned.", mesh_label(node)));
     }
+  }
+
+  std::string mesh_label(const model::Node& node) const {
+    return object_label(context_, model::RootArray::meshes, *node.mesh);
   }
 
   void check_weights(const model::Node& node, const model::Deformation& mesh, const Path& path) {
@@ -64,8 +68,8 @@ class NodeCheck {
     const std::size_t count = document.array_size(node.weights);
     if (count == mesh.morph_targets) return;
     report_link(context_, Path(path, "weights"), node.weights, Code::NODE_WEIGHTS_INVALID,
-                fmt::format("The node has {} weight{}, mesh {} has {} morph target{}.", count,
-                            count == 1 ? "" : "s", *node.mesh, mesh.morph_targets,
+                fmt::format("The node has {} weight{}, but {} has {} morph target{}.", count,
+                            count == 1 ? "" : "s", mesh_label(node), mesh.morph_targets,
                             mesh.morph_targets == 1 ? "" : "s"));
   }
 
@@ -73,10 +77,10 @@ class NodeCheck {
     // Joints that are there but not in order are reported at the mesh.
     const bool told = mesh.names_joints && !context_.deviations.consequences_are_reported;
     if (mesh.has_joints || told) return;
-    report_link(context_, path, node.skin_value, Code::NODE_SKIN_WITH_NON_SKINNED_MESH,
-                fmt::format("The node has skin {}, but mesh {} has neither JOINTS_0 nor "
-                            "WEIGHTS_0.",
-                            *node.skin, *node.mesh));
+    report_link(
+        context_, path, node.skin_value, Code::NODE_SKIN_WITH_NON_SKINNED_MESH,
+        fmt::format("The node has {}, but {} has no JOINTS_0 and WEIGHTS_0.",
+                    object_label(context_, model::RootArray::skins, *node.skin), mesh_label(node)));
   }
 
   void report_override(const model::ParentOverride& found, const Path& parent) {
@@ -86,7 +90,9 @@ class NodeCheck {
     if (told && !context_.deviations.consequences_are_reported) return;
     const Path children(parent, "children");
     report_link(context_, Path(children, found.position), found.span, Code::NODE_PARENT_OVERRIDE,
-                fmt::format("Node {} is a child of node {} already.", found.child, found.previous));
+                fmt::format("The node lists {} as a child, but it is already a child of {}.",
+                            object_label(context_, model::RootArray::nodes, found.child),
+                            object_label(context_, model::RootArray::nodes, found.previous)));
   }
 
   const Context& context_;

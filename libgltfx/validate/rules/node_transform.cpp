@@ -40,7 +40,7 @@ void check_unit(const Context& context, json::NodeId rotation, const Path& path)
   context.schema_sink.report(
       Path(path, "rotation"),
       finding_on(context, rotation, Code::ROTATION_NON_UNIT,
-                 fmt::format("The quaternion has length {:.4g} instead of 1.", length), help));
+                 fmt::format("The quaternion has length {:.4g}; it must be 1.", length), help));
 }
 
 void check_matrix(const Context& context, const model::Node& node, const Path& path) {
@@ -50,24 +50,28 @@ void check_matrix(const Context& context, const model::Node& node, const Path& p
   if (transform.translation || transform.rotation || transform.scale) {
     Finding finding = finding_on(
         context, node.matrix, Code::NODE_MATRIX_TRS,
-        fmt::format("The node has a matrix and {}.", transform.translation ? "a translation"
-                                                     : transform.rotation  ? "a rotation"
-                                                                           : "a scale"));
-    finding.help = "keep the matrix, or translation, rotation and scale, but not both";
+        fmt::format("The node has both a matrix and {}.", transform.translation ? "a translation"
+                                                          : transform.rotation  ? "a rotation"
+                                                                                : "a scale"));
+    finding.help = "remove the matrix, or remove translation, rotation and scale";
     context.schema_sink.report(at, std::move(finding));
   }
   model::Transform alone;
   alone.matrix = transform.matrix;
   if (alone.is_identity()) {
     context.schema_sink.report(at, finding_on(context, node.matrix, Code::NODE_MATRIX_DEFAULT,
-                                              "The matrix is the identity."));
+                                              "The matrix is the identity, which is the default."));
     return;
   }
   const auto reason =
       why_not_decomposable(*transform.matrix, !context.deviations.matrices_compare_by_norm);
   if (reason.empty()) return;
-  context.schema_sink.report(at, finding_on(context, node.matrix, Code::NODE_MATRIX_NON_TRS,
-                                            fmt::format("The matrix {}.", reason)));
+  context.schema_sink.report(
+      at,
+      finding_on(
+          context, node.matrix, Code::NODE_MATRIX_NON_TRS,
+          fmt::format("The matrix cannot be decomposed into translation, rotation and scale: {}.",
+                      reason)));
 }
 
 // Nodes are turned like this, and so are lights that surround the scene.
@@ -111,8 +115,9 @@ void check_scales(const Context& context) {
     if ((*animated)[i] || by_pointer->contains(fmt::format("/nodes/{}/scale", i))) continue;
     const Path node(list, std::uint64_t{i});
     report_link(context, Path(node, "scale"), nodes[i].scale, Code::NODE_SCALE_ZERO,
-                zeros == 3 ? "The scale is zero: the node and all below it are not seen."
-                           : "The scale has a zero: the node is flattened.");
+                zeros == 3
+                    ? "The scale is 0 along all axes: the node and its descendants are invisible."
+                    : "The scale is 0 along an axis: the node is flattened.");
   }
 }
 

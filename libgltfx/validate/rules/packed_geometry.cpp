@@ -32,7 +32,7 @@ void check_draco_ids(const Context& context, json::NodeId packed, const Path& pa
     const auto [first, fresh] = known.try_emplace(*id, name);
     if (fresh) continue;
     report_link(context, Path(path, name), member.value, Code::DRACO_ATTRIBUTE_ID_REPEATED,
-                fmt::format("Attribute {} of the compressed data is {} already.", *id,
+                fmt::format("The attribute ID {} is already used by {}.", *id,
                             gltfx::quoted(first->second)));
   }
 }
@@ -56,9 +56,8 @@ void check_draco_copy(const Context& context, const ExtensionPlace& place, const
                                          has_own_data(context, each.accessor);
                                 });
   if (!copy) return;
-  report_link(
-      context, path, place.object, Code::DRACO_COPY_UNREAD,
-      "The asset requires the extension, but the primitive has its data uncompressed, too.");
+  report_link(context, path, place.object, Code::DRACO_COPY_UNREAD,
+              "The extension is required, but the primitive also has uncompressed data.");
 }
 
 void check_draco_primitive(const Context& context, const ExtensionPlace& place, const Path& path) {
@@ -67,7 +66,8 @@ void check_draco_primitive(const Context& context, const ExtensionPlace& place, 
   if (mode <= 6 && mode != 4 && mode != 5) {
     report_link(
         context, path, place.object, Code::DRACO_INVALID_MODE,
-        fmt::format("The primitive is {}.", model::mode_name(static_cast<model::Mode>(mode))));
+        fmt::format("The mode of the primitive is {}; it must be TRIANGLES or TRIANGLE_STRIP.",
+                    model::mode_name(static_cast<model::Mode>(mode))));
   }
   const json::NodeId packed = model::object_member(document, place.object, "attributes");
   const json::NodeId plain = model::object_member(document, place.host, "attributes");
@@ -95,15 +95,16 @@ void check_parent(const Context& context, const ExtensionPlace& place, const Pat
   const auto count = model::unsigned_member(context.document, place.object, "count");
   const auto size = stride && count ? checked_mul(*stride, *count) : std::nullopt;
   if (size && parent.byte_length && *parent.byte_length != *size) {
-    report_member(context.link_sink, context, path, place.object, "count",
-                  Code::MESHOPT_LENGTH_MISMATCH,
-                  fmt::format("{} elements of {} bytes are {} bytes, the buffer view has {}.",
-                              *count, *stride, *size, *parent.byte_length));
+    report_member(
+        context.link_sink, context, path, place.object, "count", Code::MESHOPT_LENGTH_MISMATCH,
+        fmt::format("count {} times byteStride {} is {} bytes, but the buffer view has {}.", *count,
+                    *stride, *size, *parent.byte_length));
   }
   if (stride && parent.byte_stride && *parent.byte_stride != *stride) {
-    report_member(
-        context.link_sink, context, path, place.object, "byteStride", Code::MESHOPT_STRIDE_MISMATCH,
-        fmt::format("The stride is {}, that of the buffer view {}.", *stride, *parent.byte_stride));
+    report_member(context.link_sink, context, path, place.object, "byteStride",
+                  Code::MESHOPT_STRIDE_MISMATCH,
+                  fmt::format("byteStride is {}, but that of the buffer view is {}.", *stride,
+                              *parent.byte_stride));
   }
 }
 
@@ -117,10 +118,11 @@ void check_packed_range(const Context& context, const ExtensionPlace& place, con
   const auto offset = model::unsigned_member(document, place.object, "byteOffset").value_or(0);
   const auto end = checked_add(offset, *length);
   if (!room || (end && *end <= *room)) return;
-  report_member(context.link_sink, context, path, place.object, "byteLength",
-                Code::MESHOPT_TOO_LONG,
-                fmt::format("{} bytes from byte {} do not fit into buffer {} of {} bytes.", *length,
-                            offset, *buffer, *room));
+  report_member(
+      context.link_sink, context, path, place.object, "byteLength", Code::MESHOPT_TOO_LONG,
+      fmt::format(
+          "The compressed data takes {} bytes at offset {}, but buffer {} has only {} bytes.",
+          *length, offset, *buffer, *room));
 }
 
 bool is_fallback(const Context& context, json::NodeId buffer, std::string_view extension) {
@@ -142,8 +144,7 @@ void check_fallback(const Context& context, std::string_view extension) {
     const Path at(list, i);
     report_member(context.link_sink, context, at, views[i].node, "buffer",
                   Code::MESHOPT_FALLBACK_USED,
-                  fmt::format("Buffer {} stands in for decoded bytes and has none of its own.",
-                              *views[i].buffer));
+                  fmt::format("Buffer {} is a fallback buffer without data.", *views[i].buffer));
   }
 }
 
@@ -154,9 +155,9 @@ void check_source(const Context& context, std::string_view extension, const Exte
   if (!buffer) return;
   const json::NodeId object = context.asset.elements(model::RootArray::buffers)[*buffer];
   if (!is_fallback(context, object, extension)) return;
-  report_member(context.link_sink, context, path, place.object, "buffer",
-                Code::MESHOPT_FALLBACK_COMPRESSED,
-                fmt::format("Buffer {} stands in for decoded bytes and has no streams.", *buffer));
+  report_member(
+      context.link_sink, context, path, place.object, "buffer", Code::MESHOPT_FALLBACK_COMPRESSED,
+      fmt::format("Buffer {} is a fallback buffer; it cannot contain compressed data.", *buffer));
 }
 
 // The first buffer of a GLB file is the BIN chunk.
@@ -169,7 +170,7 @@ void check_first_buffer(const Context& context, std::string_view extension) {
   const Path list(root, "buffers");
   report_link(context, Path(list, std::uint64_t{0}), buffers[0],
               Code::MESHOPT_FALLBACK_FIRST_IN_GLB,
-              "Buffer 0 of a GLB file is its BIN chunk, but this one stands in for decoded bytes.");
+              "The first buffer of the GLB is a fallback buffer; it must be the BIN chunk.");
 }
 
 void check_meshopt(const Context& context) {

@@ -25,7 +25,7 @@ bool PixelSource::take(std::uint32_t index) {
     return true;
   }
   results_[index] = codec::Fault{codec::FaultKind::too_large,
-                                 "The images of the asset have more texels than are looked at."};
+                                 "The images of the asset exceed the limit on texels."};
   return false;
 }
 
@@ -55,7 +55,7 @@ void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
     auto& result = results_[requests[i].image];
     if (stopped) {
       result = codec::Fault{codec::FaultKind::unavailable,
-                            "Other images of the asset took all that decoding may take."};
+                            "Other images of the asset reached the limit on decoding."};
     }
     const auto* fault = result ? std::get_if<codec::Fault>(&*result) : nullptr;
     if (fault != nullptr && codec::is_costly(*fault) && ++costly == kMostCostly) stopped = true;

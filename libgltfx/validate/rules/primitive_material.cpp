@@ -29,6 +29,10 @@ struct Wearing {
   json::NodeId place;  // the index of the material
   const Path& path;    // of that index
 
+  std::string material() const {
+    return object_label(state.context, model::RootArray::materials, *primitive.material);
+  }
+
   void report(Code code, std::string message, std::optional<Severity> severity = {}) const {
     Finding finding = finding_on(state.context, place, code, std::move(message));
     finding.severity = severity;
@@ -39,9 +43,10 @@ struct Wearing {
 void check_texcoords(const Wearing& wearing, const MaterialNeed& need, TexCoords& texcoords) {
   for (const TexCoordNeed& each : need.texcoords) {
     if (texcoords.use(each.set)) continue;
-    wearing.report(Code::MESH_PRIMITIVE_TOO_FEW_TEXCOORDS,
-                   fmt::format("{} reads TEXCOORD_{}, which the primitive does not have.",
-                               printable(each.pointer), each.set));
+    wearing.report(
+        Code::MESH_PRIMITIVE_TOO_FEW_TEXCOORDS,
+        fmt::format("The texture {} uses TEXCOORD_{}, which the primitive does not have.",
+                    member_label(wearing.state.context, each.pointer), each.set));
   }
 }
 
@@ -52,16 +57,17 @@ void check_tangent_space(const Wearing& wearing, const MaterialNeed& need) {
   if (normal && tangent) return;
   const std::string_view missing = normal ? "TANGENT" : tangent ? "NORMAL" : "NORMAL and TANGENT";
   if (need.normal_texture) {
-    wearing.report(
-        Code::MESH_PRIMITIVE_GENERATED_TANGENT_SPACE,
-        fmt::format("The material has a normal texture, but the primitive has no {}.", missing));
+    wearing.report(Code::MESH_PRIMITIVE_GENERATED_TANGENT_SPACE,
+                   fmt::format("The primitive has no {}, but {} has a normal texture.", missing,
+                               wearing.material()));
   } else {
-    wearing.report(Code::MESH_PRIMITIVE_NO_TANGENT_SPACE,
-                   fmt::format("The material needs a tangent space, but the primitive has no {}, "
-                               "and the material no normal texture.",
-                               missing),
-                   // Highlights that lie another way are a lesser evil than bumps that do.
-                   need.direction_alone ? std::optional(Severity::warning) : std::nullopt);
+    wearing.report(
+        Code::MESH_PRIMITIVE_NO_TANGENT_SPACE,
+        fmt::format(
+            "The primitive has no {}, but {} requires a tangent space and has no normal texture.",
+            missing, wearing.material()),
+        // Highlights that lie another way are a lesser evil than bumps that do.
+        need.direction_alone ? std::optional(Severity::warning) : std::nullopt);
   }
 }
 
@@ -72,14 +78,14 @@ void check_unused_tangent(const Context& context, const Primitive& primitive, co
   const bool ignored = primitive.find(SemanticKind::normal) == nullptr;
   if (ignored && !context.deviations.consequences_are_reported) return;
   report_link(context, Path(path, tangent->name), tangent->value, Code::UNUSED_MESH_TANGENT,
-              "TANGENT is not used: the material has no texture in tangent space.");
+              "TANGENT is not used because the material has no texture in tangent space.");
 }
 
 void check_unused_texcoords(const Context& context, const TexCoords& texcoords, const Path& path) {
   for (const auto& set : texcoords.sets()) {
     if (set.used) continue;
     report_link(context, Path(path, set.attribute->name), set.attribute->value, Code::UNUSED_OBJECT,
-                fmt::format("No texture of the material reads {}.", set.attribute->name));
+                fmt::format("{} is not used by any texture of the material.", set.attribute->name));
   }
 }
 

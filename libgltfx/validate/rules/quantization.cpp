@@ -32,11 +32,11 @@ void check_node(const Context& context, const model::Node& node, const Path& pat
       std::any_of(primitives.begin(), primitives.end(),
                   [&](const model::Primitive& each) { return is_quantized(context, each); });
   if (!quantized) return;
-  report_link(context, Path(path, "scale"), node.scale, Code::QUANTIZED_MESH_SCALE_NOT_UNIFORM,
-              fmt::format("Mesh {} has quantised positions and normals, and is scaled by {}, {} "
-                          "and {}.",
-                          *node.mesh, number_text((*scale)[0]), number_text((*scale)[1]),
-                          number_text((*scale)[2])));
+  report_link(
+      context, Path(path, "scale"), node.scale, Code::QUANTIZED_MESH_SCALE_NOT_UNIFORM,
+      fmt::format("The quantized positions and normals of {} are scaled by {}, {} and {}.",
+                  object_label(context, model::RootArray::meshes, *node.mesh),
+                  number_text((*scale)[0]), number_text((*scale)[1]), number_text((*scale)[2])));
 }
 
 void check_nodes(const Context& context) {

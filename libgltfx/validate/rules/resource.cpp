@@ -28,7 +28,7 @@ void check_image_type(const Context& context, json::NodeId value, const Path& pa
   const image::Sniffed sniffed = image::sniff(data.view());
   if (sniffed.known && image::media_type(sniffed.format) == media_type) return;
   report(context, path, value, Code::INVALID_URI,
-         fmt::format("The data URI says {}, but its bytes are not of that type.",
+         fmt::format("The media type of the data URI is {}, but its data is not of that type.",
                      gltfx::quoted(media_type)));
 }
 
@@ -42,8 +42,8 @@ void check_data_uri(const Context& context, json::NodeId value, const Path& path
   const std::string& type = uri->media_type;
   if (buffer && type != "application/octet-stream" && type != "application/gltf-buffer") {
     report(context, path, value, Code::BUFFER_DATA_URI_MIME_TYPE_INVALID,
-           fmt::format("The data URI says {}; a buffer's is application/octet-stream or "
-                       "application/gltf-buffer.",
+           fmt::format("The media type of the data URI is {}; it must be application/octet-stream "
+                       "or application/gltf-buffer.",
                        gltfx::quoted(type)));
   }
   if (!uri->decoded) {
@@ -65,17 +65,17 @@ void check_uri(const Context& context, json::NodeId object, const Path& path, bo
   if (data) check_data_uri(context, value, at, text, buffer);
   if (uri.kind == container::UriKind::invalid) {
     report(context, at, value, Code::INVALID_URI,
-           fmt::format("{} is no URI: {}.", gltfx::quoted(text), uri.problem));
+           fmt::format("{} is not a valid URI: it {}.", gltfx::quoted(text), uri.problem));
   }
   if (uri.kind == container::UriKind::non_relative) {
     const bool outside = uri.local && !context.deviations.refused_files_have_no_code;
-    report(
-        context, at, value, outside ? Code::URI_OUTSIDE_ROOT : Code::NON_RELATIVE_URI,
-        fmt::format("{} is no relative path; it is not looked up.", gltfx::quoted(uri.normalized)));
+    report(context, at, value, outside ? Code::URI_OUTSIDE_ROOT : Code::NON_RELATIVE_URI,
+           fmt::format("{} is not a relative path; the resource is not checked.",
+                       gltfx::quoted(uri.normalized)));
   }
   if (context.container.format != container::Format::glb) return;
-  report(context, at, value, Code::URI_GLB, "A GLB should carry this in its BIN chunk.");
-  if (data) report(context, at, value, Code::DATA_URI_GLB, "Data in a GLB is written as text.");
+  report(context, at, value, Code::URI_GLB, "The GLB references an external file.");
+  if (data) report(context, at, value, Code::DATA_URI_GLB, "The GLB contains a data URI.");
 }
 
 void check_buffer(const Context& context, json::NodeId object, const Path& path) {

@@ -15,8 +15,11 @@ void check_scene(const Context& context, json::NodeId scene, const Path& path) {
   const auto check = [&](std::uint64_t position, std::optional<std::uint32_t> node, Span span) {
     report_references(context, span);
     if (!node || context.graph.is_root(*node)) return;
-    report_link(context, Path(list, position), span, Code::SCENE_NON_ROOT_NODE,
-                fmt::format("Node {} is a child of node {}.", *node, context.graph.parent(*node)));
+    report_link(
+        context, Path(list, position), span, Code::SCENE_NON_ROOT_NODE,
+        fmt::format("Scene {} lists {} as a root, but it is a child of {}.", path.index(),
+                    object_label(context, model::RootArray::nodes, *node),
+                    object_label(context, model::RootArray::nodes, context.graph.parent(*node))));
   };
   model::for_each_index(context.asset, context.document.find(scene, "nodes"),
                         model::RootArray::nodes, check);

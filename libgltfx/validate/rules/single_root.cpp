@@ -30,7 +30,8 @@ std::string roots_fault(const Context& context, json::NodeId list) {
                           first = first || node == 0U;
                           ++count;
                         });
-  if (count != 1) return fmt::format("The scene has {} roots instead of node 0 alone.", count);
+  if (count != 1)
+    return fmt::format("The scene has {} roots; its only root must be node 0.", count);
   return first ? std::string() : "The root of the scene is not node 0.";
 }
 
@@ -44,12 +45,12 @@ void check_single_root(const Context& context) {
   const json::NodeId scene = document.find(document.root(), "scene");
   if (objects.size() != 1 || objects.front() == json::kNoNode) {
     report_missing(context, scenes, document.find(document.root(), "scenes"),
-                   fmt::format("There are {} scenes instead of one.", objects.size()));
+                   fmt::format("The asset has {} scenes; it must have one.", objects.size()));
     return;
   }
   if (scene == json::kNoNode) {
     report_missing(context, Path(root, "scene"), document.root(),
-                   "The only scene is not named as the default one.");
+                   "'scene' is missing; it must be 0.");
   }
   const Path only(scenes, 0);
   const json::NodeId list = document.find(objects.front(), "nodes");

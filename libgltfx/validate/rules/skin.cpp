@@ -62,13 +62,16 @@ class SkinCheck {
     return !joints.empty();
   }
 
+  std::string label(model::NodeIndex node) const {
+    return object_label(context_, model::RootArray::nodes, node);
+  }
+
   std::string joints_apart(const model::Skin& skin) const {
     const auto& graph = context_.graph;
     for (const model::NodeIndex joint : skin.joint_nodes) {
       const model::NodeIndex first = skin.joint_nodes.front();
       if (graph.component(joint) == graph.component(first)) continue;
-      return fmt::format("Joints {} and {} have no common root: they are below nodes {} and {}.",
-                         first, joint, graph.component(first), graph.component(joint));
+      return fmt::format("The joints {} and {} have no common root.", label(first), label(joint));
     }
     return "The joints have no common root: none of them is a node.";
   }
@@ -84,20 +87,20 @@ class SkinCheck {
     const model::BufferView* view = context_.views.view_of(accessor);
     if (view != nullptr && view->byte_stride) {
       report(path, kMember, place, Code::SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE,
-             fmt::format("Buffer view {} of the inverse bind matrices has a byteStride.",
+             fmt::format("Buffer view {} contains inverse bind matrices, but has a byteStride.",
                          *accessor.buffer_view));
     }
     const bool judged = accessor.format.known() || context_.deviations.unknown_formats_are_judged;
     if (judged && accessor.format != kInverseBindMatrix) {
       report(path, kMember, place, Code::SKIN_IBM_INVALID_FORMAT,
-             fmt::format("Accessor {} is {} instead of {}.", *skin.inverse_bind_matrices,
+             fmt::format("Accessor {} is {}; it must be {}.", *skin.inverse_bind_matrices,
                          format_text(accessor.format), format_text(kInverseBindMatrix)));
     }
     if (!accessor.count && !context_.deviations.missing_integers_are_minus_one) return;
     if (accessor.count.value_or(0) < skin.joint_count) {
       report(path, kMember, place, Code::INVALID_IBM_ACCESSOR_COUNT,
-             fmt::format("There are {} inverse bind matrices for {} joints.",
-                         accessor.count.value_or(0), skin.joint_count));
+             fmt::format("The skin has {} joints, but only {} inverse bind matrices.",
+                         skin.joint_count, accessor.count.value_or(0)));
     }
   }
 
@@ -108,14 +111,15 @@ class SkinCheck {
                              : std::span(skin.joint_nodes);
     if (anew && joints.empty()) {
       report(path, "skeleton", skin.skeleton_value, Code::SKIN_SKELETON_INVALID,
-             fmt::format("Node {} is above no joints that have a common root.", root));
+             fmt::format("The skeleton root, {}, is not an ancestor of the joints.", label(root)));
     }
     for (const model::NodeIndex joint : joints) {
       // Above and below mean nothing on a loop, which is reported as one.
       if (context_.graph.root(joint) == model::kNoNodeIndex) return;
       if (ancestry_.is_ancestor_or_self(root, joint)) continue;
       report(path, "skeleton", skin.skeleton_value, Code::SKIN_SKELETON_INVALID,
-             fmt::format("Node {} is not above joint {}.", root, joint));
+             fmt::format("The skeleton root, {}, is not an ancestor of the joint {}.", label(root),
+                         label(joint)));
       return;
     }
   }

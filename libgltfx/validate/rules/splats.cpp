@@ -67,15 +67,16 @@ void check_harmonics(const Context& context, const ExtensionPlace& place, json::
   const std::string missing = missing_coefficient(found);
   if (missing.empty()) return;
   report_link(context, path, place.object, Code::SPLAT_HARMONICS_INCOMPLETE,
-              fmt::format("There is no attribute {}.", missing));
+              fmt::format("The primitive has no attribute {}.", missing));
 }
 
 void check_primitive(const Context& context, const schema::Extension& extension,
                      const ExtensionPlace& place, const Path& path) {
   const json::Document& document = context.document;
-  if (model::unsigned_member(document, place.host, "mode").value_or(4) != 0) {
+  const std::uint64_t mode = model::unsigned_member(document, place.host, "mode").value_or(4);
+  if (mode != 0) {
     report_link(context, path, place.object, Code::SPLAT_INVALID_MODE,
-                "The primitive is not POINTS (0).");
+                fmt::format("The mode of the primitive is {}; it must be 0 (POINTS).", mode));
   }
   const json::NodeId attributes = model::object_member(document, place.host, "attributes");
   if (attributes == json::kNoNode) return;

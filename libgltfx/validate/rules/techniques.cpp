@@ -64,7 +64,7 @@ void check_semantics(const Context& context, json::NodeId technique, std::string
     const Path at(list, document.key(each.key_id));
     report_link(context, Path(at, "semantic"), document.find(each.value, "semantic"),
                 Code::TECHNIQUE_SEMANTIC_UNKNOWN,
-                fmt::format("{} is no meaning that readers know.", gltfx::quoted(semantic)));
+                fmt::format("{} is not a known semantic.", gltfx::quoted(semantic)));
   }
 }
 
@@ -95,7 +95,7 @@ void check_values(const Context& context, const ExtensionPlace& place, json::Nod
                         document.find(values, name) != json::kNoNode;
     if (served || !document.is_object(each.value)) continue;
     report_link(context, path, place.object, Code::TECHNIQUE_VALUE_MISSING,
-                fmt::format("Uniform {} of the technique has neither a value here nor a default.",
+                fmt::format("The uniform {} of the technique has neither a value nor a default.",
                             gltfx::quoted(name)));
   }
 }

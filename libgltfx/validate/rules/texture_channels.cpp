@@ -37,8 +37,8 @@ std::string_view format_name(image::Format format) {
 std::string why_opaque(const Header& header) {
   const std::string_view format = format_name(header.format);
   if (header.format == image::Format::jpeg) return "is a JPEG, which has no alpha";
-  if (header.opaque) return fmt::format("is a {} whose palette is opaque", format);
-  return fmt::format("is {} {} without alpha", header.grey ? "a grey" : "a", format);
+  if (header.opaque) return fmt::format("is a {} with an opaque palette", format);
+  return fmt::format("is {} {} without alpha", header.grey ? "a grayscale" : "a", format);
 }
 
 // --- Alpha that is data ---
@@ -59,19 +59,19 @@ void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint3
   const std::string label = image_label(phase.context, image);
   if (is_left_in_red(phase, slot, image)) {
     report_slot(phase.context, phase.sink, slot, Code::TEXTURE_TRANSLUCENCY_IN_RED,
-                fmt::format("{} reads A, but {} {}: a translucency map, left in R.", slot.property,
+                fmt::format("{} reads A, but {} {}; its translucency map is in R.", slot.property,
                             label, why_opaque(header)),
-                "'gltfx upgrade' moves it to A");
+                "run 'gltfx upgrade' to move it to A");
     return;
   }
   std::string help;
   if (slot.property == "diffuseTransmissionTexture") {
-    help = "put the map into A; one made for translucency in R is moved by 'gltfx upgrade'";
+    help = "move the map to A; for a translucency map in R, run 'gltfx upgrade'";
   }
   const bool only_alpha = slot.channels.colors() == 0;
   report_slot(phase.context, phase.sink, slot, Code::TEXTURE_ALPHA_MISSING,
-              fmt::format("{} reads A, but {} {}: it reads as 1{}.", slot.property, label,
-                          why_opaque(header), only_alpha ? ", so the texture has no effect" : ""),
+              fmt::format("{} reads A, but {} {}, so alpha is 1{}.", slot.property, label,
+                          why_opaque(header), only_alpha ? " and the texture has no effect" : ""),
               std::move(help));
 }
 
@@ -92,15 +92,15 @@ void check_alpha(const TexturePhase& phase, const TextureSlot& slot) {
 std::string why_equal(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image) {
   const Header* header = phase.header(image);
   if (header == nullptr || header->channels == image::Channels::red) return {};
-  const std::string_view height_map = slot.normal_map ? ", as in a height map" : "";
-  if (header->grey) return fmt::format("is grey: they are equal{}", height_map);
+  const std::string_view height_map = slot.normal_map ? "; it may be a height map" : "";
+  if (header->grey) return fmt::format("is grayscale{}", height_map);
   const codec::Image* pixels = phase.pixels.of(image);
   if (pixels == nullptr || !pixels->grey) return {};
   if (!pixels->statistics[0].constant()) {
-    return fmt::format("holds the same in all of them{}", height_map);
+    return fmt::format("has equal color channels{}", height_map);
   }
   // One value everywhere does no harm where it is multiplied by factors.
-  return slot.normal_map ? "is grey in every texel: they are equal" : "";
+  return slot.normal_map ? "is grayscale in every texel" : "";
 }
 
 void check_equal_channels(const TexturePhase& phase, const TextureSlot& slot) {
@@ -111,7 +111,7 @@ void check_equal_channels(const TexturePhase& phase, const TextureSlot& slot) {
     ChannelSet colors = slot.effective;
     colors.remove('a');
     report_slot(phase.context, phase.sink, slot, Code::TEXTURE_CHANNELS_EQUAL,
-                fmt::format("{} reads {} as different things, but {} {}.", slot.property,
+                fmt::format("{} reads different data from {}, but {} {}.", slot.property,
                             colors.text(), image_label(phase.context, image), why));
     return;
   }
@@ -129,7 +129,7 @@ std::string why_hidden(const TexturePhase& phase, const TextureSlot& slot) {
   if (slot.hidden_by.empty()) return "its factors are 0";
   const json::Document& document = phase.context.document;
   const bool written = document.find(factor_owner(slot), slot.hidden_by) != json::kNoNode;
-  return fmt::format("{} is {}", slot.hidden_by, written ? "0" : "not given, and 0 by default");
+  return fmt::format("{} is {}", slot.hidden_by, written ? "0" : "not set (default: 0)");
 }
 
 // One finding for each factor, on the first of the textures that it hides.
@@ -140,7 +140,7 @@ void check_factors(const TexturePhase& phase) {
     if (slot.channels.empty() || !slot.effective.empty()) continue;
     if (!told.emplace(factor_owner(slot), slot.hidden_by).second) continue;
     report_slot(phase.context, phase.sink, slot, Code::TEXTURE_FACTOR_ZERO,
-                fmt::format("{} has no effect: {}.", slot.property, why_hidden(phase, slot)),
+                fmt::format("{} has no effect because {}.", slot.property, why_hidden(phase, slot)),
                 fmt::format("set {}{}", slot.hidden_by.empty() ? "the factors" : slot.hidden_by,
                             removable ? ", or remove the texture" : ""));
   }
@@ -175,9 +175,9 @@ void check_missing_coverage(const TexturePhase& phase, const TextureSlot& slot,
   const std::string mode = model::string_member(phase.context.document, slot.material, "alphaMode");
   const Header& header = *phase.header(slot.images.front());
   const std::string why =
-      image::can_be_transparent(header) ? "is opaque in every texel" : why_opaque(header);
+      image::can_be_transparent(header) ? "has an alpha of 1 in every texel" : why_opaque(header);
   report_slot(phase.context, phase.sink, slot, Code::MATERIAL_ALPHA_MISSING,
-              fmt::format("alphaMode is {}, but {} {}: all of the surface is opaque.", mode,
+              fmt::format("alphaMode is {}, but {} {}, so the surface is opaque.", mode,
                           image_label(phase.context, slot.images.front()), why));
 }
 
@@ -207,7 +207,7 @@ void check_unused_alpha(const TexturePhase& phase, const TextureSlot& slot,
                 fmt::format("The alpha channel of {} is 1 in every texel.", label));
   } else {
     report_slot(phase.context, phase.sink, slot, Code::TEXTURE_ALPHA_UNUSED,
-                fmt::format("{} has {}, but alphaMode is OPAQUE: nobody reads it.", label,
+                fmt::format("The base color uses {}, which has {}, but alphaMode is OPAQUE.", label,
                             looked ? "transparent texels" : "an alpha channel"));
   }
 }

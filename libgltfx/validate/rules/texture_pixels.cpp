@@ -31,9 +31,8 @@ void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::F
   const std::string reason = printable(fault.message);
   report_image(
       phase, image, malformed ? Code::IMAGE_PIXELS_INVALID : Code::IMAGE_NOT_DECODED,
-      malformed ? fmt::format("The header of {} is sound, but its pixels cannot be decoded: {}",
-                              label, reason)
-                : fmt::format("The pixels of {} were not looked at: {}", label, reason),
+      malformed ? fmt::format("The pixels of {} cannot be decoded: {}", label, reason)
+                : fmt::format("The pixels of {} are not checked: {}", label, reason),
       codec::is_costly(fault) && !stalled ? std::optional(Severity::warning) : std::nullopt);
 }
 
@@ -87,9 +86,9 @@ void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint3
   const bool full = image.alpha().least == image.full();
   const std::string label = image_label(phase.context, index);
   std::string message =
-      full ? fmt::format("{} reads A, but that of {} is 1 in every texel: it has no effect.",
+      full ? fmt::format("{} reads A, but alpha of {} is 1 in every texel, so it has no effect.",
                          slot.property, label)
-           : fmt::format("{} reads A, which is {} of {} in every texel of {}.", slot.property,
+           : fmt::format("{} reads A, but alpha is {} of {} in every texel of {}.", slot.property,
                          image.alpha().least, image.full(), label);
   report_slot(phase.context, phase.sink, slot, Code::TEXTURE_ALPHA_CONSTANT, std::move(message), {},
               full ? std::nullopt : std::optional(Severity::hint));
@@ -103,7 +102,7 @@ void check_constant(const TexturePhase& phase, const TextureSlot& slot, std::uin
     report_alpha(phase, slot, index, image);
   } else if (is_constant(slot, image) && !slot.normal_map) {
     report_slot(phase.context, phase.sink, slot, Code::TEXTURE_CONSTANT,
-                fmt::format("All {} by {} texels of {} are the same.", image.width, image.height,
+                fmt::format("All {}x{} texels of {} are equal.", image.width, image.height,
                             image_label(phase.context, index)));
   }
 }
@@ -142,15 +141,16 @@ void check_lengths(const TexturePhase& phase, const TextureSlot& slot, const cod
   const double far_off = share(normals.far_off, normals);
   if (is_full_blue(image) && share(normals.not_unit, normals) > kTwoChannels) {
     report_normals(phase, slot, Code::NORMAL_MAP_NOT_UNIT,
-                   fmt::format("B of {} is {}{} in every texel, though the normals are tilted: a "
-                               "map of two channels, while glTF reads Z from B.",
+                   fmt::format("B of {} is {}{} in every texel, although the normals are tilted; "
+                               "it may be a two-channel map, but glTF reads Z from B.",
                                label, image.statistics[2].least,
                                image.statistics[2].constant() ? "" : " or more"));
   } else if (far_off > kStrayShare) {
-    report_normals(phase, slot, Code::NORMAL_MAP_NOT_UNIT,
-                   fmt::format("{:.0f} % of the normals of {} are not of unit length; their mean "
-                               "is {:.2f}.",
-                               far_off * 100, label, normals.mean_length));
+    report_normals(
+        phase, slot, Code::NORMAL_MAP_NOT_UNIT,
+        fmt::format(
+            "{:.0f} % of the normals of {} are not of unit length; their mean length is {:.2f}.",
+            far_off * 100, label, normals.mean_length));
   }
 }
 
@@ -164,14 +164,15 @@ void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::u
   if (image.statistics[2].greatest == 0) {
     report_normals(phase, slot, Code::NORMAL_MAP_INWARD,
                    fmt::format("B of {} is 0 in every texel, so all normals point into the "
-                               "surface: a map of two channels, while glTF reads Z from B.",
+                               "surface; it may be a two-channel map, but glTF reads Z from B.",
                                label));
   } else if (inward > kStrayShare) {
     report_normals(
         phase, slot, Code::NORMAL_MAP_INWARD,
         fmt::format("{:.0f} % of the normals of {} point into the surface.", inward * 100, label));
   } else if (normals.steepest <= kFlat && image.texels() > 1) {
-    report_normals(phase, slot, Code::NORMAL_MAP_FLAT, fmt::format("{} is flat.", label));
+    report_normals(phase, slot, Code::NORMAL_MAP_FLAT,
+                   fmt::format("All normals of {} are perpendicular to the surface.", label));
   } else {
     check_lengths(phase, slot, image, label);
   }

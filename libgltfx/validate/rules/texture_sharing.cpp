@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
+#include "validate/rules/finding.hpp"
 #include "validate/rules/texture_phase.hpp"
 #include "validate/rules/uv_mapping.hpp"
 
@@ -47,7 +48,7 @@ void report_conflict(const TexturePhase& phase, const TextureSlot& slot, const T
       phase.context, phase.sink, slot, Code::TEXTURE_COLOR_SPACE_CONFLICT,
       fmt::format("{} reads {} of {} as {}, but {} reads it as {}.", slot.property, shared.text(),
                   image_label(phase.context, image), slot.srgb ? "sRGB" : "linear",
-                  printable(other.use->pointer), slot.srgb ? "linear" : "sRGB"));
+                  member_label(phase.context, other.use->pointer), slot.srgb ? "linear" : "sRGB"));
 }
 
 void check_color_space(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image,
@@ -120,10 +121,10 @@ void check_edges(const TexturePhase& phase, const TextureSlot& slot) {
   if (!slot.sampler || slot.effective.empty()) return;
   const Placement placement = placement_of(phase.context, slot);
   if (!leaves_clamped(placement, 0) && !leaves_clamped(placement, 1)) return;
-  report_slot(phase.context, phase.sink, slot, Code::TEXTURE_TRANSFORM_CLAMPED,
-              fmt::format("The transform of {} leads out of the image, but its sampler clamps to "
-                          "the edge.",
-                          slot.property));
+  report_slot(
+      phase.context, phase.sink, slot, Code::TEXTURE_TRANSFORM_CLAMPED,
+      fmt::format("The transform of {} leaves the image, but its sampler clamps to the edge.",
+                  slot.property));
 }
 
 // --- Channels of one image in one material ---
@@ -133,10 +134,10 @@ void check_packed(const TexturePhase& phase, const TextureSlot& slot, const Text
   const std::string_view difference =
       placement_of(phase.context, slot).difference(placement_of(phase.context, other));
   if (difference.empty()) return;
-  report_slot(phase.context, phase.sink, slot, Code::TEXTURE_PACKING_DISAGREES,
-              fmt::format("{} and {} read channels of one image, {}, but differ in their {}.",
-                          slot.property, other.property,
-                          image_label(phase.context, slot.images.front()), difference));
+  report_slot(
+      phase.context, phase.sink, slot, Code::TEXTURE_PACKING_DISAGREES,
+      fmt::format("{} and {} share {}, but have a different {}.", slot.property, other.property,
+                  image_label(phase.context, slot.images.front()), difference));
 }
 
 // Occlusion, roughness and metalness in R, G and B: one image where there are two.
@@ -151,9 +152,10 @@ void check_packable(const TexturePhase& phase, const TextureSlot& occlusion,
   const std::string_view difference =
       placement_of(phase.context, occlusion).difference(placement_of(phase.context, other));
   if (!difference.empty()) return;
-  report_slot(phase.context, phase.sink, occlusion, Code::TEXTURE_PACKABLE,
-              fmt::format("{} would fit into R of {}.", image_label(phase.context, image),
-                          image_label(phase.context, other.images.front())));
+  report_slot(
+      phase.context, phase.sink, occlusion, Code::TEXTURE_PACKABLE,
+      fmt::format("Occlusion in {} can be packed into R of {}.", image_label(phase.context, image),
+                  image_label(phase.context, other.images.front())));
 }
 
 // The slots of one material, in the order of the text.

@@ -61,8 +61,8 @@ void check_circular(const Context& context, json::NodeId object, const Path& pat
   if (model::extension_object(context.document, buffer, kCircular) != json::kNoNode) return;
   report_member(context.link_sink, context, path, object, "accessor",
                 Code::TIMED_BUFFER_NOT_CIRCULAR,
-                fmt::format("Accessor {} reads from buffer {}, which has no {}.", *index,
-                            *view->buffer, kCircular));
+                fmt::format("Accessor {} uses buffer {}, which has no {}.", *index, *view->buffer,
+                            kCircular));
 }
 
 // --- Frames of video: as many components as the format has channels ---
@@ -83,7 +83,7 @@ void check_frames(const Context& context, json::NodeId object, const Path& path)
   if (!format.known() || model::component_count(format.type) == channels) return;
   report_member(context.link_sink, context, path, object, "accessor",
                 Code::EXTENSION_ACCESSOR_INVALID_FORMAT,
-                fmt::format("Accessor {} is {}, but pixels of {} have {} channel{}.", *index,
+                fmt::format("Accessor {} is {}, but the pixel format {} has {} channel{}.", *index,
                             format_text(format), name.empty() ? "RGB" : name, channels,
                             channels == 1 ? "" : "s"));
 }

@@ -86,8 +86,8 @@ std::vector<bool> views_in_fewer_uses(const Context& context) {
 void report_unused(const Context& context, const Path& path, json::NodeId object) {
   const std::string name = context.asset.name(object);
   report_link(context, path, object, Code::UNUSED_OBJECT,
-              name.empty() ? std::string("Nothing refers to this object.")
-                           : fmt::format("Nothing refers to {}.", gltfx::quoted(name)));
+              name.empty() ? std::string("The object is not used.")
+                           : fmt::format("The object {} is not used.", gltfx::quoted(name)));
 }
 
 void check_array(const Context& context, RootArray array) {
@@ -166,7 +166,7 @@ void check_mesh_weights(const Context& context) {
     if (context.document.find(meshes[i], "weights") == json::kNoNode) continue;
     report_member(context.link_sink, context, Path(array, static_cast<std::uint64_t>(i)), meshes[i],
                   "weights", Code::UNUSED_MESH_WEIGHTS,
-                  "Every node with this mesh has weights of its own.");
+                  "Every node with the mesh has its own weights.");
   }
 }
 

@@ -15,9 +15,9 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
   if (first.kind != kind) {
     report_link(
         context, path, place, Code::BUFFER_VIEW_TARGET_OVERRIDE,
-        fmt::format("View {} holds {} by its {}; here it is used for {}.", view,
-                    model::use_text(first.kind),
-                    first.place == json::kNoNode ? "target" : "first use", model::use_text(kind)));
+        fmt::format("Buffer view {} is used for {}, but {} for {}.", view, model::use_text(kind),
+                    first.place == json::kNoNode ? "its target is" : "its first use is",
+                    model::use_text(first.kind)));
     return;
   }
   const bool wants_target = kind == model::ViewUse::vertices || kind == model::ViewUse::indices;
@@ -26,10 +26,11 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
   const bool strided = context.views.buffer_views[view].byte_stride.has_value();
   const bool told = strided && kind == model::ViewUse::indices;
   if (told && !context.deviations.consequences_are_reported) return;
-  report_link(context, path, place, Code::BUFFER_VIEW_TARGET_MISSING,
-              fmt::format("View {} holds {}, but has no target.", view, model::use_text(kind)),
-              fmt::format("add \"target\": {} to buffer view {}",
-                          kind == model::ViewUse::vertices ? 34962 : 34963, view));
+  report_link(
+      context, path, place, Code::BUFFER_VIEW_TARGET_MISSING,
+      fmt::format("Buffer view {} contains {}, but has no target.", view, model::use_text(kind)),
+      fmt::format("add \"target\": {} to buffer view {}",
+                  kind == model::ViewUse::vertices ? 34962 : 34963, view));
 }
 
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
@@ -37,8 +38,8 @@ void report_use(const Context& context, std::uint32_t accessor, model::AccessorU
   const auto& first = context.views.usage.accessor(accessor);
   if (first.kind != kind) {
     report_link(context, path, place, Code::ACCESSOR_USAGE_OVERRIDE,
-                fmt::format("Accessor {} holds {} by its first use; here it is used for {}.",
-                            accessor, model::use_text(first.kind), model::use_text(kind)));
+                fmt::format("Accessor {} is used for {}, but its first use is for {}.", accessor,
+                            model::use_text(kind), model::use_text(first.kind)));
   }
   const auto view = context.views.accessors[accessor].buffer_view;
   if (view) report_view_use(context, *view, model::view_use(kind), place, path);

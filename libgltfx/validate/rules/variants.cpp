@@ -42,10 +42,10 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
     const auto [first, is_new] = seen.emplace(variant, index);
     const bool told = first->second == index;
     if (!is_new && (!told || context.deviations.consequences_are_reported)) {
-      report_link(context, Path(array, element), number.span,
-                  Code::KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT,
-                  fmt::format("Variant {} already has the material of mapping {}.", variant,
-                              first->second));
+      report_link(
+          context, Path(array, element), number.span,
+          Code::KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT,
+          fmt::format("Variant {} already has a material in mapping {}.", variant, first->second));
     }
     report_references(context, number.span);
   };

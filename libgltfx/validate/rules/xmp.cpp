@@ -119,9 +119,10 @@ class PacketCheck {
     if (entry.name == "@context") return;
     if (!keyword && !check_name(entry, path)) return;
     if (frame.is_languages && keyword && entry.name != "@type" && entry.name != "@id") {
-      return report_link(context_, path, entry.key, Code::XMP_LANGUAGE_INVALID,
-                         fmt::format("Alternatives stand in {}:_1 and so on, not in {}.",
-                                     prefixes_.rdf(), gltfx::quoted(entry.name)));
+      return report_link(
+          context_, path, entry.key, Code::XMP_LANGUAGE_INVALID,
+          fmt::format("The language alternative {1} must be {0}:_1 or another number.",
+                      prefixes_.rdf(), gltfx::quoted(entry.name)));
     }
     if (frame.is_languages && !keyword) return check_language(entry, path);
     if (!json_ld_ && is_dictionary(entry.value)) return;
@@ -166,9 +167,9 @@ class PacketCheck {
       return;
     }
     report_link(context_, path, entry.value, Code::XMP_LANGUAGE_INVALID,
-                numbered ? fmt::format("{} has not both a @language and a @value.",
+                numbered ? fmt::format("{} must have both a @language and a @value.",
                                        gltfx::quoted(entry.name))
-                         : fmt::format("{} is not {}:_1 or another number.",
+                         : fmt::format("{} must be {}:_1 or another number.",
                                        gltfx::quoted(entry.name), prefixes_.rdf()));
   }
 
@@ -188,7 +189,7 @@ void check_namespaces(const Context& context, json::NodeId object, const Path& p
     if (fresh || prefix == first->second) continue;
     report_link(
         context, Path(path, prefix), member.value, Code::XMP_NAMESPACE_REPEATED,
-        fmt::format("This is the namespace of the prefix {}, too.", gltfx::quoted(first->second)));
+        fmt::format("The prefix {} already has this namespace.", gltfx::quoted(first->second)));
   }
 }
 
@@ -200,8 +201,7 @@ void check_packet(const Context& context, json::NodeId packet, const Path& path)
   const Prefixes prefixes(context.document, object);
   PacketCheck(context, prefixes, true).run(packet, path);
   if (context.document.find(packet, "@id") != json::kNoNode) return;
-  report_link(context, path, packet, Code::XMP_ID_MISSING,
-              "The packet has no @id; it may be empty.");
+  report_link(context, path, packet, Code::XMP_ID_MISSING, "The packet has no @id.");
 }
 
 template <typename Use>
