@@ -36,7 +36,7 @@ bool collect(const std::string& path, const InspectOptions& options, const schem
   }
   const json::Document& document = opened->parsed.document;
   if (!document.is_object(document.root())) {
-    report.error = "it holds no glTF; 'gltfx validate' says why";
+    report.error = "it is not a glTF asset; see 'gltfx validate'";
     return false;
   }
   report.facts =
@@ -73,7 +73,7 @@ InspectReport guarded(const std::string& path, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return failed(path, "there is not enough memory to look into this file");
+    return failed(path, "there is not enough memory to inspect the file");
   } catch (const std::filesystem::filesystem_error&) {
     return failed(path, "the path cannot be looked up");
   }

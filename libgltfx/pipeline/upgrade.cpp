@@ -298,8 +298,7 @@ class Upgrade {
     report_.new_warnings = std::move(found.warnings);
     if (found.error.empty()) return std::nullopt;
     return fmt::format(
-        "the new file would have an error {} that the old one has not; mend what 'gltfx validate' "
-        "reports first",
+        "the new file would have the new error {}; fix the findings of 'gltfx validate' first",
         found.error);
   }
 

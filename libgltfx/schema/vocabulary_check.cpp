@@ -60,7 +60,7 @@ class FileCheck {
     }
     if (at.context == Context::file && source_.is_extension() &&
         document_.find(at.node, "x-gltfx") == json::kNoNode) {
-      fault(at.node, "'x-gltfx' is missing; it says where the extension stands");
+      fault(at.node, "'x-gltfx' is missing");
     }
     if (at.context == Context::file || at.context == Context::schema) limits(at.node);
   }
@@ -76,7 +76,7 @@ class FileCheck {
     if (faults_.is_full()) return;
     std::vector<std::string_view> known;
     for (const Word& word : words(context)) known.push_back(word.name);
-    fault(key, quoted(name) + " is not a word of " + std::string(context_name(context)) +
+    fault(key, quoted(name) + " is not a member of " + std::string(context_name(context)) +
                    did_you_mean(name, known));
   }
 
@@ -167,9 +167,8 @@ class FileCheck {
       const double most = document_.number(to).value;
       const bool open = low.substr(0, 2) == "ex" || high.substr(0, 2) == "ex";
       if (least > most || (open && least == most)) {
-        faults_.add_at_key({id_, to}, quoted(high) + " (" + number_text(most) +
-                                          ") leaves no value beside " + quoted(low) + " (" +
-                                          number_text(least) + ")");
+        faults_.add_at_key({id_, to}, quoted(high) + " (" + number_text(most) + ") contradicts " +
+                                          quoted(low) + " (" + number_text(least) + ")");
       }
     }
   }

@@ -46,7 +46,7 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
   if (resolved.fault != ResolveFault::none) {
     resource.find(resource.context.khronos() ? Code::IO_ERROR : code_of(resolved.fault), "uri",
                   container::describe(resolved.fault, uri.normalized, resolved.problem),
-                  std::string(container::remedy(resolved.fault)));
+                  std::string(container::help(resolved.fault)));
     return std::nullopt;
   }
   if (resolved.git_lfs_pointer && !resource.context.khronos()) {
