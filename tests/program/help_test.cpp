@@ -77,7 +77,7 @@ TEST(Help, OfTheProgramListsEveryVerbExamplesAndExitCodes) {
   EXPECT_EQ(outcome.err, "");
   for (const Verb& verb : verbs()) EXPECT_THAT(outcome.out, HasSubstr("\n  " + verb.name));
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("Examples:"), HasSubstr("Exit codes"),
-                                 HasSubstr("  3  an input could not be opened or read\n")));
+                                 HasSubstr("  3  an input cannot be read\n")));
 }
 
 TEST(Help, OfEachVerbListsEveryOptionExamplesAndExitCodes) {
@@ -107,12 +107,12 @@ TEST(Help, EveryOptionIsInTheTableAboveAndInTheReadme) {
   }
 }
 
-TEST(Help, FitsATerminalOfAHundredAndTenColumns) {
+TEST(Help, FitsATerminalOfEightyColumns) {
   for (const Verb& verb : verbs()) {
     const std::string text = gltfx({verb.name, "--help"}).out;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = text.find('\n', at);
-      EXPECT_LE(end - at, 110U) << text.substr(at, end - at);
+      EXPECT_LE(end - at, 80U) << text.substr(at, end - at);
       at = end + 1;
     }
   }
@@ -131,11 +131,10 @@ TEST(Version, NamesEverythingItWasBuiltWith) {
 TEST(Explain, TellsWhyAndHowWithTheRealReport) {
   const Outcome outcome = gltfx({"explain", "Value_Not_In_Range"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(
-      outcome.out,
-      AllOf(testing::StartsWith("VALUE_NOT_IN_RANGE (error): "), HasSubstr("Why it matters"),
-            HasSubstr("How to fix it"), HasSubstr("error[VALUE_NOT_IN_RANGE]: "),
-            HasSubstr(" --> example.gltf:"), HasSubstr("Good\n")));
+  EXPECT_THAT(outcome.out, AllOf(testing::StartsWith("VALUE_NOT_IN_RANGE (error): "),
+                                 HasSubstr("Why it matters"), HasSubstr("How to fix it"),
+                                 HasSubstr("error[VALUE_NOT_IN_RANGE]: "),
+                                 HasSubstr(" --> example.gltf:"), HasSubstr("Good\n")));
 }
 
 TEST(Explain, TakesSeveralCodes) {
