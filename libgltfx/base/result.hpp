@@ -8,7 +8,7 @@
 
 namespace gltfx {
 
-/// Why something could not be done, as a sentence that names the place and the remedy.
+/// Why something could not be done, as a sentence that names the place and the help.
 struct Error {
   std::string message;
 };

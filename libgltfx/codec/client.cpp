@@ -49,9 +49,7 @@ Fault noted(const Fault& fault) {
   return fault;
 }
 
-Fault no_thread_here() {
-  return {FaultKind::unavailable, "The system refuses what it takes to wait for a decoder."};
-}
+Fault no_thread_here() { return {FaultKind::unavailable, "The system cannot wait for a decoder."}; }
 
 // What `work` gives. That memory is missing here is no fault of a payload.
 template <typename Work>
@@ -124,7 +122,7 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
   job.encoded = request.format;
   job.quality = request.quality;
   if (!is_consistent(job)) {
-    return Fault{FaultKind::malformed, "The format does not hold images of that form."};
+    return Fault{FaultKind::malformed, "The format does not support such images."};
   }
   return result_of<EncodedImage>(state_->images, job, request.pixels, request.origin, true);
 }

@@ -28,10 +28,10 @@ namespace {
 // Loading libraries takes a second at most: a program that takes longer is in an endless loop.
 constexpr std::chrono::minutes kStartTime{2};
 
-constexpr const char* kWrongGreeting = "it does not speak the protocol of this version";
+constexpr const char* kWrongGreeting = "it has a different protocol version";
 constexpr const char* kSilent = "it does not respond";
 constexpr const char* kUnfiltered =
-    "its system calls are not filtered (--unsandboxed-decoders permits that)";
+    "its system calls are not filtered (use --unsandboxed-decoders to allow that)";
 
 }  // namespace
 
@@ -99,7 +99,7 @@ std::optional<Control> Launcher::ask(const Control& control, std::span<const int
 
 std::variant<std::unique_ptr<Worker>, Fault> Launcher::start(std::uint64_t memory_bytes) {
   Ends ends = Ends::create();
-  if (!ends.complete()) return not_started("the system has no descriptors left");
+  if (!ends.complete()) return not_started("no file descriptors left");
   const std::array<int, 2> descriptors{ends.worker_socket.get(), ends.worker_lifeline.get()};
   std::unique_lock lock(mutex_);
   std::optional<Control> started;
@@ -109,7 +109,7 @@ std::variant<std::unique_ptr<Worker>, Fault> Launcher::start(std::uint64_t memor
     started = ask({Control::Kind::start, memory_bytes}, descriptors);
   }
   if (!started || started->kind != Control::Kind::started) return not_started(kWrongGreeting);
-  if (started->value == 0) return not_started("the system has no processes left");
+  if (started->value == 0) return not_started("no processes left");
   lock.unlock();
   // With no copy here, its end closes the socket.
   ends.worker_socket = UniqueFd();

@@ -26,7 +26,7 @@ Reply fault(FaultKind kind, std::string message) { return {Fault{kind, std::move
 
 Reply overrun(const Job& job) {
   return fault(FaultKind::timed_out,
-               fmt::format("{} takes longer than {} ms of processor time, the limit for {} bytes.",
+               fmt::format("{} exceeds {} ms of processor time, the limit for {} bytes.",
                            job.task == Task::encode ? "Encoding" : "Decoding", job.milliseconds,
                            job.input_bytes));
 }
@@ -36,7 +36,7 @@ Reply epitaph(Worker& worker, const Job& job) {
   const int signal = worker.end();
   if (signal == SIGPROF || signal == SIGXCPU) return overrun(job);
   return fault(FaultKind::died, signal == 0
-                                    ? std::string("The decoder ended without an answer.")
+                                    ? std::string("The decoder exited without a result.")
                                     : fmt::format("The decoder crashed (signal {}).", signal));
 }
 
@@ -128,7 +128,7 @@ Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
   const UniqueFd payload = create_memory();
   const UniqueFd result = create_memory();
   if (!payload || !result || !fill_memory(payload.get(), bytes)) {
-    return fault(FaultKind::unavailable, "The system gives no memory to share with the decoder.");
+    return fault(FaultKind::unavailable, "No memory to share with the decoder.");
   }
   const int descriptors[] = {payload.get(), result.get()};
   const Frame frame = write_job(job);
@@ -157,7 +157,7 @@ Reply Pool::answer_of(Kept worker, const Job& job, int result, Kept& sound) cons
   if (!packet) return epitaph(*worker, job);
   auto answer = read_answer(packet->bytes);
   const auto contradiction = [] {
-    return fault(FaultKind::died, "The decoder's answer contradicts itself.");
+    return fault(FaultKind::died, "The result of the decoder is inconsistent.");
   };
   if (!answer) return contradiction();
   Reply reply{*std::move(answer), {}};

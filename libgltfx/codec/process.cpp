@@ -93,7 +93,7 @@ std::string Process::start_error() const {
 
 // The signal changes nothing for a process that is about to end.
 std::string Process::end() {
-  if (id_ <= 0) return "it has ended";
+  if (id_ <= 0) return "it exited";
   ::kill(id_, SIGKILL);
   int status = 0;
   pid_t done = -1;
@@ -102,12 +102,12 @@ std::string Process::end() {
   } while (done < 0 && errno == EINTR);
   id_ = -1;
   if (done > 0 && WIFEXITED(status)) {
-    return fmt::format("it ended with exit code {}", WEXITSTATUS(status));
+    return fmt::format("it exited with code {}", WEXITSTATUS(status));
   }
   if (done > 0 && WIFSIGNALED(status)) {
-    return fmt::format("it was ended by signal {}", WTERMSIG(status));
+    return fmt::format("it was terminated by signal {}", WTERMSIG(status));
   }
-  return "it has ended";
+  return "it exited";
 }
 
 }  // namespace gltfx::codec

@@ -41,7 +41,7 @@ std::uint32_t quartet(const char* c) {
 Error bad_character(std::string_view text, std::size_t at) {
   const char c = text[at];
   if (c == '=') {
-    return {fmt::format("Character {} of the base64 text is padding ('='), which may only end it.",
+    return {fmt::format("Character {} of the base64 text is '=', which is only allowed at the end.",
                         at + 1)};
   }
   const std::string_view shown = text.substr(at, bytes_of_code_points(text.substr(at), 1));
@@ -68,9 +68,8 @@ Result<std::string> decode_tail(std::string_view text, std::size_t from, std::si
   if ((bits & kBad) != 0) return first_bad(text, from);
   const std::uint32_t spare = padding == 2 ? 0xFFFFU : 0xFFU;
   if ((bits & spare) != 0) {
-    return Error{fmt::format(
-        "Character {} of the base64 text has bits set that belong to no byte; they must be zero.",
-        text.size() - padding)};
+    return Error{fmt::format("Character {} of the base64 text has unused bits that are not zero.",
+                             text.size() - padding)};
   }
   std::string tail(1, static_cast<char>(bits >> 16U));
   if (padding == 1) tail += static_cast<char>((bits >> 8U) & 0xFFU);
@@ -84,8 +83,8 @@ Error wrong_length(std::string_view text) {
     }
   }
   return {
-      fmt::format("The base64 text ends after {} characters, which is no multiple of 4: "
-                  "characters or padding ('=') are missing.",
+      fmt::format("The base64 text has {} characters, which is not a multiple of 4; characters or "
+                  "padding ('=') are missing.",
                   text.size())};
 }
 

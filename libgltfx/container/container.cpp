@@ -21,12 +21,14 @@ namespace {
 constexpr std::uint64_t kMaxJson = UINT32_MAX;  // positions in a text are 32 bits wide (Span)
 
 Error failure(const std::filesystem::path& path, ResolveFault fault, std::string_view problem) {
-  return {fmt::format("{} {}", describe(fault, path.native(), problem), remedy(fault))};
+  std::string sentence = describe(fault, path.native(), problem);
+  sentence.pop_back();
+  return {fmt::format("{}; {}.", sentence, help(fault))};
 }
 
 Error too_large(const std::filesystem::path& path, std::uint64_t size, std::uint64_t limit) {
   return failure(path, ResolveFault::too_large,
-                 fmt::format("it has {} bytes, at most {} are read", size, limit));
+                 fmt::format("it has {} bytes, the limit is {}", size, limit));
 }
 
 /// The text is the only copy: `bytes` shows the same memory.

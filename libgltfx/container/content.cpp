@@ -51,10 +51,10 @@ constexpr std::array kMagics{
     Magic{"ftypheix"sv, image("a HEIC", "image/heic"), 4},
     Magic{"ftypmif1"sv, image("a HEIF", "image/heif"), 4},
     Magic{"ftyp"sv, image("a video or another MP4 file"), 4},
-    Magic{"\x89PNG\r\n\x1a\n"sv, image("a PNG that is cut short")},
-    Magic{"\xff\xd8\xff"sv, image("a JPEG that is cut short")},
-    Magic{"\xabKTX 20\xbb\r\n\x1a\n"sv, image("a KTX 2 file that is cut short")},
-    Magic{"RIFF"sv, image("a RIFF file, but no WebP image")},
+    Magic{"\x89PNG\r\n\x1a\n"sv, image("a truncated PNG")},
+    Magic{"\xff\xd8\xff"sv, image("a truncated JPEG")},
+    Magic{"\xabKTX 20\xbb\r\n\x1a\n"sv, image("a truncated KTX 2 file")},
+    Magic{"RIFF"sv, image("a RIFF file, but not a WebP image")},
     Magic{"glTF"sv, other("a GLB file")},
     Magic{"PK\x03\x04"sv, other("a ZIP archive")},
     Magic{"\x1f\x8b"sv, other("a gzip archive")},
@@ -86,7 +86,7 @@ Content name_text(std::string_view head) {
     return other("an XML document (a failed download?)");
   }
   if (head.starts_with('{')) return other("JSON text (a failed download?)");
-  if (head.starts_with("data:")) return other("the text of a data URI");
+  if (head.starts_with("data:")) return other("text of a data URI");
   return {};
 }
 
@@ -100,9 +100,9 @@ Content name_content(std::string_view bytes) {
     }
   }
   if (is_bmp(bytes)) return image("a BMP", "image/bmp");
-  if (is_git_lfs_pointer(bytes, bytes.size())) return other("a Git-LFS pointer");
+  if (is_git_lfs_pointer(bytes, bytes.size())) return other("a Git LFS pointer");
   const std::string_view head = bytes.substr(0, kSniffBytes);
-  if (head.find_first_not_of('\0') == head.npos) return other("zeros from the first byte on");
+  if (head.find_first_not_of('\0') == head.npos) return other("a file of zeros");
   return name_text(head);
 }
 

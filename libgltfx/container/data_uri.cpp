@@ -30,23 +30,23 @@ std::optional<Error> take_parameter(std::string_view part, bool last, DataUri& o
   }
   if (part.find('=') != std::string_view::npos) return std::nullopt;
   if (lower_case(part) == kBase64) {
-    return Error{last ? "The data URI has to say ';base64' in lower case."
-                      : "';base64' has to be the last word before the comma of a data URI."};
+    return Error{last ? "';base64' in the data URI must be lower case."
+                      : "';base64' must be directly before the comma of the data URI."};
   }
   return Error{
-      fmt::format("The data URI's parameter {} has no value; parameters look like "
-                  "';charset=utf-8', the encoding like ';base64'.",
+      fmt::format("The parameter {} of the data URI has no value; it must have the form "
+                  "';charset=utf-8', or be ';base64'.",
                   quoted(part))};
 }
 
 }  // namespace
 
 Result<DataUri> split_data_uri(std::string_view uri) {
-  if (!has_data_scheme(uri)) return Error{"This is no data URI: it does not begin with 'data:'."};
+  if (!has_data_scheme(uri)) return Error{"The data URI does not start with 'data:'."};
   const std::string_view content = uri.substr(kDataScheme.size());
   const std::size_t comma = content.find(',');
   if (comma == std::string_view::npos) {
-    return Error{"The data URI has no comma, which separates the media type from the data."};
+    return Error{"The data URI has no comma between the media type and the data."};
   }
   DataUri out;
   out.payload = content.substr(comma + 1);
@@ -54,8 +54,8 @@ Result<DataUri> split_data_uri(std::string_view uri) {
   bool more = rest.find(';') != std::string_view::npos;
   const std::string_view type = next_part(rest);
   if (!type.empty() && type.find('/') == std::string_view::npos) {
-    return Error{fmt::format("{} is no media type; one looks like 'application/octet-stream'.",
-                             quoted(type))};
+    return Error{
+        fmt::format("{} is not a media type, such as 'application/octet-stream'.", quoted(type))};
   }
   out.media_type = type.empty() ? "text/plain" : lower_case(type);
   while (more) {
@@ -70,8 +70,8 @@ Result<std::string> decode_payload(const DataUri& uri) {
   const std::size_t bad = find_bad_escape(uri.payload);
   if (bad != std::string_view::npos) {
     return Error{
-        fmt::format("Byte {} of the data is a '%' without two hexadecimal digits behind "
-                    "it; a percent sign itself is written '%25'.",
+        fmt::format("Byte {} of the data is a '%' without two hexadecimal digits after it; write a "
+                    "percent sign as '%25'.",
                     bad + 1)};
   }
   return percent_decode(uri.payload);

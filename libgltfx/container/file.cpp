@@ -81,9 +81,8 @@ Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length) {
     const ssize_t got = pread_again(fd, room.data() + done, room.size() - done, offset + done);
     if (got < 0) return copy_fault(fault_of_errno(errno), errno_text(errno));
     if (got == 0) {
-      return copy_fault(ResolveFault::truncated,
-                        fmt::format("it ended at byte {} where {} were expected", offset + done,
-                                    offset + length));
+      return copy_fault(ResolveFault::truncated, fmt::format("it ends at byte {}, expected {}",
+                                                             offset + done, offset + length));
     }
     done += static_cast<std::size_t>(got);
   }

@@ -12,8 +12,7 @@
 namespace gltfx::container::glb_fault {
 namespace {
 
-constexpr std::string_view kExportAgain =
-    "Export the file again; it was probably cut off while it was copied or written.";
+constexpr std::string_view kExportAgain = "export or copy the file again: it is probably truncated";
 
 /// Four bytes as the number they stand for, with their letters where they have some.
 std::string type_text(std::uint32_t type) {
@@ -37,31 +36,32 @@ std::string bytes_text(std::uint64_t count) {
 ContainerFault invalid_magic(std::uint32_t magic, std::string_view found) {
   return {
       Code::GLB_INVALID_MAGIC, 0,
-      fmt::format("The file begins with {} where a GLB has 0x46546c67 ('glTF').", type_text(magic)),
-      found.empty()
-          ? "Check that this is a GLB: the name ends in .glb, the content is something else."
-          : fmt::format("This is {}.", found)};
+      fmt::format("The magic of the file is {}; it must be 0x46546c67 ('glTF').", type_text(magic)),
+      found.empty() ? "export the file again: the name ends in .glb, but the content is not a GLB"
+                    : fmt::format("export the file again: it is {}", found)};
 }
 
 ContainerFault invalid_version(std::uint32_t version) {
   return {Code::GLB_INVALID_VERSION, 4,
-          fmt::format("The header says GLB version {}, only version 2 is known.", version),
-          version == 1 ? "Convert the asset from glTF 1.0 to 2.0, or export it again as glTF 2.0."
-                       : "Export the asset again as glTF 2.0."};
+          fmt::format("The GLB version is {}; it must be 2.", version),
+          version == 1 ? "convert the asset from glTF 1.0 to 2.0, or export it again as glTF 2.0"
+                       : "export the asset again as glTF 2.0"};
 }
 
 ContainerFault length_too_small(std::uint32_t declared) {
   return {Code::GLB_LENGTH_TOO_SMALL, 8,
-          fmt::format("The header says the file has {}; header and JSON chunk alone take more.",
+          fmt::format("The file length in the header is {}, which is too small for the header and "
+                      "a JSON chunk.",
                       bytes_text(declared)),
-          "Write the length of the whole file, header included, to byte 8."};
+          "write the length of the whole file, including the header, to byte 8"};
 }
 
 ContainerFault length_mismatch(std::uint32_t declared, std::uint64_t actual) {
   return {Code::GLB_LENGTH_MISMATCH, actual,
-          fmt::format("The header says the file has {}, it has {}.", bytes_text(declared), actual),
+          fmt::format("The file length in the header is {}, but the file has {}.",
+                      bytes_text(declared), actual),
           declared > actual ? std::string(kExportAgain)
-                            : std::string("Write the real length of the file to byte 8.")};
+                            : std::string("write the actual length of the file to byte 8")};
 }
 
 ContainerFault end_of_header(std::uint64_t actual) {
@@ -73,14 +73,14 @@ ContainerFault end_of_header(std::uint64_t actual) {
 
 ContainerFault extra_data(std::uint32_t declared, std::uint64_t actual) {
   return {Code::GLB_EXTRA_DATA, declared,
-          fmt::format("The header says the file has {}, but {} more follow; they are ignored.",
+          fmt::format("The file length in the header is {}, but {} more follow, which are ignored.",
                       bytes_text(declared), actual - declared),
-          "Remove what follows the last chunk, or count it in the length at byte 8."};
+          "remove the data after the last chunk, or correct the length at byte 8"};
 }
 
 ContainerFault end_of_chunk_header(std::uint64_t header_offset, std::uint64_t actual) {
   return {Code::GLB_UNEXPECTED_END_OF_CHUNK_HEADER, actual,
-          fmt::format("The file ends {} into the chunk header at byte {}, which takes 8.",
+          fmt::format("The file ends after {} of the chunk header at byte {}, which takes 8 bytes.",
                       bytes_text(actual - header_offset), header_offset),
           std::string(kExportAgain)};
 }
@@ -88,72 +88,72 @@ ContainerFault end_of_chunk_header(std::uint64_t header_offset, std::uint64_t ac
 ContainerFault end_of_chunk_data(const Chunk& chunk, std::uint32_t declared, std::uint64_t actual) {
   return {
       Code::GLB_UNEXPECTED_END_OF_CHUNK_DATA, actual,
-      fmt::format("The chunk {} at byte {} should have {} of data, the file ends after {}.",
+      fmt::format("The length of chunk {} at byte {} is {}, but the file ends after {} of them.",
                   type_text(chunk.type), chunk.header_offset, bytes_text(declared), chunk.length),
       std::string(kExportAgain)};
 }
 
 ContainerFault too_many_chunks(std::uint64_t offset, std::uint64_t actual) {
   return {Code::GLB_TOO_MANY_CHUNKS, offset,
-          fmt::format("The file has more than {} chunks; the last {} are not looked at.",
-                      kMaxChunks, bytes_text(actual - offset)),
-          "Store an asset as one JSON chunk and at most one BIN chunk."};
+          fmt::format("The file has more than {} chunks; the last {} are not checked.", kMaxChunks,
+                      bytes_text(actual - offset)),
+          "remove all chunks except JSON and BIN"};
 }
 
 ContainerFault chunk_unaligned(const Chunk& chunk, std::uint32_t length) {
   const unsigned padding = 4U - length % 4U;
   return {
       Code::GLB_CHUNK_LENGTH_UNALIGNED, chunk.header_offset,
-      fmt::format("The chunk {} has {}, which is no multiple of 4.", type_text(chunk.type),
-                  bytes_text(length)),
-      fmt::format("Pad the chunk with {} ({}) and count them in its length.", bytes_text(padding),
+      fmt::format("The length of chunk {} is {}, which is not a multiple of 4.",
+                  type_text(chunk.type), bytes_text(length)),
+      fmt::format("pad the chunk with {} ({}) and include them in its length", bytes_text(padding),
                   chunk.type == kChunkJson ? "spaces for JSON" : "zeros for binary data")};
 }
 
 ContainerFault chunk_too_big(const Chunk& chunk, std::uint32_t length, std::uint32_t declared) {
-  return {Code::GLB_CHUNK_TOO_BIG, chunk.header_offset,
-          fmt::format("The chunk {} of {} ends at byte {}, beyond the {} that the header gives the "
-                      "file.",
-                      type_text(chunk.type), bytes_text(length), chunk.offset + length, declared),
-          "Correct the length of the chunk, or the length of the file at byte 8."};
+  return {
+      Code::GLB_CHUNK_TOO_BIG, chunk.header_offset,
+      fmt::format("The chunk {} of {} ends at byte {}, but the file length in the header is {}.",
+                  type_text(chunk.type), bytes_text(length), chunk.offset + length, declared),
+      "correct the length of the chunk, or the file length at byte 8"};
 }
 
 ContainerFault unexpected_first(const Chunk& chunk) {
   return {
       Code::GLB_UNEXPECTED_FIRST_CHUNK, chunk.header_offset,
-      fmt::format("The first chunk is {}, it must be 0x4e4f534a ('JSON').", type_text(chunk.type)),
-      "Put the JSON chunk first."};
+      fmt::format("The first chunk is {}; it must be 0x4e4f534a ('JSON').", type_text(chunk.type)),
+      "write the JSON chunk first"};
 }
 
 ContainerFault unexpected_bin(const Chunk& chunk, std::size_t position) {
-  return {Code::GLB_UNEXPECTED_BIN_CHUNK, chunk.header_offset,
-          fmt::format("The BIN chunk is chunk {}, it must be chunk 2, right behind the JSON chunk.",
-                      position),
-          "Move the BIN chunk behind the JSON chunk and other chunks behind both."};
+  return {
+      Code::GLB_UNEXPECTED_BIN_CHUNK, chunk.header_offset,
+      fmt::format("The BIN chunk is chunk {}; it must be chunk 2, directly after the JSON chunk.",
+                  position),
+      "move the BIN chunk directly after the JSON chunk"};
 }
 
 ContainerFault empty_json(const Chunk& chunk) {
   return {Code::GLB_EMPTY_CHUNK, chunk.header_offset,
-          fmt::format("The chunk {} has no data.", type_text(chunk.type)),
-          "Write the asset's JSON into it; the least is {\"asset\":{\"version\":\"2.0\"}}."};
+          fmt::format("The chunk {} is empty.", type_text(chunk.type)),
+          "write the JSON of the asset to it, at least {\"asset\":{\"version\":\"2.0\"}}"};
 }
 
 ContainerFault empty_bin(const Chunk& chunk) {
-  return {Code::GLB_EMPTY_BIN_CHUNK, chunk.header_offset, "The BIN chunk has no data.",
-          "Leave the chunk out."};
+  return {Code::GLB_EMPTY_BIN_CHUNK, chunk.header_offset, "The BIN chunk is empty.",
+          "remove the chunk"};
 }
 
 ContainerFault duplicate(const Chunk& chunk) {
   return {Code::GLB_DUPLICATE_CHUNK, chunk.header_offset,
-          fmt::format("This is not the first chunk {}; it is ignored.", type_text(chunk.type)),
-          "Keep one chunk of each type."};
+          fmt::format("The chunk {} is a duplicate, which is ignored.", type_text(chunk.type)),
+          "keep one chunk of each type"};
 }
 
 ContainerFault unknown_type(const Chunk& chunk) {
-  return {
-      Code::GLB_UNKNOWN_CHUNK_TYPE, chunk.header_offset,
-      fmt::format("The chunk type {} is not known; the chunk is ignored.", type_text(chunk.type)),
-      "Store data in buffers; other readers skip chunks that are neither JSON nor BIN."};
+  return {Code::GLB_UNKNOWN_CHUNK_TYPE, chunk.header_offset,
+          fmt::format("The chunk type {} is unknown; the chunk is ignored.", type_text(chunk.type)),
+          "store the data in a buffer: loaders skip unknown chunks"};
 }
 
 }  // namespace gltfx::container::glb_fault

@@ -17,27 +17,27 @@ constexpr std::size_t kShownPath = 200;
 struct Wording {
   ResolveFault fault;
   std::string_view statement;  ///< follows the path
-  std::string_view remedy;
+  std::string_view help;
 };
 
 constexpr std::array kWordings{
     Wording{ResolveFault::none, "can be read", ""},
     Wording{ResolveFault::not_found, "does not exist",
-            "Check the spelling, upper and lower case included, and that the file was shipped."},
-    Wording{ResolveFault::outside_root, "lies outside the folder that may be read",
-            "Move the file into the asset's folder, or name a common parent folder with --root."},
+            "correct the path, including upper and lower case, or add the file"},
+    Wording{ResolveFault::outside_root, "is outside the folder of the asset",
+            "move the file to the folder of the asset, or set a common parent folder with --root"},
     Wording{ResolveFault::not_regular, "is not a regular file",
-            "Name a file; folders, pipes, sockets and devices are not read."},
-    Wording{ResolveFault::no_permission, "may not be read",
-            "Give yourself permission to read it, and to enter the folders above it."},
-    Wording{ResolveFault::no_root, "is not looked up, because standard input has no folder",
-            "Name the folder that external files lie in with --root, or pass the asset by path."},
+            "use a regular file, not a folder, pipe, socket or device"},
+    Wording{ResolveFault::no_permission, "cannot be read: permission denied",
+            "grant read permission for the file and its folders"},
+    Wording{ResolveFault::no_root, "is not checked because standard input has no folder",
+            "set the folder of external files with --root, or pass the asset as a path"},
     Wording{ResolveFault::io_error, "cannot be read",
-            "Check the disk or network share it lies on and try again."},
+            "check the disk or network share and try again"},
     Wording{ResolveFault::truncated, "became shorter while it was read",
-            "Wait until whatever writes the file has finished and try again."},
-    Wording{ResolveFault::too_large, "is too large to be read",
-            "Raise the size limit or free memory, or split the file."},
+            "try again when the file is complete"},
+    Wording{ResolveFault::too_large, "is too large",
+            "raise the size limit, free memory, or split the file"},
 };
 
 constexpr bool in_order() {
@@ -85,6 +85,6 @@ std::string describe(ResolveFault fault, std::string_view path, std::string_view
   return fmt::format("{} {}: {}.", name, wording(fault).statement, printable(problem));
 }
 
-std::string_view remedy(ResolveFault fault) { return wording(fault).remedy; }
+std::string_view help(ResolveFault fault) { return wording(fault).help; }
 
 }  // namespace gltfx::container

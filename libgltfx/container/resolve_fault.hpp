@@ -32,6 +32,6 @@ std::string errno_text(int error);
 std::string describe(ResolveFault fault, std::string_view path, std::string_view problem = {});
 
 /// What to do about it, one sentence; empty for `none`.
-std::string_view remedy(ResolveFault fault);
+std::string_view help(ResolveFault fault);
 
 }  // namespace gltfx::container

@@ -51,15 +51,14 @@ Result<Bytes> read_stream(int fd, std::uint64_t max_bytes) {
     if (got == 0) return Bytes::from_string(std::move(text));
     const auto length = static_cast<std::size_t>(got);
     if (length > max_bytes - text.size()) {
-      return Error{
-          fmt::format("The stream has more than {} bytes, the most that is read; pass the "
-                      "asset by path or raise the limit.",
-                      max_bytes)};
+      return Error{fmt::format(
+          "The stream exceeds the limit of {} bytes; pass the asset as a path or raise the limit.",
+          max_bytes)};
     }
     if (!append(text, piece->data(), length)) {
       return Error{
-          fmt::format("There is not enough memory for the stream: {} bytes were read so far; pass "
-                      "the asset by path.",
+          fmt::format("There is not enough memory for the stream ({} bytes read so far); pass the "
+                      "asset as a path.",
                       text.size())};
     }
   }

@@ -106,8 +106,8 @@ std::string find_problem(std::string_view uri) {
     const bool escape = is_escape(uri, i);
     if (c == '%' && !escape) {
       return fmt::format(
-          "has a '%' at byte {} without two hexadecimal digits behind it; a percent "
-          "sign itself is written '%25'",
+          "has a '%' at byte {} without two hexadecimal digits after it; write a percent sign as "
+          "'%25'",
           i);
     }
     if (is_control(c)) {
@@ -119,7 +119,7 @@ std::string find_problem(std::string_view uri) {
                          quoted(uri.substr(i, 3)), i);
     }
     if (c == '\\') {
-      return fmt::format("has a backslash at byte {}; folders are separated by '/'", i);
+      return fmt::format("has a backslash at byte {}; use '/'", i);
     }
   }
   return {};
@@ -132,15 +132,13 @@ std::size_t scheme_end(std::string_view uri) {
 }
 
 std::string scheme_problem(std::string_view scheme) {
-  if (scheme.empty()) return "has a ':' at byte 0 with no scheme before it";
+  if (scheme.empty()) return "starts with ':'";
   const auto allowed = [](char c) {
     return is_alpha(c) || is_digit(c) || c == '+' || c == '-' || c == '.';
   };
   if (is_alpha(scheme.front()) && std::all_of(scheme.begin(), scheme.end(), allowed)) return {};
-  return fmt::format(
-      "has a ':' in its first segment, and {} before it is no scheme; a ':' in a "
-      "file's name is written '%3A'",
-      quoted(scheme));
+  return fmt::format("has the invalid scheme {}; write a ':' in a file name as '%3A'",
+                     quoted(scheme));
 }
 
 Uri absolute(std::string_view uri, std::size_t scheme) {

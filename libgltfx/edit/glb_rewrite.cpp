@@ -108,7 +108,7 @@ Result<Pieces> rewrite_glb(const container::Container& container, std::string_vi
   const std::size_t uncounted = container.bytes.size() - end;
   const std::uint64_t total = kHeader + kChunkHeader + std::uint64_t{padded(json.size())} +
                               rest.before.size() + added + rest.behind.size() - uncounted;
-  if (total > UINT32_MAX) return Error{"the new file would be longer than a GLB can be (4 GiB)"};
+  if (total > UINT32_MAX) return Error{"the new file exceeds the maximum size of a GLB (4 GiB)"};
   std::string head(container.bytes.text().substr(0, kHeader - 4));  // magic and version
   append_little_endian(head, total);
   head += chunk_header(container::kChunkJson, padded(json.size()));

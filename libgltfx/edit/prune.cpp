@@ -82,7 +82,7 @@ class Pruner {
  private:
   std::string find_obstacle() {
     if (!references_.unknown_extension().empty()) {
-      return fmt::format("{} is not known and may hold indices",
+      return fmt::format("{} is unknown and may contain indices",
                          gltfx::quoted(references_.unknown_extension()));
     }
     const std::string extras = index_in_extras(document_);
@@ -90,7 +90,7 @@ class Pruner {
     for (const PointerUse& use : pointers_.all()) {
       const auto gone = orphans_.find(use.steps[0]);
       if (gone == orphans_.end() || gone->second.empty() || !Pointers::is_template(use)) continue;
-      return "a pointer names its target at run time";
+      return "the target of a pointer is set at run time";
     }
     return {};
   }

@@ -75,7 +75,7 @@ void read_quantisation(Cursor at, Jpeg& jpeg) {
     const std::uint32_t precision = kind >> 4U, id = kind & 0x0FU;
     at.skip(precision == 0 ? 64 : 128);
     if (precision > 1 || id > 3 || !at.ok()) {
-      return jpeg.refuse("A quantisation table of the JPEG is damaged.");
+      return jpeg.refuse("The JPEG has an invalid quantization table.");
     }
     jpeg.quantisation[id] = true;
   }
@@ -107,7 +107,7 @@ void read_huffman(Cursor at, Jpeg& jpeg) {
       symbols = (at.u8() <= 15 || table_class != 0) && symbols;
     if (table_class > 1 || id > 3 || sum > 256 || !at.ok() || !is_prefix_code(counts, sum) ||
         !symbols) {
-      return jpeg.refuse("A Huffman table of the JPEG is damaged.");
+      return jpeg.refuse("The JPEG has an invalid Huffman table.");
     }
     (table_class == 0 ? jpeg.dc : jpeg.ac)[id] = true;
   }
@@ -129,16 +129,16 @@ bool is_arithmetic(std::uint8_t marker) { return marker == 0xC9 || marker == 0xC
 
 void check_process(Jpeg& jpeg) {
   const bool common = jpeg.process <= 0xC2 || is_arithmetic(jpeg.process);
-  if (!common) jpeg.refuse("The JPEG is lossless or hierarchical; readers know neither.");
+  if (!common) jpeg.refuse("The JPEG is lossless or hierarchical, which loaders do not support.");
   if (is_arithmetic(jpeg.process)) {
-    remark(jpeg.header, "The JPEG is coded arithmetically, which browsers do not decode.", true);
+    remark(jpeg.header, "The JPEG uses arithmetic coding, which browsers do not support.", true);
   }
 }
 
 void read_components(Cursor at, std::uint8_t count, std::uint16_t length, Jpeg& jpeg) {
   if (length != 8U + 3U * count) {
     return jpeg.refuse(fmt::format(
-        "The length of the frame header of the JPEG does not fit its {} components.", count));
+        "The length of the JPEG frame header does not match its {} components.", count));
   }
   for (std::uint8_t i = 0; i < count; ++i) {
     const std::uint8_t id = at.u8(), sampling = at.u8(), table = at.u8();
@@ -146,9 +146,9 @@ void read_components(Cursor at, std::uint8_t count, std::uint16_t length, Jpeg& 
                               static_cast<std::uint8_t>(sampling & 0x0FU), table};
     const auto possible = [](std::uint8_t factor) { return factor >= 1 && factor <= 4; };
     if (!possible(component.across) || !possible(component.down)) {
-      jpeg.refuse("A sampling factor of the JPEG is not from 1 to 4.");
+      jpeg.refuse("The JPEG has a sampling factor that is not between 1 and 4.");
     }
-    if (table > 3) jpeg.refuse("A component of the JPEG names a quantisation table above 3.");
+    if (table > 3) jpeg.refuse("The JPEG has a component with a quantization table index above 3.");
     jpeg.components.push_back(component);
   }
 }
@@ -157,28 +157,29 @@ void read_components(Cursor at, std::uint8_t count, std::uint16_t length, Jpeg& 
 std::optional<HeaderFault> read_frame_header(Segment segment, Jpeg& jpeg) {
   Header& header = jpeg.header;
   Cursor& at = segment.content;
-  if (segment.length < 8) return invalid("The frame header of the JPEG is too short.");
+  if (segment.length < 8) return invalid("The JPEG frame header is too short.");
   header.bits = at.u8();
   header.height = at.be16();
   header.width = at.be16();
   const std::uint8_t components = at.u8();
   if (components != 1 && components != 3) {
-    return invalid("The JPEG has neither one nor three channels.");
+    return invalid(fmt::format("The JPEG has {} channels{}; it must have 1 or 3.", components,
+                               components == 4 ? " (CMYK)" : ""));
   }
   jpeg.process = segment.marker;
   header.channels = components == 1 ? Channels::luminance : Channels::rgb;
   header.grey = components == 1;
   header.interlaced = is_progressive(segment.marker);
   if (header.width == 0) {
-    doubt(header, "The JPEG has no pixels.");
+    doubt(header, "The JPEG has a width or height of 0.");
   } else if (header.height == 0) {
-    doubt(
-        header,
-        "The frame header of the JPEG gives no height, and readers do not look for it elsewhere.");
+    doubt(header,
+          "The JPEG frame header has a height of 0, and loaders do not read it from elsewhere.");
   }
   check_process(jpeg);
   if (header.bits != 8) {
-    jpeg.refuse(fmt::format("The JPEG has {} bits a channel; readers decode 8.", header.bits));
+    jpeg.refuse(
+        fmt::format("The JPEG has {} bits per channel; loaders only support 8.", header.bits));
   }
   read_components(at, components, segment.length, jpeg);
   return std::nullopt;
@@ -190,14 +191,14 @@ std::optional<HeaderFault> read_frame_header(Segment segment, Jpeg& jpeg) {
 void check_scan_component(const Component& component, std::uint8_t tables, bool dc, bool ac,
                           Jpeg& jpeg) {
   if (component.table <= 3 && !jpeg.quantisation[component.table]) {
-    jpeg.refuse("The JPEG lacks a quantisation table that its first scan uses.");
+    jpeg.refuse("The first scan of the JPEG uses a missing quantization table.");
   }
   if (is_arithmetic(jpeg.process)) return;
   const std::uint32_t dc_table = tables >> 4U, ac_table = tables & 0x0FU;
   if (dc_table > 3 || ac_table > 3) {
-    jpeg.refuse("The first scan of the JPEG names a Huffman table above 3.");
+    jpeg.refuse("The first scan of the JPEG has a Huffman table index above 3.");
   } else if ((dc && !jpeg.dc[dc_table]) || (ac && !jpeg.ac[ac_table])) {
-    remark(jpeg.header, "The JPEG lacks a Huffman table that its first scan uses.", true);
+    remark(jpeg.header, "The first scan of the JPEG uses a missing Huffman table.", true);
   }
 }
 
@@ -207,14 +208,14 @@ void check_band(const std::array<std::uint8_t, 3>& band, std::uint8_t components
   const std::uint32_t high = band[2] >> 4U, low = band[2] & 0x0FU;
   if (!is_progressive(jpeg.process)) {
     if (first != 0 || last != 63 || band[2] != 0) {
-      remark(jpeg.header, "The scan of the JPEG does not hold all coefficients.", true);
+      remark(jpeg.header, "The scan of the JPEG does not have all coefficients.", true);
     }
     return;
   }
   const bool dc_alone = first == 0 && last == 0;
   const bool ac_alone = first > 0 && first <= last && last <= 63 && components == 1;
   if ((!dc_alone && !ac_alone) || low > 13 || (high != 0 && low + 1 != high)) {
-    jpeg.refuse("The first scan of the JPEG holds coefficients that do not go together.");
+    jpeg.refuse("The first scan of the JPEG has an invalid range of coefficients.");
   }
 }
 
@@ -222,7 +223,7 @@ void check_scan(Segment segment, Jpeg& jpeg) {
   Cursor& at = segment.content;
   const std::uint8_t count = at.u8();
   if (count < 1 || count > jpeg.components.size() || segment.length != 6U + 2U * count) {
-    return jpeg.refuse("The header of the JPEG's first scan is damaged.");
+    return jpeg.refuse("The first scan of the JPEG has an invalid header.");
   }
   Cursor behind = at;
   behind.skip(2U * count);
@@ -234,7 +235,7 @@ void check_scan(Segment segment, Jpeg& jpeg) {
     const auto found = std::find_if(jpeg.components.begin(), jpeg.components.end(),
                                     [id](const Component& each) { return each.id == id; });
     if (found == jpeg.components.end()) {
-      return jpeg.refuse("The first scan of the JPEG names a component that does not exist.");
+      return jpeg.refuse("The first scan of the JPEG uses a missing component.");
     }
     check_scan_component(*found, tables, !progressive || band[0] == 0, !progressive || band[0] != 0,
                          jpeg);
@@ -243,7 +244,7 @@ void check_scan(Segment segment, Jpeg& jpeg) {
   constexpr std::uint32_t kMaxBlocks = 10;
   if (count > 1 && blocks > kMaxBlocks) {
     jpeg.refuse(fmt::format(
-        "The sampling factors of the JPEG add up to {} blocks; 10 are possible.", blocks));
+        "The sampling factors of the JPEG sum to {} blocks; at most 10 are allowed.", blocks));
   }
   check_band(band, count, jpeg);
 }

@@ -37,22 +37,22 @@ void check_fields(Ktx2Reading& reading) {
     reading.fault(Code::KTX2_HEADER_INVALID, std::move(problem));
   };
   if (file.width == 0) bad("pixelWidth is 0.");
-  if (file.depth != 0 && file.height == 0) bad("pixelDepth is given without pixelHeight.");
+  if (file.depth != 0 && file.height == 0) bad("pixelDepth is not 0, but pixelHeight is 0.");
   if (file.faces != 1 && file.faces != 6) {
-    bad("faceCount is " + std::to_string(file.faces) + ", but only 1 and 6 exist.");
+    bad("faceCount is " + std::to_string(file.faces) + "; it must be 1 or 6.");
   }
   if (file.faces == 6 && (file.width != file.height || file.depth != 0)) {
-    bad("The faces of the cube are not square.");
+    bad("The faces of the cube map are not square.");
   }
   if (file.level_count > file.full_pyramid()) {
     bad("levelCount is " + std::to_string(file.level_count) + ", but " +
         std::to_string(file.full_pyramid()) + " levels lead down to one texel.");
   }
-  if (file.vk_format == 0 && file.type_size != 1) bad("typeSize must be 1 without a vkFormat.");
+  if (file.vk_format == 0 && file.type_size != 1) bad("typeSize must be 1 if vkFormat is 0.");
   constexpr std::uint32_t kFirstVendor = 0x10000;
   constexpr std::uint32_t kLastVendor = 0x1FFFF;
   if (file.scheme > 3 && (file.scheme < kFirstVendor || file.scheme > kLastVendor)) {
-    bad("supercompressionScheme " + std::to_string(file.scheme) + " does not exist.");
+    bad("supercompressionScheme " + std::to_string(file.scheme) + " is unknown.");
   }
 }
 
@@ -63,12 +63,13 @@ Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
     reading.fault(Code::KTX2_INDEX_INVALID, std::string(name) + std::move(problem));
     return Ktx2Range();
   };
-  if (range.length == 0) return range.offset == 0 ? range : bad(" has an offset but no bytes.");
+  if (range.length == 0)
+    return range.offset == 0 ? range : bad(" has an offset, but a length of 0.");
   if (!fits(range.offset, range.length, reading.bytes.size())) {
-    return bad(" lies outside the file.");
+    return bad(" is outside the file.");
   }
   if (range.offset % alignment != 0) {
-    return bad(" does not begin at a multiple of " + std::to_string(alignment) + ".");
+    return bad(" has an offset that is not a multiple of " + std::to_string(alignment) + ".");
   }
   return range;
 }
@@ -81,17 +82,17 @@ void check_gaps(Ktx2Reading& reading, std::uint64_t index_end) {
   };
   if (reading.descriptor.length == 0 || !reading.file.faults.empty()) return;
   if (reading.descriptor.offset != index_end) {
-    bad("The data format descriptor does not follow the level index immediately.");
+    bad("The data format descriptor is not directly after the level index.");
   }
   std::uint64_t end = reading.descriptor.end();
   if (reading.metadata.length != 0) {
     if (reading.metadata.offset != end) {
-      bad("The metadata do not follow the data format descriptor immediately.");
+      bad("The metadata is not directly after the data format descriptor.");
     }
     end = reading.metadata.end();
   }
   if (reading.global.length != 0 && reading.global.offset != (end + 7) / 8 * 8) {
-    bad("The supercompression global data do not follow the metadata immediately.");
+    bad("The supercompression global data is not directly after the metadata.");
   }
 }
 
@@ -165,7 +166,7 @@ Ktx2 read_ktx2(std::span<const std::byte> bytes) {
   if (bytes.size() < kKtx2HeaderBytes) {
     reading.fault(
         Code::IMAGE_UNEXPECTED_EOS,
-        "The image ends after " + std::to_string(bytes.size()) + " bytes, before its header does.");
+        "The image ends after " + std::to_string(bytes.size()) + " bytes, inside its header.");
     return file;
   }
   read_fields(at, file);

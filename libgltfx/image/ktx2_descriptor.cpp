@@ -91,7 +91,7 @@ void check_universal_blocks(Ktx2Reading& reading) {
   const bool etc1s = file.model == Ktx2Model::etc1s;
   if (!etc1s && file.model != Ktx2Model::uastc) return;
   if (file.block != std::array<std::uint8_t, 4>{3, 3, 0, 0}) {
-    reading.fault(Code::KTX2_DESCRIPTOR_INVALID, "The texel blocks are not 4 by 4.");
+    reading.fault(Code::KTX2_DESCRIPTOR_INVALID, "The texel blocks are not 4x4.");
   }
   const std::uint32_t bytes = etc1s ? 8 : 16;
   std::uint32_t offset = 0;
@@ -99,7 +99,7 @@ void check_universal_blocks(Ktx2Reading& reading) {
     if (sample.offset != offset || sample.bits != bytes * 8) {
       return reading.tolerated_fault(
           Code::KTX2_DESCRIPTOR_INVALID,
-          fmt::format("The samples are not {} bits each, one after another.", bytes * 8));
+          fmt::format("The samples are not {} contiguous bits each.", bytes * 8));
     }
     offset += sample.bits;
   }
@@ -107,7 +107,7 @@ void check_universal_blocks(Ktx2Reading& reading) {
   if (plane != bytes && (plane != 0 || reading.has_scheme(Ktx2Scheme::none))) {
     reading.tolerated_fault(
         Code::KTX2_DESCRIPTOR_INVALID,
-        fmt::format("bytesPlane0 is {}; a texel block has {} bytes.", plane, bytes));
+        fmt::format("bytesPlane0 is {}; it must be {}, the size of a texel block.", plane, bytes));
   }
 }
 
@@ -132,7 +132,7 @@ void check_value(std::string_view key, std::string_view value, Ktx2Reading& read
       key == "KTXglFormat" || key == "KTXdxgiFormat__" || key == "KTXmetalPixelFormat";
   if (mapping && reading.file.vk_format != 0) {
     reading.tolerated_fault(Code::KTX2_METADATA_INVALID,
-                            fmt::format("{} is only allowed where vkFormat is 0.", key));
+                            fmt::format("{} is only allowed if vkFormat is 0.", key));
   }
   if (key == "KTXastcDecodeMode" && value != "rgb9e5" && value != "unorm8") {
     reading.tolerated_fault(Code::KTX2_METADATA_INVALID,
@@ -153,15 +153,15 @@ void read_ktx2_descriptor(Ktx2Reading& reading) {
     const bool told = std::any_of(file.faults.begin(), file.faults.end(), [](const auto& fault) {
       return fault.code == Code::KTX2_INDEX_INVALID;
     });
-    if (!told) bad("There is no data format descriptor.");
+    if (!told) bad("The image has no data format descriptor.");
     return;
   }
   Cursor at = reading.within(range);
   const std::uint32_t total = at.le32();
-  if (total != range.length) bad("The data format descriptor has another length than it says.");
+  if (total != range.length) bad("The data format descriptor has the wrong length.");
   std::uint64_t size = 0;
   if (range.length < 4 + kBlockHeaderBytes || !is_basic_block(at, range.length - 4, size)) {
-    bad("The data format descriptor does not begin with a basic block.");
+    bad("The data format descriptor does not start with a basic block.");
     return;
   }
   reading.color_model = at.u8();
@@ -187,13 +187,13 @@ void read_ktx2_metadata(Ktx2Reading& reading) {
   while (at.left() > 0) {
     const std::uint64_t length = at.le32();
     const std::uint64_t begin = reading.metadata.offset + at.position();
-    if (!at.ok() || length > at.left()) return bad("An entry is longer than the metadata.");
+    if (!at.ok() || length > at.left()) return bad("A metadata entry exceeds the metadata.");
     const std::string_view entry = text_at(reading, begin, length);
     const std::size_t end = entry.find('\0');
-    if (end == std::string_view::npos || end == 0) return bad("An entry has no key.");
+    if (end == std::string_view::npos || end == 0) return bad("A metadata entry has no key.");
     const std::string_view key = entry.substr(0, end);
     if (!before.empty() && key <= before) {
-      return bad("The keys are not sorted, or one is repeated.");
+      return bad("The metadata keys are not sorted or not unique.");
     }
     before = key;
     const std::string_view value = entry.substr(end + 1);
@@ -204,7 +204,7 @@ void read_ktx2_metadata(Ktx2Reading& reading) {
   }
   if (reading.metadata.length % 4 != 0) {
     reading.tolerated_fault(Code::KTX2_METADATA_INVALID,
-                            "The metadata do not end with the padding of their last entry.");
+                            "The metadata does not end with the padding of its last entry.");
   }
 }
 

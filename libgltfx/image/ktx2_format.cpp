@@ -163,13 +163,13 @@ class FormatCheck {
   void check() {
     const Ktx2& file = reading_.file;
     if (const std::uint32_t size = type_size(format_); file.type_size != size) {
-      reading_.fault(Code::KTX2_HEADER_INVALID, fmt::format("typeSize is {}; for {} it is {}.",
+      reading_.fault(Code::KTX2_HEADER_INVALID, fmt::format("typeSize is {}; for {} it must be {}.",
                                                             file.type_size, format_.name(), size));
     }
     const Blocks blocks = blocks_of(format_);
     if (reading_.color_model != blocks.model) {
-      return bad(fmt::format("colorModel of the descriptor is {} instead of {}",
-                             model_text(reading_), blocks.model));
+      return bad(fmt::format("colorModel of the descriptor is {}, not {}", model_text(reading_),
+                             blocks.model));
     }
     if (!is_combined(format_)) check_blocks(blocks);
     check_samples();
@@ -190,7 +190,7 @@ class FormatCheck {
     const std::array<std::uint8_t, 4>& block = reading_.file.block;
     const std::uint32_t width = block[0] + 1U, height = block[1] + 1U;
     if (width != blocks.width || height != blocks.height || block[2] != 0 || block[3] != 0) {
-      return bad(fmt::format("the texel blocks of the descriptor are {} by {}", width, height));
+      return bad(fmt::format("the texel blocks of the descriptor are {}x{}", width, height));
     }
     const std::uint32_t bytes = reading_.plane_bytes[0];
     if (bytes != blocks.bytes && (bytes != 0 || reading_.has_scheme(Ktx2Scheme::none))) {
@@ -203,7 +203,7 @@ class FormatCheck {
     const std::vector<Ktx2Sample>& samples = reading_.samples;
     if (format_.layout.starts_with("ASTC_")) {
       const bool one = samples.size() == 1 && samples[0].channel == 0 && samples[0].bits == 128;
-      if (!one) return bad("the descriptor has not one sample of 128 bits");
+      if (!one) return bad("the descriptor does not have one sample of 128 bits");
     } else if (!format_.block) {
       std::vector<Part> wanted = parts_of(format_.layout), found = parts_of(samples);
       std::erase_if(wanted, [](const Part& part) { return part.letter == 'X'; });
@@ -233,17 +233,17 @@ class FormatCheck {
     const Ktx2& file = reading_.file;
     const bool declared = file.transfer == kKtx2TransferSrgb;
     if (format_.is_srgb() && !declared) {
-      bad(fmt::format("the transfer function of the descriptor is {}, not that of sRGB",
-                      file.transfer));
+      bad(fmt::format("the transfer function of the descriptor is {}, not sRGB", file.transfer));
     } else if (declared && !format_.is_srgb() && format_.has_srgb_variant) {
-      reading_.tolerated_fault(Code::KTX2_FORMAT_MISMATCH,
-                               sentence("the transfer function of the descriptor is that of sRGB, "
-                                        "for which there is another vkFormat"));
+      reading_.tolerated_fault(
+          Code::KTX2_FORMAT_MISMATCH,
+          sentence(
+              "the transfer function of the descriptor is sRGB, which has a different vkFormat"));
     }
     const bool plain = format_.type.ends_with("INT") || is_depth_or_stencil(format_);
     if (plain && (file.transfer != 0 || file.primaries != 0)) {
       reading_.tolerated_fault(Code::KTX2_FORMAT_MISMATCH,
-                               sentence("the descriptor gives its numbers a colour space"));
+                               sentence("the descriptor declares a color space"));
     }
   }
 
@@ -261,16 +261,15 @@ void check_universal(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (file.vk_format != 0) {
     reading.fault(Code::KTX2_FORMAT_MISMATCH,
-                  fmt::format("vkFormat is {}, but colorModel of the descriptor is {}, for which "
-                              "it must be 0.",
+                  fmt::format("vkFormat is {}; for colorModel {} it must be 0.",
                               named(file.vk_format), model_text(reading)));
   }
   const bool vendor = file.scheme > static_cast<std::uint32_t>(Ktx2Scheme::zlib);
   const bool etc1s = file.model == Ktx2Model::etc1s;
   if (etc1s && !vendor && !reading.has_scheme(Ktx2Scheme::basis_lz)) {
-    reading.fault(
-        Code::KTX2_HEADER_INVALID,
-        fmt::format("supercompressionScheme is {}, but ETC1S needs 1, BasisLZ.", file.scheme));
+    reading.fault(Code::KTX2_HEADER_INVALID,
+                  fmt::format("supercompressionScheme is {}; for ETC1S it must be 1 (BasisLZ).",
+                              file.scheme));
   }
 }
 
@@ -286,7 +285,7 @@ void check_ktx2_format(Ktx2Reading& reading) {
   if (!file.described) return;
   if (reading.has_scheme(Ktx2Scheme::basis_lz) && file.model != Ktx2Model::etc1s) {
     reading.fault(Code::KTX2_HEADER_INVALID,
-                  "supercompressionScheme is 1, BasisLZ, but the descriptor does not say ETC1S.");
+                  "supercompressionScheme is 1 (BasisLZ), but colorModel is not ETC1S.");
   }
   if (file.model == Ktx2Model::etc1s || file.model == Ktx2Model::uastc) {
     return check_universal(reading);
@@ -294,10 +293,9 @@ void check_ktx2_format(Ktx2Reading& reading) {
   const auto format = vk_format(file.vk_format);
   if (format) return FormatCheck(reading, *format).check();
   if (file.vk_format == 0 && is_known_to_vulkan(reading.color_model)) {
-    reading.fault(Code::KTX2_FORMAT_MISMATCH,
-                  fmt::format("vkFormat is 0, but colorModel of the descriptor is {}, for which "
-                              "Vulkan has formats.",
-                              model_text(reading)));
+    reading.fault(
+        Code::KTX2_FORMAT_MISMATCH,
+        fmt::format("vkFormat is 0, but colorModel {} has a Vulkan format.", model_text(reading)));
   }
 }
 

@@ -59,13 +59,13 @@ class LevelCheck {
 
   void check(std::size_t index) {
     const Ktx2Level& level = file_.levels[index];
-    if (level.length == 0) return bad(index, "has no bytes.");
+    if (level.length == 0) return bad(index, "has a length of 0.");
     if (!fits(level.offset, level.length, reading_.bytes.size())) {
-      return bad(index, "lies outside the file.");
+      return bad(index, "is outside the file.");
     }
     const std::uint64_t behind = std::max(
         {reading_.descriptor.end(), reading_.metadata.end(), reading_.global.end(), index_end()});
-    if (level.offset < behind) return bad(index, "lies inside the header.");
+    if (level.offset < behind) return bad(index, "is inside the header.");
     check_alignment(index, level);
     check_order(index, level);
     check_length(index, level);
@@ -84,7 +84,7 @@ class LevelCheck {
   void check_alignment(std::size_t index, const Ktx2Level& level) {
     const std::uint64_t alignment = std::lcm(std::max<std::uint64_t>(block_size(reading_), 1), 4);
     if (reading_.has_scheme(Ktx2Scheme::none) && level.offset % alignment != 0) {
-      bad(index, "does not begin at a multiple of " + std::to_string(alignment) + '.');
+      bad(index, "has an offset that is not a multiple of " + std::to_string(alignment) + '.');
     }
   }
 
@@ -94,31 +94,32 @@ class LevelCheck {
     const Ktx2Level& larger = file_.levels[index - 1];
     if (fits(larger.offset, larger.length, reading_.bytes.size()) &&
         larger.offset < level.offset + level.length) {
-      bad(index, "does not lie before the larger one.");
+      bad(index, "is not before the next larger level.");
     }
   }
 
   void check_length(std::size_t index, const Ktx2Level& level) {
     if (reading_.has_scheme(Ktx2Scheme::basis_lz)) {
-      if (level.uncompressed != 0) bad(index, "has an uncompressed length; BasisLZ has none.");
+      if (level.uncompressed != 0)
+        bad(index, "has an uncompressed length; for BasisLZ it must be 0.");
       return;
     }
     if (reading_.has_scheme(Ktx2Scheme::none) && level.uncompressed != level.length) {
-      return bad(index, "has two lengths, but is not supercompressed.");
+      return bad(index, "has two different lengths, but is not supercompressed.");
     }
     const bool right = block_size(reading_) != 0
                            ? level_bytes(reading_, index) == level.uncompressed
                            : level.uncompressed % elements_of(file_) == 0;
     if (!right) {
       return bad(index, "has " + std::to_string(level.uncompressed) +
-                            " bytes, which its extents do not make.");
+                            " bytes, which does not match its dimensions.");
     }
     Cursor at = reading_.at(level.offset);
     if (reading_.has_scheme(Ktx2Scheme::zstd) && at.le32() != kZstdMagic) {
-      bad(index, "is no Zstandard frame.");
+      bad(index, "is not a Zstandard frame.");
     }
     if (reading_.has_scheme(Ktx2Scheme::zlib) && !is_zlib(at.be16())) {
-      bad(index, "is no ZLIB stream.");
+      bad(index, "is not a ZLIB stream.");
     }
   }
 
@@ -162,11 +163,11 @@ void check_images(Ktx2Reading& reading, Cursor at) {
         return reading.tolerated_fault(Code::KTX2_GLOBAL_DATA_INVALID,
                                        "The flags of image " + std::to_string(i) + " of level " +
                                            std::to_string(index) + " are " + std::to_string(flags) +
-                                           ", which is not possible.");
+                                           ", which is invalid.");
       }
       if (is_image_sound(at, file.levels[index], alpha)) continue;
       reading.fault(Code::KTX2_GLOBAL_DATA_INVALID,
-                    "The slices of level " + std::to_string(index) + " do not lie inside it.");
+                    "The slices of level " + std::to_string(index) + " are not inside it.");
       return;
     }
   }
@@ -177,10 +178,12 @@ void check_images(Ktx2Reading& reading, Cursor at) {
 void check_ktx2_levels(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (file.level_count == 0 && is_block_model(reading)) {
-    reading.fault(Code::KTX2_HEADER_INVALID, "levelCount is 0, but blocks cannot be scaled down.");
+    reading.fault(Code::KTX2_HEADER_INVALID,
+                  "levelCount is 0, but mipmaps cannot be generated for block-compressed data.");
   }
   if (file.height == 0 && is_block_model(reading)) {
-    reading.fault(Code::KTX2_HEADER_INVALID, "pixelHeight is 0, but blocks have a height.");
+    reading.fault(Code::KTX2_HEADER_INVALID,
+                  "pixelHeight is 0, which is not allowed for block-compressed data.");
   }
   LevelCheck check(reading);
   for (std::size_t i = 0; i < file.levels.size(); ++i) check.check(i);
@@ -193,10 +196,11 @@ void check_ktx2_global(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (!reading.has_scheme(Ktx2Scheme::basis_lz)) {
     const bool vendor = file.scheme > static_cast<std::uint32_t>(Ktx2Scheme::zlib);
-    if (reading.global.length != 0 && !vendor) bad("Only BasisLZ has global data.");
+    if (reading.global.length != 0 && !vendor)
+      bad("The image has global data, but no BasisLZ supercompression.");
     return;
   }
-  if (reading.global.length < kGlobalHeaderBytes) return bad("BasisLZ needs its global data.");
+  if (reading.global.length < kGlobalHeaderBytes) return bad("The BasisLZ global data is missing.");
   Cursor at = reading.within(reading.global);
   const std::uint32_t endpoints = at.le16(), selectors = at.le16();
   std::array<std::uint64_t, 4> lengths{};  // of endpoints, selectors, tables and extended data
@@ -206,12 +210,12 @@ void check_ktx2_global(Ktx2Reading& reading) {
   const Checked described = checked_mul(images.value_or(UINT64_MAX), kImageDescriptionBytes);
   const Checked total = described ? checked_add(*described, tables) : described;
   if (!total || *total != reading.global.length) {
-    return bad("The global data is not as long as its tables and images.");
+    return bad("The length of the global data does not match its tables and images.");
   }
   if (endpoints == 0 || selectors == 0 || lengths[0] == 0 || lengths[1] == 0 || lengths[2] == 0) {
-    return bad("A codebook or the tables of the global data are empty.");
+    return bad("The global data has an empty codebook or table.");
   }
-  if (lengths[3] != 0) bad("The global data have extended data, which ETC1S does not know.");
+  if (lengths[3] != 0) bad("The global data has extended data, which ETC1S does not use.");
   check_images(reading, at);
 }
 

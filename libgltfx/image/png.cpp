@@ -65,14 +65,14 @@ void check_depth(Header& header, std::uint8_t color_type) {
   constexpr Depths kOther{8 | 16, "8 or 16"};
   const Depths& depths = color_type == 0 ? kGrey : color_type == 3 ? kPalette : kOther;
   if (std::has_single_bit(header.bits) && (depths.bits & header.bits) != 0) return;
-  doubt(header, fmt::format("The bit depth of the PNG is {}, but colour type {} has {}.",
+  doubt(header, fmt::format("The bit depth of the PNG is {}; for color type {} it must be {}.",
                             header.bits, color_type, depths.text));
 }
 
 // Compression and filter have one method, interlacing two.
 void check_method(Header& header, std::string_view name, std::uint8_t method, std::uint8_t last) {
   if (method <= last) return;
-  doubt(header, fmt::format("The {} method of the PNG is {}, which does not exist.", name, method));
+  doubt(header, fmt::format("The {} method of the PNG is {}, which is unknown.", name, method));
 }
 
 void read_ihdr(Cursor at, Header& header) {
@@ -85,15 +85,15 @@ void read_ihdr(Cursor at, Header& header) {
   header.grey = color_type == 0 || color_type == 4;
   header.two_level = color_type == 0 && header.bits == 1;
   constexpr std::uint32_t kGreatest = 0x7FFFFFFF;
-  if (header.width == 0 || header.height == 0) doubt(header, "The PNG has no pixels.");
+  if (header.width == 0 || header.height == 0) doubt(header, "The PNG has a width or height of 0.");
   if (header.width > kGreatest || header.height > kGreatest) {
-    doubt(header, "The PNG has more than 2147483647 pixels in a row or column.");
+    doubt(header, "The PNG has a width or height above 2147483647.");
   }
   if (set_channels(header, color_type)) {
     check_depth(header, color_type);
   } else {
-    doubt(header, fmt::format("The colour type of the PNG is {}; only 0, 2, 3, 4 and 6 exist.",
-                              color_type));
+    doubt(header,
+          fmt::format("The color type of the PNG is {}; it must be 0, 2, 3, 4 or 6.", color_type));
   }
   check_method(header, "compression", compression, 0);
   check_method(header, "filter", filter, 0);
@@ -135,18 +135,18 @@ void check_palette(std::uint32_t length, Chunks& chunks) {
   const bool sound = length % 3 == 0 && entries != 0 && entries <= kMaxEntries;
   if (chunks.palette_entries != 0) doubt(header, "The PNG has two palettes.");
   if (!header.palette) {
-    if (header.grey) remark(header, "The PNG is grey, but has a palette.", false);
+    if (header.grey) remark(header, "The PNG is grayscale, but has a palette.", false);
     return;
   }
   if (!sound) {
     doubt(header,
           fmt::format(
-              "The palette of the PNG has {} bytes; 1 to 256 entries of 3 bytes are possible.",
+              "The palette of the PNG has {} bytes; it must have 1 to 256 entries of 3 bytes.",
               length));
   } else if (header.bits < 8 && entries > 1U << header.bits) {
     remark(header,
-           fmt::format("The palette of the PNG has {} entries, but {} bits reach only {}.", entries,
-                       header.bits, 1U << header.bits),
+           fmt::format("The palette of the PNG has {} entries; with {} bits it can have only {}.",
+                       entries, header.bits, 1U << header.bits),
            false);
   }
 }
@@ -170,19 +170,19 @@ void read_palette(Cursor at, std::uint32_t length, Chunks& chunks) {
 void check_transparency(std::uint32_t length, Chunks& chunks) {
   Header& header = chunks.header;
   if (has_alpha(header.channels)) {
-    return remark(header, "The PNG has a tRNS chunk beside its alpha channel.", true);
+    return remark(header, "The PNG has both a tRNS chunk and an alpha channel.", true);
   }
   if (chunks.transparency) return remark(header, "The PNG has two tRNS chunks.", true);
   if (header.palette && chunks.palette_entries == 0) {
-    return remark(header, "The tRNS chunk of the PNG stands before its palette.", true);
+    return remark(header, "The tRNS chunk of the PNG is before its palette.", true);
   }
   const std::uint32_t color = header.channels == Channels::rgb ? 6 : 2;
   const bool sound =
       header.palette ? length >= 1 && length <= chunks.palette_entries : length == color;
   if (sound) return;
   remark(header,
-         fmt::format("The tRNS chunk of the PNG has {} bytes instead of {}.", length,
-                     header.palette ? "one for each entry of the palette at most"
+         fmt::format("The tRNS chunk of the PNG has {} bytes; it must have {}.", length,
+                     header.palette ? "at most one per palette entry"
                      : color == 6   ? "6"
                                     : "2"),
          true);
@@ -204,13 +204,11 @@ void check_name(std::uint32_t type, Header& header) {
   for (int shift = 24; shift >= 0; shift -= 8) name += static_cast<char>(type >> shift & 0xFFU);
   const auto letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
   if (!std::all_of(name.begin(), name.end(), letter)) {
-    return doubt(header, "The name of a chunk of the PNG has other characters than letters.");
+    return doubt(header, "The PNG has a chunk type with characters other than letters.");
   }
   const bool known = type == tag("IHDR") || type == tag("PLTE");
   if (!known && name.front() <= 'Z') {
-    doubt(
-        header,
-        fmt::format("The PNG has a critical chunk '{}', which the format does not define.", name));
+    doubt(header, fmt::format("The PNG has the unknown critical chunk '{}'.", name));
   }
 }
 
@@ -271,7 +269,7 @@ void check_stream(Cursor at, std::uint32_t length, Header& header) {
   const bool sound = (method & 0x0FU) == 8 && method >> 4U <= 7 && (flags & 0x20U) == 0 &&
                      (method << 8U | flags) % 31 == 0;
   if (at.ok() && !sound) {
-    doubt(header, "The image data of the PNG do not begin as compressed data must.");
+    doubt(header, "The image data of the PNG has an invalid compression header.");
   }
 }
 
@@ -300,7 +298,7 @@ void finish(Chunks& chunks) {
   if (header.primaries == Tag::none) header.primaries = Tag::srgb;
   if (header.transfer == Tag::none) header.transfer = Tag::srgb;
   if (header.palette) {
-    if (chunks.palette_entries == 0) doubt(header, "The PNG has no palette, which it refers to.");
+    if (chunks.palette_entries == 0) doubt(header, "The PNG uses a palette, but has none.");
     header.grey = chunks.grey_palette;
     header.two_level = chunks.two_level_palette;
   }
@@ -322,16 +320,16 @@ HeaderResult read_png(std::span<const std::byte> bytes) {
     const std::uint32_t length = at.be32();
     const std::uint32_t type = at.be32();
     if (!at.ok()) break;
-    if (first && type != tag("IHDR")) return invalid("The PNG does not begin with IHDR.");
+    if (first && type != tag("IHDR")) return invalid("The PNG does not start with IHDR.");
     if (type == tag("IDAT")) {
       finish(chunks);
       check_stream(at, length, header);
-      if (!has_end(bytes, at, length)) doubt(header, "The PNG is cut off: its end is missing.");
+      if (!has_end(bytes, at, length)) doubt(header, "The PNG is truncated.");
       return header;
     }
     if (!first && type == tag("IHDR")) doubt(header, "The PNG has two IHDR chunks.");
     const std::uint32_t fixed = fixed_length(type);
-    if (fixed != 0 && length != fixed) return invalid("A chunk of the PNG has a wrong length.");
+    if (fixed != 0 && length != fixed) return invalid("The PNG has a chunk with a wrong length.");
     const Cursor content = at;
     at.skip(std::uint64_t{length} + 4);  // the checksum follows the content
     if (!at.ok()) break;

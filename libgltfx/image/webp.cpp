@@ -23,7 +23,7 @@ void read_lossy(Cursor at, Header& header) {
   const std::uint32_t frame = at.le24();
   const bool inter_frame = (frame & 1U) != 0, shown = (frame & 0x10U) != 0;
   if (inter_frame || !shown || !at.at("\x9d\x01\x2a")) {
-    doubt(header, "The WebP has no key frame where one must be.");
+    doubt(header, "The lossy WebP does not start with a key frame.");
   }
   if ((frame >> 1U & 7U) > 3) doubt(header, "The version of the lossy WebP is above 3.");
   if (frame >> 5U >= size)
@@ -32,14 +32,15 @@ void read_lossy(Cursor at, Header& header) {
   header.width = at.le16() & 0x3FFFU;  // the upper bits are a scale for display
   header.height = at.le16() & 0x3FFFU;
   header.channels = Channels::rgb;
-  if (header.width == 0 || header.height == 0) doubt(header, "The WebP has no pixels.");
+  if (header.width == 0 || header.height == 0)
+    doubt(header, "The WebP has a width or height of 0.");
 }
 
 // Section 3.4: a signature byte, 14 bits each of width - 1 and height - 1, one bit of alpha, three
 // of a version.
 void read_lossless(Cursor at, Header& header) {
   at.skip(4);
-  if (at.u8() != 0x2F) doubt(header, "The lossless WebP does not begin with its signature.");
+  if (at.u8() != 0x2F) doubt(header, "The lossless WebP does not start with its signature.");
   const std::uint32_t fields = at.le32();
   header.width = (fields & 0x3FFFU) + 1;
   header.height = (fields >> 14 & 0x3FFFU) + 1;
@@ -87,7 +88,7 @@ std::optional<Found> find_image(Cursor at, bool animated) {
 
 void check_image(const Found& found, Header& header) {
   if (!found.image) {
-    return doubt(header, header.animated ? "The WebP is said to be animated, but has no frame."
+    return doubt(header, header.animated ? "The WebP is marked as animated, but has no frames."
                                          : "The WebP has no image data.");
   }
   if (!found.whole) return doubt(header, "The image in the WebP is larger than the file.");
@@ -95,12 +96,11 @@ void check_image(const Found& found, Header& header) {
   const Header& image = found.header;
   if (!image.doubt.empty()) return doubt(header, image.doubt);
   if (image.width != header.width || image.height != header.height) {
-    return doubt(header,
-                 fmt::format("The canvas of the WebP has {} by {} pixels, its image {} by {}.",
-                             header.width, header.height, image.width, image.height));
+    return doubt(header, fmt::format("The canvas of the WebP is {}x{}, but its image is {}x{}.",
+                                     header.width, header.height, image.width, image.height));
   }
   if (!has_alpha(header.channels) && (found.alpha_chunk || has_alpha(image.channels))) {
-    remark(header, "The image in the WebP has alpha, which the flags of the file deny.", true);
+    remark(header, "The image in the WebP has alpha, but the alpha flag is not set.", true);
   }
 }
 
@@ -119,13 +119,13 @@ void read_extended(Cursor at, Header& header) {
   constexpr std::uint32_t kBytes = 10;
   if (size != kBytes) {
     return doubt(header,
-                 fmt::format("The VP8X chunk of the WebP has {} bytes instead of 10.", size));
+                 fmt::format("The VP8X chunk of the WebP has {} bytes; it must have 10.", size));
   }
   if (std::uint64_t{header.width} * header.height > UINT32_MAX) {
     doubt(header, "The canvas of the WebP has more than 4294967295 pixels.");
   }
   if ((flags & 0xC1U) != 0 || reserved != 0) {
-    remark(header, "Reserved bits of the WebP are set.", false);
+    remark(header, "The WebP has reserved bits that are not zero.", false);
   }
 }
 
@@ -144,12 +144,11 @@ void check_sizes(std::span<const std::byte> bytes, Header& header) {
   at.skip(16);
   const std::uint64_t chunk = 12 + kChunkHeaderBytes + at.le32();
   if (file > bytes.size()) {
-    doubt(header,
-          fmt::format("The WebP is cut off: {} of {} bytes are there.", bytes.size(), file));
+    doubt(header, fmt::format("The WebP is truncated: it has {} of {} bytes.", bytes.size(), file));
   } else if (chunk > file) {
-    doubt(header, "The first chunk of the WebP is larger than the file says it is.");
+    doubt(header, "The first chunk of the WebP exceeds the file size in its header.");
   } else if (file % 2 != 0) {
-    remark(header, "The size of the WebP is odd, although chunks are padded.", false);
+    remark(header, "The file size in the WebP header is odd.", false);
   }
 }
 
@@ -178,7 +177,7 @@ HeaderResult read_webp(std::span<const std::byte> bytes) {
     behind.skip(kHeaderBytes);
     if (const auto found = find_image(behind, header.animated)) check_image(*found, header);
   } else {
-    return invalid("The WebP does not begin with a chunk that holds an image.");
+    return invalid("The WebP does not start with an image chunk.");
   }
   return header;
 }

@@ -13,8 +13,7 @@
 namespace gltfx::json {
 namespace {
 
-constexpr std::string_view kWrapHint =
-    "a glTF asset is one JSON object: wrap this text in '{' and '}'";
+constexpr std::string_view kWrapHint = "expected a JSON object: enclose the text in '{' and '}'";
 
 std::string_view expectation(Expected expected) {
   constexpr std::array<std::string_view, 9> kTexts{"a JSON value",
@@ -22,7 +21,7 @@ std::string_view expectation(Expected expected) {
                                                    "a value or ']'",
                                                    "a member name in double quotes or '}'",
                                                    "a member name in double quotes",
-                                                   "':' behind the member name",
+                                                   "':' after the member name",
                                                    "',' or '}'",
                                                    "',' or ']'",
                                                    "the end of the text"};
@@ -54,12 +53,11 @@ ParseFault explain_word(std::string_view text, Span token) {
   const std::string lower = lower_case(word);
   std::string detail;
   if (lower == "true" || lower == "false" || lower == "null") {
-    detail = fmt::format("found {}; JSON writes it in lower case: {}", quoted(word), lower);
+    detail = fmt::format("found {}; in JSON it is lower case: {}", quoted(word), lower);
   } else if (lower == "none" || lower == "nil" || lower == "undefined") {
-    detail = fmt::format("found {}; JSON has null, or the member is left out", quoted(word));
+    detail = fmt::format("found {}; write null or remove the member", quoted(word));
   } else {
-    detail = fmt::format("expected a value, found the word {}; a string stands in double quotes",
-                         quoted(word));
+    detail = fmt::format("expected a value, found {}; strings need double quotes", quoted(word));
   }
   return {Fault::bad_literal, token, std::move(detail), {}};
 }
@@ -68,25 +66,25 @@ ParseFault explain_word(std::string_view text, Span token) {
 std::string root_hint(std::string_view text, Span token) {
   const std::string_view word = token.in(text);
   if (colon_follows(text, token)) {
-    return std::string(kWrapHint) + (is_word(word) ? ", and the name in double quotes" : "");
+    return std::string(kWrapHint) + (is_word(word) ? ", and the member name in double quotes" : "");
   }
-  if (word.substr(0, 4) == "glTF") return "this is a binary glTF (GLB), not a JSON text";
-  if (word == "<") return "this looks like HTML or XML, not like glTF";
+  if (word.substr(0, 4) == "glTF") return "expected JSON text, found a binary glTF (GLB)";
+  if (word == "<") return "expected JSON text, found HTML or XML";
   return {};
 }
 
 std::string general_detail(std::string_view text, Span token, Expected expected) {
   const std::string_view word = token.in(text);
   if (expected == Expected::end && (word == "}" || word == "]")) {
-    return fmt::format("found '{}' behind the end of the JSON value: no bracket is open", word);
+    return fmt::format("found '{}' without an opening bracket after the JSON value", word);
   }
   std::string detail =
       fmt::format("expected {}, found {}", expectation(expected), describe_token(word));
   if (expected == Expected::end && word == std::string_view("\0", 1)) {
-    detail += "; a GLB pads its JSON with blanks (0x20)";
+    detail += "; pad the JSON chunk of a GLB with spaces (0x20)";
   }
   if (is_word(word) && token.begin > 0 && text[token.begin - 1] == '"') {
-    detail += "; a quotation mark inside a string is written \\\"";
+    detail += "; write a quotation mark inside a string as \\\"";
   }
   return detail;
 }
@@ -115,12 +113,12 @@ ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected 
   if (token.empty()) return explain_end(text, expected);
   const std::string_view word = token.in(text);
   if (starts_comment(word)) {
-    return {Fault::bad_literal, token, "JSON has no comments", {}};
+    return {Fault::bad_literal, token, "comments are not allowed in JSON", {}};
   }
   if (is_quote_like(word)) {
     return {Fault::bad_literal,
             token,
-            fmt::format("found {}; strings and names stand in double quotes (\")",
+            fmt::format("found {}; strings and member names need double quotes (\")",
                         word == "'" ? std::string("a single quote") : quoted(word)),
             {}};
   }
@@ -132,7 +130,7 @@ ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected 
   if (wants_name(expected) && is_a(kWord, word.front())) {
     return {Fault::bad_literal,
             token,
-            fmt::format("found {}; a member name stands in double quotes", quoted(word)),
+            fmt::format("found {}; member names need double quotes", quoted(word)),
             {}};
   }
   if (wants_value(expected) && token.end == text.size() && is_cut_literal(word)) {

@@ -32,22 +32,22 @@ std::string_view number_mistake(std::string_view word) {
   const std::string lower = lower_case(digits.substr(0, 8));
   const auto digit_at = [&](std::size_t i) { return i < digits.size() && is_a(kDigit, digits[i]); };
   if (lower == "nan" || lower == "inf" || lower == "infinity") {
-    return "JSON has neither NaN nor infinities";
+    return "NaN and infinity are not allowed in JSON";
   }
-  if (word.front() == '+') return "a number has no plus sign";
-  if (digits.empty()) return "a digit must follow the minus sign";
-  if (digits.front() == '.') return "a digit must stand before the decimal point";
-  if (lower.substr(0, 2) == "0x") return "JSON has no hexadecimal numbers";
-  if (digits.front() == '0' && digit_at(1)) return "a number has no leading zeros";
+  if (word.front() == '+') return "a leading plus sign is not allowed";
+  if (digits.empty()) return "expected a digit after the minus sign";
+  if (digits.front() == '.') return "expected a digit before the decimal point";
+  if (lower.substr(0, 2) == "0x") return "hexadecimal numbers are not allowed in JSON";
+  if (digits.front() == '0' && digit_at(1)) return "leading zeros are not allowed";
   const std::size_t point = digits.find('.');
   if (point != std::string_view::npos && !digit_at(point + 1)) {
-    return "a digit must follow the decimal point";
+    return "expected a digit after the decimal point";
   }
   const char last = digits.back();
   if (last == 'e' || last == 'E' || last == '+' || last == '-') {
-    return "a digit must follow in the exponent";
+    return "expected a digit in the exponent";
   }
-  return "this is not a number of JSON";
+  return "this is not a JSON number";
 }
 
 ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at) {
@@ -56,8 +56,8 @@ ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at)
   if (text[at + 1] != 'u') {
     return {Fault::bad_escape,
             {at, at + size},
-            fmt::format("found {}; a backslash itself is written \\\\, and with one begin only "
-                        "\\\" \\/ \\b \\f \\n \\r \\t and \\uXXXX",
+            fmt::format("found {}; write a backslash as \\\\; the other escapes are \\\" \\/ \\b "
+                        "\\f \\n \\r \\t and \\uXXXX",
                         quoted(text.substr(at, size))),
             opening};
   }
@@ -65,7 +65,7 @@ ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at)
   if (at + size == end) return cut_string(end, opening);
   return {Fault::bad_escape,
           {at, at + size},
-          fmt::format("found {}; four hexadecimal digits must follow \\u",
+          fmt::format("found {}; expected four hexadecimal digits after \\u",
                       quoted(text.substr(at, size))),
           opening};
 }
@@ -95,7 +95,7 @@ ParseFault explain_string(std::string_view text, std::uint32_t quote, std::uint3
   if (c == '\n' || c == '\r') {
     return {Fault::control_character,
             {at, at + 1},
-            "a string cannot run over the end of its line; is the closing '\"' missing?",
+            "the string contains a line break; is the closing '\"' missing?",
             opening};
   }
   if (c != '\\') {
@@ -114,8 +114,9 @@ ParseFault explain_invalid_utf8(std::string_view text) {
   const bool utf16 = mark == "\xFF\xFE" || mark == "\xFE\xFF";
   return {Fault::invalid_utf8,
           bytes,
-          fmt::format("found {}; {}", quoted(bytes.in(text)),
-                      utf16 ? "this looks like UTF-16, and glTF is UTF-8" : "this is not UTF-8"),
+          fmt::format(
+              "found {}; {}", quoted(bytes.in(text)),
+              utf16 ? "the text looks like UTF-16; it must be UTF-8" : "the text must be UTF-8"),
           {}};
 }
 

@@ -72,13 +72,14 @@ void Parser::reserve_more(const char* p) {
 
 const char* Parser::byte_order_mark(const char* p) {
   if (text().substr(0, 3) != "\xEF\xBB\xBF") return p;
-  warn(Fault::byte_order_mark, {0, 3}, "glTF is UTF-8 without a byte order mark");
+  warn(Fault::byte_order_mark, {0, 3},
+       "the text starts with a byte order mark; it must be UTF-8 without one");
   return p + 3;
 }
 
 void Parser::warn_if_infinite(Span number) {
   if (!std::isinf(number_value(number.in(text())))) return;
-  warn(Fault::number_out_of_range, number, "the number is beyond the range of a double");
+  warn(Fault::number_out_of_range, number, "the number is out of range of a double");
 }
 
 const char* Parser::string_with_escapes(const char* quote, const char* p) {
@@ -87,7 +88,7 @@ const char* Parser::string_with_escapes(const char* quote, const char* p) {
     if (escape.size == 0) break;
     const char* const behind = p + escape.size;
     if (escape.lone_surrogate) {
-      warn(Fault::lone_surrogate, span(p, behind), "half of a surrogate pair is no character");
+      warn(Fault::lone_surrogate, span(p, behind), "unpaired surrogate");
     }
     p = skip_plain_string(behind, end_);
   }
@@ -115,8 +116,7 @@ void Parser::find_duplicates(NodeId object) {
       stamp = {object, key};
       continue;
     }
-    warn(Fault::duplicate_key, document_.span(key),
-         "the object has a member of this name already; the last one counts",
+    warn(Fault::duplicate_key, document_.span(key), "duplicate key; the last value is used",
          document_.span(stamp.key));
   }
 }
@@ -132,10 +132,7 @@ const char* Parser::unexpected(const char* p, Expected expected) {
 }
 
 const char* Parser::too_deep(const char* bracket) {
-  return fail({Fault::too_deep,
-               span(bracket, bracket + 1),
-               "arrays and objects are nested too deeply",
-               {}});
+  return fail({Fault::too_deep, span(bracket, bracket + 1), "the JSON is nested too deeply", {}});
 }
 
 const char* Parser::fail(ParseFault fault) {

@@ -58,7 +58,7 @@ class Loader {
                                                   static_cast<std::size_t>(container_.bin->length)))
             : fetch("Buffer", object, index);
     if (!bytes || !length || bytes->size() >= *length) return bytes;
-    note("Buffer", index, "has fewer bytes than it declares");
+    note("Buffer", index, "is shorter than its byteLength");
     return std::nullopt;
   }
 
@@ -69,8 +69,8 @@ class Loader {
     std::string buffer;
     auto bytes = container::fetch(resolver_, document().string(member, buffer));
     if (bytes) return *std::move(bytes);
-    loaded_.notes.push_back(
-        fmt::format("{} {} cannot be had: {}.", what, index, without_stop(bytes.error().message)));
+    loaded_.notes.push_back(fmt::format("{} {} cannot be loaded: {}.", what, index,
+                                        without_stop(bytes.error().message)));
     return std::nullopt;
   }
 

@@ -104,7 +104,7 @@ PropertyTarget ObjectModel::resolve(std::string_view pointer) {
   if (!steps) {
     walk.fail(Status::malformed, pointer.starts_with('/') || pointer.empty()
                                      ? "'~' is neither \"~0\" nor \"~1\""
-                                     : "it does not begin with '/'");
+                                     : "it does not start with '/'");
     return walk.target;
   }
   walk.steps = std::move(*steps);
@@ -125,12 +125,12 @@ bool ObjectModel::step(Walk& walk) {
         walk.property->mutable_type != property_type_name(PropertyType::number_array)) {
       return walk.fail(
           Status::unresolved,
-          fmt::format("components of {} are no targets of their own, only all of it", walk.here()));
+          fmt::format("components of {} cannot be targeted, only the whole value", walk.here()));
     }
     return into_array(walk);
   }
   if (walk.node == json::kNoNode) {
-    return walk.fail(Status::unresolved, fmt::format("{} is not written", walk.here()));
+    return walk.fail(Status::unresolved, fmt::format("{} is not present", walk.here()));
   }
   const json::Document& document = asset_.document();
   if (document.is_array(walk.node)) return into_array(walk);
@@ -185,14 +185,12 @@ bool ObjectModel::missing_member(Walk& walk, const schema::ObjectType& type) {
       schemas_.find_property(
           walk.owner, std::string_view(name).substr(0, name.size() - kLength.size())) != nullptr;
   if (last && (state || length)) {
-    return walk.fail(
-        Status::immutable,
-        fmt::format("{} can be read while the asset is shown, but not set", quoted(name)));
+    return walk.fail(Status::immutable, fmt::format("{} is read-only at run time", quoted(name)));
   }
   if (lookup_.member(walk.node, name) != json::kNoNode) {
     if (type.open) return into_unknown(walk);
-    return walk.fail(Status::immutable, fmt::format("{} is no property that glTF knows in {}",
-                                                    quoted(name), walk.here()));
+    return walk.fail(Status::immutable,
+                     fmt::format("{} is not a known property of {}", quoted(name), walk.here()));
   }
   std::vector<std::string_view> candidates{"extensions", "extras"};
   for (const schema::Property& each : type.properties) candidates.push_back(each.name);
@@ -206,7 +204,7 @@ bool ObjectModel::into_array(Walk& walk) {
   const bool runtime = walk.property != nullptr && !walk.property->mutable_type.empty();
   const json::Document& document = asset_.document();
   if (!index) {
-    return walk.fail(Status::unresolved, fmt::format("{} is an array, and {} is no index",
+    return walk.fail(Status::unresolved, fmt::format("{} is an array, but {} is not an index",
                                                      walk.here(), quoted(walk.step())));
   }
   if (runtime) {
@@ -297,11 +295,10 @@ void ObjectModel::arrive(Walk& walk) {
   }
   if (walk.property == nullptr || walk.property->mutable_type.empty()) {
     const bool known = walk.property != nullptr && !walk.element;
-    walk.fail(Status::immutable,
-              known
-                  ? fmt::format("{} is not among the properties that the object model lets change",
-                                quoted(walk.property->name))
-                  : fmt::format("{} is no property with a value of its own", walk.here()));
+    walk.fail(
+        Status::immutable,
+        known ? fmt::format("{} is not mutable in the object model", quoted(walk.property->name))
+              : fmt::format("{} is not a property with a value", walk.here()));
     return;
   }
   target.status = Status::mutable_property;
@@ -316,7 +313,7 @@ void ObjectModel::arrive(Walk& walk) {
   if (walk.element) target.type = PropertyType::number;
   if (target.status == Status::mutable_property && walk.node == json::kNoNode && !runtime &&
       walk.property->default_json.empty()) {
-    walk.fail(Status::unresolved, fmt::format("{} is not written and has no default", walk.here()));
+    walk.fail(Status::unresolved, fmt::format("{} is not present and has no default", walk.here()));
   }
 }
 
@@ -327,7 +324,7 @@ void ObjectModel::arrive_at_node(Walk& walk) {
   const std::string_view name = walk.property->name;
   if (name != "translation" && target.type != PropertyType::number_array &&
       lookup_.member(walk.owner_node, "matrix") != json::kNoNode) {
-    walk.fail(Status::unresolved, fmt::format("a node with a matrix has no {} of its own", name));
+    walk.fail(Status::unresolved, fmt::format("a node with a matrix has no {}", name));
     return;
   }
   if (target.type != PropertyType::number_array) return;

@@ -40,7 +40,7 @@ InspectReport guarded(const std::string& path, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return failed(path, "there is not enough memory to look into this file");
+    return failed(path, "there is not enough memory to inspect the file");
   } catch (const std::filesystem::filesystem_error&) {
     return failed(path, "the path cannot be looked up");
   }
@@ -52,7 +52,7 @@ InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schema
   }
   const json::Document& document = asset.document();
   if (!document.is_object(document.root())) {
-    return failed(asset.name(), "it holds no glTF; 'gltfx validate' says why");
+    return failed(asset.name(), "it is not a glTF asset; see 'gltfx validate'");
   }
   InspectReport report;
   report.path = asset.name();

@@ -21,16 +21,16 @@ Result<model::OpenedAsset> open_asset(const std::string& path, const std::string
 
 std::optional<Error> find_obstacle(const model::OpenedAsset& asset) {
   if (asset.container().format == container::Format::git_lfs_pointer) {
-    return Error{"it is a Git-LFS pointer; 'git lfs pull' fetches the file itself"};
+    return Error{"it is a Git LFS pointer; run 'git lfs pull'"};
   }
-  if (!asset.container().json) return Error{"it holds no glTF; 'gltfx validate' says why"};
+  if (!asset.container().json) return Error{"it is not a glTF asset; see 'gltfx validate'"};
   const json::Document& document = asset.document();
-  if (document.empty()) return Error{"its JSON is broken; 'gltfx validate' says where"};
+  if (document.empty()) return Error{"its JSON is invalid; see 'gltfx validate'"};
   const std::uint64_t count = model::root_objects(document);
   const std::uint64_t most = model::most_root_objects(document.text().size());
   if (count <= most) return std::nullopt;
   return Error{
-      fmt::format("its root arrays have {} elements; at most {} are read from {} bytes of JSON",
+      fmt::format("its root arrays have {} elements; at most {} are allowed in {} bytes of JSON",
                   count, most, document.text().size())};
 }
 

@@ -101,7 +101,7 @@ PageAsset collected(const ValidateInput& input, const PageWishes& wishes, unsign
       return page;
     }
   } catch (const std::bad_alloc&) {
-    why = "there is not enough memory to look into this file";
+    why = "there is not enough memory to inspect the file";
   } catch (const std::filesystem::filesystem_error&) {
     why = "the path cannot be looked up";
   }

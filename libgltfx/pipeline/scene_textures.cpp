@@ -55,13 +55,13 @@ std::uint32_t SceneTextures::use(std::uint32_t texture) {
 
 std::string SceneTextures::obstacle(std::uint32_t image) const {
   const model::ImageData& data = resources_.images[image];
-  if (!data.bytes) return "has an image that is not there";
-  if (!data.format) return "has an image of no format known here";
+  if (!data.bytes) return "has a missing image";
+  if (!data.format) return "has an image in an unknown format";
   if (!model::codec_format(*data.format)) {
-    return fmt::format("has an image of type {}, which is not decoded",
+    return fmt::format("has an image of type {}, which is not supported",
                        image::media_type(*data.format));
   }
-  return data.header ? std::string() : "has an image whose header cannot be read";
+  return data.header ? std::string() : "has an image with an invalid header";
 }
 
 // What memory there may be is settled here, image by image, whatever the number of threads.
@@ -69,8 +69,7 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
   for (const model::Texture& texture : textures_) {
     for (const std::uint32_t image : texture.images) {
       if (!obstacle(image).empty() || job_of_.count(image) > 0) continue;
-      Job job{image,
-              codec::Fault{codec::FaultKind::too_large, "its pixels ask for too much memory"}};
+      Job job{image, codec::Fault{codec::FaultKind::too_large, "its pixels need too much memory"}};
       const image::Header& header = *resources_.images[image].header;
       if (budget.take(decoded_size(header))) job.result = codec::Image();
       pixels_ = saturating_add(pixels_, texels_of(header));
@@ -134,7 +133,7 @@ void SceneTextures::finish(std::uint32_t index) {
     if (!to.missing) return;
   }
   notes_.add(fmt::format("Texture {}", used_[index]),
-             fmt::format("{}; a checker stands in for it", why));
+             fmt::format("{}; a checkerboard is shown instead", why));
 }
 
 }  // namespace gltfx

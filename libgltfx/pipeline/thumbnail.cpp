@@ -56,7 +56,7 @@ class Embedding {
     if (!opened) return opened.error();
     container_ = *std::move(opened);
     parsed_ = json::parse(container_.json);
-    if (!parsed_.ok()) return Error{"its JSON has faults that make an edit ambiguous"};
+    if (!parsed_.ok()) return Error{"its JSON has errors that make an edit ambiguous"};
     if (const auto obstacle = edit::find_glb_obstacle(container_);
         obstacle && container_.format == container::Format::glb) {
       return Error{"it cannot be written anew: " + *obstacle};

@@ -81,8 +81,7 @@ std::optional<std::string> find_new_fault(const ValidatedAsset& before, const Va
   report.new_warnings = std::move(found.warnings);
   if (found.error.empty()) return std::nullopt;
   return fmt::format(
-      "the new file would have an error {} that the old one has not; mend what 'gltfx validate' "
-      "reports first",
+      "the new file would have the new error {}; fix the findings of 'gltfx validate' first",
       found.error);
 }
 

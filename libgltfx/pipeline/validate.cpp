@@ -35,7 +35,7 @@ FileReport without_throwing(const std::string& name, const ValidateOptions& opti
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return validate::unreadable(name, "There is not enough memory to check this file.", options);
+    return validate::unreadable(name, "There is not enough memory to check the file.", options);
   } catch (const fs::filesystem_error&) {
     return validate::unreadable(name, "The path cannot be looked up.", options);
   }

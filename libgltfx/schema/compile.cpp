@@ -23,7 +23,7 @@ bool Build::may_copy(std::uint64_t bytes, Site at) {
   constexpr std::uint64_t kMost = std::uint64_t{64} << 20U;
   copied_ += bytes;
   if (copied_ <= kMost) return true;
-  faults.add(at, "the schemas that are repeated at several places are too large together");
+  faults.add(at, "the repeated schemas are too large in total");
   return false;
 }
 
@@ -44,8 +44,7 @@ Site Build::resolve(Site reference) {
   if (hash != 0) {
     const auto file = by_id.find(std::string_view(text).substr(0, hash));
     if (file == by_id.end()) {
-      return unresolved(reference, "there is no schema " + quoted(text.substr(0, hash)), text,
-                        by_id);
+      return unresolved(reference, "unknown schema " + quoted(text.substr(0, hash)), text, by_id);
     }
     source = file->second;
   }
@@ -78,8 +77,9 @@ void register_sources(Build& build) {
     const Source& source = build.sources[id];
     const auto [first, is_new] = build.by_id.emplace(source.id, id);
     if (!is_new) {
-      build.faults.add(build.member({id, source.document.root()}, "$id"),
-                       "this $id is taken by " + quoted(build.sources[first->second].name, 200));
+      build.faults.add(
+          build.member({id, source.document.root()}, "$id"),
+          "this $id is already used by " + quoted(build.sources[first->second].name, 200));
     }
     build.defs.push_back(definitions(source));
     build.extension_of.push_back(kNone);

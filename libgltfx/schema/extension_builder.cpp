@@ -32,8 +32,9 @@ class ExtensionBuilder {
     Extension extension;
     extension.name = text(word("extension"));
     if (extension.name != build_.sources[source_].short_name()) {
-      build_.faults.add(word("extension"), "the $id of this file names another extension than " +
-                                               quoted(extension.name));
+      build_.faults.add(
+          word("extension"),
+          "the $id of this file is for a different extension than " + quoted(extension.name));
     }
     extension.title = text(build_.member(root_, "title"));
     extension.description = text(build_.member(root_, "description"));
@@ -167,7 +168,7 @@ class ExtensionBuilder {
     std::vector<std::string_view> known;
     for (const ObjectType& type : build_.set.types) known.push_back(type.name);
     build_.faults.add({source_, at},
-                      quoted(home) + " is no type of object" + did_you_mean(home, known));
+                      quoted(home) + " is not an object type" + did_you_mean(home, known));
   }
 
   // Bytes of the object that a definition describes, roughly.

@@ -92,23 +92,23 @@ TextRule text_rule(Form form) {
     case Form::file_id:
       return {is_file_id, "must be \"gltfx:core/TYPE\" or \"gltfx:ext/NAME\""};
     case Form::reference:
-      return {is_reference, "must be the $id of a file, \"#/$defs/NAME\", or one behind the other"};
+      return {is_reference, "must be the $id of a file, \"#/$defs/NAME\", or both joined"};
     case Form::target:
       return {is_target, "must be an array of the root, \"/path/from/root\" or \"TYPE/member\""};
     case Form::name_target:
       return {[](std::string_view t) { return t.substr(0, 1) == "/" && is_target(t); },
               "must be a path from the root: \"/extensions/NAME/member/*/name\""};
     case Form::channels:
-      return {is_channels, "must be some of the letters rgba, in this order"};
+      return {is_channels, "must be letters of \"rgba\" in this order"};
     case Form::swizzle:
       return {is_swizzle, "must name two channels of rgba such as \"r>a\""};
     case Form::extension_name:
-      return {is_extension_name, "must be an extension's name such as KHR_x"};
+      return {is_extension_name, "must be an extension name such as KHR_x"};
     case Form::url:
       return {[](std::string_view t) { return t.substr(0, 8) == "https://" && t.size() > 8; },
-              "must begin with https://"};
+              "must start with https://"};
     case Form::media_types:
-      return {is_media_type, "must hold media types such as image/png"};
+      return {is_media_type, "must contain media types such as image/png"};
     default:
       return {nullptr, {}};
   }
@@ -119,7 +119,7 @@ TextRule text_rule(Form form) {
 std::optional<std::string> pattern_flaw(std::string_view expression) {
   const auto pattern = Pattern::compile(expression);
   if (pattern) return std::nullopt;
-  return "is not a regular expression gltfx understands: " + pattern.error().message;
+  return "is not a supported regular expression: " + pattern.error().message;
 }
 
 bool is_extension_name(std::string_view name) {
@@ -221,7 +221,7 @@ std::optional<Flaw> FormCheck::list_of(Form element, json::NodeId node, bool may
   for (const json::NodeId item : document_.elements(node)) {
     auto flaw = listed_values(element).empty() ? scalar(element, item) : one_of(element, item);
     if (flaw) return flaw;
-    if (!seen.insert(document_.string(item)).second) return Flaw{item, "has the same entry twice"};
+    if (!seen.insert(document_.string(item)).second) return Flaw{item, "has a duplicate entry"};
   }
   if (seen.empty() && !may_be_empty) return Flaw{node, "must not be empty"};
   return std::nullopt;
@@ -278,7 +278,7 @@ std::optional<Flaw> FormCheck::homes(json::NodeId node) const {
         document_.is_string(member.value) && (document_.string(member.value) == "#" ||
                                               (document_.raw(member.value).substr(0, 2) == "\"#" &&
                                                is_reference(document_.string(member.value))));
-    if (!fits) return Flaw{member.value, "must say for each type a \"#/$defs/NAME\" of this file"};
+    if (!fits) return Flaw{member.value, "must map each type to a \"#/$defs/NAME\" of this file"};
   }
   return std::nullopt;
 }

@@ -116,7 +116,7 @@ void ShapeBuilder::fault_misspelt_required(const Members& members, const ObjectT
     const std::string text = document.string(name);
     if (is_common_member(text) || names.count(text) != 0 || build_.faults.is_full()) continue;
     build_.faults.add({members.required.source, name},
-                      quoted(text) + " is required but no property of " + quoted(type.name) +
+                      quoted(text) + " is required, but not a property of " + quoted(type.name) +
                           did_you_mean(text, known));
   }
 }

@@ -142,7 +142,7 @@ class PatternParser {
   Fragment repeat(const Fragment& one, std::uint32_t least, std::uint32_t most) {
     const bool endless = most == UINT32_MAX;
     if (one.size() * (endless ? least + 1 : most) > kMaxProgram) {
-      fail("the expression repeats too much");
+      fail("the expression has too many repetitions");
       return {};
     }
     Fragment all;
@@ -172,7 +172,7 @@ class PatternParser {
       if (closed) {
         if (most < least) fail("numbers out of order in {}");
         if (least > kMaxRepeat || (most != UINT32_MAX && most > kMaxRepeat)) {
-          fail("the expression repeats too much");
+          fail("the expression has too many repetitions");
         }
         return error_.empty();
       }
@@ -218,7 +218,7 @@ class PatternParser {
   Fragment group(int depth) {
     ++at_;
     if (take('?') && !take(':')) {
-      fail("look-around and named groups are not understood");
+      fail("look-around and named groups are not supported");
       return {};
     }
     Fragment inside = alternatives(depth + 1);

@@ -48,7 +48,7 @@ std::string unquoted_help(const std::string& text, std::uint8_t types) {
   const bool wants_flag = (types & kBoolean) != 0;
   const bool fits = (wants_number && looks_like_number(text)) ||
                     (wants_flag && (text == "true" || text == "false"));
-  return fits ? "write " + text + " without quotes" : std::string();
+  return fits ? "remove the quotes: write " + text : std::string();
 }
 
 // One value where so many of them should stand.
@@ -138,8 +138,14 @@ std::string scalar_phrase(const Set& set, const Shape& shape) {
   std::string range = range_phrase(shape);
   if (!range.empty()) return range;
   if (shape.pattern != kNone)
-    return "text that matches " + std::string(set.pattern_text(shape.pattern));
+    return "a string that matches " + std::string(set.pattern_text(shape.pattern));
   return shape.types != 0 ? type_phrase(shape.types) : std::string("another value");
+}
+
+std::string clause(std::string text) {
+  const bool word = text.size() > 1 && (text[1] == ' ' || (text[1] >= 'a' && text[1] <= 'z'));
+  if (word && text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  return text;
 }
 
 std::string all_of_phrase(const std::vector<std::string>& names) {
@@ -164,11 +170,11 @@ std::string type_help(const Set& set, const Values& values, const Shape& shape, 
     return "write { \"index\": " + raw + " }";
   }
   if (kind == json::Kind::number && shape.types == kString) return "write \"" + raw + "\"";
-  if (kind == json::Kind::null) return "leave the member out to get its default";
+  if (kind == json::Kind::null) return "remove the member to use its default";
   if (shape.types == kArray && shape.items != kNone) {
     const std::uint8_t items = set.shape(shape.items).types;
     if (kind == json::Kind::object && (items & kObject) != 0)
-      return "put the object into an array: [ { … } ]";
+      return "write an array of objects: [ { … } ]";
     if (items != 0 && kind != json::Kind::object && values.has_type(value, items))
       return array_help(shape, raw);
   }

@@ -11,6 +11,8 @@ namespace gltfx::schema {
 
 /// "'metallicFactor'", "Element 2 of 'children'", "The document".
 std::string name_of(const Path& path);
+/// A sentence as the end of another one: "Unlit materials ..." as "unlit materials ...".
+std::string clause(std::string text);
 /// A scalar as written, cut; "an array", "an object".
 std::string shown(const Values& values, Value value);
 /// "a number", "a string or an object"; of one shape.

@@ -58,7 +58,7 @@ class ReferenceCheck {
     if (target.base == Target::Base::enclosing) {
       const std::string type = target.text.substr(0, target.text.find('/'));
       place.type = set_.find_type(type);
-      if (place.type == kNone) return unknown(at, type, "no type of object", type_names());
+      if (place.type == kNone) return unknown(at, type, "not an object type", type_names());
       target.enclosing = set_.types[place.type].origin;
     } else if (place.type == kNone) {
       return;  // files without the root of glTF: nothing to judge by
@@ -67,7 +67,7 @@ class ReferenceCheck {
       if (!step(place, target.steps, i, at)) return;
     }
     if (which == "ref" && !is_array(place.shape)) {
-      build_.faults.add(at, quoted(target.text) + " leads to something that is no array");
+      build_.faults.add(at, quoted(target.text) + " is not an array");
     }
   }
 
@@ -99,7 +99,7 @@ class ReferenceCheck {
   bool element(Place& place, Site at) {
     const ShapeId items = place.shape == kNone ? kNone : set_.shapes[place.shape].items;
     if (items == kNone) {
-      build_.faults.add(at, "'*' steps over the elements of an array; there is none at this place");
+      build_.faults.add(at, "'*' requires an array");
       return false;
     }
     return enter(place, items);
@@ -107,8 +107,7 @@ class ReferenceCheck {
 
   bool extension(Place& place, const std::string& name, Site at) {
     const ExtensionId id = set_.find_extension(name);
-    if (id == kNone)
-      return unknown(at, name, "no extension that is described", extension_names()), false;
+    if (id == kNone) return unknown(at, name, "not a known extension", extension_names()), false;
     const ShapeId object = set_.extensions[id].home(place.type);
     if (object != kNone) return enter(place, object);
     build_.faults.add(at, quoted(name) + " has no object at this place");
@@ -161,7 +160,7 @@ class ReferenceCheck {
     if (known || type.origin != set_.shapes[type.shape].type || !place.exists()) return;
     std::vector<std::string_view> names;
     for (const Property& property : type.properties) names.push_back(property.name);
-    unknown(place, name, "no property of the same object", names);
+    unknown(place, name, "not a property of the same object", names);
   }
 
   void strength(SourceId id) {
@@ -190,7 +189,7 @@ class ReferenceCheck {
   void generation(const Generation& generation, TypeId type, Site at) {
     const auto known = [&](const std::string& name, Site place) {
       if (set_.find_property(type, name) != nullptr) return;
-      unknown(place, name, "no property of the extension's object", member_names(type));
+      unknown(place, name, "not a property of the extension object", member_names(type));
     };
     for (const std::string& name : generation.with) known(name, build_.member(at, "with"));
     for (const std::string& name : generation.without) known(name, build_.member(at, "without"));
@@ -224,7 +223,7 @@ class ReferenceCheck {
       known_generations(extension, stay.generations, build_.member(at, "stays"));
     }
     if (upgrade.to.empty()) {
-      if (upgrade.stays.empty()) build_.faults.add(at, "'to' is missing: nothing else is said");
+      if (upgrade.stays.empty()) build_.faults.add(at, "'to' is missing");
       return;
     }
     const Extension* successor = described(upgrade.to, build_.member(at, "to"));
@@ -244,7 +243,7 @@ class ReferenceCheck {
     if (found != set_.extension_ids.end() && !set_.extensions[found->second].homes.empty()) {
       return &set_.extensions[found->second];
     }
-    unknown(at, name, "no extension that is described", extension_names());
+    unknown(at, name, "not a known extension", extension_names());
     return nullptr;
   }
 
@@ -276,7 +275,7 @@ class ReferenceCheck {
     for (const Generation& known : extension.generations) names.push_back(known.name);
     for (const std::string& name : wanted) {
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-      unknown(at, name, "no generation of the extension", names);
+      unknown(at, name, "not a generation of the extension", names);
     }
   }
 
@@ -296,7 +295,7 @@ class ReferenceCheck {
 
   void has_member(TypeId type, const std::string& name, Site at) {
     if (type != kNone && set_.find_property(type, name) != nullptr) return;
-    unknown(at, name, "no property of the extension's object",
+    unknown(at, name, "not a property of the extension object",
             type == kNone ? std::vector<std::string_view>() : member_names(type));
   }
 
@@ -332,8 +331,7 @@ class ReferenceCheck {
       if (depth[id] == 0) {
         depth[id] = -1;
         for (const ShapeId next : inside) {
-          if (depth[next] == -1)
-            return fault_at(id, "this schema contains itself; no value could be judged");
+          if (depth[next] == -1) return fault_at(id, "this schema contains itself");
           if (depth[next] == 0) stack.push_back(next);
         }
         continue;
@@ -357,7 +355,7 @@ class ReferenceCheck {
       told = told || work[next] > kMostShapes;
     }
     if (sum > kMostShapes && !told) {
-      fault_at(id, "combinators hold one value against more than " + std::to_string(kMostShapes) +
+      fault_at(id, "combinators check one value against more than " + std::to_string(kMostShapes) +
                        " schemas here");
     }
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, kMostShapes + 1));

@@ -64,8 +64,8 @@ ShapeId ShapeBuilder::request(Site schema, const Where& where) {
 
 ShapeId ShapeBuilder::add(Site schema, const Where& where) {
   if (where.type_name.size() > kLongestName || where.label.size() > kLongestName) {
-    build_.faults.add(schema, "the names that lead to this schema have more than " +
-                                  std::to_string(kLongestName) + " bytes together");
+    build_.faults.add(
+        schema, "the path of this schema has more than " + std::to_string(kLongestName) + " bytes");
     return kNone;
   }
   const auto id = static_cast<ShapeId>(build_.set.shapes.size());
@@ -100,9 +100,8 @@ Site ShapeBuilder::behind_references(Site schema) {
   const Site start = schema;
   for (int steps = 0; schema.exists() && is_bare_reference(schema); ++steps) {
     if (steps == kLongestChain) {
-      build_.faults.add(
-          build_.member(start, "$ref"),
-          "this $ref leads to more than " + std::to_string(kLongestChain) + " $refs in a row");
+      build_.faults.add(build_.member(start, "$ref"), "this $ref starts a chain of more than " +
+                                                          std::to_string(kLongestChain) + " $refs");
       return {};
     }
     schema = build_.resolve(build_.member(schema, "$ref"));
@@ -191,8 +190,7 @@ void ShapeBuilder::settle_derived() {
       if (base == waiting.end()) {
         if (std::any_of(chain.begin(), chain.end(),
                         [&](std::size_t link) { return derived_[link].shape == bases_[at]; })) {
-          build_.faults.add(build_.member(derived_[at].schema, "$ref"),
-                            "this $ref leads back to itself");
+          build_.faults.add(build_.member(derived_[at].schema, "$ref"), "this $ref is circular");
           bases_[at] = kNone;
         }
         break;

@@ -18,11 +18,11 @@ std::string_view fault_text(json::Fault fault) {
     case Fault::unexpected_end:
       return "the text ends inside a value";
     case Fault::invalid_utf8:
-      return "bytes that are not UTF-8";
+      return "invalid UTF-8";
     case Fault::control_character:
       return "a raw control character in a string";
     case Fault::bad_escape:
-      return "an escape that JSON does not have";
+      return "an invalid escape";
     case Fault::bad_number:
       return "not a JSON number";
     case Fault::bad_literal:
@@ -32,7 +32,7 @@ std::string_view fault_text(json::Fault fault) {
     case Fault::too_large:
       return "the text is too large";
     case Fault::trailing_data:
-      return "something follows the value";
+      return "data after the value";
     case Fault::byte_order_mark:
       return "a byte order mark before the text";
     case Fault::trailing_comma:
@@ -40,11 +40,11 @@ std::string_view fault_text(json::Fault fault) {
     case Fault::missing_comma:
       return "a comma is missing";
     case Fault::duplicate_key:
-      return "a key that the object has already";
+      return "a duplicate key";
     case Fault::lone_surrogate:
-      return "half of a surrogate pair";
+      return "an unpaired surrogate";
     case Fault::number_out_of_range:
-      return "a number beyond the range of a double";
+      return "a number out of range of a double";
     default:
       return "JSON does not allow this here";
   }

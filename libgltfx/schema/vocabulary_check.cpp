@@ -62,7 +62,7 @@ class FileCheck {
     }
     if (at.context == Context::file && source_.is_extension() &&
         document_.find(at.node, "x-gltfx") == json::kNoNode) {
-      fault(at.node, "'x-gltfx' is missing; it says where the extension stands");
+      fault(at.node, "'x-gltfx' is missing");
     }
     if (at.context == Context::file || at.context == Context::schema) limits(at.node);
   }
@@ -80,7 +80,7 @@ class FileCheck {
     for (const Word& word : words(context)) known.push_back(word.name);
     std::string hint = did_you_mean(name, known);
     if (hint.empty()) hint = fmt::format(" Allowed: {}.", fmt::join(known, ", "));
-    fault(key, quoted(name) + " is not a word of " + std::string(context_name(context)) + hint);
+    fault(key, quoted(name) + " is not a member of " + std::string(context_name(context)) + hint);
   }
 
   // Simple forms are judged at once; objects of the vocabulary are put on the list.
@@ -170,9 +170,8 @@ class FileCheck {
       const double most = document_.number(to).value;
       const bool open = low.substr(0, 2) == "ex" || high.substr(0, 2) == "ex";
       if (least > most || (open && least == most)) {
-        faults_.add_at_key({id_, to}, quoted(high) + " (" + number_text(most) +
-                                          ") leaves no value beside " + quoted(low) + " (" +
-                                          number_text(least) + ")");
+        faults_.add_at_key({id_, to}, quoted(high) + " (" + number_text(most) + ") contradicts " +
+                                          quoted(low) + " (" + number_text(least) + ")");
       }
     }
   }

@@ -36,7 +36,7 @@ CheckResult Walker::run() {
   if (!document_.is_object(root)) {
     report({}, Code::TYPE_MISMATCH, document_.span(root),
            "The document is " + shown(values_, {root}) + "; it must be an object.",
-           "a glTF document begins with { and has at least \"asset\": { \"version\": \"2.0\" }");
+           "write an object with at least \"asset\": { \"version\": \"2.0\" }");
     return std::move(result_);
   }
   read_declarations();

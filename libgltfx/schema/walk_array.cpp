@@ -186,7 +186,8 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
     }
     if (shape.unique_items && !seen.insert(number)) {
       report({path, index}, Code::DUPLICATE_ELEMENTS, at.number().span,
-             name_of(path) + " has " + shown(values_, value) + " more than once.");
+             name_of(path) + " has " + shown(values_, value) +
+                 " more than once; the elements must be unique.");
     }
   }
 }
@@ -195,11 +196,12 @@ void Walker::count_items(const Shape& shape, std::uint64_t size, Value value, co
   unset_ = true;
   if (size == 0) {
     report(path, Code::EMPTY_ENTITY, values_.span(value),
-           name_of(path) + " is an empty array; it must have " +
-               count_phrase(shape.min_items, shape.max_items, "element", "elements") + ".",
-           path.parent() != nullptr && shape.min_items == 1
-               ? "leave the member out when there is nothing in it"
-               : "");
+           name_of(path) + " is an empty array; it must " +
+               (shape.min_items == 1 ? std::string("not be empty")
+                                     : "have " + count_phrase(shape.min_items, shape.max_items,
+                                                              "element", "elements")) +
+               ".",
+           path.parent() != nullptr && shape.min_items == 1 ? "remove the member" : "");
     return;
   }
   report(path, Code::ARRAY_LENGTH_NOT_IN_LIST, values_.span(value),
@@ -288,7 +290,8 @@ void Walker::unique_items(const Frame& frame) {
       content.replace(1, std::string::npos, document_.string(element));
     if (!seen.insert(std::move(content)).second) {
       report({frame.path, index}, Code::DUPLICATE_ELEMENTS, document_.span(element),
-             name_of(frame.path) + " has " + shown(values_, {element}) + " more than once.");
+             name_of(frame.path) + " has " + shown(values_, {element}) +
+                 " more than once; the elements must be unique.");
     }
     ++index;
   }
@@ -302,7 +305,7 @@ bool Walker::bad_index(ShapeId id, Value value, const Path& path) {
   if (values_.has_type(value, kInteger) && values_.number(value).value >= 0) return false;
   lose_reference(id);
   report(path, Code::INVALID_INDEX, values_.span(value),
-         name_of(path) + " is " + shown(values_, value) + "; it must be an index, counted from 0.");
+         name_of(path) + " is " + shown(values_, value) + "; it must be a non-negative integer.");
   return true;
 }
 

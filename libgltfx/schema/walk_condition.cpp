@@ -43,7 +43,7 @@ void Walker::further(ShapeId id, Value value, const Path& path, bool walked) {
     judge(id, value, path);
   } else if (!holds_(id, value)) {
     report(path, Code::CONDITION_MISMATCH, values_.span(value),
-           name_of(path) + " does not have the form it must have here.");
+           name_of(path) + " does not have the required form.");
   }
 }
 
@@ -62,9 +62,8 @@ void Walker::alternatives(ShapeId id, const std::vector<ShapeId>& branches, bool
     }
     report(path, both.empty() ? Code::CONDITION_MISMATCH : Code::ONE_OF_MISMATCH,
            both.empty() || value.element != nullptr ? values_.span(value) : opening(value.node),
-           both.empty()
-               ? name_of(path) + " fits several forms that exclude each other."
-               : all_of_phrase(both) + " exclude each other; only one of them may be there.");
+           both.empty() ? name_of(path) + " matches several forms that are mutually exclusive."
+                        : all_of_phrase(both) + " are mutually exclusive.");
     return;
   }
   // The branch that holds may have references to follow; a scalar has none but its own shape's.
@@ -113,11 +112,10 @@ void Walker::forbidden(const Shape& shape, Value value, const Path& path) {
     const json::NodeId member = document_.find(value.node, names.front());
     const Path place(path, key_of(member));
     report(place, Code::CONDITION_MISMATCH, document_.span(member - 1),
-           quoted(names.front()) + " must not be here beside the other members.",
-           "remove the member");
+           quoted(names.front()) + " is not allowed with the other members.", "remove the member");
   } else if (names.size() > 1) {
     report(path, Code::ONE_OF_MISMATCH, opening(value.node),
-           all_of_phrase(names) + " exclude each other; only one of them may be there.");
+           all_of_phrase(names) + " are mutually exclusive.");
   } else {
     report(path, Code::CONDITION_MISMATCH, object ? opening(value.node) : values_.span(value),
            name_of(path) + " is " + shown(values_, value) + ", which is not allowed here.");
@@ -137,7 +135,7 @@ void Walker::dependencies(const Frame& frame) {
     const std::string name = quoted(*plan.name);
     const std::string other = quoted(*plan.other);
     report({frame.path, key_of(member)}, Code::UNSATISFIED_DEPENDENCY, document_.span(member - 1),
-           fmt::format("{} needs {} beside it.", name, other),
+           fmt::format("{} requires {}.", name, other),
            fmt::format("add {}, or remove {}", other, name));
   }
 }

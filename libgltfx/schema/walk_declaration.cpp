@@ -62,23 +62,23 @@ void Walker::declarations() {
     const bool alone = deviations().extension_names_are_judged_alone;
     if (alone && !is_extension_name(name)) {
       report(path, Code::INVALID_EXTENSION_NAME_FORMAT, span,
-             quoted(name) + " is no name of an extension; names look like VENDOR_what_it_does.");
+             quoted(name) + " is not a valid extension name; it must have the form PREFIX_name.");
     }
     const ExtensionId id = set_.find_extension(name);
     if (alone && !looks_into(id, name)) {
       report(path, Code::UNSUPPORTED_EXTENSION, span,
-             quoted(name) + " is not supported: what it says was not checked.");
+             quoted(name) + " is unknown; its content is not checked.");
     }
     if (!looks_into(id, name) || is_required(name)) return;
     if (set_.extensions()[id].must_be_required != MustBeRequired::always) return;
     report(path, Code::NON_REQUIRED_EXTENSION, span,
-           quoted(name) + " cannot be optional: readers without it read the asset wrongly.",
+           quoted(name) + " must be in 'extensionsRequired': loaders without it misread the asset.",
            "add \"" + name + "\" to \"extensionsRequired\"");
   });
   each("extensionsRequired", [&](const Path& path, const std::string& name, Span span) {
     if (is_declared(name)) return;
     report(path, Code::UNUSED_EXTENSION_REQUIRED, span,
-           quoted(name) + " is required but not listed in 'extensionsUsed'.",
+           quoted(name) + " is required, but not in 'extensionsUsed'.",
            "add \"" + printable(name) + "\" to \"extensionsUsed\"");
   });
 }

@@ -87,7 +87,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
   const ExtensionId id = names_.extension(key);
   if (!is_declared(key)) {
     report(path, Code::UNDECLARED_EXTENSION, document_.span(node - 1),
-           quoted(name) + " is used here but not declared.", undeclared_help(id, name));
+           quoted(name) + " is used, but not declared.", undeclared_help(id, name));
   }
   if (!looks_into(id, name)) return false;
   const ShapeId shape = home(frame, id, path, node);
@@ -111,9 +111,9 @@ ShapeId Walker::home(const Frame& frame, ExtensionId id, const Path& path, json:
   std::vector<std::string> homes;
   for (const auto& entry : extension.homes) homes.push_back(set_.type(entry.first).name);
   report(path, Code::UNEXPECTED_EXTENSION_OBJECT, document_.span(node - 1),
-         quoted(extension.name) + " has no meaning on " + quoted(set_.type(frame.type).name) + ".",
-         homes.empty() ? "it has no object; name it in \"extensionsUsed\" only"
-                       : "it belongs on " + join_or(homes));
+         quoted(extension.name) + " is not allowed on " + quoted(set_.type(frame.type).name) + ".",
+         homes.empty() ? "remove the object, and only list the extension in \"extensionsUsed\""
+                       : "move it to " + join_or(homes));
   return kNone;
 }
 
@@ -155,8 +155,8 @@ void Walker::exclusions(const Frame& frame, ExtensionId id, const Path& path, js
     const std::string& name = set_.extensions()[id].name;
     report(path, Code::EXTENSION_EXCLUDED, document_.span(node - 1),
            quoted(name) + " and " + quoted(plan.relation->extension) +
-               " exclude each other: " + plan.relation->because,
-           "remove one of the two");
+               " are mutually exclusive: " + clause(plan.relation->because),
+           "remove one of them");
   }
 }
 
@@ -168,7 +168,7 @@ void Walker::companions(const Frame& frame, ExtensionId id, const Path& path, js
     const std::string& other = needed.relation->extension;
     Finding finding(
         Code::EXTENSION_COMPANION_MISSING,
-        quoted(name) + " needs " + quoted(other) + " beside it: " + needed.relation->because,
+        quoted(name) + " requires " + quoted(other) + ": " + clause(needed.relation->because),
         "add " + quoted(other) + " to the same object", document_.span(node - 1),
         needed.relation->error ? Severity::error : Severity::warning);
     schema_sink_.report(path, std::move(finding));
@@ -177,7 +177,7 @@ void Walker::companions(const Frame& frame, ExtensionId id, const Path& path, js
     if (!is_present(frame, stronger) || !has_effect(frame, stronger)) continue;
     report(path, Code::EXTENSION_OVERRIDDEN, document_.span(node - 1),
            quoted(name) + " is overridden by " + quoted(stronger.relation->extension) + ": " +
-               stronger.relation->because);
+               clause(stronger.relation->because));
   }
 }
 
@@ -214,7 +214,7 @@ void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, js
   }
   if (others.empty()) return;
   report(path, Code::MULTIPLE_EXTENSIONS, document_.span(node - 1),
-         quoted(set_.extensions()[id].name) + " is meant to stand alone; here it stands beside " +
+         quoted(set_.extensions()[id].name) + " must be the only extension, but there is also " +
              join_or(others, 4) + ".");
 }
 
@@ -234,8 +234,8 @@ void Walker::fallback(const Frame& frame, ExtensionId id, const Path& path, json
   };
   if (std::any_of(frame.siblings.begin(), frame.siblings.end(), guards)) return;
   report(path, Code::NON_REQUIRED_EXTENSION, document_.span(node - 1),
-         quoted(extension.name) + " stands here without " + quoted(extension.fallback) +
-             ", so that readers without the extension have nothing.",
+         quoted(extension.name) + " has no fallback " + quoted(extension.fallback) +
+             " and is not in 'extensionsRequired'.",
          "add \"" + extension.name + "\" to \"extensionsRequired\", or add " +
              quoted(extension.fallback));
 }

@@ -90,7 +90,7 @@ void Walker::other_name(Frame& frame, json::KeyId key, json::NodeId value) {
   if (!frame.further) return unexpected(frame, key, value);
   if (!type.strict) return;
   report({frame.path, document_.key(key)}, Code::CONDITION_MISMATCH, document_.span(value - 1),
-         quoted(document_.key(key)) + " must not be here beside the other members.");
+         quoted(document_.key(key)) + " is not allowed with the other members.");
 }
 
 void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
@@ -101,10 +101,10 @@ void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
   }
   std::string help = did_you_mean(document_.key(key), known);
   if (help.empty() && set_.find_extension(document_.key(key)) != kNone) {
-    help = "put it inside \"extensions\": { … }";
+    help = "move it into \"extensions\": { … }";
   }
   report({frame.path, document_.key(key)}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1),
-         quoted(document_.key(key)) + " is not a property of " + quoted(type.name) + ".",
+         quoted(document_.key(key)) + " is not a known member of " + quoted(type.name) + ".",
          std::move(help));
 }
 
@@ -112,11 +112,11 @@ void Walker::renamed(const Frame& frame, const Property& property, json::NodeId 
   const std::string_view name = key_of(value);
   if (deviations().draft_names_are_unexpected) {
     report({frame.path, name}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1),
-           quoted(name) + " is not a property of " + quoted(set_.type(frame.type).name) + ".");
+           quoted(name) + " is not a known member of " + quoted(set_.type(frame.type).name) + ".");
     return;
   }
   report({frame.path, name}, Code::PROPERTY_RENAMED, document_.span(value - 1),
-         quoted(name) + " was the name of " + quoted(property.name) + " in an earlier draft.",
+         quoted(name) + " is the name of " + quoted(property.name) + " in an earlier draft.",
          "rename it to " + quoted(property.name));
 }
 
@@ -168,7 +168,7 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
   if (plan.deprecated) {
     const Property& property = set_.type(frame.type).properties[index];
     report({frame.path, key_of(node)}, Code::PROPERTY_DEPRECATED, document_.span(node - 1),
-           quoted(property.name) + " is no longer to be used: " + property.deprecated + ".");
+           quoted(property.name) + " is deprecated: " + property.deprecated + ".");
   }
   if (plan.shape == kNone) return false;
   if (plan.slot) record_slot(frame, index, node);
@@ -218,7 +218,7 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
     if (own != nullptr) described = own;
   }
   Finding finding(Code::UNDEFINED_PROPERTY);
-  finding.message = quoted(property.name) + " is missing; it is required here.";
+  finding.message = quoted(property.name) + " is required, but missing.";
   finding.help = missing_help(set_, *described);
   finding.span = opening(frame.node);
   if (described->added_late) {
@@ -275,7 +275,7 @@ bool Walker::count_members(const Frame& frame) {
   if (count >= shape.min_properties && count <= shape.max_properties) return true;
   if (count == 0) {
     report(frame.path, Code::EMPTY_ENTITY, document_.span(frame.node),
-           name_of(frame.path) + " is empty; it must have at least one member.");
+           name_of(frame.path) + " is an empty object; it must not be empty.");
     return false;
   }
   report(frame.path, Code::PROPERTY_COUNT_NOT_IN_RANGE, opening(frame.node),
@@ -298,14 +298,13 @@ void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId va
   };
   if (shape.pattern != kNone && !set_.matches(shape.pattern, name)) {
     report(path, Code::PATTERN_MISMATCH, span,
-           "The name " + quoted(name) + " is not allowed here; names must match " +
+           "The name " + quoted(name) + " is not allowed; it must match " +
                std::string(set_.pattern_text(shape.pattern)) + ".");
   } else if (!shape.literals.empty() &&
              std::none_of(shape.literals.begin(), shape.literals.end(), equal)) {
     report_unlisted(
         path, span,
-        "The name " + quoted(name) + " is not allowed here; it must be " + list_phrase(shape) + ".",
-        {});
+        "The name " + quoted(name) + " is not allowed; it must be " + list_phrase(shape) + ".", {});
   }
   const std::size_t length = count_code_points(name);
   if (length >= shape.min_length && length <= shape.max_length) return;
@@ -320,8 +319,8 @@ void Walker::leave(Frame& frame) {
       !(deviations().null_extras_are_allowed && document_.kind(frame.extras) == json::Kind::null);
   if (has_extras && !document_.is_object(frame.extras)) {
     report({frame.path, "extras"}, Code::NON_OBJECT_EXTRAS, document_.span(frame.extras),
-           "'extras' is " + shown(values_, {frame.extras}) + "; an object is easier to share.",
-           "put the value under a name of its own inside an object");
+           "'extras' is " + shown(values_, {frame.extras}) + "; it should be an object.",
+           "move the value to a member of an object");
   }
   if (frame.type != kNone && !frame.further && visitor_) {
     visitor_(set_.type(frame.type), frame.node, frame.path);

@@ -70,10 +70,9 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   if (array == nullptr) {
     message += "there are no " + name + ".";
   } else if (index < array->size) {
-    message += "that is not an object.";
+    message += "that element is not an object.";
   } else {
-    message +=
-        array->size == 1 ? "there is only 1." : "there are " + std::to_string(array->size) + ".";
+    message += "the length of " + printable(name) + " is " + std::to_string(array->size) + ".";
   }
   Sink& sink = options_.part == Part::form ? schema_sink_ : reference_sink_;
   sink.report(
@@ -86,8 +85,8 @@ void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const
   if (targets_.has_name(target, name)) return;
   reference_sink_.report(path,
                          {Code::UNRESOLVED_NAME,
-                          name_of(path) + " is " + shown(values_, value) + ", but nothing at " +
-                              set_.shape(shape).ref_name->text + " has that name.",
+                          name_of(path) + " is " + shown(values_, value) + ", but no object at " +
+                              set_.shape(shape).ref_name->text + " has this name.",
                           {},
                           values_.span(value),
                           std::nullopt});

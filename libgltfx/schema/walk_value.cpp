@@ -21,7 +21,7 @@ std::string range_help(const Shape& shape, double number, const Path& path) {
   if (!byte || !path.is_index() || path.parent()->parent() == nullptr) return {};
   const Path& array = *path.parent();
   if (array.is_index() || array.key().find("olor") == std::string_view::npos) return {};
-  return "colours are linear and go from 0 to 1, not from 0 to 255";
+  return "use linear values from 0 to 1, not 0 to 255";
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void Walker::judge(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (shape.never) {
     report(path, Code::CONDITION_MISMATCH, values_.span(value),
-           name_of(path) + " must not be here.");
+           name_of(path) + " is not allowed here.");
     return;
   }
   if (!judge_type(id, value, path)) return;
@@ -181,8 +181,8 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
 void Walker::report_unlisted(const Path& path, Span span, std::string message, std::string help) {
   const bool perhaps_added = !adding_extension_.empty() && help.empty();
   if (perhaps_added) {
-    help = "unless " + quoted(adding_extension_) +
-           ", of which nothing is known here, adds the value, use one of the list";
+    help = "use one of the listed values, unless the unknown extension " +
+           quoted(adding_extension_) + " adds this one";
   }
   report(path, Code::VALUE_NOT_IN_LIST, span, std::move(message), std::move(help),
          perhaps_added ? Severity::warning : std::optional<Severity>());
@@ -207,7 +207,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
     lose_reference(id);
     unset_ = true;
     report(path, Code::INVALID_INDEX, values_.span(value),
-           name_of(path) + " is " + shown(values_, value) + "; an index counts from 0.");
+           name_of(path) + " is " + shown(values_, value) + "; it must be a non-negative integer.");
     return;
   }
   const bool low = number < shape.minimum || (shape.exclusive_minimum && number == shape.minimum);
@@ -253,7 +253,7 @@ void Walker::judge_text(ShapeId id, Value value, const Path& path) {
     unset_ = true;
     report(path, Code::PATTERN_MISMATCH, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a JSON pointer.",
-           "a pointer begins with '/', and '~' in a name is written ~0");
+           "start the pointer with '/', and write ~0 for '~'");
   }
   if (shape.ref_name) refer_name(id, text, value, path);
 }

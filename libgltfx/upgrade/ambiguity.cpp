@@ -110,16 +110,15 @@ class Touched {
 std::optional<std::string> find_ambiguity(const json::Parsed& parsed, const Plan& plan) {
   if (plan.edits.empty() || parsed.ok()) return std::nullopt;
   if (parsed.unrecorded_faults > 0) {
-    return fmt::format("its JSON has {} faults; mend them first",
+    return fmt::format("its JSON has {} errors; fix them first",
                        parsed.faults.size() + parsed.unrecorded_faults);
   }
   const Touched touched(parsed.document, plan);
   for (const json::ParseFault& fault : parsed.faults) {
     if (!touched.is_ambiguous(fault)) continue;
     const Location at = json::LineIndex(parsed.document.text()).locate(fault.span);
-    return fmt::format(
-        "line {}, column {} of its JSON makes an edit ambiguous: {}; mend that first", at.line,
-        at.column, fault.detail);
+    return fmt::format("its JSON is ambiguous at line {}, column {}: {}; fix that first", at.line,
+                       at.column, fault.detail);
   }
   return std::nullopt;
 }

@@ -122,7 +122,7 @@ class Search {
     std::vector<Follower> followers;
     const std::string index = std::to_string(carrier_.index);
     for (const edit::PointerUse* use : context_.pointers.below(carrier_.array, index, from_)) {
-      if (edit::Pointers::is_template(*use)) return Error{"a graph leads to every element"};
+      if (edit::Pointers::is_template(*use)) return Error{"a graph references all elements"};
       auto follower = follower_of(*use);
       if (!follower) return follower.error();
       followers.push_back(*std::move(follower));
@@ -143,11 +143,11 @@ class Search {
         element_with(document_, document_.find(follower.animation, "channels"), use.node);
     const json::NodeId sampler = document_.find(follower.channel, "sampler");
     if (sampler == json::kNoNode || !document_.is_number(sampler)) {
-      return Error{"something else than a channel of an animation leads to it"};
+      return Error{"something other than an animation channel references it"};
     }
     follower.target = target_of(use);
     if (take_ == 0) return follower;
-    if (use.steps.size() != from_.size() + 2) return Error{"a channel leads into its value"};
+    if (use.steps.size() != from_.size() + 2) return Error{"a channel targets a part of its value"};
     follower.take = take_;
     if (!find_values(follower, sampler)) return Error{"its keyframes cannot be read"};
     return follower;

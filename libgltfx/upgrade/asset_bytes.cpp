@@ -48,14 +48,14 @@ Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
   const auto known = buffers_.find(index);
   if (known != buffers_.end()) return known->second;
   const json::NodeId object = element(RootArray::buffers, index);
-  if (object == json::kNoNode) return Error{"there is no such buffer"};
+  if (object == json::kNoNode) return Error{"the buffer does not exist"};
   const std::string uri = model::string_member(asset_.document(), object, "uri");
   if (!uri.empty()) {
     auto bytes = fetch(uri);
     if (bytes) buffers_.emplace(index, *bytes);
     return bytes;
   }
-  if (index != 0 || !container_.bin) return Error{"its buffer has no bytes"};
+  if (index != 0 || !container_.bin) return Error{"its buffer has no data"};
   return container_.bytes.part(container_.bin->offset, container_.bin->length);
 }
 
@@ -72,19 +72,19 @@ Result<Bytes> AssetBytes::view_bytes(json::NodeId image) {
   if (!index) return Error{"it has neither a URI nor a buffer view"};
   const model::BufferView view =
       model::read_buffer_view(asset_, asset_.elements(RootArray::buffer_views)[*index]);
-  if (!view.buffer || !view.byte_length) return Error{"its buffer view is broken"};
+  if (!view.buffer || !view.byte_length) return Error{"its buffer view is invalid"};
   auto bytes = buffer(*view.buffer);
   if (!bytes) return bytes;
   const std::uint64_t offset = view.byte_offset.value_or(0);
   if (!fits(offset, *view.byte_length, bytes->size())) {
-    return Error{"its buffer view reaches beyond the buffer"};
+    return Error{"its buffer view exceeds the buffer"};
   }
   return bytes->part(offset, *view.byte_length);
 }
 
 Result<Bytes> AssetBytes::image(std::uint64_t index) {
   const json::NodeId object = element(RootArray::images, index);
-  if (object == json::kNoNode) return Error{"there is no such image"};
+  if (object == json::kNoNode) return Error{"the image does not exist"};
   const std::string uri = model::string_member(asset_.document(), object, "uri");
   return uri.empty() ? view_bytes(object) : fetch(uri);
 }

@@ -24,7 +24,7 @@ ChannelMove judge_channel_move(const model::Asset& asset, std::uint64_t texture,
                                std::string_view swizzle, Pictures* pictures) {
   ChannelMove move;
   if (pictures == nullptr) {
-    move.problem = "nobody can look at the pixels of its image";
+    move.problem = "the pixels of its image are not available";
     return move;
   }
   TextureSource source = texture_source(asset, texture, *pictures);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/fields.hpp"
+#include "schema/phrases.hpp"
 #include "upgrade/conversion.hpp"
 #include "upgrade/scattering.hpp"
 
@@ -58,14 +59,15 @@ class Scattering : public Conversion {
   Problem reason_to_go(const Workbench& bench) override {
     const json::Document& document = bench.context.document;
     if (bench.member("scatterDistance") == json::kNoNode) {
-      return "without effect: no scatterDistance, so light never scatters";
+      return "no effect: without scatterDistance light does not scatter";
     }
     const json::NodeId color = bench.member("scatterColor");
-    if (color == json::kNoNode) return "without effect: no scatterColor, so nothing scatters";
+    if (color == json::kNoNode) return "no effect: without scatterColor light does not scatter";
     const auto value = color_of(document, color);
-    if (value && is_all(*value, 1)) return "without effect: a white scatterColor scatters nothing";
+    if (value && is_all(*value, 1))
+      return "no effect: with a white scatterColor light does not scatter";
     if (value && is_all(*value, 0) && bench.context.options.unsafe) {
-      return "a black scatterColor is the default, which scatters nothing: taken for that";
+      return "a black scatterColor is treated as the default, which does not scatter light";
     }
     return std::nullopt;
   }
@@ -73,21 +75,21 @@ class Scattering : public Conversion {
   Problem judge(const Workbench& bench) override {
     for (const char* name : {"scatterDistance", "scatterColor"}) {
       if (bench.is_own_pointed_at(name)) {
-        return fmt::format("its {} is animated, and the new values are computed from it", name);
+        return fmt::format("its {} is animated, but the new values depend on it", name);
       }
     }
     const json::Document& document = bench.context.document;
     const Distance distance = distance_of(document, bench.carrier.object, "scatterDistance");
     const auto color = color_of(document, bench.member("scatterColor"));
-    if (!distance.metres) return "its scatterDistance is not valid; 'gltfx validate' says why";
-    if (!color) return "its scatterColor is not valid; 'gltfx validate' says why";
+    if (!distance.metres) return "its scatterDistance is invalid; see 'gltfx validate'";
+    if (!color) return "its scatterColor is invalid; see 'gltfx validate'";
     if (is_all(*color, 0)) {
-      return "a black scatterColor with a finite scatterDistance says infinitely dense or, being "
-             "the default, nothing at all; --unsafe takes it for nothing";
+      return "a black scatterColor with a finite scatterDistance is ambiguous: infinite density, "
+             "or the default without scattering; --unsafe uses the default";
     }
     note_black(bench, *color, "scatterColor");
     const json::NodeId volume = model::object_member(document, bench.carrier.extensions, kVolume);
-    if (volume == json::kNoNode) return fmt::format("there is no {} to scatter in", kVolume);
+    if (volume == json::kNoNode) return fmt::format("the material has no {}", kVolume);
     if (bench.successor.name == kWithThinMode) {
       if (Problem problem = judge_thin_mode(bench, volume)) return problem;
     }
@@ -110,7 +112,7 @@ class Scattering : public Conversion {
     if (*std::min_element(color.begin(), color.end()) >= 1e-6) return;
     bench.action.lossy = true;
     bench.action.notes.push_back(fmt::format(
-        "a channel of {} is black, which would be infinitely dense: taken for 1e-6", name));
+        "a channel of {} is 0, which means infinite density; it is replaced by 1e-6", name));
   }
 
   // That extension scatters in a volume only where there is one and light gets in by transmission;
@@ -118,25 +120,25 @@ class Scattering : public Conversion {
   static Problem judge_thin_mode(const Workbench& bench, json::NodeId volume) {
     for (const schema::Relation& needed : bench.successor.requires_) {
       if (bench.context.has_beside(bench.carrier, needed.extension)) continue;
-      return fmt::format("{} needs {}: {}", bench.successor.name, needed.extension, needed.because);
+      return fmt::format("{} requires {}: {}", bench.successor.name, needed.extension,
+                         schema::clause(needed.because));
     }
     const auto thickness = model::number_member(bench.context.document, volume, "thicknessFactor");
     if (thickness.value_or(0) > 0) return std::nullopt;
-    return fmt::format("without a thickness {} would make it a thin sheet", bench.successor.name);
+    return fmt::format("without a thickness, {} renders it as thin-walled", bench.successor.name);
   }
 
   Problem judge_volume(const Workbench& bench, json::NodeId volume, const Rgb& scattering) {
     const json::Document& document = bench.context.document;
     for (const char* name : {"attenuationDistance", "attenuationColor"}) {
       if (!bench.is_pointed_at(fmt::format("extensions/{}/{}", kVolume, name))) continue;
-      return fmt::format("the volume's {} is animated, and the new values are computed from it",
-                         name);
+      return fmt::format("{} of the volume is animated, but the new values depend on it", name);
     }
     const Distance distance = distance_of(document, volume, "attenuationDistance");
     const json::NodeId list = document.find(volume, "attenuationColor");
     const auto color = list == json::kNoNode ? Rgb{1, 1, 1} : color_of(document, list);
     if (!color || (distance.there && !distance.metres)) {
-      return "the attenuation of its volume is not valid; 'gltfx validate' says why";
+      return "the attenuation of its volume is invalid; see 'gltfx validate'";
     }
     Rgb absorption{};
     if (distance.metres) {

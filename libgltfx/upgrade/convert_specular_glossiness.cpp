@@ -28,10 +28,10 @@ class SpecularGlossiness : public Conversion {
   Problem judge(const Workbench& bench) override {
     if (bench.context.options.ior != 0) note_ior(bench);
     if (bench.is_own_pointed_at("glossinessFactor")) {
-      return "its glossinessFactor is animated, and roughness is one less it";
+      return "its glossinessFactor is animated, but roughness depends on it";
     }
     const auto glossiness = factor_of(bench);
-    if (!glossiness) return "its glossinessFactor is not valid; 'gltfx validate' says why";
+    if (!glossiness) return "its glossinessFactor is invalid; see 'gltfx validate'";
     factor_ = *glossiness;
     double constant = factor_;
     if (factor_ > 0 && bench.member(kTexture) != json::kNoNode) {
@@ -68,7 +68,7 @@ class SpecularGlossiness : public Conversion {
     const json::NodeId index = document.find(bench.member(kTexture), "index");
     const std::uint64_t texture = document.unsigned_integer(index).value_or(0);
     TextureSource source;
-    source.problem = "nobody can look at the pixels of its image";
+    source.problem = "the pixels of its image are not available";
     if (bench.context.pictures != nullptr) {
       source = texture_source(bench.context.asset, texture, *bench.context.pictures);
     }
@@ -80,7 +80,7 @@ class SpecularGlossiness : public Conversion {
     }
     if (!source.note.empty()) {
       bench.action.notes.push_back(
-          fmt::format("texture {} is read by its fallback ({})", texture, source.note));
+          fmt::format("texture {} is read from its fallback ({})", texture, source.note));
     }
     const Picture& picture = bench.context.pictures->picture(source.image);
     const codec::ChannelStatistics alpha = picture.statistics(3);
@@ -89,11 +89,11 @@ class SpecularGlossiness : public Conversion {
       return std::nullopt;
     }
     if (bench.is_own_pointed_at(kTexture)) {
-      return fmt::format("the transform of its {} is animated, and two textures take its place",
+      return fmt::format("the transform of its {} is animated, but two textures replace it",
                          kTexture);
     }
-    bench.action.notes.push_back(
-        fmt::format("texture {} has glossiness in A: roughness gets an image of its own", texture));
+    bench.action.notes.push_back(fmt::format(
+        "texture {} has glossiness in A; a new image is created for roughness", texture));
     sampler_ = source.sampler;
     job_ = ImageJob{{ChannelSource::constant(1), ChannelSource::of(source.image, 3, -factor_, 1),
                      ChannelSource::constant(0), ChannelSource::constant(1)}};
@@ -115,14 +115,14 @@ class SpecularGlossiness : public Conversion {
     bench.placements.put("extensions/KHR_materials_ior/ior",
                          fmt::format("{}", bench.context.options.ior));
     bench.action.lossy = true;
-    bench.action.notes.push_back(fmt::format(
-        "with an index of refraction of {0} it reflects a little less than it did; 0 is exact",
-        bench.context.options.ior));
+    bench.action.notes.push_back(
+        fmt::format("with an ior of {0} it reflects slightly less light than before; 0 is exact",
+                    bench.context.options.ior));
   }
 
   static Problem put(const Workbench& bench, std::string_view path, std::string json) {
     if (bench.is_pointed_at(path)) {
-      return fmt::format("an animation changes {}, which was not seen", path);
+      return fmt::format("an animation targets {}, which has no effect before the upgrade", path);
     }
     return bench.placements.put(path, std::move(json));
   }

@@ -37,9 +37,9 @@ class Packet {
   Packet(const json::Document& document, json::NodeId node) : document_(document), node_(node) {}
 
   std::optional<std::string> judge(UpgradeAction& action) {
-    if (!document_.is_object(node_)) return "a packet is no object";
+    if (!document_.is_object(node_)) return "a packet is not an object";
     if (document_.find(node_, "@context") != json::kNoNode) {
-      return "a packet has an @context already";
+      return "a packet already has an @context";
     }
     std::string_view name;
     std::vector<json::NodeId> around{node_};
@@ -86,7 +86,7 @@ class Packet {
     if (name.starts_with('@')) return;
     arrays_.emplace_back(place, has(kUnordered, name) ? "@set" : "@list");
     if (has(kUnordered, name) || has(kOrdered, name)) return;
-    std::string note = fmt::format("the array {} is taken for an ordered one", quoted(name));
+    std::string note = fmt::format("the array {} is treated as ordered", quoted(name));
     auto& notes = action.notes;
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
       notes.push_back(std::move(note));
@@ -157,7 +157,7 @@ class Xmp : public Conversion {
     const json::NodeId packets = bench.member("packets");
     if (bench.member("xmps") != json::kNoNode) return kFirstDraft;
     if (packets == json::kNoNode || document.kind(packets) != json::Kind::array) {
-      return "its packets are not valid; 'gltfx validate' says why";
+      return "its packets are invalid; see 'gltfx validate'";
     }
     if (Problem problem = judge_successor(bench)) return problem;
     if (Problem problem = judge_context(document, bench.member("@context"))) return problem;
@@ -183,14 +183,14 @@ class Xmp : public Conversion {
 
  private:
   static constexpr const char* kFirstDraft =
-      "it has the form of the first draft (2019), which states no namespaces of its prefixes";
+      "it follows the first draft (2019), which does not define the namespaces of its prefixes";
 
   static Problem judge_reference(const Workbench& bench) {
     const json::Document& document = bench.context.document;
     if (bench.member("xmp") != json::kNoNode) return kFirstDraft;
     const auto index = model::unsigned_member(document, bench.carrier.object, "packet");
     const bool there = index && *index < packet_count(bench.context, bench.extension);
-    return there ? std::nullopt : Problem("it leads to no packet");
+    return there ? std::nullopt : Problem("it does not reference a packet");
   }
 
   // An object that leads behind the packets of the successor would lead to one that comes there.
@@ -204,12 +204,13 @@ class Xmp : public Conversion {
       if (valid && carrier.array.empty()) continue;
       const auto index = model::unsigned_member(document, carrier.object, "packet");
       if (valid && index && *index < count) continue;
-      return fmt::format("{}/extensions/{} is not valid; 'gltfx validate' says why",
-                         carrier.pointer(), name);
+      return fmt::format("{}/extensions/{} is invalid; see 'gltfx validate'", carrier.pointer(),
+                         name);
     }
     if (count > 0) {
       bench.action.notes.push_back(fmt::format(
-          "{} has packets already: these follow them, and their indices grow by {}", name, count));
+          "{} already has packets; these are appended, and their indices increase by {}", name,
+          count));
     }
     return std::nullopt;
   }
@@ -248,7 +249,7 @@ class Xmp : public Conversion {
   }
 
   static Problem judge_context(const json::Document& document, json::NodeId context) {
-    const Problem problem = "its @context is not valid; 'gltfx validate' says why";
+    const Problem problem = "its @context is invalid; see 'gltfx validate'";
     if (context == json::kNoNode || !document.is_object(context)) return problem;
     for (const auto member : document.members(context)) {
       if (!document.is_string(member.value)) return problem;
@@ -264,7 +265,7 @@ class Xmp : public Conversion {
       return std::nullopt;
     }
     if (document.find(context, rdf_) != json::kNoNode) {
-      return "its prefix rdf stands for something else than RDF";
+      return "its prefix rdf does not have the RDF namespace";
     }
     add_rdf_ = true;
     return std::nullopt;

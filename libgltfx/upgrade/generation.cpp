@@ -41,7 +41,7 @@ std::string reason(const json::Document& document, const schema::Extension& exte
     if (&other != &chosen && fits(document, object, other)) others.push_back(other.name);
   }
   std::string text = fmt::format("it has no {}", join_or(chosen.without));
-  if (!others.empty()) text += fmt::format("; {} could have written it too", join_or(others));
+  if (!others.empty()) text += fmt::format("; it may also be {}", join_or(others));
   return text;
 }
 
@@ -55,8 +55,8 @@ Decision decide_by_name(const json::Document& document, const schema::Extension&
     const std::string other = present(document, object, generation.without);
     return {nullptr,
             {},
-            fmt::format("{} does not fit: {}", generation.name,
-                        other.empty() ? "what it needs is missing" : "it has " + other)};
+            fmt::format("it does not match {}: {}", generation.name,
+                        other.empty() ? "a required member is missing" : "it has " + other)};
   }
   return {};
 }
@@ -85,7 +85,7 @@ Decision decide_generation(const json::Document& document, const schema::Extensi
       return {&generation, reason(document, extension, object, generation), {}};
     }
   }
-  return {nullptr, {}, "it fits none of the generations that are known"};
+  return {nullptr, {}, "it does not match any known draft"};
 }
 
 }  // namespace gltfx::upgrade

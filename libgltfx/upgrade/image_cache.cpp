@@ -58,7 +58,7 @@ Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes, cons
   }
   auto image = std::make_shared<codec::Image>(std::move(*std::get_if<codec::Image>(&result)));
   if (!image->doubt.empty()) {
-    return unreadable(fmt::format("it is damaged: {}", printable(image->doubt)));
+    return unreadable(fmt::format("it is corrupt: {}", printable(image->doubt)));
   }
   Decoded decoded;
   decoded.picture.image = *image;
@@ -71,7 +71,7 @@ Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes, cons
 
 Decoded decode_any(const container::Bytes& bytes, const Origin& origin) {
   const image::Sniffed sniffed = image::sniff(bytes.view());
-  if (!sniffed.known) return unreadable("its format is not known");
+  if (!sniffed.known) return unreadable("its format is unknown");
   switch (sniffed.format) {
     case image::Format::png:
       return decode_as(codec::ImageFormat::png, bytes, origin);

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "edit/removal.hpp"
+#include "schema/phrases.hpp"
 #include "upgrade/object_plan.hpp"
 
 namespace gltfx::upgrade {
@@ -19,7 +20,8 @@ bool ObjectPlan::is_blocked_by(const std::string& extension) const {
 ObjectPlan::Problem ObjectPlan::blocker() const {
   for (const schema::Relation& other : extension_.upgrade.blocked_by) {
     if (has_beside(other.extension)) {
-      return fmt::format("{} stands beside it: {}", other.extension, other.because);
+      return fmt::format("the object also has {}: {}", other.extension,
+                         schema::clause(other.because));
     }
   }
   return std::nullopt;
@@ -36,11 +38,11 @@ std::vector<std::string> ObjectPlan::foreign() const {
 }
 
 UpgradeAction ObjectPlan::judge_removal(const std::string& why) {
-  if (is_own_pointed_at()) return refuse(why + ", but an animation or graph points into it");
+  if (is_own_pointed_at()) return refuse(why + ", but an animation or graph references it");
   action_.removed = true;
   action_.notes.insert(action_.notes.begin(), why);
   const std::vector<std::string> names = foreign();
-  if (!names.empty()) lose(fmt::format("it also has {}, lost with it", join_and(names)));
+  if (!names.empty()) lose(fmt::format("this also removes {}", join_and(names)));
   return action_;
 }
 
@@ -57,10 +59,11 @@ ObjectPlan::Problem ObjectPlan::reason_to_go() {
   const bool off =
       !there || (document_.is_number(strength) && document_.number(strength).value == 0);
   if (!off) return std::nullopt;
-  std::string why = fmt::format("without effect: {}{}", there ? "" : "no ", name);
+  std::string why = fmt::format("no effect: {}{}", there ? "" : "no ", name);
   if (there) why += " is 0";
   if (foreign().empty()) return why;
-  action_.notes.push_back(fmt::format("{}; it is kept for its {}", why, join_and(foreign())));
+  action_.notes.push_back(
+      fmt::format("{}; it is kept because it has {}", why, join_and(foreign())));
   return std::nullopt;
 }
 
@@ -74,10 +77,10 @@ ObjectPlan::Problem ObjectPlan::hidden() {
     const bool is_model = other != schema::kNone && context_.set.extensions()[other].standalone;
     if (is_model && extension_.standalone) {
       place_what_is_missing();
-      lose(fmt::format("readers that draw {} rather than {} show another picture", extension_.name,
+      lose(fmt::format("viewers that use {} instead of {} show a different result", extension_.name,
                        hider.extension));
     }
-    return fmt::format("without effect: {}", because);
+    return fmt::format("no effect: {}", schema::clause(std::string(because)));
   }
   return std::nullopt;
 }
@@ -100,13 +103,13 @@ void ObjectPlan::place_what_is_missing() {
 ObjectPlan::Problem ObjectPlan::judge_company() {
   for (const schema::Relation& excluded : successor_.excludes) {
     if (excluded.extension == extension_.name || !has_beside(excluded.extension)) continue;
-    return fmt::format("{} must not stand beside {}: {}", successor_.name, excluded.extension,
-                       excluded.because);
+    return fmt::format("{} and {} are mutually exclusive: {}", successor_.name, excluded.extension,
+                       schema::clause(excluded.because));
   }
   for (const schema::Relation& excluded : extension_.excludes) {
     if (!has_beside(excluded.extension)) continue;
-    lose(fmt::format("{}, which must not stand beside {}, takes effect: {}", excluded.extension,
-                     extension_.name, excluded.because));
+    lose(fmt::format("{} takes effect, which {} excluded: {}", excluded.extension, extension_.name,
+                     schema::clause(excluded.because)));
   }
   return std::nullopt;
 }

@@ -38,7 +38,7 @@ bool is_same(const std::string& one, const std::string& other) {
 }
 
 std::string shown(const std::string& json) {
-  return json.empty() ? "not there" : quoted(json, kShown);
+  return json.empty() ? "missing" : quoted(json, kShown);
 }
 
 }  // namespace
@@ -62,10 +62,10 @@ UpgradeAction ObjectPlan::judge_duplicate(const schema::Extension& other) {
   const json::NodeId object =
       is_new ? given->second : document_.find(carrier_.extensions, other.name);
   if (!is_new && !context_.holds(other.home(carrier_.type), {object})) {
-    return refuse(fmt::format("{} stands beside it, but is not valid; 'gltfx validate' says why",
-                              other.name));
+    return refuse(
+        fmt::format("the object also has {}, but it is invalid; see 'gltfx validate'", other.name));
   }
-  judge_removal(fmt::format("{} stands beside it already and is what readers use", other.name));
+  judge_removal(fmt::format("the object already has {}, which viewers use", other.name));
   if (!action_.removed || object == json::kNoNode) return action_;
   if (!is_new && other.name == successor_.name && !extension_.upgrade.steps.empty()) {
     note_differences(object);

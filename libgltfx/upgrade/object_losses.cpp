@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "json/parse.hpp"
+#include "schema/phrases.hpp"
 #include "upgrade/object_plan.hpp"
 
 namespace gltfx::upgrade {
@@ -23,11 +24,11 @@ void ObjectPlan::follow_animation(const schema::UpgradeStep& step,
   auto followers =
       find_followers(context_, carrier_, path, {"extensions", successor_.name, step.to}, step.take);
   if (!followers) {
-    return lose(fmt::format("{} is animated, but {}: the copy in {} stays as it is now", step.from,
+    return lose(fmt::format("{} is animated, but {}; the copy in {} is not animated", step.from,
                             followers.error().message, step.to));
   }
   action_.notes.push_back(
-      fmt::format("{} is animated: {} gets channels of its own", step.from, step.to));
+      fmt::format("{} is animated; channels for {} are added", step.from, step.to));
   followers_.insert(followers_.end(), followers->begin(), followers->end());
 }
 
@@ -48,9 +49,9 @@ void ObjectPlan::note_losses() {
 void ObjectPlan::note_lost_attribute(const schema::UpgradeLoss& loss) {
   const std::string& name = loss.vertex_attribute;
   if (carrier_.array != "materials" || !context_.is_used_with(name, carrier_.index)) return;
-  Problem problem = std::string("cannot be carried over");
+  Problem problem = std::string("cannot be converted");
   if (name == "COLOR_0") problem = judge_tint();
-  if (problem) lose(fmt::format("{} {}: {}", name, *problem, loss.because));
+  if (problem) lose(fmt::format("{} {}: {}", name, *problem, schema::clause(loss.because)));
 }
 
 // Vertex colours multiply the base colour; so does a colour that is a copy of it, when they are the
@@ -61,11 +62,11 @@ ObjectPlan::Problem ObjectPlan::judge_tint() {
     return step.kind == schema::UpgradeStep::Kind::copy && step.take == 3 &&
            step.from == "pbrMetallicRoughness/baseColorFactor" && applies(step.generations);
   });
-  if (copy == steps.end()) return "cannot be carried over";
+  if (copy == steps.end()) return "cannot be converted";
   const Tint tint = find_tint(context_.asset, context_.values, context_.uses_of(carrier_.index));
   if (!tint.problem.empty()) return tint.problem;
   if (tint.parts.size() > 1 && is_pointed_at({})) {
-    return "differs between primitives, and an animation or graph leads to the material";
+    return "differs between primitives, but an animation or graph references the material";
   }
   return fold_tint(*copy, tint);
 }
@@ -89,7 +90,7 @@ ObjectPlan::Problem ObjectPlan::fold_tint(const schema::UpgradeStep& step, const
   };
   tint_ = tint.parts.front().color;
   found->json = product(tint_);
-  action_.notes.push_back(fmt::format("COLOR_0 goes into {}", step.to));
+  action_.notes.push_back(fmt::format("COLOR_0 is multiplied into {}", step.to));
   for (std::size_t i = 1; i < tint.parts.size(); ++i) {
     splits_.push_back({carrier_.host,
                        {"extensions", successor_.name, step.to},
@@ -98,8 +99,8 @@ ObjectPlan::Problem ObjectPlan::fold_tint(const schema::UpgradeStep& step, const
   }
   if (!splits_.empty()) {
     action_.notes.push_back(
-        fmt::format("it differs between primitives: the material gets {}",
-                    splits_.size() == 1 ? "a copy" : fmt::format("{} copies", splits_.size())));
+        fmt::format("it differs between primitives; the material is duplicated ({})",
+                    splits_.size() == 1 ? "1 copy" : fmt::format("{} copies", splits_.size())));
   }
   return std::nullopt;
 }

@@ -42,9 +42,9 @@ UpgradeAction ObjectPlan::judge() {
   action_.pointer = fmt::format("{}/extensions/{}", carrier_.pointer(), extension_.name);
   action_.from = extension_.name;
   action_.to = successor_.name;
-  if (!document_.is_object(carrier_.object)) return refuse("it is no object");
+  if (!document_.is_object(carrier_.object)) return refuse("it is not an object");
   const bool in_array = !carrier_.array.empty() && !carrier_.single;
-  if (!in_array && is_own_pointed_at()) return refuse("an animation or graph points into it");
+  if (!in_array && is_own_pointed_at()) return refuse("an animation or graph references it");
   if (const schema::Extension* other = replacement()) return judge_duplicate(*other);
   if (const Problem why = reason_to_go()) return judge_removal(*why);
   if (Problem problem = blocker()) return refuse(*std::move(problem));
@@ -91,7 +91,7 @@ ObjectPlan::Problem ObjectPlan::judge_steps() {
     const bool place = step.kind == schema::UpgradeStep::Kind::place;
     if (!place && step.to != step.from &&
         document_.find(carrier_.object, step.to) != json::kNoNode) {
-      return fmt::format("it has a member {} already", gltfx::quoted(step.to));
+      return fmt::format("it already has a member {}", gltfx::quoted(step.to));
     }
     if (Problem problem = find(step)) return problem;
   }
@@ -114,7 +114,7 @@ ObjectPlan::Problem ObjectPlan::find(const schema::UpgradeStep& step) {
 ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
   const std::vector<std::string> path = split_path(step.to);
   if (is_pointed_at(path)) {
-    return fmt::format("an animation changes {}, which was not seen", step.to);
+    return fmt::format("an animation targets {}, which has no effect before the upgrade", step.to);
   }
   const json::NodeId value =
       step.from.empty() ? json::kNoNode : document_.find(carrier_.object, step.from);
@@ -128,7 +128,7 @@ ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
 void ObjectPlan::note_lost_members() {
   const std::vector<std::string> others =
       edit::foreign_members(document_, context_.set, carrier_.object, own_type());
-  if (!others.empty()) lose(fmt::format("it also has {}, lost with it", join_and(others)));
+  if (!others.empty()) lose(fmt::format("this also removes {}", join_and(others)));
 }
 
 void ObjectPlan::note_overwritten() {
@@ -139,7 +139,7 @@ void ObjectPlan::note_overwritten() {
     if (others.empty()) {
       action_.notes.push_back(note);
     } else {
-      lose(fmt::format("{}, and its {} lost", note, join_and(others)));
+      lose(fmt::format("{}, which also removes its {}", note, join_and(others)));
     }
   }
 }
@@ -150,7 +150,7 @@ ObjectPlan::Problem ObjectPlan::check_value(const std::string& name, json::NodeI
       type == schema::kNone ? nullptr : context_.set.find_property(type, name);
   if (property == nullptr) return std::nullopt;
   if (!context_.holds(property->shape, {value})) {
-    return fmt::format("its {} is not valid; 'gltfx validate' says why", name);
+    return fmt::format("its {} is invalid; see 'gltfx validate'", name);
   }
   const json::NodeId index = document_.find(value, "index");
   return index == json::kNoNode ? std::nullopt : check_texture(name, index);
@@ -159,7 +159,7 @@ ObjectPlan::Problem ObjectPlan::check_value(const std::string& name, json::NodeI
 ObjectPlan::Problem ObjectPlan::check_texture(const std::string& name, json::NodeId index) {
   const auto texture = document_.unsigned_integer(index);
   if (texture && *texture < context_.texture_count()) return std::nullopt;
-  return fmt::format("its {} leads to no texture", name);
+  return fmt::format("its {} does not reference a texture", name);
 }
 
 ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
@@ -174,7 +174,7 @@ ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
   if (step.accept_index && document_.is_number(value)) {
     if (Problem problem = check_texture(step.from, value)) return problem;
     found.json = fmt::format(R"({{"index":{}}})", document_.raw(value));
-    action_.notes.push_back(step.from + " was a bare index and becomes an object");
+    action_.notes.push_back(step.from + " is an index and becomes an object");
   } else if (Problem problem = check_value(step.from, value)) {
     return problem;
   }
@@ -202,7 +202,7 @@ ObjectPlan::Problem ObjectPlan::fill_copy(Found& found, const std::vector<std::s
   const schema::UpgradeStep& step = *found.step;
   const schema::TypeId type = context_.set.shape(successor_.homes.front().second).type;
   const schema::ShapeId shape = context_.set.find_property(type, step.to)->shape;
-  const std::string problem = fmt::format("{} is not valid; 'gltfx validate' says why", step.from);
+  const std::string problem = fmt::format("{} is invalid; see 'gltfx validate'", step.from);
   if (step.take == 0) {
     if (!context_.holds(shape, {found.value})) return problem;
     found.json = document_.raw(found.value);

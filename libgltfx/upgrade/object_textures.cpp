@@ -28,26 +28,26 @@ std::string ObjectPlan::factor_of(const schema::UpgradeStep& step) const {
 
 ObjectPlan::Problem ObjectPlan::find_channel(const schema::UpgradeStep& step, Found& found) {
   const json::NodeId index = texture_index(found);
-  if (index == json::kNoNode) return fmt::format("its {} leads to no texture", step.from);
+  if (index == json::kNoNode) return fmt::format("its {} does not reference a texture", step.from);
   if (Problem problem = check_texture(step.from, index)) return problem;
   const std::uint64_t texture = document_.unsigned_integer(index).value_or(0);
   const ChannelMove move =
       judge_channel_move(context_.asset, texture, step.swizzle, context_.pictures);
-  const std::string wanted = fmt::format("texture {} has in {} what {} reads in {}", texture,
+  const std::string wanted = fmt::format("texture {} has its data in {}, but {} reads {}", texture,
                                          step.swizzle.front(), step.to, step.swizzle.back());
   if (move.kind == ChannelMove::Kind::impossible) {
     action_.fate = UpgradeFate::needs_image;
-    action_.notes.push_back(fmt::format("{}, but {}", wanted, move.problem));
+    action_.notes.push_back(fmt::format("{}; {}", wanted, move.problem));
     return std::nullopt;
   }
   if (!move.note.empty()) {
     action_.notes.push_back(
-        fmt::format("texture {} is read by its fallback ({})", texture, move.note));
+        fmt::format("texture {} is read from its fallback ({})", texture, move.note));
   }
   weigh_evidence(step, move);
   if (move.constant && fold(step, *move.constant, found)) return std::nullopt;
   if (move.kind == ChannelMove::Kind::reuse) return std::nullopt;
-  action_.notes.push_back(wanted + ": it gets an image of its own");
+  action_.notes.push_back(wanted + "; a new image is created");
   found.image = move.job;
   found.sampler = move.sampler;
   return std::nullopt;
@@ -58,8 +58,7 @@ void ObjectPlan::weigh_evidence(const schema::UpgradeStep& step, const ChannelMo
   const bool told = context_.options.generation != "auto" || extension_.generations.size() < 2;
   if (told || !move.target_varies || move.kind == ChannelMove::Kind::reuse) return;
   lose(
-      fmt::format("the image of {} varies in {} as well, where another generation has the values; "
-                  "--generation decides",
+      fmt::format("the image of {} also has data in {}, which another draft uses; set --generation",
                   step.from, step.swizzle.back()));
 }
 
@@ -77,9 +76,9 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
   texture.gone = true;
   texture.json.clear();
   action_.notes.push_back(constant == 1
-                              ? fmt::format("{} is full in all texels and goes", step.from)
-                              : fmt::format("{} is {} in all texels: it goes into {}", step.from,
-                                            number_text(constant), factor));
+                              ? fmt::format("{} is 1 in all texels and is removed", step.from)
+                              : fmt::format("{} is {} in all texels and is multiplied into {}",
+                                            step.from, number_text(constant), factor));
   if (constant == 1) return true;
   const double product = document_.number(factors->value).value * constant;
   factors->json = number_text(product);
@@ -100,19 +99,19 @@ void ObjectPlan::pack() {
   });
   if (factor == found_.end() || colour == found_.end()) return;
   const std::string obstacle = pack(*factor, *colour);
-  if (!obstacle.empty()) action_.notes.push_back("not packed with the colour: " + obstacle);
+  if (!obstacle.empty()) action_.notes.push_back("not packed with the color: " + obstacle);
 }
 
 std::string ObjectPlan::pack(Found& factor, Found& colour) {
   if (!lie_alike(document_, factor.value, colour.value)) {
-    return "the textures lie differently on the surface";
+    return "the textures have different coordinates or transforms";
   }
   if (context_.moved.count({carrier_.host, colour.step->from}) != 0) {
-    return "the colour comes from another extension that is upgraded";
+    return "the color comes from another upgraded extension";
   }
   if (is_pointed_at(split_path(colour.step->from)) ||
       is_pointed_at({"extensions", extension_.name, factor.step->from})) {
-    return "an animation moves one of the textures";
+    return "one of the textures is animated";
   }
   const std::uint64_t texture =
       document_.unsigned_integer(document_.find(colour.value, "index")).value_or(0);
@@ -133,7 +132,7 @@ std::string ObjectPlan::pack(Found& factor, Found& colour) {
   colour.sampler = factor.sampler;
   const json::NodeId mode = document_.find(carrier_.host, "alphaMode");
   colour.shared = mode == json::kNoNode || document_.raw(mode) == R"("OPAQUE")";
-  action_.notes.push_back(fmt::format("{} and {} share that image{}", factor.step->to,
+  action_.notes.push_back(fmt::format("{} and {} share the image{}", factor.step->to,
                                       colour.step->to,
                                       colour.shared ? " with " + colour.step->from : ""));
   return {};

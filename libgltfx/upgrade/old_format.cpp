@@ -15,7 +15,7 @@ UpgradeAction old_format(const UpgradeOptions& options, std::string pointer,
   action.pointer = std::move(pointer);
   action.from = "glTF " + version;
   action.fate = limited ? UpgradeFate::no_successor : UpgradeFate::impossible;
-  action.notes.emplace_back("glTF 1.0 is another format; gltf-pipeline converts it to glTF 2.0:");
+  action.notes.emplace_back("glTF 1.0 is not supported; convert it with gltf-pipeline:");
   action.notes.emplace_back("npx gltf-pipeline -i OLD -o NEW");
   return action;
 }

@@ -82,11 +82,11 @@ bool sample_alike(const model::Asset& asset, std::optional<std::uint64_t> one,
 }
 
 std::string packing_obstacle(const Picture& colour, const Picture& factor) {
-  if (colour.image.bits != 8) return "the colour has more than 8 bits";
+  if (colour.image.bits != 8) return "the color has more than 8 bits";
   if (colour.image.width == factor.image.width && colour.image.height == factor.image.height) {
     return {};
   }
-  return fmt::format("the images have {} by {} and {} by {} texels", colour.image.width,
+  return fmt::format("the images have {}x{} and {}x{} texels", colour.image.width,
                      colour.image.height, factor.image.width, factor.image.height);
 }
 

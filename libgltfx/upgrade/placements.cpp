@@ -47,7 +47,7 @@ std::optional<std::string> Placements::check(const std::vector<std::string>& pat
   for (const std::string& name : path) {
     at = context_.document.find(at, name);
     if (at == json::kNoNode) return std::nullopt;
-    if (!context_.document.is_object(at)) return fmt::format("its {} is no object", name);
+    if (!context_.document.is_object(at)) return fmt::format("its {} is not an object", name);
   }
   return std::nullopt;
 }

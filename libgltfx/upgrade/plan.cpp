@@ -165,7 +165,8 @@ class ExtensionPlan {
     for (Judged& one : judged_) {
       if (!is_doable(one.action)) continue;
       one.action.fate = UpgradeFate::impossible;
-      one.action.notes.emplace_back("others of the document stay, and all of them go together");
+      one.action.notes.emplace_back(
+          "other objects of the asset cannot be upgraded, and only all together can");
     }
   }
 
@@ -307,7 +308,7 @@ void settle_taken_out(Context& context, edit::NameList& used, edit::NameList& re
   for (UpgradeAction& action : context.plan.actions) actions[action.pointer] = &action;
   for (const std::string& name : listed) {
     actions[context.taken_out[gone.at(name)]]->notes.push_back(
-        fmt::format("{} has no object any more: its name goes, too", name));
+        fmt::format("{} is no longer used; its declaration is removed", name));
   }
 }
 

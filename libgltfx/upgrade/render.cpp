@@ -96,10 +96,10 @@ Result<Recipe> recipe_of(const ImageJob& job, Pictures& pictures) {
     }
     if (first == nullptr) first = image;
     if (image->width != first->width || image->height != first->height) {
-      return Error{fmt::format("image {} has another size than the one beside it", index)};
+      return Error{fmt::format("image {} has a different size than the other one", index)};
     }
   }
-  if (first == nullptr) return Error{"a new image is made of nothing"};
+  if (first == nullptr) return Error{"a new image has no source"};
   return recipe;
 }
 

@@ -61,13 +61,13 @@ class Settler {
       for (const std::string& json : elements) append(array, json);
     }
     settle_bin();
-    if (!put_arrays()) return Error{"a root array of the document holds something else"};
+    if (!put_arrays()) return Error{"a root array has the wrong type"};
     settlement_.edits = editor_.take();
     return std::move(settlement_);
   }
 
  private:
-  static Error no_name() { return {"there is no free name for a new file"}; }
+  static Error no_name() { return {"all names for a new file are taken"}; }
 
   void append(const std::string& array, std::string json) {
     arrays_[array].push_back(std::move(json));

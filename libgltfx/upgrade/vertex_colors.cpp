@@ -55,10 +55,10 @@ Reading read_color(const model::AccessorData& data) {
       }
     });
   });
-  if (varies) return {"varies over the vertices", {}};
+  if (varies) return {"differs between vertices", {}};
   const bool sound = reading.color && std::all_of(reading.color->begin(), reading.color->end(),
                                                   [](double x) { return x >= 0 && x <= 1; });
-  if (!sound) return {"goes beyond 0 to 1", {}};
+  if (!sound) return {"is outside 0 to 1", {}};
   return reading;
 }
 

@@ -46,7 +46,7 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
     const bool same = resource.context.deviations.refused_files_have_no_code;
     resource.find(same ? Code::IO_ERROR : code_of(resolved.fault), "uri",
                   container::describe(resolved.fault, uri.normalized, resolved.problem),
-                  std::string(container::remedy(resolved.fault)));
+                  std::string(container::help(resolved.fault)));
     return std::nullopt;
   }
   if (resolved.git_lfs_pointer && !resource.context.deviations.lfs_pointers_are_data) {

@@ -281,7 +281,7 @@ TEST(Client, AProgramThatIsNoWorkerIsNotOne) {
   const DracoResult result = client.decode_draco({});
   ASSERT_TRUE(std::holds_alternative<Fault>(result));
   EXPECT_EQ(std::get<Fault>(result).kind, FaultKind::unavailable);
-  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("exit code 0"));
+  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("exited with code 0"));
 }
 
 /// A decoder that the name of its folder makes misbehave.
@@ -308,13 +308,13 @@ class Decoders : public ::testing::Test {
 TEST_F(Decoders, OneThatEndsIsNamedWithItsExitCode) {
   const Fault fault = ask("gone");
   EXPECT_EQ(fault.kind, FaultKind::unavailable);
-  EXPECT_THAT(fault.message, HasSubstr("exit code 3"));
+  EXPECT_THAT(fault.message, HasSubstr("exited with code 3"));
 }
 
 TEST_F(Decoders, OneThatGreetsWronglyIsNamed) {
   const Fault fault = ask("rude");
   EXPECT_EQ(fault.kind, FaultKind::unavailable);
-  EXPECT_THAT(fault.message, HasSubstr("protocol of this version"));
+  EXPECT_THAT(fault.message, HasSubstr("different protocol version"));
 }
 
 TEST_F(Decoders, SilenceIsWaitedForOnce) {

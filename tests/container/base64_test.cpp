@@ -60,25 +60,25 @@ TEST(Base64, TheFirstBadCharacterIsNamed) {
 }
 
 TEST(Base64, PaddingStandsOnlyAtTheEnd) {
-  EXPECT_THAT(decoded("AA==AAAA"), HasSubstr("Character 3 of the base64 text is padding"));
-  EXPECT_THAT(decoded("=AAA"), HasSubstr("Character 1 of the base64 text is padding"));
-  EXPECT_THAT(decoded("A==="), HasSubstr("Character 2 of the base64 text is padding"));
-  EXPECT_THAT(decoded("===="), HasSubstr("Character 1 of the base64 text is padding"));
-  EXPECT_THAT(decoded("AA=A"), HasSubstr("Character 3 of the base64 text is padding"));
+  EXPECT_THAT(decoded("AA==AAAA"), HasSubstr("Character 3 of the base64 text is '='"));
+  EXPECT_THAT(decoded("=AAA"), HasSubstr("Character 1 of the base64 text is '='"));
+  EXPECT_THAT(decoded("A==="), HasSubstr("Character 2 of the base64 text is '='"));
+  EXPECT_THAT(decoded("===="), HasSubstr("Character 1 of the base64 text is '='"));
+  EXPECT_THAT(decoded("AA=A"), HasSubstr("Character 3 of the base64 text is '='"));
   EXPECT_THAT(decoded("AAAA="), HasSubstr("error: "));
-  EXPECT_THAT(decoded("A=AAA"), HasSubstr("Character 2 of the base64 text is padding"));
+  EXPECT_THAT(decoded("A=AAA"), HasSubstr("Character 2 of the base64 text is '='"));
 }
 
 TEST(Base64, MissingPaddingIsRefused) {
   for (const char* text : {"A", "AA", "AAA", "AAAAA", "AAAAAA", "AA="}) {
-    EXPECT_THAT(decoded(text), HasSubstr("no multiple of 4")) << text;
+    EXPECT_THAT(decoded(text), HasSubstr("not a multiple of 4")) << text;
   }
 }
 
 TEST(Base64, SpareBitsMustBeZero) {
   EXPECT_EQ(decoded("AQ=="), "\x01");
-  EXPECT_THAT(decoded("AR=="), HasSubstr("Character 2 of the base64 text has bits set"));
-  EXPECT_THAT(decoded("AAB="), HasSubstr("Character 3 of the base64 text has bits set"));
+  EXPECT_THAT(decoded("AR=="), HasSubstr("Character 2 of the base64 text has unused bits"));
+  EXPECT_THAT(decoded("AAB="), HasSubstr("Character 3 of the base64 text has unused bits"));
   EXPECT_EQ(decoded("AAE="), std::string("\0\1", 2));
 }
 

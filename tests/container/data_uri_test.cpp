@@ -57,14 +57,16 @@ TEST(DataUri, ParametersAreNoPartOfTheType) {
 TEST(DataUri, OnlyTheFirstCommaSeparates) { EXPECT_EQ(payload_of("data:text/plain,a,b"), "a,b"); }
 
 TEST(DataUri, EachMistakeIsNamed) {
-  EXPECT_THAT(error_of("http://a"), HasSubstr("no data URI"));
-  EXPECT_THAT(error_of("data"), HasSubstr("no data URI"));
+  EXPECT_THAT(error_of("http://a"), HasSubstr("does not start with 'data:'"));
+  EXPECT_THAT(error_of("data"), HasSubstr("does not start with 'data:'"));
   EXPECT_THAT(error_of("data:image/png;base64"), HasSubstr("no comma"));
-  EXPECT_THAT(error_of("data:base64,AAAA"), HasSubstr("'base64' is no media type"));
-  EXPECT_THAT(error_of("data:image/png;x,AAAA"), HasSubstr("parameter 'x' has no value"));
-  EXPECT_THAT(error_of("data:image/png;,AAAA"), HasSubstr("parameter '' has no value"));
+  EXPECT_THAT(error_of("data:base64,AAAA"), HasSubstr("'base64' is not a media type"));
+  EXPECT_THAT(error_of("data:image/png;x,AAAA"),
+              HasSubstr("parameter 'x' of the data URI has no value"));
+  EXPECT_THAT(error_of("data:image/png;,AAAA"),
+              HasSubstr("parameter '' of the data URI has no value"));
   EXPECT_THAT(error_of("data:image/png;BASE64,AAAA"), HasSubstr("lower case"));
-  EXPECT_THAT(error_of("data:image/png;base64;a=b,AAAA"), HasSubstr("last word"));
+  EXPECT_THAT(error_of("data:image/png;base64;a=b,AAAA"), HasSubstr("directly before the comma"));
 }
 
 TEST(DataUri, PayloadsAreDecodedAsTheySay) {

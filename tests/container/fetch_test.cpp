@@ -41,8 +41,8 @@ TEST(Fetch, WhatCannotBeHadIsNamed) {
   };
   EXPECT_THAT(why("away.bin"), HasSubstr("away.bin"));
   EXPECT_THAT(why("../up.bin"), HasSubstr("up.bin"));
-  EXPECT_THAT(why("lfs.bin"), HasSubstr("Git-LFS"));
-  EXPECT_THAT(why("https://example.com/a.bin"), HasSubstr("names no file"));
+  EXPECT_THAT(why("lfs.bin"), HasSubstr("Git LFS"));
+  EXPECT_THAT(why("https://example.com/a.bin"), HasSubstr("not a relative path"));
   EXPECT_NE(why("data:;base64,!"), "it is there");
   EXPECT_NE(why("data:no comma"), "it is there");
 }

@@ -132,9 +132,9 @@ TEST(OpenFile, AnEmptyFileIsEmpty) {
 
 TEST(OpenFile, WhatIsNoReadableFileIsAnErrorThatSaysSo) {
   const TempFolder folder;
-  EXPECT_THAT(message_of(folder.path() / "none.gltf"), HasSubstr("none.gltf' does not exist."));
-  EXPECT_THAT(message_of(folder.path()), HasSubstr("is not a regular file: it is a folder."));
-  EXPECT_THAT(message_of("/dev/zero"), HasSubstr("it is a device."));
+  EXPECT_THAT(message_of(folder.path() / "none.gltf"), HasSubstr("none.gltf' does not exist;"));
+  EXPECT_THAT(message_of(folder.path()), HasSubstr("is not a regular file: it is a folder;"));
+  EXPECT_THAT(message_of("/dev/zero"), HasSubstr("it is a device;"));
   EXPECT_THAT(message_of(""), HasSubstr("does not exist"));
 }
 
@@ -142,7 +142,7 @@ TEST(OpenFile, AFifoDoesNotBlock) {
   const TempFolder folder;
   const std::filesystem::path fifo = folder.path() / "pipe.glb";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
-  EXPECT_THAT(message_of(fifo), HasSubstr("it is a pipe."));
+  EXPECT_THAT(message_of(fifo), HasSubstr("it is a pipe;"));
 }
 
 TEST(OpenFile, ALinkToAFileIsFollowed) {
@@ -158,7 +158,7 @@ TEST(OpenFile, AFileLargerThanTheLimitIsRefused) {
   const TempFolder folder;
   const auto file = folder.write("a.gltf", "{   }");
   EXPECT_EQ(message_of(file, {5}), "no error");
-  EXPECT_THAT(message_of(file, {4}), HasSubstr("it has 5 bytes, at most 4 are read."));
+  EXPECT_THAT(message_of(file, {4}), HasSubstr("it has 5 bytes, the limit is 4;"));
 }
 
 TEST(OpenFile, JsonBeyondFourGibibytesIsRefusedBeforeItIsRead) {
@@ -178,7 +178,7 @@ TEST(CopyRange, AFileThatBecameShorterIsTruncated) {
   EXPECT_EQ(*copy_range(file.fd.get(), 1, 4).text, "2345");
   const Copied cut = copy_range(file.fd.get(), 2, 4);
   EXPECT_EQ(cut.fault, ResolveFault::truncated);
-  EXPECT_EQ(cut.problem, "it ended at byte 5 where 6 were expected");
+  EXPECT_EQ(cut.problem, "it ends at byte 5, expected 6");
 }
 
 TEST(CopyRange, AnImpossibleSizeIsAFaultAndNoCrash) {

@@ -19,18 +19,18 @@ constexpr std::array kFaults{ResolveFault::not_found,   ResolveFault::outside_ro
                              ResolveFault::no_root,     ResolveFault::io_error,
                              ResolveFault::truncated,   ResolveFault::too_large};
 
-TEST(ResolveFault, EachHasASentenceAndARemedyOfItsOwn) {
+TEST(ResolveFault, EachHasASentenceAndAHelpOfItsOwn) {
   std::set<std::string> sentences;
-  std::set<std::string_view> remedies;
+  std::set<std::string_view> helps;
   for (const ResolveFault fault : kFaults) {
     EXPECT_EQ(describe(fault, "a.bin").back(), '.');
-    EXPECT_EQ(remedy(fault).back(), '.');
+    EXPECT_NE(help(fault).back(), '.');
     sentences.insert(describe(fault, "a.bin"));
-    remedies.insert(remedy(fault));
+    helps.insert(help(fault));
   }
   EXPECT_EQ(sentences.size(), kFaults.size());
-  EXPECT_EQ(remedies.size(), kFaults.size());
-  EXPECT_EQ(remedy(ResolveFault::none), "");
+  EXPECT_EQ(helps.size(), kFaults.size());
+  EXPECT_EQ(help(ResolveFault::none), "");
 }
 
 TEST(ResolveFault, SentencesNameThePathAndTheProblem) {

@@ -60,7 +60,7 @@ TEST(ReadStream, MoreThanTheLimitIsAnError) {
   EXPECT_TRUE(through_pipe("12345", 5));
   const auto bytes = through_pipe("123456", 5);
   ASSERT_FALSE(bytes);
-  EXPECT_THAT(bytes.error().message, HasSubstr("more than 5 bytes"));
+  EXPECT_THAT(bytes.error().message, HasSubstr("limit of 5 bytes"));
 }
 
 TEST(ReadStream, ABadDescriptorIsAnError) {

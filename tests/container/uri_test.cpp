@@ -102,7 +102,7 @@ TEST(Uri, AColonInTheFirstSegmentNeedsAScheme) {
   for (const char* uri : {":a", "1:2", "-a:b", " data:,x", "a b:c", "\xC3\xA4:b"}) {
     const Uri parsed = classify_uri(uri);
     EXPECT_EQ(parsed.kind, UriKind::invalid) << uri;
-    EXPECT_THAT(parsed.problem, HasSubstr("has a ':'")) << uri;
+    EXPECT_THAT(parsed.problem, HasSubstr("':'")) << uri;
     EXPECT_FALSE(parsed.lenient_path) << uri;
   }
 }

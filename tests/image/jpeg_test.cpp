@@ -96,12 +96,12 @@ TEST(Jpeg, FrameHeadersAreSound) {
   EXPECT_EQ(doubt(whole_jpeg()), "");
   EXPECT_EQ(doubt(whole_jpeg({}, 1)), "");
   EXPECT_EQ(doubt(patched_jpeg(kFrame, 2, "\x0c")),
-            "The JPEG has 12 bits a channel; readers decode 8.");
+            "The JPEG has 12 bits per channel; loaders only support 8.");
   EXPECT_NE(doubt(patched_jpeg(kFrame, 3, "\0\0"s)), "") << "no lines";
   EXPECT_NE(doubt(patched_jpeg(kFrame, 5, "\0\0"s)), "") << "no columns";
   for (const char* factors : {"\x01", "\x10", "\x51", "\x15"}) {
     EXPECT_EQ(doubt(patched_jpeg(kFrame, 9, factors)),
-              "A sampling factor of the JPEG is not from 1 to 4.");
+              "The JPEG has a sampling factor that is not between 1 and 4.");
   }
   EXPECT_EQ(doubt(patched_jpeg(kFrame, 9, "\x22")), "");
   EXPECT_NE(doubt(patched_jpeg(kFrame, 9, "\x44")), "") << "18 blocks";
@@ -148,7 +148,7 @@ TEST(Jpeg, FirstScansAreSound) {
   EXPECT_NE(doubt(patched_jpeg(kScan, 3, "\x09")), "") << "a component that there is not";
   EXPECT_NE(doubt(patched_jpeg(kScan, 4, "\x40")), "") << "table";
   EXPECT_EQ(remark(patched_jpeg(kScan, 4, "\x10")),
-            "!The JPEG lacks a Huffman table that its first scan uses.");
+            "!The first scan of the JPEG uses a missing Huffman table.");
   EXPECT_NE(remark(patched_jpeg(kScan, 9, "\1")), "");
   EXPECT_NE(remark(patched_jpeg(kScan, 10, "\x3e")), "");
   const auto progressive = [](char components, const std::string& band) {

@@ -29,8 +29,8 @@ TEST(Ktx2Format, OfUastcAndEtc1sIsZero) {
   Ktx2Builder uastc;
   uastc.vk_format = 37;
   EXPECT_EQ(mismatches(uastc),
-            std::vector<std::string>{"vkFormat is 37 (R8G8B8A8_UNORM), but colorModel of the "
-                                     "descriptor is 166 (UASTC), for which it must be 0."});
+            std::vector<std::string>{
+                "vkFormat is 37 (R8G8B8A8_UNORM); for colorModel 166 (UASTC) it must be 0."});
   Ktx2Builder etc1s = Ktx2Builder::etc1s();
   etc1s.vk_format = 147;
   EXPECT_EQ(codes(etc1s.file()), Codes{"KTX2_FORMAT_MISMATCH"});
@@ -44,13 +44,13 @@ TEST(Ktx2Format, OfAstcIsThatOfItsBlocks) {
   astc.vk_format = 166;
   EXPECT_EQ(mismatches(astc),
             std::vector<std::string>{"vkFormat is 166 (ASTC_6x6_SRGB_BLOCK), but the texel blocks "
-                                     "of the descriptor are 4 by 4."});
+                                     "of the descriptor are 4x4."});
   astc.block = std::string("\5\5\0\0", 4);
   EXPECT_EQ(mismatches(astc), kNone);
   astc.vk_format = 145;
   EXPECT_EQ(mismatches(astc),
             std::vector<std::string>{"vkFormat is 145 (BC7_UNORM_BLOCK), but colorModel of the "
-                                     "descriptor is 162 (ASTC) instead of 134."});
+                                     "descriptor is 162 (ASTC), not 134."});
   Ktx2Builder two = Ktx2Builder::astc();
   two.channels = {0, 15};
   two.bits = {64, 64};
@@ -66,7 +66,7 @@ TEST(Ktx2Format, OfSrgbNeedsItsTransferFunction) {
   Ktx2Builder srgb = Ktx2Builder::astc().linear();
   EXPECT_EQ(mismatches(srgb),
             std::vector<std::string>{"vkFormat is 158 (ASTC_4x4_SRGB_BLOCK), but the transfer "
-                                     "function of the descriptor is 1, not that of sRGB."});
+                                     "function of the descriptor is 1, not sRGB."});
   Ktx2Builder linear = Ktx2Builder::astc();
   linear.vk_format = 157;
   const auto found = mismatches(linear);

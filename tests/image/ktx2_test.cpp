@@ -219,13 +219,14 @@ TEST(Ktx2, TexelBlocksHaveTheirBytes) {
     return problems(bytes, "KTX2_DESCRIPTOR_INVALID");
   };
   const std::string uastc = Ktx2Builder().file();
-  EXPECT_EQ(found(patched(uastc, kPlanes, le(8, 1))),
-            std::vector<std::string>{"!bytesPlane0 is 8; a texel block has 16 bytes."});
+  EXPECT_EQ(
+      found(patched(uastc, kPlanes, le(8, 1))),
+      std::vector<std::string>{"!bytesPlane0 is 8; it must be 16, the size of a texel block."});
   EXPECT_EQ(found(patched(uastc, kPlanes, le(0, 1))).size(), 1U);
   EXPECT_EQ(found(patched(Ktx2Builder::etc1s().file(), kPlanes, le(0, 1))), kNone)
       << "as former editions wanted it";
   EXPECT_EQ(found(patched(uastc, kSample + 2, le(63, 1))),
-            std::vector<std::string>{"!The samples are not 128 bits each, one after another."});
+            std::vector<std::string>{"!The samples are not 128 contiguous bits each."});
   EXPECT_EQ(found(patched(uastc, kSample, le(8, 2))).size(), 1U);
 }
 
@@ -244,13 +245,13 @@ TEST(Ktx2, PartsFollowEachOther) {
   EXPECT_EQ(problems(builder.file(), "KTX2_INDEX_INVALID"), kNone);
   EXPECT_EQ(gap(builder, kBlock),
             std::vector<std::string>{
-                "!The data format descriptor does not follow the level index immediately."});
-  EXPECT_EQ(gap(builder, kEntries),
-            std::vector<std::string>{
-                "!The metadata do not follow the data format descriptor immediately."});
+                "!The data format descriptor is not directly after the level index."});
+  EXPECT_EQ(
+      gap(builder, kEntries),
+      std::vector<std::string>{"!The metadata is not directly after the data format descriptor."});
   EXPECT_EQ(gap(builder, kEntries + 16),
             std::vector<std::string>{
-                "!The supercompression global data do not follow the metadata immediately."});
+                "!The supercompression global data is not directly after the metadata."});
 }
 
 TEST(Ktx2, MetadataHaveTheirValues) {
@@ -261,14 +262,14 @@ TEST(Ktx2, MetadataHaveTheirValues) {
   const std::string number(3, 'n');
   EXPECT_EQ(found("KTXglFormat", number, Ktx2Builder()), kNone);
   EXPECT_EQ(found("KTXglFormat", number, Ktx2Builder::astc()),
-            std::vector<std::string>{"!KTXglFormat is only allowed where vkFormat is 0."});
+            std::vector<std::string>{"!KTXglFormat is only allowed if vkFormat is 0."});
   EXPECT_EQ(found("KTXastcDecodeMode", "unorm8", Ktx2Builder::astc()), kNone);
   EXPECT_EQ(found("KTXastcDecodeMode", "unorm16", Ktx2Builder::astc()).size(), 1U);
   Ktx2Builder builder;
   builder.metadata = {{"a", "12"}};
   EXPECT_EQ(
       problems(patched(builder.file(), kMetadata + 4, le(9, 4)), "KTX2_METADATA_INVALID"),
-      std::vector<std::string>{"!The metadata do not end with the padding of their last entry."});
+      std::vector<std::string>{"!The metadata does not end with the padding of its last entry."});
   builder.metadata.clear();
   for (int i = 0; i < 1000; ++i) builder.metadata.push_back({"same", ""});
   EXPECT_EQ(codes(builder.file()), Codes{"KTX2_METADATA_INVALID"}) << "said once";

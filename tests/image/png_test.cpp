@@ -126,17 +126,17 @@ TEST(Png, BitDepthsGoWithColourTypes) {
     }
   }
   EXPECT_EQ(doubt(png({}, {1, 1, 4, 2})),
-            "The bit depth of the PNG is 4, but colour type 2 has 8 or 16.");
+            "The bit depth of the PNG is 4; for color type 2 it must be 8 or 16.");
 }
 
 TEST(Png, MethodsAreThoseThatExist) {
   EXPECT_EQ(doubt(png({}, {1, 1, 8, 2, 1})), "") << "interlaced";
   EXPECT_EQ(doubt(png({}, {1, 1, 8, 2, 2})),
-            "The interlace method of the PNG is 2, which does not exist.");
+            "The interlace method of the PNG is 2, which is unknown.");
   EXPECT_EQ(doubt(png({}, {1, 1, 8, 2, 0, 1})),
-            "The compression method of the PNG is 1, which does not exist.");
+            "The compression method of the PNG is 1, which is unknown.");
   EXPECT_EQ(doubt(png({}, {1, 1, 8, 2, 0, 0, 64})),
-            "The filter method of the PNG is 64, which does not exist.");
+            "The filter method of the PNG is 64, which is unknown.");
 }
 
 TEST(Png, SidesHave31Bits) {
@@ -152,14 +152,14 @@ TEST(Png, PalettesHaveTheEntriesThatAreUsed) {
   for (const std::size_t length : {0U, 4U, 771U}) {
     EXPECT_NE(doubt(palette(png_chunk("PLTE", std::string(length, 'x')))), "") << length;
   }
-  EXPECT_EQ(doubt(palette({})), "The PNG has no palette, which it refers to.");
+  EXPECT_EQ(doubt(palette({})), "The PNG uses a palette, but has none.");
   EXPECT_EQ(doubt(palette(png_chunk("PLTE", "abc") + png_chunk("PLTE", "abc"))),
             "The PNG has two palettes.");
   const std::string four = png_chunk("PLTE", "abcdefghijkl");
   EXPECT_EQ(remark(png(four, {4, 4, 1, 3})),
-            "The palette of the PNG has 4 entries, but 1 bits reach only 2.");
+            "The palette of the PNG has 4 entries; with 1 bits it can have only 2.");
   EXPECT_EQ(remark(png(four, {4, 4, 2, 3})), "");
-  EXPECT_EQ(remark(png(four, {4, 4, 8, 0})), "The PNG is grey, but has a palette.");
+  EXPECT_EQ(remark(png(four, {4, 4, 8, 0})), "The PNG is grayscale, but has a palette.");
   EXPECT_EQ(remark(png(four, {4, 4, 8, 2})), "") << "a suggestion";
 }
 
@@ -172,23 +172,21 @@ TEST(Png, TransparencyIsThatOfTheColourType) {
   EXPECT_EQ(with(2, 6), "");
   EXPECT_EQ(with(3, 1), "");
   EXPECT_EQ(with(3, 2), "");
-  EXPECT_EQ(with(0, 6), "!The tRNS chunk of the PNG has 6 bytes instead of 2.");
-  EXPECT_EQ(with(2, 2), "!The tRNS chunk of the PNG has 2 bytes instead of 6.");
+  EXPECT_EQ(with(0, 6), "!The tRNS chunk of the PNG has 6 bytes; it must have 2.");
+  EXPECT_EQ(with(2, 2), "!The tRNS chunk of the PNG has 2 bytes; it must have 6.");
   EXPECT_NE(with(3, 0), "");
   EXPECT_NE(with(3, 3), "") << "there are two entries";
-  EXPECT_EQ(with(4, 2), "!The PNG has a tRNS chunk beside its alpha channel.");
-  EXPECT_EQ(with(6, 6), "!The PNG has a tRNS chunk beside its alpha channel.");
+  EXPECT_EQ(with(4, 2), "!The PNG has both a tRNS chunk and an alpha channel.");
+  EXPECT_EQ(with(6, 6), "!The PNG has both a tRNS chunk and an alpha channel.");
   const std::string before = png_chunk("tRNS", "a") + png_chunk("PLTE", "abc");
-  EXPECT_EQ(remark(png(before, {4, 4, 8, 3})),
-            "!The tRNS chunk of the PNG stands before its palette.");
+  EXPECT_EQ(remark(png(before, {4, 4, 8, 3})), "!The tRNS chunk of the PNG is before its palette.");
   const std::string twice = png_chunk("tRNS", "ab") + png_chunk("tRNS", "ab");
   EXPECT_EQ(remark(png(twice, {4, 4, 8, 0})), "!The PNG has two tRNS chunks.");
 }
 
 TEST(Png, CriticalChunksAreThoseOfTheFormat) {
   EXPECT_EQ(doubt(png(png_chunk("teSt", "x"))), "");
-  EXPECT_EQ(doubt(png(png_chunk("TeSt", "x"))),
-            "The PNG has a critical chunk 'TeSt', which the format does not define.");
+  EXPECT_EQ(doubt(png(png_chunk("TeSt", "x"))), "The PNG has the unknown critical chunk 'TeSt'.");
   EXPECT_NE(doubt(png(png_chunk("te t", "x"))), "");
   std::string bytes = png();
   bytes.insert(33, bytes.substr(8, 25));  // IHDR
@@ -226,8 +224,7 @@ TEST(Png, ImageDataBeginAsCompressedDataDo) {
 TEST(Png, CutsBehindTheHeaderAreFound) {
   const std::string whole = png();
   for (std::size_t size = whole.find("IDAT") + 4; size < whole.size(); ++size) {
-    EXPECT_EQ(doubt(whole.substr(0, size)),
-              size < whole.size() - 4 ? "The PNG is cut off: its end is missing." : "")
+    EXPECT_EQ(doubt(whole.substr(0, size)), size < whole.size() - 4 ? "The PNG is truncated." : "")
         << size;
   }
   EXPECT_EQ(doubt(whole + "bytes that nobody reads"), "");

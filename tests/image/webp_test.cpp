@@ -54,9 +54,9 @@ TEST(Webp, SizesReachAsFarAsTheBytes) {
   EXPECT_EQ(remark(whole), "");
   EXPECT_EQ(remark(whole + "behind"), "");
   for (std::size_t size = 25; size < whole.size(); ++size) {
-    EXPECT_EQ(doubt(whole.substr(0, size)), "The WebP is cut off: " + std::to_string(size) +
-                                                " of " + std::to_string(whole.size()) +
-                                                " bytes are there.");
+    EXPECT_EQ(doubt(whole.substr(0, size)), "The WebP is truncated: it has " +
+                                                std::to_string(size) + " of " +
+                                                std::to_string(whole.size()) + " bytes.");
   }
   const auto with = [&](std::size_t offset, std::uint32_t size) {
     std::string bytes = whole + "xx";
@@ -92,15 +92,16 @@ TEST(Webp, ExtendedFilesAgreeWithTheirImage) {
   EXPECT_EQ(remark(file(flags(0), profile + image)), "");
   EXPECT_EQ(remark(file(flags(0x10), image)), "") << "alpha need not be there";
   EXPECT_EQ(remark(file(flags(0), webp_chunk("VP8L", webp_lossless(4, 4, true)))),
-            "!The image in the WebP has alpha, which the flags of the file deny.");
+            "!The image in the WebP has alpha, but the alpha flag is not set.");
   const std::string lossy = webp_chunk("VP8 ", "\x10\0\0\x9d\x01\x2a\4\0\4\0"s);
   EXPECT_EQ(remark(file(flags(0), lossy)), "");
   EXPECT_NE(remark(file(flags(0), webp_chunk("ALPH", "x") + lossy)), "");
   for (const std::uint32_t reserved : {1U, 0x40U, 0x80U, 0x100U, 0x80000000U}) {
-    EXPECT_EQ(remark(file(flags(reserved), image)), "Reserved bits of the WebP are set.");
+    EXPECT_EQ(remark(file(flags(reserved), image)),
+              "The WebP has reserved bits that are not zero.");
   }
   EXPECT_EQ(doubt(file(flags(0), webp_chunk("VP8L", webp_lossless(4, 5)))),
-            "The canvas of the WebP has 4 by 4 pixels, its image 4 by 5.");
+            "The canvas of the WebP is 4x4, but its image is 4x5.");
   EXPECT_EQ(doubt(file(flags(0), profile)), "The WebP has no image data.");
   std::string longer = file(flags(0), image);
   longer[longer.find("VP8L") + 5] = '\1';
@@ -124,7 +125,7 @@ TEST(Webp, AnimationsNeedFrames) {
                                         webp_chunk("ANMF", std::string(16, 'x'))));
   EXPECT_TRUE(sound.animated);
   EXPECT_EQ(sound.doubt, "");
-  EXPECT_EQ(doubt(webp_file(extended)), "The WebP is said to be animated, but has no frame.");
+  EXPECT_EQ(doubt(webp_file(extended)), "The WebP is marked as animated, but has no frames.");
   const std::string still = webp_chunk("VP8X", le(0, 4) + le(3, 3) + le(3, 3));
   EXPECT_NE(doubt(webp_file(still + webp_chunk("ANMF", std::string(16, 'x')))), "")
       << "frames that the flags deny";

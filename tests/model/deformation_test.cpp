@@ -128,7 +128,7 @@ TEST(Skin, SeveralSetsCountTogether) {
   accessors.add("VEC4", kFloat, 3, floats({0.5F, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}));
   const std::string base = R"("POSITION": 0, "JOINTS_0": 2, "WEIGHTS_0": 3, "JOINTS_1": 4, )";
   const BytesAsset floats_asset(accessors, one_mesh(base + R"("WEIGHTS_1": 6)"));
-  // The joint 7 of the second vertex does not exist.
+  // The joint 7 of the second vertex is unknown.
   EXPECT_THAT(floats_asset.read({{}, {}, kJoints}).geometry.positions,
               ElementsAre(near(5, 0, 0), near(10, 1, 0), near(0, 1, 0)));
   const BytesAsset bytes_asset(accessors, one_mesh(base + R"("WEIGHTS_1": 5)"));

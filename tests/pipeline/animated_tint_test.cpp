@@ -129,7 +129,8 @@ TEST(AnimatedTint, WhatIsNoChannelCannotBeFollowed) {
       {{"nodes", {{{"configuration", {{"pointer", {{"value", {kBaseColor}}}}}}}}}}};
   const Upgraded result = upgraded(scene);
   EXPECT_EQ(result.action().fate, UpgradeFate::unsafe);
-  EXPECT_THAT(result.action().notes, Contains(HasSubstr("something else than a channel")));
+  EXPECT_THAT(result.action().notes,
+              Contains(HasSubstr("something other than an animation channel")));
 }
 
 TEST(AnimatedTint, KeyframesThatCannotBeReadAreALoss) {

@@ -262,8 +262,8 @@ TEST(SceneBuilder, BuffersThatAreMissingAreNamed) {
  "nodes": [{"mesh": 0}], )" +
                     one_mesh(R"("POSITION": 0)") + "}");
   EXPECT_THAT(scene.instances, IsEmpty());
-  EXPECT_THAT(scene.notes, Contains(HasSubstr("Buffer 0 cannot be had: ")));
-  EXPECT_THAT(scene.notes, Contains(HasSubstr("Buffer 1 has fewer bytes")));
+  EXPECT_THAT(scene.notes, Contains(HasSubstr("Buffer 0 cannot be loaded: ")));
+  EXPECT_THAT(scene.notes, Contains(HasSubstr("Buffer 1 is shorter than its byteLength")));
   EXPECT_THAT(scene.notes, Contains(HasSubstr("no positions")));
 }
 

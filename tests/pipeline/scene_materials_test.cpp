@@ -232,9 +232,9 @@ TEST(SceneTextures, WhatCannotBeHadIsMarkedAndNamed) {
     EXPECT_THAT(scene.notes,
                 testing::Contains(testing::AllOf(HasSubstr(why), HasSubstr("checker"))));
   };
-  missing(R"({"uri": "away.png"})", {}, "not there");
+  missing(R"({"uri": "away.png"})", {}, "missing image");
   missing({}, R"({})", "has no image");
-  missing(image("image/png", "nothing of the kind"), {}, "no format known");
+  missing(image("image/png", "nothing of the kind"), {}, "unknown format");
   missing(image("image/ktx2", std::string("\xabKTX 20\xbb\r\n\x1a\n", 12) + std::string(100, '\0')),
           {}, "image/ktx2");
   missing(image("image/png", kPng.substr(0, kPng.size() - 30)), {}, "cannot be decoded");

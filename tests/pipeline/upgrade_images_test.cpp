@@ -265,9 +265,9 @@ TEST(UpgradeImages, WhatCannotBeReadIsNamedAndLeftAlone) {
       "\nsize 12345\n";
   const std::string png = noisy_png(PngColor::rgb, 8, 24);
   const std::string ktx2 = "\xABKTX 20\xBB\r\n\x1A\n" + std::string(80, '\0');
-  const std::vector<std::pair<std::string, std::string>> all{{"", "format is not known"},
-                                                             {"hello", "format is not known"},
-                                                             {pointer, "Git-LFS"},
+  const std::vector<std::pair<std::string, std::string>> all{{"", "format is unknown"},
+                                                             {"hello", "format is unknown"},
+                                                             {pointer, "Git LFS"},
                                                              {png.substr(0, 200), "image 0"},
                                                              {ktx2, "image/ktx2"}};
   for (const auto& [bytes, says] : all) {

@@ -100,8 +100,9 @@ TEST(UpgradePack, WhatDiffersIsNotPacked) {
     return document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
   };
   const std::vector<Case> cases{
-      {"lie differently", [&](Json& d, const TempFolder&) { base(d)["texCoord"] = 1; }},
-      {"lie differently",
+      {"different coordinates or transforms",
+       [&](Json& d, const TempFolder&) { base(d)["texCoord"] = 1; }},
+      {"different coordinates or transforms",
        [&](Json& d, const TempFolder&) {
          d["extensionsUsed"].push_back("KHR_texture_transform");
          base(d)["extensions"]["KHR_texture_transform"]["rotation"] = 0.5;
@@ -111,7 +112,7 @@ TEST(UpgradePack, WhatDiffersIsNotPacked) {
          d["samplers"] = {{{"wrapS", 33071}}};
          d["textures"][1]["sampler"] = 0;
        }},
-      {"4 by 2 and 4 by 4",
+      {"4x2 and 4x4",
        [](Json&, const TempFolder& folder) {
          folder.write("base.png", encode_png({4, 2, PngColor::rgb, 8, rows(24, 3)}));
        }},

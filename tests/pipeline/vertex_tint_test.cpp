@@ -22,7 +22,7 @@ TEST(VertexTint, OneColourGoesIntoTheFactor) {
   const Upgraded result = upgraded(scene);
   EXPECT_EQ(result.action().fate, UpgradeFate::safe);
   EXPECT_THAT(result.action().notes,
-              Contains(HasSubstr("COLOR_0 goes into diffuseTransmissionColorFactor")));
+              Contains(HasSubstr("COLOR_0 is multiplied into diffuseTransmissionColorFactor")));
   EXPECT_EQ(result.extension()["diffuseTransmissionColorFactor"], Json({0.1, 0.25, 0.4}));
   EXPECT_EQ(result.json["materials"].size(), 1U);
 }
@@ -57,7 +57,7 @@ TEST(VertexTint, ColoursThatDifferSplitTheMaterial) {
   scene.json()["materials"].push_back({{"name", "other"}});
   const Upgraded result = upgraded(scene);
   EXPECT_EQ(result.action().fate, UpgradeFate::safe);
-  EXPECT_THAT(result.action().notes, Contains(HasSubstr("the material gets 2 copies")));
+  EXPECT_THAT(result.action().notes, Contains(HasSubstr("the material is duplicated (2 copies)")));
   const Json& materials = result.json["materials"];
   ASSERT_EQ(materials.size(), 4U);
   std::vector<int> users;
@@ -118,7 +118,7 @@ TEST_P(VertexTintOfDoubtful, ColoursIsALossWithItsReason) {
 INSTANTIATE_TEST_SUITE_P(
     All, VertexTintOfDoubtful,
     testing::Values(
-        Doubtful{"varies over the vertices",
+        Doubtful{"differs between vertices",
                  [](Scene& scene) {
                    scene.add_colored({{1, 2, 3, 4}, {1, 2, 3, 4}, {1, 2, 4, 4}});
                  }},
@@ -141,12 +141,12 @@ INSTANTIATE_TEST_SUITE_P(
                  [](Scene& scene) {
                    scene.json()["bufferViews"][1]["extensions"]["EXT_meshopt_compression"] = {};
                  }},
-        Doubtful{"goes beyond 0 to 1",
+        Doubtful{"is outside 0 to 1",
                  [](Scene& scene) {
                    scene.primitive(0)["attributes"]["COLOR_0"] =
                        scene.add_accessor(bytes_of(std::vector<float>(9, 1.5F)), kFloat, "VEC3", 3);
                  }},
-        Doubtful{"leads to the material", [](Scene& scene) {
+        Doubtful{"references the material", [](Scene& scene) {
                    scene.add_primitive();
                    scene.animate("/materials/0/pbrMetallicRoughness/roughnessFactor",
                                  scene.add_accessor(bytes_of<float>({0, 1}), kFloat, "SCALAR", 2));

@@ -160,7 +160,7 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
       {{"--compare", "stage.gltf", "--turntable", "2"}, "--compare draws one picture"},
       {{"--compare", "stage.gltf", "--layer", "depth"}, "--compare draws one picture"},
       {{"--compare", "stage.gltf", "--sheet", "s.png"}, "--compare draws no --sheet"},
-      {{"--compare", "stage.gltf", "--embed"}, "exclude each other"},
+      {{"--compare", "stage.gltf", "--embed"}, "are mutually exclusive"},
       {{"--embed", "--layer", "depth"}, "say where --layer goes"},
       {{"-o", "a.png", "--time", "1"}, "--time is that of an --animation"},
       {{"-o", "a.png", "--bounces", "many"}, "--bounces: 'many' is not a whole number"},

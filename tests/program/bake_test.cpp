@@ -107,7 +107,7 @@ TEST_F(BakeTest, WrongWordsAreNamed) {
       {{leaf, "-o", "a.png", "--noise", "2"}, "--noise"},
       {{leaf, "-o", "a.png", "--exposure", "nan"}, "--exposure"},
       {{leaf, "-o", "a.png", "--denoise", "yes"}, "none of on, off"},
-      {{leaf, "--embed", "--time-budget", "1"}, "exclude each other"},
+      {{leaf, "--embed", "--time-budget", "1"}, "are mutually exclusive"},
       {{"-", "-o", "a.png"}, "standard input"},
   };
   for (const auto& [words, expected] : cases) {

@@ -82,7 +82,7 @@ TEST_F(Config, IsLeftOutWhenIsolated) {
   configure("this is no TOML");
   EXPECT_EQ(validate({"faulty.gltf", "--isolated"}).code, 1);
   EXPECT_THAT(validate({"faulty.gltf", "--isolated", "--config", "gltfx.toml"}).err,
-              HasSubstr("exclude each other"));
+              HasSubstr("are mutually exclusive"));
   EXPECT_THAT(validate({"faulty.gltf", "--config", "no.toml"}).err,
               HasSubstr("cannot read 'no.toml'"));
 }

@@ -114,7 +114,7 @@ TEST_F(Inspect, WhatCannotBeReadIsAnExitCode) {
   const Outcome outcome = here({"broken.gltf", "sound.gltf", "gone.gltf"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err,
-              AllOf(HasSubstr("broken.gltf: its JSON is broken"), HasSubstr("gone.gltf")));
+              AllOf(HasSubstr("broken.gltf: its JSON is invalid"), HasSubstr("gone.gltf")));
   EXPECT_THAT(outcome.out, HasSubstr("sound.gltf"));
   EXPECT_EQ(here({}).code, 2);
   EXPECT_EQ(here({"-"}).code, 2);

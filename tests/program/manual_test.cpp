@@ -76,7 +76,7 @@ TEST_F(Manual, TellsEveryOptionAndExample) {
 TEST_F(Manual, KeepsWhatRoffWouldTakeForItself) {
   const std::string validate = page("man1/gltfx-validate.1");
   EXPECT_THAT(validate, HasSubstr("gltfx validate assets/ 'props/**/*.glb' --fail-on warning"));
-  EXPECT_THAT(validate, HasSubstr("Add every *.schema.json of a folder"));
+  EXPECT_THAT(validate, HasSubstr("Add each *.schema.json of a folder"));
   EXPECT_THAT(page("man5/gltfx.toml.5"), HasSubstr("paths = [\"props/**/*.glb\", \"old/\""));
   EXPECT_THAT(page("man1/gltfx-bake.1"), HasSubstr("--output FILE|DIR"));
 }

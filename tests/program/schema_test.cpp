@@ -59,7 +59,7 @@ TEST_F(UserSchema, ItsExclusionsHold) {
   const Outcome outcome = with_leaf(R"("ACME_leaf": {"age": 1}, "KHR_materials_unlit": {})");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("EXTENSION_EXCLUDED"), HasSubstr("'ACME_leaf'"),
-                                 HasSubstr("'KHR_materials_unlit'"), HasSubstr("A leaf is lit.")));
+                                 HasSubstr("'KHR_materials_unlit'"), HasSubstr("a leaf is lit.")));
 }
 
 TEST_F(UserSchema, AFolderOfSchemasIsTakenWhole) {

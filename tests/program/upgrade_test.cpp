@@ -215,7 +215,7 @@ TEST_F(UpgradeTest, HardLinksReadOnlyFilesAndPointersAreRefused) {
   EXPECT_THAT(locked.out, HasSubstr("0 upgraded, 1 left"));
   const Outcome pointer = here({"lfs.gltf", "--in-place"});
   EXPECT_EQ(pointer.code, 3);
-  EXPECT_THAT(pointer.err, HasSubstr("Git-LFS"));
+  EXPECT_THAT(pointer.err, HasSubstr("Git LFS"));
   EXPECT_EQ(content("linked.gltf"), kLegacy);
   EXPECT_EQ(content("locked.gltf"), kLegacy);
 }
@@ -257,7 +257,7 @@ TEST_F(UpgradeTest, FaultsThatLeaveDoubtAreNamedWithTheirPlace) {
   folder_.write("broken.gltf", R"({"materials":)");
   const Outcome outcome = here({"twice.gltf", "--in-place"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("line 2, column 1 of its JSON"));
+  EXPECT_THAT(outcome.err, HasSubstr("its JSON is ambiguous at line 2, column 1"));
   EXPECT_THAT(outcome.out, HasSubstr("left alone with the whole file"));
   EXPECT_EQ(content("twice.gltf"), twice);
   EXPECT_EQ(here({"broken.gltf", "twice.gltf", "--check"}).code, 3);

@@ -20,7 +20,7 @@ TEST(UnknownMember, MarksTheKeyAndSuggestsTheNearest) {
   EXPECT_EQ(found.pointer, "/materials/0/pbrMetallicRoughness/roughnesFactor");
   EXPECT_EQ(found.marked, "\"roughnesFactor\"");
   EXPECT_EQ(found.message,
-            "'roughnesFactor' is not a property of 'material.pbrMetallicRoughness'.");
+            "'roughnesFactor' is not a known member of 'material.pbrMetallicRoughness'.");
   EXPECT_EQ(found.help, "did you mean 'roughnessFactor'?");
 }
 
@@ -43,7 +43,7 @@ TEST(MissingMember, MarksTheBraceOnlyAndSaysWhatToAdd) {
   EXPECT_EQ(found.code, "UNDEFINED_PROPERTY");
   EXPECT_EQ(found.pointer, "/accessors/0");
   EXPECT_EQ(found.marked, "{");
-  EXPECT_EQ(found.message, "'type' is missing; it is required here.");
+  EXPECT_EQ(found.message, "'type' is required, but missing.");
   EXPECT_THAT(found.help, HasSubstr(R"("SCALAR")"));
 }
 
@@ -111,7 +111,7 @@ TEST(Dependency, IsToldAtTheMemberThatNeedsTheOther) {
       R"("accessors": [{"componentType": 5126, "count": 1, "type": "VEC3", "byteOffset": 4}])"));
   EXPECT_EQ(found.code, "UNSATISFIED_DEPENDENCY");
   EXPECT_EQ(found.pointer, "/accessors/0/byteOffset");
-  EXPECT_EQ(found.message, "'byteOffset' needs 'bufferView' beside it.");
+  EXPECT_EQ(found.message, "'byteOffset' requires 'bufferView'.");
 }
 
 TEST(OneOf, NoneAndBothAreToldAtTheObject) {

@@ -23,7 +23,7 @@ TEST(Reference, BehindTheEndSaysHowManyThereAre) {
   EXPECT_EQ(found.code, "UNRESOLVED_REFERENCE");
   EXPECT_TRUE(found.is_reference) << "goes to the sink for references";
   EXPECT_EQ(found.pointer, "/nodes/0/mesh");
-  EXPECT_EQ(found.message, "'mesh' refers to meshes[7], but there is only 1.");
+  EXPECT_EQ(found.message, "'mesh' refers to meshes[7], but the length of meshes is 1.");
   EXPECT_EQ(found.marked, "7");
 }
 

@@ -50,7 +50,7 @@ TEST(Number, StringsThatHoldOneGetTheQuotesNamed) {
   const Found found = pbr(R"("metallicFactor": "0.5")");
   EXPECT_EQ(found.code, "TYPE_MISMATCH");
   EXPECT_EQ(found.message, "'metallicFactor' is the string '0.5'; it must be a number.");
-  EXPECT_EQ(found.help, "write 0.5 without quotes");
+  EXPECT_EQ(found.help, "remove the quotes: write 0.5");
 }
 
 TEST(Integer, WholeNumbersCountHoweverTheyAreWritten) {

@@ -159,7 +159,7 @@ TEST(DependentRequired, MayNameMembersThatAreNotDescribed) {
     ASSERT_NE(set, nullptr);
     const Found found = only(text, *set);
     EXPECT_EQ(found.code, "UNSATISFIED_DEPENDENCY");
-    EXPECT_EQ(found.message, "'u' needs 'v' beside it.");
+    EXPECT_EQ(found.message, "'u' requires 'v'.");
   }
 }
 
@@ -225,7 +225,7 @@ TEST(Multiplied, CopiesOfWhatIsReferredToAreLimitedTogether) {
   const auto faults = compile_user(acme(text + "}")).faults;
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_GT(faults[0].line, 3U);
-  EXPECT_THAT(faults[0].message, HasSubstr("too large together"));
+  EXPECT_THAT(faults[0].message, HasSubstr("too large in total"));
 }
 
 TEST(Multiplied, NamesAreLimitedTogether) {

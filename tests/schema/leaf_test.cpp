@@ -64,7 +64,7 @@ TEST_F(Leaf, ExclusionNamesBothAndTheReason) {
   EXPECT_EQ(found.marked, "\"ACME_leaf\"");
   EXPECT_THAT(found.message,
               testing::AllOf(HasSubstr("'ACME_leaf'"), HasSubstr("'KHR_materials_unlit'"),
-                             HasSubstr("A leaf is lit.")));
+                             HasSubstr("a leaf is lit.")));
 }
 
 TEST_F(Leaf, SlotIsRecordedWithItsChannels) {

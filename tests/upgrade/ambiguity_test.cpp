@@ -86,15 +86,15 @@ TEST(Ambiguity, NamesThatAreThereTwiceWhereThePlanReadsAreRefused) {
        }) {
     const Outcome outcome = upgrade_of(text);
     EXPECT_EQ(outcome.text, "") << text;
-    EXPECT_THAT(outcome.problem, StartsWith("line 1, column ")) << text;
+    EXPECT_THAT(outcome.problem, StartsWith("its JSON is ambiguous at line 1, column ")) << text;
   }
 }
 
 TEST(Ambiguity, AMissingCommaInTheMaterialIsRefused) {
   const Outcome outcome =
       upgrade_of(kHead + "\n\"materials\":[{\"name\":\"a\" " + kMaterial.substr(1) + "]}");
-  EXPECT_THAT(outcome.problem, StartsWith("line 2, column 26 "));
-  EXPECT_THAT(outcome.problem, HasSubstr("',' is missing"));
+  EXPECT_THAT(outcome.problem, StartsWith("its JSON is ambiguous at line 2, column 26"));
+  EXPECT_THAT(outcome.problem, HasSubstr("missing ','"));
 }
 
 TEST(Ambiguity, AnEditedPlaceInsideARepeatedMemberIsRefused) {
@@ -109,7 +109,7 @@ TEST(Ambiguity, AnEditedPlaceInsideARepeatedMemberIsRefused) {
 TEST(Ambiguity, MoreFaultsThanAreRecordedAreTooMany) {
   std::string text = kHead + R"("materials":[)" + kMaterial + R"(],"extras":[)";
   for (int i = 0; i < 100; ++i) text += "[{},],";
-  EXPECT_THAT(upgrade_of(text + "0]}").problem, HasSubstr("100 faults"));
+  EXPECT_THAT(upgrade_of(text + "0]}").problem, HasSubstr("100 errors"));
 }
 
 }  // namespace

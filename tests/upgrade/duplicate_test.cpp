@@ -25,7 +25,7 @@ std::vector<std::string> notes_of(const std::string& members, const std::string&
                                      R"(},"KHR_materials_translucency":{)" + legacy + "}"));
   EXPECT_TRUE(result.only().removed);
   EXPECT_EQ(result.only().notes.front(),
-            "KHR_materials_diffuse_transmission stands beside it already and is what readers use");
+            "the object already has KHR_materials_diffuse_transmission, which viewers use");
   return {result.only().notes.begin() + 1, result.only().notes.end()};
 }
 
@@ -53,7 +53,7 @@ TEST(Duplicate, ValuesThatDifferAreNamed) {
                        R"("translucencyFactor":1,"translucencyTexture":{"index":0})",
                        R"("diffuseTransmissionFactor":1)"),
               ElementsAre("translucencyTexture is '{\"index\":0}', but diffuseTransmissionTexture "
-                          "is not there",
+                          "is missing",
                           "pbrMetallicRoughness/baseColorFactor is '[0.5,1,1]', but "
                           "diffuseTransmissionColorFactor is '[1,1,1]'"));
 }
@@ -77,7 +77,7 @@ TEST(Duplicate, ASuccessorThatIsBrokenTakesNoPlace) {
                          std::string(successor));
     const Upgraded result = upgraded(text);
     EXPECT_EQ(result.text, text);
-    EXPECT_THAT(result.only().notes, Contains(HasSubstr("stands beside it, but is not valid")));
+    EXPECT_THAT(result.only().notes, Contains(HasSubstr("but it is invalid")));
   }
 }
 
@@ -106,7 +106,7 @@ TEST(Duplicate, AnotherSuccessorCountsAsOne) {
   EXPECT_TRUE(result.only().removed);
   EXPECT_EQ(result.json()["materials"][0]["extensions"]["KHR_materials_volume"].dump(),
             R"({"thicknessFactor":1})");
-  EXPECT_THAT(result.only().notes, Contains(HasSubstr("KHR_materials_scatter stands beside it")));
+  EXPECT_THAT(result.only().notes, Contains(HasSubstr("already has KHR_materials_scatter")));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(Placements, ObjectsAreMadeWhereTheyAreMissing) {
 
 TEST(Placements, WhatIsNoObjectHoldsNothing) {
   const Placed done = placed(R"({"a":1,"b":{"c":[]}})", {{"a/n", "2"}, {"b/c/d", "3"}});
-  EXPECT_THAT(done.problems, ElementsAre("its a is no object", "its c is no object"));
+  EXPECT_THAT(done.problems, ElementsAre("its a is not an object", "its c is not an object"));
   EXPECT_EQ(done.text, R"({"a":1,"b":{"c":[]}})");
 }
 

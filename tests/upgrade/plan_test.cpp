@@ -44,8 +44,7 @@ TEST(Plan, TheFirstGenerationTakesItsTintFromTheBaseColour) {
   EXPECT_EQ(result.only().fate, UpgradeFate::safe);
   EXPECT_TRUE(result.only().done);
   EXPECT_EQ(result.only().decision,
-            "it has no translucencyColorFactor or translucencyColorTexture; v2/v3 could have "
-            "written it too");
+            "it has no translucencyColorFactor or translucencyColorTexture; it may also be v2/v3");
   EXPECT_THAT(result.json()["extensionsUsed"], ElementsAre(std::string(kNew)));
 }
 
@@ -85,8 +84,8 @@ TEST(Plan, AFactorMapOfTheFirstGenerationNeedsANewImage) {
   EXPECT_FALSE(result.only().done);
   EXPECT_TRUE(result.plan.additions.empty());
   EXPECT_THAT(result.only().notes,
-              Contains("texture 1 has in r what diffuseTransmissionTexture reads in a, but nobody "
-                       "can look at the pixels of its image"));
+              Contains("texture 1 has its data in r, but diffuseTransmissionTexture reads a; "
+                       "the pixels of its image are not available"));
 }
 
 TEST(Plan, TheUserMayNameTheGeneration) {
@@ -113,7 +112,7 @@ TEST(Plan, ABareIndexBecomesAnObject) {
       upgraded(document_with("", R"("translucencyFactor":1,"translucencyTexture":1)"), as("v2"));
   EXPECT_EQ(extension_of(result).dump(),
             R"({"diffuseTransmissionFactor":1,"diffuseTransmissionTexture":{"index":1}})");
-  EXPECT_THAT(result.only().notes, Contains(HasSubstr("bare index")));
+  EXPECT_THAT(result.only().notes, Contains(HasSubstr("is an index and")));
 }
 
 TEST(Plan, MembersThatNobodyKnowsStay) {
@@ -141,13 +140,14 @@ TEST_P(PlanOfFaulty, ObjectLeavesItAlone) {
 INSTANTIATE_TEST_SUITE_P(
     Upgrade, PlanOfFaulty,
     testing::Values(
-        Fault{R"("translucencyFactor":1.5)", "translucencyFactor is not valid"},
-        Fault{R"("translucencyFactor":"1")", "translucencyFactor is not valid"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":2)", "leads to no texture"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":{"index":2})", "leads to no texture"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":{"index":-1})", "not valid"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":{})", "not valid"},
-        Fault{R"("translucencyFactor":1,"translucencyColorFactor":[1,1])", "not valid"},
+        Fault{R"("translucencyFactor":1.5)", "translucencyFactor is invalid"},
+        Fault{R"("translucencyFactor":"1")", "translucencyFactor is invalid"},
+        Fault{R"("translucencyFactor":1,"translucencyTexture":2)", "does not reference a texture"},
+        Fault{R"("translucencyFactor":1,"translucencyTexture":{"index":2})",
+              "does not reference a texture"},
+        Fault{R"("translucencyFactor":1,"translucencyTexture":{"index":-1})", "is invalid"},
+        Fault{R"("translucencyFactor":1,"translucencyTexture":{})", "is invalid"},
+        Fault{R"("translucencyFactor":1,"translucencyColorFactor":[1,1])", "is invalid"},
         Fault{R"("translucencyFactor":1,"diffuseTransmissionFactor":1)", "already"}));
 
 TEST(Plan, AFaultInWhatWouldBeCopiedIsNotSpread) {

@@ -25,7 +25,7 @@ TEST(Removal, WithoutEffectButWithExtrasTheObjectIsConverted) {
     EXPECT_FALSE(result.only().removed);
     EXPECT_TRUE(result.only().done);
     EXPECT_EQ(extension_of(result).dump(), R"({"diffuseTransmissionFactor":0,)" + kept + "}");
-    EXPECT_THAT(result.only().notes, Contains(HasSubstr("without effect")));
+    EXPECT_THAT(result.only().notes, Contains(HasSubstr("no effect")));
     EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());
   }
 }
@@ -45,11 +45,12 @@ TEST(Removal, WhereNothingTakesItsPlaceTheObjectStaysUnlessAskedFor) {
     const Upgraded left = upgraded(text);
     EXPECT_EQ(left.text, text);
     EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
-    EXPECT_THAT(left.only().notes, Contains("it also has 'ACME_a', lost with it"));
+    EXPECT_THAT(left.only().notes, Contains("this also removes 'ACME_a'"));
     const Upgraded gone = upgraded(text, unsafe());
     EXPECT_TRUE(gone.only().removed);
     EXPECT_FALSE(gone.json().contains("extensionsUsed")) << gone.text;
-    EXPECT_THAT(gone.only().notes, Contains("ACME_a has no object any more: its name goes, too"));
+    EXPECT_THAT(gone.only().notes,
+                Contains("ACME_a is no longer used; its declaration is removed"));
   }
 }
 
@@ -89,7 +90,8 @@ TEST(Removal, WhatIsOverwrittenIsNotLostUnasked) {
   EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
   EXPECT_THAT(
       left.only().notes,
-      Contains("pbrMetallicRoughness/baseColorTexture is overwritten, and its extras lost"));
+      Contains(
+          "pbrMetallicRoughness/baseColorTexture is overwritten, which also removes its extras"));
   const Upgraded done = upgraded(text_with(R"("extensions":{"KHR_texture_transform":{}})"));
   EXPECT_TRUE(done.only().done);
   EXPECT_THAT(done.json()["extensionsUsed"],

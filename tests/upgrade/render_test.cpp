@@ -50,12 +50,12 @@ std::string problem_of(std::vector<std::uint32_t> widths, const ImageJob& job,
 TEST(Render, SaysWhyThereIsNoImage) {
   ImageJob job;
   job.channels.fill(ChannelSource::constant(0.5));
-  EXPECT_EQ(problem_of({2}, job), "a new image is made of nothing");
+  EXPECT_EQ(problem_of({2}, job), "a new image has no source");
   job.channels[0] = ChannelSource::of(1, 0);
   EXPECT_EQ(problem_of({2}, job), "image 1: it is gone");
   job.channels[3] = ChannelSource::of(0, 0);
-  EXPECT_EQ(problem_of({2, 3}, job), "image 0 has another size than the one beside it");
-  EXPECT_EQ(problem_of({2, 2}, job, 5), "image 0 has another size than the one beside it");
+  EXPECT_EQ(problem_of({2, 3}, job), "image 0 has a different size than the other one");
+  EXPECT_EQ(problem_of({2, 2}, job, 5), "image 0 has a different size than the other one");
   EXPECT_THAT(problem_of({0, 0}, job), HasSubstr("the new image cannot be encoded: "));
 }
 

@@ -111,7 +111,7 @@ TEST(ConvertScattering, TheOtherSuccessorNeedsTransmissionAndThickness) {
             R"({"scatterStrengthFactor":1,"multiscatterColorFactor":[1,1,1]})");
   for (const auto& [volume, others, says] : std::vector<std::array<std::string, 3>>{
            {R"("thicknessFactor":1)", "", "KHR_materials_transmission"},
-           {"", transmission, "thin sheet"},
+           {"", transmission, "thin-walled"},
            {R"("thicknessFactor":1)", transmission + R"("KHR_materials_diffuse_transmission":{},)",
             "KHR_materials_diffuse_transmission"}}) {
     const Upgraded left = result(volume, others);
@@ -174,20 +174,20 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"volume", R"({"materials":[{"extensions":{"KHR_materials_sss":{)" + kLegacy + "}}}]}",
              "no KHR_materials_volume"},
         Case{"distance", document("", R"("scatterDistance":0,"scatterColor":[1,1,0])"),
-             "scatterDistance is not valid"},
+             "scatterDistance is invalid"},
         Case{"tiny", document("", R"("scatterDistance":1e-320,"scatterColor":[1,1,0])"),
              "out of range"},
         Case{"color", document("", R"("scatterDistance":1,"scatterColor":[1,1])"),
-             "scatterColor is not valid"},
+             "scatterColor is invalid"},
         Case{"range", document("", R"("scatterDistance":1,"scatterColor":[1,2,1])"),
-             "scatterColor is not valid"},
+             "scatterColor is invalid"},
         Case{"attenuation", document(R"("attenuationDistance":-1)", kLegacy), "attenuation"},
         Case{"attenuation_color", document(R"("attenuationColor":[1,1,1,1])", kLegacy),
              "attenuation"},
         Case{"unlit", document("", kLegacy, R"("KHR_materials_unlit":{},)"), "KHR_materials_unlit"},
         Case{"animated", animated("KHR_materials_sss/scatterColor"), "scatterColor is animated"},
         Case{"animated_volume", animated("KHR_materials_volume/attenuationDistance"),
-             "attenuationDistance is animated"}),
+             "attenuationDistance of the volume is animated"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

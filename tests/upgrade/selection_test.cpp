@@ -124,7 +124,7 @@ TEST(Selection, FirstDraftsAreNamed) {
     return result.plan.actions.empty() ? "" : result.plan.actions[0].notes.at(0);
   };
   EXPECT_THAT(note(R"({"materials":[{"extensions":{"KHR_technique_webgl":{"technique":0}}}]})"),
-              HasSubstr("first name of KHR_techniques_webgl"));
+              HasSubstr("earlier name of KHR_techniques_webgl"));
   EXPECT_THAT(note(R"({"meshes":[{"extensions":{"KHR_XMP":{"dc:format":"x"}}}]})"),
               HasSubstr("first draft of KHR_xmp"));
   EXPECT_THAT(note(R"({"extensions":{"KHR_xmp":{"xmps":[{}]}}})"), HasSubstr("first draft"));

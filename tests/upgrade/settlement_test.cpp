@@ -144,7 +144,7 @@ TEST(Settlement, WhereNoNameIsFreeNothingIsPut) {
   ImageJob job;
   job.channels[3] = ChannelSource::of(0, 0);
   const auto add = [&](Additions& additions) { additions.add_texture(job, std::nullopt); };
-  const std::string none = "there is no free name for a new file";
+  const std::string none = "all names for a new file are taken";
   EXPECT_EQ(tried(R"({"images":[{"uri":"a.png"}]})", add, 100).error, none);
   EXPECT_EQ(tried(R"({"images":[{"uri":"https://example.com/a.png"}]})", add).error, none);
   const std::string buffers = R"({"buffers":[{"uri":"a.bin"},{"uri":"b.bin"}],"accessors":[{}]})";
@@ -153,8 +153,7 @@ TEST(Settlement, WhereNoNameIsFreeNothingIsPut) {
 
 TEST(Settlement, ARootArrayOfSomethingElseIsAnError) {
   const auto add = [](Additions& additions) { additions.add_element("samplers", "{}"); };
-  EXPECT_EQ(tried(R"({"samplers":[1,2]})", add).error,
-            "a root array of the document holds something else");
+  EXPECT_EQ(tried(R"({"samplers":[1,2]})", add).error, "a root array has the wrong type");
 }
 
 // Two of these files have hashes that begin alike.

@@ -126,7 +126,7 @@ Upgraded beside_unlit(const std::string& legacy, const std::string& material, bo
   EXPECT_EQ(result.text == text, !unsafe);
   EXPECT_EQ(result.only().fate, UpgradeFate::unsafe);
   EXPECT_THAT(result.only().notes,
-              Contains("without effect: Unlit materials show no specular-glossiness"));
+              Contains("no effect: unlit materials have no specular-glossiness"));
   return result;
 }
 
@@ -299,7 +299,7 @@ TEST(SpecularGlossiness, AnAnimationOfTheFallbackStandsInTheWay) {
     const std::string text =
         document("", "", animated(std::string("pbrMetallicRoughness/").append(member)));
     EXPECT_EQ(upgraded(text).text, text);
-    EXPECT_THAT(upgraded(text).only().notes, Contains(HasSubstr("was not seen")));
+    EXPECT_THAT(upgraded(text).only().notes, Contains(HasSubstr("no effect before")));
   }
 }
 

@@ -49,7 +49,7 @@ TEST(Xmp, ArraysThatNobodyKnowsKeepTheirOrder) {
   EXPECT_EQ(result.json()["extensions"]["KHR_xmp_json_ld"]["packets"][0]["a:numbers"].dump(),
             R"({"@list":[1,2]})");
   EXPECT_THAT(result.only().notes,
-              testing::ElementsAre("the array 'a:numbers' is taken for an ordered one"));
+              testing::ElementsAre("the array 'a:numbers' is treated as ordered"));
 }
 
 TEST(Xmp, LanguagesBecomeAlternatives) {
@@ -189,28 +189,30 @@ TEST_P(XmpLeft, Alone) {
 INSTANTIATE_TEST_SUITE_P(
     Upgrade, XmpLeft,
     testing::Values(
-        std::pair{document("{},7"), "a packet is no object"},
-        std::pair{beside("{}", ""), "KHR_xmp_json_ld is not valid"},
-        std::pair{beside("{}", "7"), "KHR_xmp_json_ld is not valid"},
+        std::pair{document("{},7"), "a packet is not an object"},
+        std::pair{beside("{}", ""), "KHR_xmp_json_ld is invalid"},
+        std::pair{beside("{}", "7"), "KHR_xmp_json_ld is invalid"},
         std::pair{
             beside("{}", kThere, R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":2}}}],)"),
-            "/nodes/0/extensions/KHR_xmp_json_ld is not valid"},
+            "/nodes/0/extensions/KHR_xmp_json_ld is invalid"},
         std::pair{document("{}", kDublinCore,
                            R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":0}}}],)"),
-                  "/nodes/0/extensions/KHR_xmp_json_ld is not valid"},
+                  "/nodes/0/extensions/KHR_xmp_json_ld is invalid"},
         std::pair{document("{}", kDublinCore, R"("x":"/extensions/KHR_xmp/packets/0/dc:title",)"),
-                  "points into it"},
-        std::pair{document(R"({"@context":{}})"), "@context already"},
-        std::pair{document("{}", R"("dc":7)"), "@context is not valid"},
-        std::pair{document(R"({"dc:title":{"en":"x"}})", R"("rdf":"urn:x")"), "something else"},
+                  "references it"},
+        std::pair{document(R"({"@context":{}})"), "already has an @context"},
+        std::pair{document("{}", R"("dc":7)"), "@context is invalid"},
+        std::pair{document(R"({"dc:title":{"en":"x"}})", R"("rdf":"urn:x")"),
+                  "does not have the RDF namespace"},
         std::pair{std::string(R"({"extensions":{"KHR_xmp":{"@context":{}}}})"), "packets"},
-        std::pair{std::string(R"({"asset":{"extensions":{"KHR_xmp":{"packet":0}}}})"), "no packet"},
+        std::pair{std::string(R"({"asset":{"extensions":{"KHR_xmp":{"packet":0}}}})"),
+                  "does not reference a packet"},
         std::pair{
             document("{}", kDublinCore, R"("nodes":[{"extensions":{"KHR_xmp":{"packet":1}}}],)"),
-            "all of them go together"},
+            "only all together can"},
         std::pair{
             document("{}", kDublinCore, R"("textures":[{"extensions":{"KHR_xmp":{"packet":0}}}],)"),
-            "all of them go together"}));
+            "only all together can"}));
 
 }  // namespace
 }  // namespace gltfx::upgrade::test

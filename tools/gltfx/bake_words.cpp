@@ -94,10 +94,11 @@ void check(Reading& reading, const BakeWords& words) {
                   "bake: say where the picture goes with --output, or --embed it.");
   reading.require(!compares || words.inputs.paths.size() == 1,
                   "bake: --compare goes with one other file.");
-  reading.require(!compares || !words.embed, "bake: --compare and --embed exclude each other.");
-  reading.require(!words.embed || words.time_budget == "0",
-                  "bake: --embed and --time-budget exclude each other: what is in a file should "
-                  "not depend on the machine.");
+  reading.require(!compares || !words.embed, "bake: --compare and --embed are mutually exclusive.");
+  reading.require(
+      !words.embed || words.time_budget == "0",
+      "bake: --embed and --time-budget are mutually exclusive: what is in a file should "
+      "not depend on the machine.");
   reading.require(words.cache.empty() || (!words.embed && !compares && words.time_budget == "0"),
                   "bake: --cache knows files that the same asset always gives; leave out --embed, "
                   "--compare and --time-budget.");

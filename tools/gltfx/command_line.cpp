@@ -34,18 +34,18 @@ class Declaration {
     app_.require_subcommand(0, 1);
     app_.get_formatter()->column_width(28);
     app_.footer([] { return help_footer(""); });
-    app_.add_flag("-V,--version", version_, "Versions of gltfx and of what it was built with");
-    declare_validate(verb("validate", "Check .gltf and .glb files"), validate_);
+    app_.add_flag("-V,--version", version_, "Print the versions of gltfx and its libraries");
+    declare_validate(verb("validate", "Validate .gltf and .glb files"), validate_);
     declare_upgrade();
     declare_hook();
-    declare_bake(verb("bake", "Draw a preview of what assets look like"), bake_);
-    declare_report(verb("report", "Write a page about assets: findings, pictures, sizes"), report_);
-    declare_inspect(verb("inspect", "Say what is in assets and where the bytes go"), inspect_);
-    declare_merge(verb("merge", "Put the reports of several runs together"), merge_);
+    declare_bake(verb("bake", "Render previews of assets"), bake_);
+    declare_report(verb("report", "Write an HTML page: findings, previews, sizes"), report_);
+    declare_inspect(verb("inspect", "Show the content of assets and its size"), inspect_);
+    declare_merge(verb("merge", "Merge the reports of several runs"), merge_);
     declare_explain();
     declare_rules();
     declare_schema();
-    declare_config(verb("config", "Show what is configured for a path, and why"), config_);
+    declare_config(verb("config", "Show the configuration of a path and its source"), config_);
   }
 
   CommandLine read(int argc, const char* const* argv);
@@ -65,11 +65,8 @@ class Declaration {
   std::string verb_among(const std::vector<std::string>& words) const;
   CommandLine request(std::string_view verb) const;
 
-  CLI::App app_{
-      "Validates glTF 2.0 assets, says exactly what is wrong and where, brings legacy ones up to "
-      "date "
-      "and draws previews of them.",
-      "gltfx"};
+  CLI::App app_{"Validates glTF 2.0 assets, upgrades legacy extensions and renders previews.",
+                "gltfx"};
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
   ValidateWords validate_;
@@ -92,35 +89,30 @@ CLI::App& Declaration::verb(const char* name, const char* text) {
 }
 
 void Declaration::declare_upgrade() {
-  CLI::App& app = verb("upgrade", "Bring legacy extensions to their successors");
-  describe_positional(app, "PATH", "Files, folders (searched through) or globs");
-  add_word(app, "-f,--format", upgrade_.format, "NAME", "text or json (default: text)");
-  app.add_flag("--in-place", upgrade_.in_place, "Replace the files, each whole or not at all");
+  CLI::App& app = verb("upgrade", "Upgrade legacy extensions to their successors");
+  describe_positional(app, "PATH", "Files, folders (recursive) or globs");
+  add_word(app, "-f,--format", upgrade_.format, "NAME", "Output format: text (default) or json");
+  app.add_flag("--in-place", upgrade_.in_place,
+               "Replace the files; each one is written atomically");
   add_word(app, "-o,--output", upgrade_.output, "FILE|DIR",
-           "Write there: a folder if it is one, ends in /, or several assets may come");
+           "Output file; a folder if it ends in / or exists");
   app.add_flag("--backup", upgrade_.backup, "With --in-place: keep the old file as NAME.bak");
-  app.add_flag("--restore", upgrade_.restore, "Put back the files that --backup kept");
-  app.add_flag("--check", upgrade_.check, "Write nothing; exit with 1 when something is to do");
-  app.add_flag("--diff", upgrade_.diff, "Print what changes as a unified diff");
-  app.add_flag("--unsafe", upgrade_.unsafe, "Do what loses something, too");
-  app.add_flag("--strict", upgrade_.strict,
-               "Leave files alone in which something cannot be done without loss");
-  add_list(app, "--only", upgrade_.only, "NAME",
-           "Only this legacy extension, also one that needs asking for (repeatable)");
-  add_list(app, "--to", upgrade_.to, "NAME",
-           "Only what can become this extension; chooses among several (repeatable)");
-  add_word(app, "--ior", upgrade_.ior, "N",
-           "For specular-glossiness: 0 (default), or 1000 for viewers that do not know 0");
-  app.add_flag("--pack", upgrade_.pack,
-               "Put colour and factor of one material into one image where that is exact");
-  app.add_flag("--prune", upgrade_.prune,
-               "Take out textures and images that the upgrade left without use");
+  app.add_flag("--restore", upgrade_.restore, "Restore the files that --backup kept");
+  app.add_flag("--check", upgrade_.check, "Write nothing; exit 1 if there is work to do");
+  app.add_flag("--diff", upgrade_.diff, "Print the changes as a unified diff");
+  app.add_flag("--unsafe", upgrade_.unsafe, "Allow lossy upgrades");
+  app.add_flag("--strict", upgrade_.strict, "Skip files that cannot be upgraded without loss");
+  add_list(app, "--only", upgrade_.only, "NAME", "Upgrade only this extension (repeatable)");
+  add_list(app, "--to", upgrade_.to, "NAME", "Upgrade only to this extension (repeatable)");
+  add_word(app, "--ior", upgrade_.ior, "N", "ior for specular-glossiness: 0 (default) or 1000");
+  app.add_flag("--pack", upgrade_.pack, "Pack color and factor into one image if exact");
+  app.add_flag("--prune", upgrade_.prune, "Remove textures and images left unused");
   add_word(app, "--generation", upgrade_.generation, "NAME",
-           "Read legacy objects as v1, v2 or v3 (default: auto, by their members)");
+           "Draft of legacy objects: auto (default), v1, v2, v3");
   add_root(app, upgrade_.root);
   add_inputs(app, upgrade_.inputs);
   add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);
-  app.add_flag("-q,--quiet", upgrade_.quiet, "Problems only: no plan, no summary");
+  app.add_flag("-q,--quiet", upgrade_.quiet, "Print errors only, no plan and no summary");
   add_configuration(app, upgrade_.configuration);
   add_decoders(app, upgrade_.common);
   add_common(app, upgrade_.common);
@@ -128,30 +120,29 @@ void Declaration::declare_upgrade() {
 
 // For the help: read() takes the word away, so that the verb behind it has its own options.
 void Declaration::declare_hook() {
-  CLI::App& app = verb("hook", "Run a verb over the assets that a commit touches");
-  describe_positional(app, "VERB", "validate or upgrade, with their options");
+  CLI::App& app = verb("hook", "Run a command on the assets of a commit");
+  describe_positional(app, "VERB", "Command to run, with its options");
 }
 
 void Declaration::declare_explain() {
-  CLI::App& app = verb("explain", "Say why a rule exists, with a bad and a good example");
-  describe_positional(app, "CODE", "Codes as reports print them, in any case");
+  CLI::App& app = verb("explain", "Explain a rule, with a bad and a good example");
+  describe_positional(app, "CODE", "Codes of rules, in any case");
   add_common(app, explain_.common);
 }
 
 void Declaration::declare_rules() {
-  CLI::App& app = verb("rules", "List every rule");
-  add_word(app, "-f,--format", rules_.format, "NAME", "text or json (default: text)");
+  CLI::App& app = verb("rules", "List all rules");
+  add_word(app, "-f,--format", rules_.format, "NAME", "Output format: text (default) or json");
   add_common(app, rules_.common);
 }
 
 void Declaration::declare_schema() {
-  CLI::App& app = verb("schema", "Show what is known of extensions and core types");
-  describe_positional(app, "NAME", "An extension or a core type (default: list them)");
-  add_word(app, "-f,--format", schema_.format, "NAME", "text or json (default: text)");
+  CLI::App& app = verb("schema", "Show the schemas of extensions and core types");
+  describe_positional(app, "NAME", "Extension or core type (default: list them)");
+  add_word(app, "-f,--format", schema_.format, "NAME", "Output format: text (default) or json");
   add_word(app, "--new", schema_.new_name, "NAME", "Print a schema to start with");
   add_list(app, "--check", schema_.check_files, "FILE", "Check a schema file (repeatable)");
-  add_list(app, "--test", schema_.test_files, "FILE",
-           "Check a schema file and run its tests (repeatable)");
+  add_list(app, "--test", schema_.test_files, "FILE", "Run the tests of a schema file (repeatable)");
   add_schema_sources(app, schema_.schema_files, schema_.schema_folders);
   add_configuration(app, schema_.configuration);
   add_common(app, schema_.common);

@@ -6,8 +6,7 @@
 namespace gltfx::tool {
 
 void declare_config(CLI::App& app, ConfigWords& words) {
-  describe_positional(app, "PATH",
-                      "A path, or import FILE: a configuration of the Khronos validator");
+  describe_positional(app, "PATH", "Path, or import FILE of the Khronos validator");
   add_configuration(app, words.configuration);
   add_common(app, words.common);
 }

@@ -6,14 +6,13 @@
 namespace gltfx::tool {
 
 void declare_inspect(CLI::App& app, InspectWords& words) {
-  describe_positional(app, "PATH", "Files, folders (searched through) or globs");
-  add_word(app, "-f,--format", words.format, "NAME", "text or json (default: text)");
-  add_word(app, "--top", words.top, "N",
-           "Text: rows of each table, the largest first; 0 for all (default: 10)");
+  describe_positional(app, "PATH", "Files, folders (recursive) or globs");
+  add_word(app, "-f,--format", words.format, "NAME", "Output format: text (default) or json");
+  add_word(app, "--top", words.top, "N", "Rows per table, largest first (default: 10, 0: all)");
   add_search(app, words.exclude, words.no_ignore, words.allow_empty);
   add_root(app, words.root);
   add_schema_sources(app, words.schema_files, words.schema_folders);
-  app.add_flag("-q,--quiet", words.quiet, "No notes about folders without assets");
+  app.add_flag("-q,--quiet", words.quiet, "Print no notes");
   add_configuration(app, words.configuration);
   add_common(app, words.common);
 }

@@ -10,8 +10,8 @@ void declare_merge(CLI::App& app, MergeWords& words) {
   add_formats(app, words.formats);
   add_listing(app, words.listing);
   add_sarif_notes(app, words.sarif_notes);
-  add_fail_on(app, words.fail_on, "as the runs");
-  app.add_flag("-q,--quiet", words.quiet, "Findings only: no summary, no notes");
+  add_fail_on(app, words.fail_on, "as run");
+  app.add_flag("-q,--quiet", words.quiet, "Print findings only, no summary and no notes");
   add_common(app, words.common);
 }
 

@@ -24,68 +24,63 @@ void add_word(CLI::App& app, const char* name, std::string& word, const char* ty
 
 void add_formats(CLI::App& app, std::vector<std::string>& formats) {
   add_list(app, "-f,--format", formats, "NAME[=FILE]",
-           "text (default), json, jsonl, khronos, github, sarif, junit, agent; repeatable");
+           "text|json|jsonl|khronos|github|sarif|junit|agent");
 }
 
 void add_sarif_notes(CLI::App& app, bool& sarif_notes) {
-  app.add_flag("--sarif-notes", sarif_notes, "Include infos and hints in SARIF");
+  app.add_flag("--sarif-notes", sarif_notes, "Include info and hint in SARIF");
 }
 
 void add_inputs(CLI::App& app, InputWords& words) {
   add_word(app, "--files-from", words.files_from, "FILE",
-           "More paths, one a line or before a NUL each; - is standard input");
-  add_word(app, "--shard", words.shard, "I/N",
-           "Only the files of part I of N, which their paths decide");
+           "Read paths from FILE, separated by newline or NUL");
+  add_word(app, "--shard", words.shard, "I/N", "Only part I of N of the files, split by path");
   add_search(app, words.exclude, words.no_ignore, words.allow_empty);
 }
 
 void add_search(CLI::App& app, std::vector<std::string>& exclude, bool& no_ignore,
                 bool& allow_empty) {
-  add_list(app, "--exclude", exclude, "GLOB",
-           "Leave out of folders and globs what matches (repeatable)");
-  app.add_flag("--no-ignore", no_ignore, "Include files that .gitignore names");
-  app.add_flag("--allow-empty", allow_empty, "Exit with 0 when the paths hold no .gltf or .glb");
+  add_list(app, "--exclude", exclude, "GLOB", "Skip matches in folders and globs (repeatable)");
+  app.add_flag("--no-ignore", no_ignore, "Include files that .gitignore excludes");
+  app.add_flag("--allow-empty", allow_empty, "Exit 0 if there are no .gltf or .glb files");
 }
 
 void add_listing(CLI::App& app, ListingWords& words) {
   add_word(app, "--min-severity", words.min_severity, "LEVEL",
-           "Lowest severity to list (default: warning on a terminal, else hint)");
-  add_word(app, "--group-by", words.group_by, "WHAT", "Text: rule, the places of each together");
-  app.add_flag("--statistics", words.statistics, "Text: numbers by rule and file, no findings");
+           "List findings at this severity or above");
+  add_word(app, "--group-by", words.group_by, "WHAT", "Group text output by finding (default) or rule");
+  app.add_flag("--statistics", words.statistics, "Print counts per rule and file only (text)");
 }
 
 void add_root(CLI::App& app, std::string& root) {
-  add_word(app, "--root", root, "DIR",
-           "Folder that buffers and images may come from (default: the asset's own)");
+  add_word(app, "--root", root, "DIR", "Root of resources (default: folder of the asset)");
 }
 
 void add_fail_on(CLI::App& app, std::string& level, const char* otherwise) {
-  const std::string text = fmt::format(
-      "Exit with 1 from here on: error, warning, info or never (default: {})", otherwise);
+  const std::string text = fmt::format("Exit 1 at this severity or above (default: {})", otherwise);
   add_word(app, "--fail-on", level, "LEVEL", text.c_str());
 }
 
 void add_common(CLI::App& app, CommonWords& words) {
-  add_word(app, "-j,--jobs", words.jobs, "N", "Threads, at least 1 (default: one a core)");
-  add_word(app, "--color", words.color, "WHEN",
-           "auto, always or never (auto: on a terminal, unless NO_COLOR is set)");
+  add_word(app, "-j,--jobs", words.jobs, "N", "Number of threads (default: one per core)");
+  add_word(app, "--color", words.color, "WHEN", "Color: auto (default), always or never");
 }
 
 void add_decoders(CLI::App& app, CommonWords& words) {
   app.add_flag("--unsandboxed-decoders", words.unsandboxed_decoders,
-               "Run decoders even where the system cannot sandbox them");
+               "Run decoders if the system cannot sandbox them");
 }
 
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders) {
-  add_list(app, "--schema", files, "FILE", "Add or replace an extension's schema (repeatable)");
-  add_list(app, "--schema-dir", folders, "DIR", "Add every *.schema.json of a folder (repeatable)");
+  add_list(app, "--schema", files, "FILE", "Add or replace an extension schema (repeatable)");
+  add_list(app, "--schema-dir", folders, "DIR", "Add each *.schema.json of a folder (repeatable)");
 }
 
 void add_configuration(CLI::App& app, ConfigChoice& choice) {
   add_word(app, "--config", choice.config, "FILE",
-           "Configuration (default: the nearest gltfx.toml of this folder and those above)");
-  app.add_flag("--isolated", choice.isolated, "Read no configuration");
+           "Configuration (default: the nearest gltfx.toml)");
+  app.add_flag("--isolated", choice.isolated, "Ignore configuration files");
 }
 
 }  // namespace gltfx::tool

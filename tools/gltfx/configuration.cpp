@@ -62,7 +62,7 @@ void drop_selected(std::vector<std::string>& ignored, const std::vector<std::str
 Result<Configuration> Configuration::load(const ConfigChoice& choice) {
   Configuration found;
   if (!choice.config.empty() && choice.isolated) {
-    return Error{"--config and --isolated exclude each other."};
+    return Error{"--config and --isolated are mutually exclusive."};
   }
   if (choice.isolated) return found;
   std::error_code fault;

@@ -24,14 +24,11 @@ struct ExitCodeEntry {
 };
 
 inline constexpr std::array<ExitCodeEntry, 5> kExitCodes{{
-    {ExitCode::ok, "nothing found at or above --fail-on, or all done that was asked"},
-    {ExitCode::findings,
-     "findings at or above --fail-on, or something is left to upgrade or cannot be drawn"},
-    {ExitCode::usage,
-     "the command, a configuration, schema file or baseline was not understood, or no asset was "
-     "found"},
-    {ExitCode::unreadable, "an input could not be opened or read"},
-    {ExitCode::internal, "gltfx failed, or could not write its output"},
+    {ExitCode::ok, "success: no findings at or above --fail-on"},
+    {ExitCode::findings, "findings at or above --fail-on, upgrades left, or failed renders"},
+    {ExitCode::usage, "invalid usage, configuration, schema or baseline, or no assets"},
+    {ExitCode::unreadable, "an input cannot be read"},
+    {ExitCode::internal, "internal error, or the output cannot be written"},
 }};
 
 /// How bad it is: of several codes of one run the highest rank wins.

@@ -167,7 +167,7 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
                   "hook: the files of a commit stay where they are; leave out --output.");
   const bool writes = words.in_place || !words.output.empty();
   reading.require(!words.in_place || words.output.empty(),
-                  "upgrade: --in-place and --output exclude each other.");
+                  "upgrade: --in-place and --output are mutually exclusive.");
   reading.require(!words.check || !writes,
                   "upgrade: --check writes nothing; leave out "
                   "--in-place and --output.");

@@ -151,13 +151,13 @@ Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) 
   const draco::Status read = draco::PointCloudDecoder::DecodeHeader(&ahead, &header);
   if (!read.ok()) return malformed(read.error_msg_string());
   if (header.encoder_type != draco::TRIANGULAR_MESH) {
-    return malformed("It is no mesh but a point cloud.");
+    return malformed("It is a point cloud, not a mesh.");
   }
   if (promised_bytes(ahead, header) > job.memory_bytes) {
-    return Fault{FaultKind::out_of_memory, "The mesh takes more memory than it may."};
+    return Fault{FaultKind::out_of_memory, "Decoding exceeds the memory limit."};
   }
   const auto decoder = decoder_for(header);
-  if (decoder == nullptr) return malformed("The way it is encoded is unknown.");
+  if (decoder == nullptr) return malformed("Its encoding is unknown.");
   draco::Mesh mesh;
   const draco::Status decoded = decoder->Decode(draco::DecoderOptions(), &buffer, &mesh);
   if (!decoded.ok()) return malformed(decoded.error_msg_string());

@@ -33,7 +33,7 @@ class Input : public Imf::IStream {
   bool read(char to[], int size) override {
     const auto count = static_cast<std::uint64_t>(std::max(size, 0));
     if (at_ > bytes_.size() || bytes_.size() - at_ < count) {
-      throw Iex::InputExc("It ends before its data does.");
+      throw Iex::InputExc("Its data is truncated.");
     }
     std::memcpy(to, bytes_.data() + at_, count);
     at_ += count;

@@ -109,7 +109,7 @@ Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& out
   Image image;
   if (!decoder.read_header(bytes, image)) return decoder.fault();
   if (image.channels < 1 || image.channels > 4) {
-    return Fault{FaultKind::malformed, "It has more channels than an image of colours."};
+    return Fault{FaultKind::malformed, "It has more than 4 channels."};
   }
   if (image.texels() > job.max_pixels) return too_many_texels();
   Rows rows(image, job, create_pixels(image, job, output));

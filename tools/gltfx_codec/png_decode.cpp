@@ -33,7 +33,7 @@ void ignore(png_structp /*png*/, png_const_charp /*message*/) {}
 
 void read(png_structp png, png_bytep to, std::size_t size) {
   auto& source = *static_cast<Source*>(png_get_io_ptr(png));
-  if (source.rest.size() < size) png_error(png, "It ends before its data does.");
+  if (source.rest.size() < size) png_error(png, "Its data is truncated.");
   std::memcpy(to, source.rest.data(), size);
   source.rest = source.rest.subspan(size);
 }

@@ -27,12 +27,12 @@ Fault refusal(VP8StatusCode status) {
     case VP8_STATUS_OUT_OF_MEMORY:
       return no_memory();
     case VP8_STATUS_UNSUPPORTED_FEATURE:
-      return {FaultKind::malformed, "It has a feature that no decoder knows."};
+      return {FaultKind::malformed, "It has an unsupported feature."};
     case VP8_STATUS_SUSPENDED:
     case VP8_STATUS_NOT_ENOUGH_DATA:
-      return {FaultKind::malformed, "It ends before its data does."};
+      return {FaultKind::malformed, "Its data is truncated."};
     default:
-      return {FaultKind::malformed, "Its bitstream is damaged."};
+      return {FaultKind::malformed, "Its bitstream is corrupt."};
   }
 }
 

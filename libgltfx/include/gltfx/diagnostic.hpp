@@ -84,7 +84,7 @@ struct Diagnostic {
   std::string message;                  ///< one sentence, our words
   std::string pointer;                  ///< RFC 6901 pointer to the member or its object
   std::optional<std::uint64_t> offset;  ///< set for findings on the GLB container: byte in file
-  std::string help;                     ///< the remedy for this very case, may be empty
+  std::string help;                     ///< the help for this very case, may be empty
   std::string object_name;              ///< `name` of the nearest named object, may be empty
   Location location;                    ///< where in the text
   Excerpt excerpt;                      ///< that line, for people
