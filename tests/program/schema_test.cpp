@@ -188,7 +188,7 @@ TEST_F(OwnSchema, MistakesListTheAllowedWords) {
   folder_.write("a.schema.json", text);
   const Outcome outcome = schema({"--check", "a.schema.json"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("'zzzzzzzz' is not a word of"));
+  EXPECT_THAT(outcome.err, HasSubstr("'zzzzzzzz' is not a member of"));
   EXPECT_THAT(outcome.err, HasSubstr("Allowed: extension, on, status,"));
 }
 

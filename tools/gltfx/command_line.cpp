@@ -142,7 +142,8 @@ void Declaration::declare_schema() {
   add_word(app, "-f,--format", schema_.format, "NAME", "Output format: text (default) or json");
   add_word(app, "--new", schema_.new_name, "NAME", "Print a schema to start with");
   add_list(app, "--check", schema_.check_files, "FILE", "Check a schema file (repeatable)");
-  add_list(app, "--test", schema_.test_files, "FILE", "Run the tests of a schema file (repeatable)");
+  add_list(app, "--test", schema_.test_files, "FILE",
+           "Run the tests of a schema file (repeatable)");
   add_schema_sources(app, schema_.schema_files, schema_.schema_folders);
   add_configuration(app, schema_.configuration);
   add_common(app, schema_.common);

@@ -48,7 +48,8 @@ void add_search(CLI::App& app, std::vector<std::string>& exclude, bool& no_ignor
 void add_listing(CLI::App& app, ListingWords& words) {
   add_word(app, "--min-severity", words.min_severity, "LEVEL",
            "List findings at this severity or above");
-  add_word(app, "--group-by", words.group_by, "WHAT", "Group text output by finding (default) or rule");
+  add_word(app, "--group-by", words.group_by, "WHAT",
+           "Group text output by finding (default) or rule");
   app.add_flag("--statistics", words.statistics, "Print counts per rule and file only (text)");
 }
 

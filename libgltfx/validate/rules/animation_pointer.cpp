@@ -123,7 +123,7 @@ class PointerCheck {
       const bool followed = !context_.deviations.animation_pointers_are_not_followed;
       if (!followed) {
         report_link(context_, place, extension, Code::INCOMPLETE_EXTENSION_SUPPORT,
-                    "In this profile the pointer is not resolved: what it names may be wrong.");
+                    "The pointer is not checked in this profile.");
       }
       check_target(channel, is_linked(context_, animation), place);
       if (followed) check_pointer(animation, i, extension, place, at, claims);
