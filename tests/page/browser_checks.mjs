@@ -144,7 +144,7 @@ async function addressHoldsTheState(browser, url) {
   await other.click("#reset");
   assert.equal(await other.evaluate(() => location.hash), "#assets");
   // What stands in an address is text, whatever it is.
-  const wild = await open(context, url + "#verdict=%3Cb%3E&order=x&text=<img src=x onerror=window.broken=1>&asset=no");
+  const wild = await open(context, url + "#verdict=%3Cb%3E&order=x&text=<i id=none onerror=window.broken=1>&asset=no");
   assert.match(await shownCount(wild), /^0 of /);
   assert.equal(await wild.evaluate(() => window.broken), undefined);
   assert.deepEqual(wild.complaints, []);
