@@ -130,10 +130,11 @@ struct fresnel_mix : Lobe {
   const Fresnel& fresnel;
   Base base;
   Layer layer;
-  const Held& held;
+  const EnergyCompensation& held;
   double chance;  ///< of sampling the layer
 
-  fresnel_mix(const Fresnel& f, const Base& b, const Layer& l, const Vec3d& v, const Held& h)
+  fresnel_mix(const Fresnel& f, const Base& b, const Layer& l, const Vec3d& v,
+              const EnergyCompensation& h)
       : fresnel(f), base(b), layer(l), held(h) {
     const Rgb fr = f.at(v.z);
     // Facets that lean far reflect totally what comes from the dense side.

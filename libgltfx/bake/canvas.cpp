@@ -9,7 +9,7 @@ namespace gltfx::bake {
 namespace {
 
 void expose_layers(const Film& film, std::size_t pixel, Canvas& canvas) {
-  const Sights seen = film.sights(pixel);
+  const FeatureSums seen = film.feature_sums(pixel);
   const bool something = seen.alpha > 0;
   const std::uint32_t count = std::max(seen.count, 1U);
   const double share = something ? 1.0 / count : 0.0;
@@ -32,7 +32,7 @@ Canvas::Canvas(std::uint32_t w, std::uint32_t h, const Layers& layers) : width(w
   if (layers.material) material.resize(count);
 }
 
-void expose(const Film& film, const Rows& rows, Canvas& canvas) {
+void resolve(const Film& film, const Rows& rows, Canvas& canvas) {
   const bool any_layer = !(canvas.alpha.empty() && canvas.albedo.empty() && canvas.normal.empty() &&
                            canvas.depth.empty() && canvas.material.empty());
   const std::size_t last = std::size_t{rows.last} * film.width();

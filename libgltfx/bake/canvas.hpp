@@ -33,6 +33,6 @@ struct Canvas {
 };
 
 /// Rows of a film, which holds them, with their noise.
-void expose(const Film& film, const Rows& rows, Canvas& canvas);
+void resolve(const Film& film, const Rows& rows, Canvas& canvas);
 
 }  // namespace gltfx::bake

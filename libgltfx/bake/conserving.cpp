@@ -97,7 +97,8 @@ const std::vector<GrazingLight>& grazing_lights() {
 
 }  // namespace
 
-Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
+EnergyCompensation::EnergyCompensation(const Fresnel& fresnel, const Microfacets& facets,
+                                       const Vec3d& v)
     : active_(true),
       inside_(fresnel.eta < 1),
       isotropic_(facets.isotropic()),
@@ -125,7 +126,7 @@ Held::Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v)
   scale_ = 1 / mean_share();
 }
 
-double Held::mean_share() const {
+double EnergyCompensation::mean_share() const {
   double sum = 0;
   double all = 0;
   for (const GrazingLight& light : grazing_lights()) {
@@ -139,13 +140,14 @@ double Held::mean_share() const {
   return all > 0 ? std::min(1.0, sum / all * kMargin) : 1;
 }
 
-double Held::share(double cosine) const {
+double EnergyCompensation::share(double cosine) const {
   const TableCell column = albedo_column(cosine);
   const SpecularAlbedo along = along_.at(column);
   return share(along, isotropic_ ? along : across_.at(column), cosine);
 }
 
-double Held::share(const SpecularAlbedo& along, const SpecularAlbedo& across, double cosine) const {
+double EnergyCompensation::share(const SpecularAlbedo& along, const SpecularAlbedo& across,
+                                 double cosine) const {
   double reflected = highest_f0_ * along.constant + f90_ * (along.rising + table_margin(cosine));
   if (!isotropic_) {  // between those of the two, but for grazing angles
     reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising) +
@@ -156,7 +158,7 @@ double Held::share(const SpecularAlbedo& along, const SpecularAlbedo& across, do
   return handed_on > 0 ? std::max(0.0, left / handed_on) : 1;
 }
 
-double Held::factor(double n_l) const {
+double EnergyCompensation::factor(double n_l) const {
   if (!active_) return 1;
   return inside_ ? share_v_ : share_v_ * std::min(1.0, share(n_l)) * scale_;
 }

@@ -18,11 +18,11 @@
 namespace gltfx::bake {
 
 /// The factor for the diffuse lobes below an interface.
-class Held {
+class EnergyCompensation {
  public:
   /// Nothing is held back.
-  Held() = default;
-  Held(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);
+  EnergyCompensation() = default;
+  EnergyCompensation(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);
 
   /// For a light under a cosine.
   double factor(double n_l) const;
@@ -49,12 +49,12 @@ class Held {
 
 /// What is held back below the dielectric interface of a material: nothing in spec mode, or without
 /// diffuse lobes.
-inline Held held_below(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v,
-                       const Material& material, ShaderMode mode) {
+inline EnergyCompensation held_below(const Fresnel& fresnel, const Microfacets& facets,
+                                     const Vec3d& v, const Material& material, ShaderMode mode) {
   const bool scatters = material.scattering == Scattering::unified && !material.volumetric();
   const bool diffuse = material.metallic < 1 && (material.transmission < 1 || scatters);
   if (mode != ShaderMode::conserving || !diffuse) return {};
-  Held held(fresnel, facets, v);
+  EnergyCompensation held(fresnel, facets, v);
   held.calm(material.diffuse_roughness);
   return held;
 }

@@ -240,7 +240,7 @@ class Denoiser {
     const Features features = features_of(film_, depths, jobs_);
     for (const LightPart part : {LightPart::scattered, LightPart::reflected}) {
       const DenoiseLayer layer = light_layer(film_, part, jobs_);
-      const auto light = [part](const Sights& seen, const Rgb& value) {
+      const auto light = [part](const FeatureSums& seen, const Rgb& value) {
         return value * surface_color(seen, part);
       };
       if (part == LightPart::scattered) {
@@ -250,7 +250,7 @@ class Denoiser {
       }
     }
     smooth<kShadowTerms>(shadow_layer(film_, jobs_), features,
-                         [](const Sights& seen, const Rgb& value) {
+                         [](const FeatureSums& seen, const Rgb& value) {
                            return to_vec(seen.behind) * ((1 - value.x) / std::max(seen.count, 1U));
                          });
   }
@@ -267,7 +267,7 @@ class Denoiser {
   // Light that has no noise.
   void start() {
     for (std::size_t i = pixel(0, rows_.first); i < pixel(0, rows_.last); ++i) {
-      const Sights seen = film_.sights(i);
+      const FeatureSums seen = film_.feature_sums(i);
       canvas_.radiance[i] = to_float3(to_vec(seen.direct) / Rgb(std::max(seen.count, 1U)));
     }
   }
@@ -299,7 +299,7 @@ class Denoiser {
       if (matters) values = filter.values(static_cast<int>(y));
       for (std::uint32_t x = 0; x < kFilterWidth && left + x < film_.width(); ++x) {
         const std::size_t i = pixel(left + x, top + y);
-        const Rgb more = light(film_.sights(i), to_vec(values[x]));
+        const Rgb more = light(film_.feature_sums(i), to_vec(values[x]));
         canvas_.radiance[i] = to_float3(to_vec(canvas_.radiance[i]) + more);
       }
     }

@@ -18,7 +18,7 @@ constexpr int kNeighbours = 4;
 constexpr int kPatch = 1;
 constexpr std::uint32_t kDenoiseReach = kNeighbours + kPatch + kVarianceReach;
 
-/// Replaces the radiance of rows of the canvas, as expose() gives it, by the same without noise.
+/// Replaces the radiance of rows of the canvas, as resolve() gives it, by the same without noise.
 /// The film holds the rows and kDenoiseReach more on either side, as far as the picture has them.
 /// Deterministic: the same numbers on any number of threads. A film with fewer than two samples a
 /// pixel, or without noise, comes out as it is.

@@ -107,7 +107,7 @@ Features features_of(const Film& film, const DepthRange& depths, unsigned jobs) 
   Features features;
   for (Plane& plane : features) plane.resize(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
-    const Sights seen = film.sights(pixel);
+    const FeatureSums seen = film.feature_sums(pixel);
     if (seen.alpha <= 0) return;
     for (std::size_t c = 0; c < 3; ++c) {
       features[c][i] = seen.normal[c] / seen.alpha;
@@ -118,7 +118,7 @@ Features features_of(const Film& film, const DepthRange& depths, unsigned jobs) 
   return features;
 }
 
-Rgb surface_color(const Sights& seen, LightPart part) {
+Rgb surface_color(const FeatureSums& seen, LightPart part) {
   const double count = std::max(seen.count, 1U);
   return to_vec(part == LightPart::scattered ? seen.albedo : seen.mirror) / Rgb(count);
 }
@@ -129,8 +129,8 @@ DenoiseLayer light_layer(const Film& film, LightPart part, unsigned jobs) {
   Plane apart(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const PixelSums& sums = film.at(pixel);
-    const Rgb color = surface_color(sums.sights, part);
-    layer.weight[i] = sums.sights.alpha / static_cast<float>(std::max(sums.samples, 1U));
+    const Rgb color = surface_color(sums.feature_sums, part);
+    layer.weight[i] = sums.feature_sums.alpha / static_cast<float>(std::max(sums.samples, 1U));
     if (!(max_value(color) > 0)) return;
     const auto& halves = part == LightPart::scattered ? sums.scattered : sums.reflected;
     std::array<Rgb, 2> light;
@@ -156,8 +156,8 @@ DenoiseLayer shadow_layer(const Film& film, unsigned jobs) {
   Plane apart(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const PixelSums& sums = film.at(pixel);
-    const auto seen = static_cast<float>(luminance(to_vec(sums.sights.behind)));
-    const float alpha = sums.sights.alpha / static_cast<float>(std::max(sums.samples, 1U));
+    const auto seen = static_cast<float>(luminance(to_vec(sums.feature_sums.behind)));
+    const float alpha = sums.feature_sums.alpha / static_cast<float>(std::max(sums.samples, 1U));
     layer.weight[i] = std::max(1 - alpha, 0.0F);
     if (!(seen > 0)) return;
     std::array<float, 2> part{};

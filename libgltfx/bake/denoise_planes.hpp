@@ -38,7 +38,7 @@ Features features_of(const Film& film, const DepthRange& depths, unsigned jobs);
 /// divided by what tints it. What the surfaces cover is what a pixel says.
 DenoiseLayer light_layer(const Film& film, LightPart part, unsigned jobs);
 /// By which that light is multiplied again.
-Rgb surface_color(const Sights& seen, LightPart part);
+Rgb surface_color(const FeatureSums& seen, LightPart part);
 
 /// The part of the background that shadow takes away; one channel.
 DenoiseLayer shadow_layer(const Film& film, unsigned jobs);

@@ -48,7 +48,7 @@ void DirectLight::finish_environment(Candidate& chosen) const {
 }
 
 Candidate DirectLight::from_emitter(const Float2& random) const {
-  const Shine light = s_.setting.emitters.sample(s_.scene, surface_.position, random);
+  const EmissiveTriangle light = s_.setting.emitters.sample(s_.scene, surface_.position, random);
   if (!(max_value(light.radiance) > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
   if (!is_consistent(light.direction, l) || leads_in(l)) return {};

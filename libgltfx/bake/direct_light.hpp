@@ -26,7 +26,7 @@ struct Candidate {
 };
 
 /// One of several candidates, and what it stands for.
-struct Chosen {
+struct Reservoir {
   Candidate light;
   double scale = 0;
 };
@@ -34,7 +34,7 @@ struct Chosen {
 /// Of `tries` candidates one, by what they would give were nothing in the way: resampled importance
 /// sampling (J. Talbot et al., EGSR 2005). `random` is from [0, 1); propose(i) gives a candidate.
 template <class Propose>
-Chosen choose_one(std::uint32_t tries, double random, const Propose& propose) {
+Reservoir choose_one(std::uint32_t tries, double random, const Propose& propose) {
   Candidate chosen;
   double total = 0;
   for (std::uint32_t i = 0; i < tries; ++i) {

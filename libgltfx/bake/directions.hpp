@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "bake/turn.hpp"
+#include "bake/sin_cos.hpp"
 
 namespace gltfx::bake {
 
@@ -106,14 +106,14 @@ inline bool choose(double probability, double& random) {
 /// Around +z, density cosine / pi.
 inline Vec3d cosine_hemisphere(double u, double v) {
   const double radius = std::sqrt(u);
-  const Turn turn = turn_by(v);
+  const SinCos turn = sin_cos_of(v);
   return {radius * turn.cosine, radius * turn.sine, std::sqrt(std::fmax(0.0, 1 - u))};
 }
 
 /// Around +z, density 1 / (2 pi).
 inline Vec3d uniform_hemisphere(double u, double v) {
   const double radius = std::sqrt(std::fmax(0.0, 1 - u * u));
-  const Turn turn = turn_by(v);
+  const SinCos turn = sin_cos_of(v);
   return {radius * turn.cosine, radius * turn.sine, u};
 }
 

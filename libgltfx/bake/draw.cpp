@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "bake/allotment.hpp"
 #include "bake/denoise.hpp"
+#include "bake/sample_map.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {
@@ -53,8 +53,8 @@ Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& opt
   const RenderOptions& render = options.render;
   Canvas canvas(render.width, render.height, options.layers);
   const DepthRange depths = options.denoise ? depth_range(setting, view) : DepthRange();
-  const Allotment samples =
-      options.denoise ? Allotment(setting, view, render) : Allotment(render.samples);
+  const SampleMap samples =
+      options.denoise ? SampleMap(setting, view, render) : SampleMap(render.samples);
   const std::uint32_t reach = options.denoise ? kDenoiseReach : 0;
   const std::uint32_t step = rows_at_once(render);
   Film film(render.width, render.height, {});
@@ -67,7 +67,7 @@ Canvas draw(const PathSetting& setting, const View& view, const DrawOptions& opt
     const bool last = fresh.last == render.height;
     const Rows ready{finished, last ? fresh.last : fresh.last - std::min(reach, fresh.last)};
     if (ready.first == ready.last) continue;
-    expose(film, ready, canvas);
+    resolve(film, ready, canvas);
     if (options.denoise) denoise(film, ready, depths, render.jobs, canvas);
     finished = ready.last;
   }

@@ -94,7 +94,8 @@ void Emitters::add(const Scene& scene, std::uint32_t instance, std::uint32_t mes
   }
 }
 
-Shine Emitters::sample(const Scene& scene, const Vec3d& from, const Float2& random) const {
+EmissiveTriangle Emitters::sample(const Scene& scene, const Vec3d& from,
+                                  const Float2& random) const {
   const Float2 point = choice_.sample(random).point;
   const std::size_t rows = (areas_.size() + kRow - 1) / kRow;
   const float x = point[0] * kRow;
@@ -114,27 +115,27 @@ Shine Emitters::sample(const Scene& scene, const Vec3d& from, const Float2& rand
   const Instance& instance = scene.instances[hit.instance];
   const Mesh& mesh = scene.meshes[hit.mesh];
   const Corners corners = corners_of(instance, mesh, hit.triangle);
-  Shine shine;
-  shine.position = corners.a + (corners.b - corners.a) * static_cast<double>(hit.u) +
-                   (corners.c - corners.a) * static_cast<double>(hit.v);
-  const Vec3d offset = shine.position - from;
+  EmissiveTriangle lit;
+  lit.position = corners.a + (corners.b - corners.a) * static_cast<double>(hit.u) +
+                 (corners.c - corners.a) * static_cast<double>(hit.v);
+  const Vec3d offset = lit.position - from;
   hit.distance = length(offset);
   if (!(hit.distance > 0)) return {};
-  shine.direction = offset / hit.distance;
+  lit.direction = offset / hit.distance;
 
   const SceneMaterial& material = material_of(scene, mesh);
   const double mirrored = determinant(instance.to_world) < 0 ? -1 : 1;
-  const double along = dot(corners.normal(), shine.direction) * mirrored;
+  const double along = dot(corners.normal(), lit.direction) * mirrored;
   if (is_culled(material) && along > 0) return {};
   const double area = 2 * static_cast<double>(areas_[number]);
-  shine.normal = corners.normal() * (along > 0 ? -mirrored : mirrored) / area;
-  shine.pdf = pdf(hit, std::fabs(along) / area);
-  if (!(shine.pdf > 0)) return {};
-  const Surface surface = surface_at(scene, hit, {from, shine.direction});
+  lit.normal = corners.normal() * (along > 0 ? -mirrored : mirrored) / area;
+  lit.pdf = pdf(hit, std::fabs(along) / area);
+  if (!(lit.pdf > 0)) return {};
+  const Surface surface = surface_at(scene, hit, {from, lit.direction});
   const double covered =
       has_holes(material) ? static_cast<double>(coverage_at(scene, mesh, material, hit)) : 1.0;
-  shine.radiance = emitted(surface.material, surface.frame.to_local(-shine.direction)) * covered;
-  return shine;
+  lit.radiance = emitted(surface.material, surface.frame.to_local(-lit.direction)) * covered;
+  return lit;
 }
 
 double Emitters::density(std::size_t number) const {

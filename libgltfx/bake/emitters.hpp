@@ -17,7 +17,7 @@ namespace gltfx::bake {
 bool shines(const SceneMaterial& material);
 
 /// A point that shines onto another one.
-struct Shine {
+struct EmissiveTriangle {
   Vec3d position;
   Vec3d normal;     ///< of the flat triangle, towards the other point
   Vec3d direction;  ///< from the other point, unit length
@@ -35,7 +35,7 @@ class Emitters {
 
   bool empty() const { return shapes_.empty(); }
   /// `scene`: the same one. `random`: even.
-  Shine sample(const Scene& scene, const Vec3d& from, const Float2& random) const;
+  EmissiveTriangle sample(const Scene& scene, const Vec3d& from, const Float2& random) const;
   /// That of sample() for what a ray has hit; `cosine`: between the ray and the flat triangle.
   double pdf(const Hit& hit, double cosine) const;
 

@@ -62,15 +62,15 @@ std::vector<Float3> with_border(const EnvironmentImage& image) {
 }
 
 // `down`: from the upper edge.
-Vec3d direction_at(const Float2& point, const Turn& down) {
-  const Turn around = turn_by(static_cast<double>(point[0]) - 0.5);  // from -z to +x
+Vec3d direction_at(const Float2& point, const SinCos& down) {
+  const SinCos around = sin_cos_of(static_cast<double>(point[0]) - 0.5);  // from -z to +x
   return {down.sine * around.sine, down.cosine, -down.sine * around.cosine};
 }
 
 }  // namespace
 
 Vec3d direction_of(const Float2& point) {
-  return direction_at(point, turn_by(static_cast<double>(point[1]) / 2));
+  return direction_at(point, sin_cos_of(static_cast<double>(point[1]) / 2));
 }
 
 Float2 point_of(const Vec3d& direction) {
@@ -118,7 +118,7 @@ EnvironmentLook Environment::look(const Vec3d& direction) const {
 
 EnvironmentSample Environment::sample(const Float2& random) const {
   const auto [point, density] = distribution_.sample(random);
-  const Turn down = turn_by(static_cast<double>(point[1]) / 2);
+  const SinCos down = sin_cos_of(static_cast<double>(point[1]) / 2);
   const double area = 2 * kPi * kPi * down.sine;
   return {direction_at(point, down), point, area > 0 ? density / area : 0.0};
 }

@@ -39,19 +39,19 @@ bool is_finite(const Rgb& c) { return std::isfinite(c.x + c.y + c.z); }
 
 }  // namespace
 
-void add(Sights& sights, const PathSample& sample) {
-  ++sights.count;
-  add_to(sights.direct, sample.direct);
-  add_to(sights.behind, sample.behind);
-  sights.alpha += static_cast<float>(sample.alpha);
-  add_to(sights.albedo, sample.albedo);
-  add_to(sights.mirror, sample.mirror);
-  add_to(sights.normal, sample.normal);
-  sights.depth += static_cast<float>(sample.depth);
+void add(FeatureSums& feature_sums, const PathSample& sample) {
+  ++feature_sums.count;
+  add_to(feature_sums.direct, sample.direct);
+  add_to(feature_sums.behind, sample.behind);
+  feature_sums.alpha += static_cast<float>(sample.alpha);
+  add_to(feature_sums.albedo, sample.albedo);
+  add_to(feature_sums.mirror, sample.mirror);
+  add_to(feature_sums.normal, sample.normal);
+  feature_sums.depth += static_cast<float>(sample.depth);
 }
 
 void add_sight(PixelSums& sums, const PathSample& sample) {
-  add(sums.sights, sample);
+  add(sums.feature_sums, sample);
   sums.albedo_square += static_cast<float>(dot(sample.albedo, sample.albedo));
   sums.normal_square += static_cast<float>(dot(sample.normal, sample.normal));
   sums.clear = sums.clear || sample.clear;
@@ -61,15 +61,15 @@ void add_sight(PixelSums& sums, const PathSample& sample) {
 bool PixelSums::is_mixed() const {
   constexpr double kColors = 3e-4;  // variances
   constexpr double kNormals = 1e-2;
-  if (clear || sights.alpha <= 0) return false;
-  const double count = sights.count;
-  if (static_cast<double>(sights.alpha) < count * (1 - 1e-4)) return true;
+  if (clear || feature_sums.alpha <= 0) return false;
+  const double count = feature_sums.count;
+  if (static_cast<double>(feature_sums.alpha) < count * (1 - 1e-4)) return true;
   const auto spread = [count](float squares, const Float3& sum) {
     const Vec3d mean = to_vec(sum) / count;
     return static_cast<double>(squares) / count - dot(mean, mean);
   };
-  return spread(albedo_square, sights.albedo) > kColors ||
-         spread(normal_square, sights.normal) > kNormals;
+  return spread(albedo_square, feature_sums.albedo) > kColors ||
+         spread(normal_square, feature_sums.normal) > kNormals;
 }
 
 void Film::reserve(std::uint32_t rows) {
@@ -95,7 +95,7 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   ++sums.samples;
   sums.rays += sample.rays;
   if (!is_finite(sample.radiance())) {
-    ++sums.sights.count;
+    ++sums.feature_sums.count;
     return;
   }
   add_to(sums.reflected[half], sample.reflected);
@@ -110,25 +110,25 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   add_sight(sums, sample);
 }
 
-void Film::add_sights(std::size_t pixel, const Sights& sights, std::uint32_t material) {
+void Film::add_sights(std::size_t pixel, const FeatureSums& feature_sums, std::uint32_t material) {
   const std::size_t held = pixel - first_pixel();
   pixels_[held].material = material;
   std::uint32_t& place = looked_[held];
   if (unused_.empty()) {
     place = static_cast<std::uint32_t>(looks_.size());
-    looks_.push_back(sights);
+    looks_.push_back(feature_sums);
   } else {
     place = unused_.back();
     unused_.pop_back();
-    looks_[place] = sights;
+    looks_[place] = feature_sums;
   }
 }
 
-Sights Film::sights(std::size_t pixel) const {
-  Sights sum = at(pixel).sights;
+FeatureSums Film::feature_sums(std::size_t pixel) const {
+  FeatureSums sum = at(pixel).feature_sums;
   const std::uint32_t looked = looked_[pixel - first_pixel()];
   if (looked == kNone) return sum;
-  const Sights& more = looks_[looked];
+  const FeatureSums& more = looks_[looked];
   sum.count += more.count;
   add_to(sum.direct, to_vec(more.direct));
   add_to(sum.behind, to_vec(more.behind));
@@ -143,10 +143,10 @@ Sights Film::sights(std::size_t pixel) const {
 Rgb Film::radiance(std::size_t pixel) const {
   const PixelSums& sums = at(pixel);
   if (sums.samples == 0) return {};
-  const Rgb behind = to_vec(sums.sights.behind);
+  const Rgb behind = to_vec(sums.feature_sums.behind);
   const double seen = luminance(behind);
   const double lit = seen > 0 ? 1 - shadow(sums) / seen : 1;
-  return (noisy(sums) + to_vec(sums.sights.direct) + behind * lit) /
+  return (noisy(sums) + to_vec(sums.feature_sums.direct) + behind * lit) /
          static_cast<double>(sums.samples);
 }
 

@@ -13,7 +13,7 @@
 namespace gltfx::bake {
 
 /// Sums of what is seen first.
-struct Sights {
+struct FeatureSums {
   std::uint32_t count = 0;
   Float3 direct{}, behind{};  ///< light that has no noise
   float alpha = 0;
@@ -32,7 +32,7 @@ struct PixelSums {
   std::array<float, 2> shadow{};                     ///< luminance that it takes away
   float square = 0;                                  ///< of the luminance of all that has noise
   float reflected_square = 0, scattered_square = 0;  ///< and of either
-  Sights sights;
+  FeatureSums feature_sums;
   float albedo_square = 0, normal_square = 0;  ///< sums of squared lengths
 
   /// Whether samples saw different things, so that looks tell more.
@@ -69,9 +69,9 @@ class Film {
   const PixelSums& at(std::size_t pixel) const { return pixels_[pixel - first_pixel()]; }
 
   /// More of what is seen at a pixel, and the first material that was.
-  void add_sights(std::size_t pixel, const Sights& sights, std::uint32_t material);
+  void add_sights(std::size_t pixel, const FeatureSums& feature_sums, std::uint32_t material);
   /// What was seen by samples and looks.
-  Sights sights(std::size_t pixel) const;
+  FeatureSums feature_sums(std::size_t pixel) const;
   /// Pixels that are held, and the first one of them.
   std::size_t size() const { return pixels_.size(); }
   std::size_t first_pixel() const { return std::size_t{held_.first} * width_; }
@@ -89,12 +89,12 @@ class Film {
   // Of the rows that are held:
   std::vector<PixelSums> pixels_;
   std::vector<std::uint32_t> looked_;  ///< by pixel, index in looks_ or kNone
-  std::deque<Sights> looks_;           ///< grows without being copied
+  std::deque<FeatureSums> looks_;      ///< grows without being copied
   std::vector<std::uint32_t> unused_;  ///< places in it, of pixels that are held no longer
 };
 
 /// One more.
-void add(Sights& sights, const PathSample& sample);
+void add(FeatureSums& feature_sums, const PathSample& sample);
 /// One more, of which only what it saw counts.
 void add_sight(PixelSums& sums, const PathSample& sample);
 

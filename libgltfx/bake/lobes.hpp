@@ -197,7 +197,7 @@ struct scatter_bsdf : Lobe {
   }
 };
 
-/// sheen_brdf: fibres that stand up. Chosen uniformly over the hemisphere, as it is strongest at
+/// sheen_brdf: fibres that stand up. Reservoir uniformly over the hemisphere, as it is strongest at
 /// grazing angles.
 struct sheen_brdf : Lobe {
   static constexpr int kKinds = kSpecularReflect;

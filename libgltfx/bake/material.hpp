@@ -19,7 +19,7 @@ struct Seen {
   double eta;
   SeenFacets alpha;
   Fresnel ior, metal_f0;
-  Held held;
+  EnergyCompensation held;
 
   Seen(const Material& m, const Vec3d& viewer, double relative_ior, ShaderMode mode)
       : v(viewer),

@@ -67,7 +67,7 @@ struct Microfacets {
     const Vec3d stretch = normalize({alpha_t * w.x, alpha_b * w.y, w.z});
     const double z = (1 - u) * (1 + stretch.z) - stretch.z;
     const double radius = std::sqrt(std::fmax(0.0, 1 - z * z));
-    const Turn turn = turn_by(v);
+    const SinCos turn = sin_cos_of(v);
     const Vec3d cap(radius * turn.cosine + stretch.x, radius * turn.sine + stretch.y,
                     z + stretch.z);
     return turned_back(normalize({alpha_t * cap.x, alpha_b * cap.y, std::fmax(1e-12, cap.z)}));

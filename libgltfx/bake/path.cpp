@@ -130,7 +130,7 @@ class Path {
     const bool open =
         light_through(s_, ray_, hit, wall, key(), [this](const Hit& lamp, const Surface& surface) {
           const Vec3d v = surface.frame.to_local(-ray_.direction);
-          deliver(throughput_ * emitted(surface.material, v) * by_chance(lamp, surface), gloss_);
+          deliver(throughput_ * emitted(surface.material, v) * mis_weight(lamp, surface), gloss_);
         });
     if (!open || !far_light()) return;
     add_far_light();
@@ -140,7 +140,7 @@ class Path {
   Rgb own_light(const Hit& hit, const Surface& surface, const Vec3d& v) const {
     const bool outshone = lit_through_ && surface.material.unlit;
     if (outshone || is_unseen_back(s_.scene, hit, surface)) return {};
-    return throughput_ * emitted(surface.material, v) * by_chance(hit, surface);
+    return throughput_ * emitted(surface.material, v) * mis_weight(hit, surface);
   }
 
   void see_background() {
@@ -213,7 +213,7 @@ class Path {
   }
 
   // How much of what a surface sends is found on this way and not by looking for it.
-  double by_chance(const Hit& hit, const Surface& surface) const {
+  double mis_weight(const Hit& hit, const Surface& surface) const {
     if (!(pdf_ > 0) || s_.setting.emitters.empty()) return 1;
     const double cosine = std::fabs(dot(surface.flat_normal, ray_.direction));
     return power_weight(pdf_, s_.setting.emitters.pdf(hit, cosine));
@@ -221,7 +221,7 @@ class Path {
 
   // Where the camera looks it pays to be choosy.
   template <class Propose>
-  Chosen gather(Draw draw, Draw draw_choice, const Branch& part, const Propose& propose) const {
+  Reservoir gather(Draw draw, Draw draw_choice, const Branch& part, const Propose& propose) const {
     const std::uint32_t tries = surfaces_ == 1 ? s_.tries : 1;
     const float random = random_.single(dimension(draw_choice), part.number, part.count);
     return choose_one(tries, static_cast<double>(random), [&](std::uint32_t i) {
@@ -236,14 +236,14 @@ class Path {
     for (std::uint32_t look = 0; look < looks; ++look) {
       const Branch part = branch_.part(look, looks);
       if (far_light()) {
-        Chosen far = gather(Draw::environment, Draw::choice, part, [&light](const Float2& random) {
-          return light.from_environment(random);
-        });
+        Reservoir far =
+            gather(Draw::environment, Draw::choice, part,
+                   [&light](const Float2& random) { return light.from_environment(random); });
         if (far.scale > 0) light.finish_environment(far.light);
         add_seen({far.light, far.scale / looks});
       }
       if (s_.setting.emitters.empty()) continue;
-      const Chosen near =
+      const Reservoir near =
           gather(Draw::emitter, Draw::emitter_choice, part,
                  [&light](const Float2& random) { return light.from_emitter(random); });
       add_seen({near.light, near.scale / looks});
@@ -257,7 +257,7 @@ class Path {
     if (lamp.weight > 0) add_seen({lamp, 1});
   }
 
-  void add_seen(const Chosen& chosen) {
+  void add_seen(const Reservoir& chosen) {
     const auto& [light, scale] = chosen;
     if (!(max_value(light.share) > 0)) return;
     ++result_.rays;

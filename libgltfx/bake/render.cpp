@@ -22,7 +22,7 @@ constexpr std::uint32_t kSure = 16;  // samples and looks that miss no edge
 class Renderer {
  public:
   Renderer(const PathSetting& setting, const View& view, const RenderOptions& options,
-           const Allotment& samples, const Rows& rows, Film& film)
+           const SampleMap& samples, const Rows& rows, Film& film)
       : setting_(setting),
         view_(view),
         options_(options),
@@ -64,7 +64,7 @@ class Renderer {
 
   struct Found {
     std::size_t pixel;
-    Sights sights;
+    FeatureSums feature_sums;
     std::uint32_t material;
   };
 
@@ -79,8 +79,8 @@ class Renderer {
           });
         },
         [&](std::size_t tile) {
-          for (const auto& [pixel, sights, material] : found[tile]) {
-            film_.add_sights(pixel, sights, material);
+          for (const auto& [pixel, feature_sums, material] : found[tile]) {
+            film_.add_sights(pixel, feature_sums, material);
           }
           found[tile] = {};
         });
@@ -91,9 +91,9 @@ class Renderer {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
     const std::uint32_t enough = std::min(kSure, options_.samples);
     PixelSums sums = film_.at(pixel);
-    Sights seen;
+    FeatureSums seen;
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
-      if (sums.clear || (sums.sights.count >= enough && !sums.is_mixed())) return {};
+      if (sums.clear || (sums.feature_sums.count >= enough && !sums.is_mixed())) return {};
       const auto [ray, point, random] = sample_of(x, y, samples_.samples(x, y) + i);
       const PathSample sample = look_along(setting_, ray, point, random);
       add(seen, sample);
@@ -155,7 +155,7 @@ class Renderer {
   const PathSetting& setting_;
   const View& view_;
   const RenderOptions& options_;
-  const Allotment& samples_;
+  const SampleMap& samples_;
   const Rows rows_;
   Film& film_;
   std::uint32_t columns_;
@@ -166,13 +166,13 @@ class Renderer {
 }  // namespace
 
 void render_rows(const PathSetting& setting, const View& view, const RenderOptions& options,
-                 const Allotment& samples, const Rows& rows, Film& film) {
+                 const SampleMap& samples, const Rows& rows, Film& film) {
   Renderer(setting, view, options, samples, rows, film).run();
 }
 
 Film render(const PathSetting& setting, const View& view, const RenderOptions& options) {
   Film film(options.width, options.height);
-  render_rows(setting, view, options, Allotment(options.samples), film.held(), film);
+  render_rows(setting, view, options, SampleMap(options.samples), film.held(), film);
   return film;
 }
 

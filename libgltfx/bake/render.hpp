@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "bake/allotment.hpp"
 #include "bake/film.hpp"
 #include "bake/integrator.hpp"
+#include "bake/sample_map.hpp"
 #include "bake/view.hpp"
 
 namespace gltfx::bake {
@@ -18,7 +18,7 @@ constexpr std::uint32_t kTileHeight = 8;
 
 struct RenderOptions {
   std::uint32_t width = 512, height = 512;
-  std::uint32_t samples = 64;  ///< of each pixel, at most; on average where an Allotment says so
+  std::uint32_t samples = 64;  ///< of each pixel, at most; on average where an SampleMap says so
   std::uint32_t looks = 0;     ///< more, only at what is seen first, where it may differ in a pixel
   std::uint32_t seed = 0;
   unsigned jobs = 1;
@@ -35,7 +35,7 @@ struct RenderOptions {
 /// Renders rows that the film holds and that are new to it: the same numbers for any number of jobs
 /// and whichever tiles of rows come at a time, unless there is a limit of time.
 void render_rows(const PathSetting& setting, const View& view, const RenderOptions& options,
-                 const Allotment& samples, const Rows& rows, Film& film);
+                 const SampleMap& samples, const Rows& rows, Film& film);
 
 /// All rows.
 Film render(const PathSetting& setting, const View& view, const RenderOptions& options);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bake/scene.hpp"
-#include "bake/turn.hpp"
+#include "bake/sin_cos.hpp"
 
 namespace gltfx::bake {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "pipeline/kept_picture.hpp"
+#include "pipeline/cached_picture.hpp"
 #include "validate/validated_asset.hpp"
 
 namespace gltfx {

@@ -14,8 +14,8 @@
 #include "pipeline/bake_guard.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "pipeline/cached_picture.hpp"
 #include "pipeline/contact_sheet.hpp"
-#include "pipeline/kept_picture.hpp"
 #include "pipeline/picture_file.hpp"
 
 namespace gltfx {

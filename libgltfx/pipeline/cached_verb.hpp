@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "codec/chance.hpp"
-#include "pipeline/kept_result.hpp"
+#include "pipeline/cache_entry.hpp"
 #include "pipeline/open_asset.hpp"
 
 namespace gltfx {
 
-/// What the verb says of the file at `path`, or said in an earlier run; `key` as KeptResult has it.
+/// What the verb says of the file at `path`, or said in an earlier run; `key` as CacheEntry has it.
 /// A Verb has a type Report, and
 ///
 ///     Result<model::OpenedAsset> open() const;
@@ -27,7 +27,7 @@ namespace gltfx {
 template <class Verb>
 typename Verb::Report cached(const std::string& path, ResultCache& cache, const Hash128& key,
                              const Verb& verb) {
-  KeptResult kept(path, cache, key);
+  CacheEntry kept(path, cache, key);
   if (const auto bytes = kept.as_it_was()) {
     if (auto report = verb.unpack(*bytes, nullptr)) return *std::move(report);
   }

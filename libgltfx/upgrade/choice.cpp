@@ -14,16 +14,16 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 
 Choice choose(const UpgradeOptions& options, const schema::Extension& extension) {
   const schema::Upgrade& upgrade = extension.upgrade;
-  Choice choice{Wish::yes, upgrade.to};
-  if (!options.only.empty() && !has(options.only, extension.name)) choice.wish = Wish::no;
+  Choice choice{Selection::yes, upgrade.to};
+  if (!options.only.empty() && !has(options.only, extension.name)) choice.selection = Selection::no;
   if (!options.to.empty() && !has(options.to, upgrade.to)) {
     const auto other = std::find_if(upgrade.alternatives.begin(), upgrade.alternatives.end(),
                                     [&](const std::string& name) { return has(options.to, name); });
-    if (other == upgrade.alternatives.end()) return {Wish::no, upgrade.to};
+    if (other == upgrade.alternatives.end()) return {Selection::no, upgrade.to};
     choice.to = *other;
   }
   const bool asked = !options.only.empty() || !options.to.empty();
-  if (!asked && !upgrade.opt_in.empty()) choice.wish = Wish::offered;
+  if (!asked && !upgrade.opt_in.empty()) choice.selection = Selection::offered;
   return choice;
 }
 

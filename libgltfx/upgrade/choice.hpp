@@ -12,14 +12,14 @@
 
 namespace gltfx::upgrade {
 
-enum class Wish : std::uint8_t {
+enum class Selection : std::uint8_t {
   no,       ///< the run is limited to others
   offered,  ///< it would be done on request, and nobody asked
   yes,
 };
 
 struct Choice {
-  Wish wish = Wish::no;
+  Selection selection = Selection::no;
   std::string to;  ///< the successor; empty: there is none
 };
 

@@ -3,16 +3,16 @@
 
 namespace gltfx::upgrade {
 
-bool Workbench::is_pointed_at(std::string_view path) const {
+bool ConversionContext::is_pointed_at(std::string_view path) const {
   return context.is_pointed_at(carrier, split_path(path));
 }
 
-bool Workbench::is_own_pointed_at(std::string_view member) const {
+bool ConversionContext::is_own_pointed_at(std::string_view member) const {
   const std::vector<std::string> path{"extensions", extension.name, std::string(member)};
   return context.is_pointed_at(carrier, path);
 }
 
-void Workbench::drop(std::string_view name) const {
+void ConversionContext::drop(std::string_view name) const {
   const json::NodeId value = member(name);
   if (value != json::kNoNode) context.editor.remove(carrier.object, value - 1);
 }

@@ -14,7 +14,7 @@
 namespace gltfx::upgrade {
 
 /// What a conversion works with. Keeps references.
-struct Workbench {
+struct ConversionContext {
   Context& context;
   const Carrier& carrier;
   const schema::Extension& extension;
@@ -40,13 +40,13 @@ class Conversion {
   virtual ~Conversion() = default;
   /// Whether the object becomes part of the successor that stands beside it, which then keeps its
   /// name: judge() and apply() put it there, and the object itself goes.
-  virtual bool joins(const Workbench&) { return false; }
+  virtual bool joins(const ConversionContext&) { return false; }
   /// Why the object has no effect and can go, if so.
-  virtual Problem reason_to_go(const Workbench&) { return std::nullopt; }
+  virtual Problem reason_to_go(const ConversionContext&) { return std::nullopt; }
   /// Why it cannot be done, if so; otherwise fills placements and notes.
-  virtual Problem judge(const Workbench& bench) = 0;
+  virtual Problem judge(const ConversionContext& bench) = 0;
   /// Makes the changes inside the legacy object, whose name others change.
-  virtual void apply(const Workbench& bench) = 0;
+  virtual void apply(const ConversionContext& bench) = 0;
 };
 
 /// Null for an empty name. Precondition: the schema vocabulary knows the name.

@@ -56,7 +56,7 @@ Distance distance_of(const json::Document& document, json::NodeId object, std::s
 
 class Scattering : public Conversion {
  public:
-  Problem reason_to_go(const Workbench& bench) override {
+  Problem reason_to_go(const ConversionContext& bench) override {
     const json::Document& document = bench.context.document;
     if (bench.member("scatterDistance") == json::kNoNode) {
       return "no effect: without scatterDistance light does not scatter";
@@ -72,7 +72,7 @@ class Scattering : public Conversion {
     return std::nullopt;
   }
 
-  Problem judge(const Workbench& bench) override {
+  Problem judge(const ConversionContext& bench) override {
     for (const char* name : {"scatterDistance", "scatterColor"}) {
       if (bench.is_own_pointed_at(name)) {
         return fmt::format("its {} is animated, but the new values depend on it", name);
@@ -96,7 +96,7 @@ class Scattering : public Conversion {
     return judge_volume(bench, volume, coefficient(*color, *distance.metres));
   }
 
-  void apply(const Workbench& bench) override {
+  void apply(const ConversionContext& bench) override {
     bench.drop("scatterDistance");
     bench.drop("scatterColor");
     json::Editor& editor = bench.context.editor;
@@ -108,7 +108,7 @@ class Scattering : public Conversion {
   }
 
  private:
-  static void note_black(const Workbench& bench, const Rgb& color, std::string_view name) {
+  static void note_black(const ConversionContext& bench, const Rgb& color, std::string_view name) {
     if (*std::min_element(color.begin(), color.end()) >= 1e-6) return;
     bench.action.lossy = true;
     bench.action.notes.push_back(fmt::format(
@@ -117,7 +117,7 @@ class Scattering : public Conversion {
 
   // That extension scatters in a volume only where there is one and light gets in by transmission;
   // otherwise it is a thin sheet, which is another picture.
-  static Problem judge_thin_mode(const Workbench& bench, json::NodeId volume) {
+  static Problem judge_thin_mode(const ConversionContext& bench, json::NodeId volume) {
     for (const schema::Relation& needed : bench.successor.requires_) {
       if (bench.context.has_beside(bench.carrier, needed.extension)) continue;
       return fmt::format("{} requires {}: {}", bench.successor.name, needed.extension,
@@ -128,7 +128,7 @@ class Scattering : public Conversion {
     return fmt::format("without a thickness, {} renders it as thin-walled", bench.successor.name);
   }
 
-  Problem judge_volume(const Workbench& bench, json::NodeId volume, const Rgb& scattering) {
+  Problem judge_volume(const ConversionContext& bench, json::NodeId volume, const Rgb& scattering) {
     const json::Document& document = bench.context.document;
     for (const char* name : {"attenuationDistance", "attenuationColor"}) {
       if (!bench.is_pointed_at(fmt::format("extensions/{}/{}", kVolume, name))) continue;

@@ -25,7 +25,7 @@ std::string complement_json(double share) {
 
 class SpecularGlossiness : public Conversion {
  public:
-  Problem judge(const Workbench& bench) override {
+  Problem judge(const ConversionContext& bench) override {
     if (bench.context.options.ior != 0) note_ior(bench);
     if (bench.is_own_pointed_at("glossinessFactor")) {
       return "its glossinessFactor is animated, but roughness depends on it";
@@ -43,7 +43,7 @@ class SpecularGlossiness : public Conversion {
     return put(bench, kRoughnessTexture, {});
   }
 
-  void apply(const Workbench& bench) override {
+  void apply(const ConversionContext& bench) override {
     bench.drop("glossinessFactor");
     if (!job_) return;
     const std::uint64_t texture = bench.context.plan.additions.add_texture(*job_, sampler_);
@@ -52,7 +52,7 @@ class SpecularGlossiness : public Conversion {
 
  private:
   // The factor, 1 when there is none; nothing when it is no share.
-  static std::optional<double> factor_of(const Workbench& bench) {
+  static std::optional<double> factor_of(const ConversionContext& bench) {
     const json::Document& document = bench.context.document;
     const json::NodeId factor = bench.member("glossinessFactor");
     if (factor == json::kNoNode) return 1;
@@ -63,7 +63,7 @@ class SpecularGlossiness : public Conversion {
 
   // Glossiness stands in A. Where it is the same everywhere, `constant` is that times the factor;
   // otherwise the texture of roughness is one less it, in G, and nowhere metallic.
-  Problem judge_texture(const Workbench& bench, double& constant) {
+  Problem judge_texture(const ConversionContext& bench, double& constant) {
     const json::Document& document = bench.context.document;
     const json::NodeId index = document.find(bench.member(kTexture), "index");
     const std::uint64_t texture = document.unsigned_integer(index).value_or(0);
@@ -101,7 +101,7 @@ class SpecularGlossiness : public Conversion {
   }
 
   // That of the old texture with another index.
-  static std::string texture_info(const Workbench& bench, std::uint64_t texture) {
+  static std::string texture_info(const ConversionContext& bench, std::uint64_t texture) {
     const json::Document& document = bench.context.document;
     const json::NodeId info = bench.member(kTexture);
     const Span whole = document.span(info);
@@ -111,7 +111,7 @@ class SpecularGlossiness : public Conversion {
                         std::to_string(texture));
   }
 
-  static void note_ior(const Workbench& bench) {
+  static void note_ior(const ConversionContext& bench) {
     bench.placements.put("extensions/KHR_materials_ior/ior",
                          fmt::format("{}", bench.context.options.ior));
     bench.action.lossy = true;
@@ -120,7 +120,7 @@ class SpecularGlossiness : public Conversion {
                     bench.context.options.ior));
   }
 
-  static Problem put(const Workbench& bench, std::string_view path, std::string json) {
+  static Problem put(const ConversionContext& bench, std::string_view path, std::string json) {
     if (bench.is_pointed_at(path)) {
       return fmt::format("an animation targets {}, which has no effect before the upgrade", path);
     }

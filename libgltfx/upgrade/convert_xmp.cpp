@@ -145,13 +145,13 @@ std::uint64_t packet_count(Context& context, const schema::Extension& extension)
 /// that refers to one of them.
 class Xmp : public Conversion {
  public:
-  bool joins(const Workbench& bench) override {
+  bool joins(const ConversionContext& bench) override {
     const json::Document& document = bench.context.document;
     return bench.carrier.array.empty() &&
            document.find(bench.carrier.extensions, bench.successor.name) != json::kNoNode;
   }
 
-  Problem judge(const Workbench& bench) override {
+  Problem judge(const ConversionContext& bench) override {
     if (!bench.carrier.array.empty()) return judge_reference(bench);
     const json::Document& document = bench.context.document;
     const json::NodeId packets = bench.member("packets");
@@ -170,7 +170,7 @@ class Xmp : public Conversion {
     return languages ? need_rdf(document, bench.member("@context")) : std::nullopt;
   }
 
-  void apply(const Workbench& bench) override {
+  void apply(const ConversionContext& bench) override {
     if (!bench.carrier.array.empty()) return apply_reference(bench);
     if (!joins(bench)) {
       bench.drop("@context");
@@ -185,7 +185,7 @@ class Xmp : public Conversion {
   static constexpr const char* kFirstDraft =
       "it follows the first draft (2019), which does not define the namespaces of its prefixes";
 
-  static Problem judge_reference(const Workbench& bench) {
+  static Problem judge_reference(const ConversionContext& bench) {
     const json::Document& document = bench.context.document;
     if (bench.member("xmp") != json::kNoNode) return kFirstDraft;
     const auto index = model::unsigned_member(document, bench.carrier.object, "packet");
@@ -194,7 +194,7 @@ class Xmp : public Conversion {
   }
 
   // An object that leads behind the packets of the successor would lead to one that comes there.
-  static Problem judge_successor(const Workbench& bench) {
+  static Problem judge_successor(const ConversionContext& bench) {
     const json::Document& document = bench.context.document;
     const std::string& name = bench.successor.name;
     const auto carriers = carriers_of(document, bench.context.set, bench.successor);
@@ -215,14 +215,14 @@ class Xmp : public Conversion {
     return std::nullopt;
   }
 
-  static void apply_reference(const Workbench& bench) {
+  static void apply_reference(const ConversionContext& bench) {
     const std::uint64_t before = packet_count(bench.context, bench.successor);
     const json::NodeId index = bench.member("packet");
     const std::uint64_t old = bench.context.document.unsigned_integer(index).value_or(0);
     if (before > 0) bench.context.editor.replace_scalar(index, std::to_string(before + old));
   }
 
-  void apply_packets(const Workbench& bench, json::Editor& editor) const {
+  void apply_packets(const ConversionContext& bench, json::Editor& editor) const {
     const json::NodeId context = bench.member("@context");
     const std::string plain(bench.context.document.raw(context));
     const std::string with_rdf = add_rdf_ ? rdf_added(bench.context.document, context) : plain;
@@ -232,7 +232,7 @@ class Xmp : public Conversion {
   }
 
   // The edits are those of the packets, in their order.
-  void append_packets(const Workbench& bench, const std::vector<json::Edit>& edits) const {
+  void append_packets(const ConversionContext& bench, const std::vector<json::Edit>& edits) const {
     const json::Document& document = bench.context.document;
     const json::NodeId list = packets_of(document, bench.successor);
     auto edit = edits.begin();

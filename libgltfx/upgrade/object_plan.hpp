@@ -45,7 +45,9 @@ class ObjectPlan {
   bool is_pointed_at(const std::vector<std::string>& steps) const;
   bool is_own_pointed_at() const;
   bool has_beside(const std::string& extension) const;
-  Workbench bench() { return {context_, carrier_, extension_, successor_, placements_, action_}; }
+  ConversionContext bench() {
+    return {context_, carrier_, extension_, successor_, placements_, action_};
+  }
   bool joins() { return conversion_ != nullptr && conversion_->joins(bench()); }
   bool is_blocked_by(const std::string& extension) const;
   const schema::Extension* replacement();

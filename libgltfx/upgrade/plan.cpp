@@ -67,7 +67,7 @@ class ExtensionPlan {
         document_(context.document),
         extension_(extension),
         choice_(choose(context.options, extension)) {
-    if (choice_.wish == Wish::no) return;
+    if (choice_.selection == Selection::no) return;
     for (Carrier& carrier : carriers_of(document_, context_.set, extension_)) {
       judged_.push_back({std::move(carrier), {}, nullptr});
     }
@@ -138,7 +138,7 @@ class ExtensionPlan {
       action.notes.push_back(stay.because);
       return action;
     }
-    if (choice_.wish != Wish::offered) return std::nullopt;
+    if (choice_.selection != Selection::offered) return std::nullopt;
     action.fate = UpgradeFate::on_request;
     action.notes.push_back("--only " + extension_.name + ": " + extension_.upgrade.opt_in);
     return action;
@@ -201,7 +201,8 @@ class ExtensionPlan {
     using schema::Status;
     const Status status = extension_.status;
     const bool past = status == Status::legacy || status == Status::archived;
-    const bool wanted = choice_.wish == Wish::yes || (choice_.wish == Wish::offered && past);
+    const bool wanted =
+        choice_.selection == Selection::yes || (choice_.selection == Selection::offered && past);
     if (!wanted || extension_.homes.empty() || count_occurrences() > 0) return;
     for (edit::NameList* list : {&used, &required}) {
       for (std::string& place : list->places(extension_.name)) {

@@ -37,10 +37,10 @@ std::string renamed(std::string_view uri, std::string_view mark, std::string_vie
   return fmt::format("{}-{}{}", uri.substr(0, has_ending ? dot : uri.size()), mark, ending);
 }
 
-class Settler {
+class ResourcePlacer {
  public:
-  Settler(const Additions& additions, const container::Container& container,
-          const AssetBytes& bytes, const IsFree& is_free)
+  ResourcePlacer(const Additions& additions, const container::Container& container,
+                 const AssetBytes& bytes, const IsFree& is_free)
       : additions_(additions),
         document_(bytes.asset().document()),
         container_(container),
@@ -221,7 +221,7 @@ class Settler {
 Result<Settlement> settle(const Additions& additions, const std::vector<File>& images,
                           const container::Container& container, const AssetBytes& bytes,
                           const IsFree& is_free) {
-  return Settler(additions, container, bytes, is_free).run(images);
+  return ResourcePlacer(additions, container, bytes, is_free).run(images);
 }
 
 }  // namespace gltfx::upgrade

@@ -27,7 +27,7 @@ Canvas two_pixels() {
   film.add(1, PathSample());
   film.add(1, PathSample());
   Canvas canvas(2, 1, {true, true, true, true, true});
-  expose(film, {0, 1}, canvas);
+  resolve(film, {0, 1}, canvas);
   return canvas;
 }
 
@@ -56,7 +56,7 @@ TEST(Film, HoldsSomeRowsOnly) {
   sample.scattered = Rgb(1);
   sample.albedo = Rgb(0.5);
   film.add(1, sample);
-  Sights more;
+  FeatureSums more;
   bake::add(more, sample);
   film.add_sights(0, more, 0);
   film.add_sights(1, more, 3);
@@ -64,21 +64,21 @@ TEST(Film, HoldsSomeRowsOnly) {
   EXPECT_EQ(film.size(), 3U);
   EXPECT_EQ(film.first_pixel(), 1U);
   EXPECT_EQ(film.radiance(1), Rgb(1));
-  EXPECT_EQ(film.sights(1).count, 2U);
+  EXPECT_EQ(film.feature_sums(1).count, 2U);
   EXPECT_EQ(film.at(1).material, 3U);
   film.add(3, sample);
   EXPECT_EQ(film.at(2).samples, 0U);
-  EXPECT_EQ(film.sights(3).count, 1U);
+  EXPECT_EQ(film.feature_sums(3).count, 1U);
   film.hold({2, 4});
   EXPECT_EQ(film.radiance(3), Rgb(1));
-  EXPECT_EQ(film.sights(2).count, 0U);
+  EXPECT_EQ(film.feature_sums(2).count, 0U);
 }
 
 TEST(Canvas, HasTheLayersThatAreWanted) {
   Film film(1, 1);
   film.add(0, PathSample());
   Canvas canvas(1, 1, {.normal = true});
-  expose(film, {0, 1}, canvas);
+  resolve(film, {0, 1}, canvas);
   EXPECT_EQ(canvas.normal.size(), 1U);
   EXPECT_TRUE(canvas.albedo.empty() && canvas.depth.empty() && canvas.material.empty());
 }

@@ -86,7 +86,7 @@ TEST(Emitters, DensitiesBelongToSamples) {
   double sum = 0;
   constexpr std::uint32_t kCount = 4096;
   for (std::uint32_t i = 0; i < kCount; ++i) {
-    const Shine shine = emitters.sample(scene, from, SampleStream(0, 0, i).pair(0));
+    const EmissiveTriangle shine = emitters.sample(scene, from, SampleStream(0, 0, i).pair(0));
     ASSERT_GT(shine.pdf, 0);
     EXPECT_LT(dot(shine.normal, shine.direction), 0);
     EXPECT_NEAR(length(shine.normal), 1, 1e-6);
@@ -103,7 +103,7 @@ TEST(Emitters, ManyTrianglesOfManyInstances) {
   stage.bounces = 0;
   stage.find_emitters();
   expect_near(stage.path({{5, 0.1, 4}, {0, 0, -1}}, 16), Rgb(3));
-  const Shine shine =
+  const EmissiveTriangle shine =
       stage.setting.emitters.sample(stage.path_setting().scene, {9, 0, 0}, {0.99F, 0.5F});
   EXPECT_GT(shine.pdf, 0);
 }

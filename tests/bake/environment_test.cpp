@@ -38,7 +38,7 @@ TEST(Environment, DirectionsAndPointsOfTheImageBelongTogether) {
 
 TEST(Environment, TurnsAreSinesAndCosines) {
   for (double turns = -1; turns <= 1; turns += 0.00137) {
-    const Turn turn = turn_by(turns);
+    const SinCos turn = sin_cos_of(turns);
     EXPECT_NEAR(turn.sine, std::sin(turns * 2 * std::numbers::pi), 4e-9) << turns;
     EXPECT_NEAR(turn.cosine, std::cos(turns * 2 * std::numbers::pi), 4e-9) << turns;
   }
@@ -46,7 +46,7 @@ TEST(Environment, TurnsAreSinesAndCosines) {
 
 TEST(Environment, AnglesComeBackFromTheirSinesAndCosines) {
   for (double turns = -0.4999; turns < 0.5; turns += 0.00137) {
-    const Turn turn = turn_by(turns);
+    const SinCos turn = sin_cos_of(turns);
     EXPECT_NEAR(turn_of(3 * turn.sine, 3 * turn.cosine), turns, 5e-7);
   }
   EXPECT_EQ(turn_of(0, 0), 0);

@@ -42,7 +42,7 @@ RenderOptions small(std::uint32_t samples) {
 
 Canvas plain(const Film& film) {
   Canvas canvas(film.width(), film.height(), {.alpha = true});
-  expose(film, film.held(), canvas);
+  resolve(film, film.held(), canvas);
   return canvas;
 }
 
@@ -89,8 +89,8 @@ TEST(Render, ATriangleBecomesAPicture) {
   view.origin = {0, 0, 4};
   const Film film = render(stage.path_setting(), view, small(4));
   EXPECT_NEAR(film.radiance(20 * 48 + 24).x, 1, 0.05);
-  EXPECT_EQ(film.sights(20 * 48 + 24).alpha, 4);
-  EXPECT_EQ(film.sights(0).alpha, 0);
+  EXPECT_EQ(film.feature_sums(20 * 48 + 24).alpha, 4);
+  EXPECT_EQ(film.feature_sums(0).alpha, 0);
   EXPECT_EQ(film.radiance(0), Rgb());
   EXPECT_EQ(film.at(20 * 48 + 24).material, 0U);
 }
@@ -174,7 +174,7 @@ TEST(Render, ShadowHasNoise) {
   double worst = 0;
   for (std::size_t i = 0; i < film.size(); ++i) {
     const PixelSums& sums = film.at(i);
-    if (sums.sights.alpha <= 0 && sums.shadow[0] + sums.shadow[1] > 0) {
+    if (sums.feature_sums.alpha <= 0 && sums.shadow[0] + sums.shadow[1] > 0) {
       worst = std::max(worst, film.error(i));
     }
   }

@@ -33,25 +33,26 @@ constexpr std::array<Code, kFaultKinds> kFaultCodes{
     Code::ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE,
 };
 
-std::string place_text(const Looked& looked, const Fault& fault) {
-  const std::uint64_t element = fault.index / looked.components;
-  if (looked.components == 1) return fmt::format("Element {}", element);
+std::string place_text(const ScanResult& scan_result, const Fault& fault) {
+  const std::uint64_t element = fault.index / scan_result.components;
+  if (scan_result.components == 1) return fmt::format("Element {}", element);
   return fmt::format("Component {} of element {}", fault.component, element);
 }
 
-std::string sentence(const Looked& looked, const Fault& fault) {
+std::string sentence(const ScanResult& scan_result, const Fault& fault) {
   const std::string value = value_text(fault.value);
-  const std::uint64_t element = fault.index / looked.components;
+  const std::uint64_t element = fault.index / scan_result.components;
   switch (fault.kind) {
     case FaultKind::invalid_float:
-      return fmt::format("{} is {}.", place_text(looked, fault), value);
+      return fmt::format("{} is {}.", place_text(scan_result, fault), value);
     case FaultKind::not_unit:
       return fmt::format("The vector in element {} has length {}; it must be 1.", element, value);
     case FaultKind::bad_sign:
       return fmt::format("w of element {} is {}; it must be 1 or -1.", element, value);
     case FaultKind::not_clamped:
     case FaultKind::bad_opacity:
-      return fmt::format("{} is {}; it must be between 0 and 1.", place_text(looked, fault), value);
+      return fmt::format("{} is {}; it must be between 0 and 1.", place_text(scan_result, fault),
+                         value);
     case FaultKind::index_out_of_range:
       return fmt::format("Element {} of the indices is {}, but the primitive has {} vertices.",
                          element, value, fault.other < 0 ? "no" : value_text(fault.other + 1));
@@ -69,13 +70,14 @@ std::string sentence(const Looked& looked, const Fault& fault) {
       return fmt::format("The quaternion in element {} has length {}; it must be 1.", element,
                          value);
     case FaultKind::out_of_limits:
-      return fmt::format("{} is {}; the property must be {} {}.", place_text(looked, fault), value,
-                         fault.value <= fault.other ? "at least" : "at most",
+      return fmt::format("{} is {}; the property must be {} {}.", place_text(scan_result, fault),
+                         value, fault.value <= fault.other ? "at least" : "at most",
                          value_text(fault.other));
     case FaultKind::negative_scale:
-      return fmt::format("{} is {}; it must not be negative.", place_text(looked, fault), value);
+      return fmt::format("{} is {}; it must not be negative.", place_text(scan_result, fault),
+                         value);
     case FaultKind::bad_matrix:
-      return fmt::format("{} is {}; it must be {}.", place_text(looked, fault), value,
+      return fmt::format("{} is {}; it must be {}.", place_text(scan_result, fault), value,
                          value_text(fault.other));
   }
   return {};
@@ -112,18 +114,18 @@ bool is_of_values(FaultKind kind) {
 }
 
 // What an encoder may have changed is no fault of the asset's author, and no reader minds.
-void soften(const Looked& looked, Finding& finding) {
-  if (!looked.draco) return;
-  if (looked.lossy) finding.severity = Severity::warning;
-  finding.message += looked.lossy ? kAfterDraco : " This is the value after Draco decoding.";
+void soften(const ScanResult& scan_result, Finding& finding) {
+  if (!scan_result.draco) return;
+  if (scan_result.lossy) finding.severity = Severity::warning;
+  finding.message += scan_result.lossy ? kAfterDraco : " This is the value after Draco decoding.";
 }
 
-Finding finding_at_bound(const Looked& looked, const Check& check, const BoundFault& fault,
+Finding finding_at_bound(const ScanResult& scan_result, const Check& check, const BoundFault& fault,
                          Code code, std::string message) {
   Finding finding(code);
   finding.message = std::move(message);
-  soften(looked, finding);
-  finding.span = element_span(looked.context.document, check.place.node, fault.component);
+  soften(scan_result, finding);
+  finding.span = element_span(scan_result.context.document, check.place.node, fault.component);
   return finding;
 }
 
@@ -142,42 +144,46 @@ Span element_span(const json::Document& document, json::NodeId array, std::uint6
   return first_character(document, array);
 }
 
-Finding describe(const Looked& looked, const Check& check, const Fault& fault,
+Finding describe(const ScanResult& scan_result, const Check& check, const Fault& fault,
                  std::uint64_t count) {
-  std::string message = sentence(looked, fault);
+  std::string message = sentence(scan_result, fault);
   if (count > 1) message += fmt::format(" This is the first of {}.", count);
   Finding finding =
-      finding_on(looked.context, check.place.node,
+      finding_on(scan_result.context, check.place.node,
                  kFaultCodes[static_cast<std::size_t>(fault.kind)], std::move(message));
   finding.count = count;
-  if (fault.kind == FaultKind::not_unit && has_fewer_bits(looked.decoded, fault.value)) {
+  if (fault.kind == FaultKind::not_unit && has_fewer_bits(scan_result.decoded, fault.value)) {
     finding.severity = Severity::warning;
   }
-  if (is_of_values(fault.kind)) soften(looked, finding);
+  if (is_of_values(fault.kind)) soften(scan_result, finding);
   return finding;
 }
 
-Finding describe_mismatch(const Looked& looked, const Check& check, const BoundFault& fault) {
+Finding describe_mismatch(const ScanResult& scan_result, const Check& check,
+                          const BoundFault& fault) {
   const bool minimum = check.kind == CheckKind::minimum;
-  return finding_at_bound(looked, check, fault,
+  return finding_at_bound(scan_result, check, fault,
                           minimum ? Code::ACCESSOR_MIN_MISMATCH : Code::ACCESSOR_MAX_MISMATCH,
                           fmt::format("{} is {}; it must be {}.", minimum ? "min" : "max",
                                       value_text(fault.declared), value_text(fault.actual)));
 }
 
-Finding describe_outside(const Looked& looked, const Check& check, const BoundFault& fault) {
+Finding describe_outside(const ScanResult& scan_result, const Check& check,
+                         const BoundFault& fault) {
   const bool minimum = check.kind == CheckKind::minimum;
   return finding_at_bound(
-      looked, check, fault,
+      scan_result, check, fault,
       minimum ? Code::ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND : Code::ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND,
-      fmt::format("{} of {} elements are {} the declared {}, {}.", fault.outside, looked.count,
+      fmt::format("{} of {} elements are {} the declared {}, {}.", fault.outside, scan_result.count,
                   minimum ? "below" : "above", minimum ? "min" : "max",
                   value_text(fault.declared)));
 }
 
-Finding describe_degenerate(const Looked& looked, const Check& check, std::uint64_t count) {
-  return finding_on(looked.context, check.place.node, Code::ACCESSOR_INDEX_TRIANGLE_DEGENERATE,
-                    fmt::format("{} of {} triangles are degenerate.", count, looked.count / 3));
+Finding describe_degenerate(const ScanResult& scan_result, const Check& check,
+                            std::uint64_t count) {
+  return finding_on(
+      scan_result.context, check.place.node, Code::ACCESSOR_INDEX_TRIANGLE_DEGENERATE,
+      fmt::format("{} of {} triangles are degenerate.", count, scan_result.count / 3));
 }
 
 }  // namespace gltfx::validate

@@ -10,8 +10,8 @@
 
 namespace gltfx::validate {
 
-/// The accessor that was looked into.
-struct Looked {
+/// The accessor that was scan_result into.
+struct ScanResult {
   const Context& context;
   const Schedule& schedule;
   unsigned components = 1;
@@ -29,12 +29,15 @@ inline constexpr std::string_view kAfterDraco =
     " This is the value after Draco decoding, which is lossy.";
 
 /// One fault, or `count` of them of which `fault` is the first.
-Finding describe(const Looked& looked, const Check& check, const Fault& fault, std::uint64_t count);
+Finding describe(const ScanResult& scan_result, const Check& check, const Fault& fault,
+                 std::uint64_t count);
 /// A declared bound that is not the real one, and how many elements lie beyond it.
-Finding describe_mismatch(const Looked& looked, const Check& check, const BoundFault& fault);
-Finding describe_outside(const Looked& looked, const Check& check, const BoundFault& fault);
+Finding describe_mismatch(const ScanResult& scan_result, const Check& check,
+                          const BoundFault& fault);
+Finding describe_outside(const ScanResult& scan_result, const Check& check,
+                         const BoundFault& fault);
 /// Triangles without area; there are `count` of them.
-Finding describe_degenerate(const Looked& looked, const Check& check, std::uint64_t count);
+Finding describe_degenerate(const ScanResult& scan_result, const Check& check, std::uint64_t count);
 
 /// Number `position` of an array of numbers in the text.
 Span element_span(const json::Document& document, json::NodeId array, std::uint64_t position);

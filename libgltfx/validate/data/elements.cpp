@@ -92,7 +92,7 @@ class ElementReport {
 
   DataPhase& phase_;
   const AccessorData& data_;
-  Looked looked_;
+  ScanResult looked_;
 };
 
 std::size_t distinct(const std::vector<Check>& checks) {

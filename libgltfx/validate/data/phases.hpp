@@ -12,9 +12,9 @@
 
 namespace gltfx::validate {
 
-/// How many numbers may be looked at, and how many faults listed one by one. Accessors may share
-/// bytes, and sparse ones need none: without a limit a small file could ask for years of work, or
-/// for a report of any size.
+/// How many numbers may be scan_result at, and how many faults listed one by one. Accessors may
+/// share bytes, and sparse ones need none: without a limit a small file could ask for years of
+/// work, or for a report of any size.
 class Budget {
  public:
   explicit Budget(const model::ResourceData& resources);

@@ -23,7 +23,7 @@ using model::Primitive;
 using model::SemanticKind;
 
 // One material on one primitive: the default one or that of a variant.
-struct Wearing {
+struct MaterialUse {
   const MeshState& state;
   const Primitive& primitive;
   json::NodeId place;  // the index of the material
@@ -40,32 +40,33 @@ struct Wearing {
   }
 };
 
-void check_texcoords(const Wearing& wearing, const MaterialNeed& need, TexCoords& texcoords) {
+void check_texcoords(const MaterialUse& material_use, const MaterialNeed& need,
+                     TexCoords& texcoords) {
   for (const TexCoordNeed& each : need.texcoords) {
     if (texcoords.use(each.set)) continue;
-    wearing.report(
+    material_use.report(
         Code::MESH_PRIMITIVE_TOO_FEW_TEXCOORDS,
         fmt::format("The texture {} uses TEXCOORD_{}, which the primitive does not have.",
-                    member_label(wearing.state.context, each.pointer), each.set));
+                    member_label(material_use.state.context, each.pointer), each.set));
   }
 }
 
-void check_tangent_space(const Wearing& wearing, const MaterialNeed& need) {
+void check_tangent_space(const MaterialUse& material_use, const MaterialNeed& need) {
   if (!need.tangent_space) return;
-  const bool normal = wearing.primitive.find(SemanticKind::normal) != nullptr;
-  const bool tangent = wearing.primitive.find(SemanticKind::tangent) != nullptr;
+  const bool normal = material_use.primitive.find(SemanticKind::normal) != nullptr;
+  const bool tangent = material_use.primitive.find(SemanticKind::tangent) != nullptr;
   if (normal && tangent) return;
   const std::string_view missing = normal ? "TANGENT" : tangent ? "NORMAL" : "NORMAL and TANGENT";
   if (need.normal_texture) {
-    wearing.report(Code::MESH_PRIMITIVE_GENERATED_TANGENT_SPACE,
-                   fmt::format("The primitive has no {}, but {} has a normal texture.", missing,
-                               wearing.material()));
+    material_use.report(Code::MESH_PRIMITIVE_GENERATED_TANGENT_SPACE,
+                        fmt::format("The primitive has no {}, but {} has a normal texture.",
+                                    missing, material_use.material()));
   } else {
-    wearing.report(
+    material_use.report(
         Code::MESH_PRIMITIVE_NO_TANGENT_SPACE,
         fmt::format(
             "The primitive has no {}, but {} requires a tangent space and has no normal texture.",
-            missing, wearing.material()),
+            missing, material_use.material()),
         // Highlights that lie another way are a lesser evil than bumps that do.
         need.direction_alone ? std::optional(Severity::warning) : std::nullopt);
   }
@@ -117,9 +118,9 @@ void MaterialCheck::check_material() {
   if (primitive_.material) {
     const MaterialNeed& need = state_.materials.of(*primitive_.material);
     const Path at(path_, "material");
-    const Wearing wearing{state_, primitive_, primitive_.material_node, at};
-    check_tangent_space(wearing, need);
-    check_texcoords(wearing, need, texcoords_);
+    const MaterialUse material_use{state_, primitive_, primitive_.material_node, at};
+    check_tangent_space(material_use, need);
+    check_texcoords(material_use, need, texcoords_);
     tangent_space_ = tangent_space_ || need.tangent_space;
   }
   if (!state_.unseen.empty()) return;

@@ -14,15 +14,15 @@ namespace gltfx::bake {
 struct RenderOptions;
 
 /// Numbers of samples, by squares of pixels.
-class Allotment {
+class SampleMap {
  public:
   /// The same number everywhere.
-  explicit Allotment(std::uint32_t samples) : most_(samples) {}
+  explicit SampleMap(std::uint32_t samples) : most_(samples) {}
   /// Finds out with few samples besides where noise is, and shares out `options.samples` for each
   /// pixel in proportion to it, which leaves the least of it as a whole: no pixel gets less than a
   /// quarter of that or more than four times as much. The same for any number of jobs. Where there
   /// are too few to find out, or an end by time or noise is wanted, all pixels get the same.
-  Allotment(const PathSetting& setting, const View& view, const RenderOptions& options);
+  SampleMap(const PathSetting& setting, const View& view, const RenderOptions& options);
 
   std::uint32_t samples(std::uint32_t x, std::uint32_t y) const {
     if (counts_.empty()) return most_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pipeline/kept_result.hpp"
+#include "pipeline/cache_entry.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,13 +52,13 @@ Hash128 path_key(const std::string& path, const std::string& folder, const Hash1
 
 }  // namespace
 
-KeptResult::KeptResult(const std::string& path, ResultCache& cache, const Hash128& options)
+CacheEntry::CacheEntry(const std::string& path, ResultCache& cache, const Hash128& options)
     : path_(path),
       store_(cache.store()),
       options_key_(options),
       path_key_(path_key(path, cache.folder(), options)) {}
 
-std::optional<std::string> KeptResult::as_it_was() {
+std::optional<std::string> CacheEntry::as_it_was() {
   const auto state = file_state(path_);
   if (!state) return std::nullopt;
   state_ = *state;
@@ -85,7 +85,7 @@ std::optional<std::string> KeptResult::as_it_was() {
   return std::nullopt;
 }
 
-std::optional<std::string> KeptResult::by_content(const container::Container& opened,
+std::optional<std::string> CacheEntry::by_content(const container::Container& opened,
                                                   const container::Resolver& resolver) {
   HashParts asset;
   asset.add(fs::path(path_).filename().native());
@@ -111,7 +111,7 @@ std::optional<std::string> KeptResult::by_content(const container::Container& op
   return result;
 }
 
-bool KeptResult::companions_of(const std::vector<std::string>& names,
+bool CacheEntry::companions_of(const std::vector<std::string>& names,
                                const container::Resolver& resolver, HashParts& content,
                                std::vector<Companion>& companions) const {
   for (const std::string& name : names) {
@@ -126,7 +126,7 @@ bool KeptResult::companions_of(const std::vector<std::string>& names,
 
 // Whether what was read is what lies there now: nothing was written while the report was made or so
 // shortly before that the times need not show it.
-bool KeptResult::settled(const std::vector<Companion>& companions) const {
+bool CacheEntry::settled(const std::vector<Companion>& companions) const {
   const auto state = file_state(path_);
   if (!state || !(*state == *state_)) return false;
   const auto old = [this](const FileState& file) { return file.status_change + kTick <= begin_; };
@@ -134,7 +134,7 @@ bool KeptResult::settled(const std::vector<Companion>& companions) const {
                                      [&](const Companion& file) { return old(file.state); });
 }
 
-std::string KeptResult::snapshot(const std::vector<Companion>& companions,
+std::string CacheEntry::snapshot(const std::vector<Companion>& companions,
                                  const Hash128& result) const {
   std::string bytes;
   append_value(bytes, result);
@@ -146,7 +146,7 @@ std::string KeptResult::snapshot(const std::vector<Companion>& companions,
   return bytes;
 }
 
-void KeptResult::keep(std::string_view result, const container::Resolver& resolver,
+void CacheEntry::keep(std::string_view result, const container::Resolver& resolver,
                       const container::LookupLog& lookups) {
   if (!state_) return;
   std::set<std::string> unique;

@@ -22,10 +22,10 @@ namespace gltfx {
 
 /// Calls in this order: as_it_was(); with the container opened after it, by_content(); with the
 /// result that was made of it, keep().
-class KeptResult {
+class CacheEntry {
  public:
   /// `options`: the key of all that the result depends on besides files. Path and cache outlive it.
-  KeptResult(const std::string& path, ResultCache& cache, const Hash128& options);
+  CacheEntry(const std::string& path, ResultCache& cache, const Hash128& options);
 
   /// The result of an earlier run when neither the asset nor a file it refers to changed since, as
   /// far as the file system tells. Otherwise waits until a later change of the asset can be seen by

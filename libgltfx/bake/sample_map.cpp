@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/allotment.hpp"
+#include "bake/sample_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,8 +84,8 @@ struct Square {
 
 }  // namespace
 
-Allotment::Allotment(const PathSetting& setting, const View& view, const RenderOptions& options)
-    : Allotment(options.samples) {
+SampleMap::SampleMap(const PathSetting& setting, const View& view, const RenderOptions& options)
+    : SampleMap(options.samples) {
   if (options.samples < kFewest || options.seconds > 0 || options.noise > 0) return;
   columns_ = (options.width + kSide - 1) / kSide;
   rows_ = (options.height + kSide - 1) / kSide;
@@ -95,7 +95,7 @@ Allotment::Allotment(const PathSetting& setting, const View& view, const RenderO
   share_out(noise, options);
 }
 
-std::vector<float> Allotment::find_noise(const PathSetting& setting, const View& view,
+std::vector<float> SampleMap::find_noise(const PathSetting& setting, const View& view,
                                          const RenderOptions& options) const {
   const std::uint32_t samples = std::clamp(options.samples / kFewest, 2U, 4U);
   // Others than those of the picture: pixels that were lucky once must not be given more of it.
@@ -128,7 +128,7 @@ std::vector<float> Allotment::find_noise(const PathSetting& setting, const View&
 }
 
 // Few samples tell little: each square takes part in what its neighbours found.
-void Allotment::blur(std::vector<float>& values) const {
+void SampleMap::blur(std::vector<float>& values) const {
   const std::vector<float> from = values;
   for (std::uint32_t y = 0; y < rows_; ++y) {
     for (std::uint32_t x = 0; x < columns_; ++x) {
@@ -148,7 +148,7 @@ void Allotment::blur(std::vector<float>& values) const {
 
 // What is left of a variance v by n samples is v / n. Its sum is least for n in proportion to the
 // root of v; what that has to be multiplied by is found by halving intervals.
-void Allotment::share_out(const std::vector<float>& noise, const RenderOptions& options) {
+void SampleMap::share_out(const std::vector<float>& noise, const RenderOptions& options) {
   const std::uint32_t least = (options.samples / kRange + 1) / 2 * 2;  // even, for the halves
   const auto count = [&](float each, double scale) {
     const double even = std::floor(scale * static_cast<double>(each) / 2) * 2;

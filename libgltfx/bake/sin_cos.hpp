@@ -17,10 +17,10 @@ inline std::int64_t floor_of(double value) {
 
 /// Sine and cosine of an angle from -1 to 1 full turns, to some 1e-9: a third of the time that the
 /// library takes for every angle there is.
-struct Turn {
+struct SinCos {
   double sine = 0, cosine = 1;
 };
-inline Turn turn_by(double turns) {
+inline SinCos sin_cos_of(double turns) {
   constexpr double kHalfPi = 1.57079632679489662;
   const std::int64_t quarters = floor_of(turns * 4 + 0.5);
   const double x = (turns * 4 - static_cast<double>(quarters)) * kHalfPi;

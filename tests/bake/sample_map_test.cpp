@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/allotment.hpp"
+#include "bake/sample_map.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,11 +28,11 @@ void for_pixels(const RenderOptions& options, const Visit& visit) {
   }
 }
 
-TEST(Allotment, SharesOutWhatThereIs) {
+TEST(SampleMap, SharesOutWhatThereIs) {
   const Stage stage = studio_stage();
   for (const std::uint32_t samples : {16U, 20U, 33U, 64U}) {
     const RenderOptions options = small(samples);
-    const Allotment shares(stage.path_setting(), front(), options);
+    const SampleMap shares(stage.path_setting(), front(), options);
     double sum = 0;
     std::uint32_t least = samples;
     std::uint32_t most = samples;
@@ -52,16 +52,16 @@ TEST(Allotment, SharesOutWhatThereIs) {
   }
 }
 
-TEST(Allotment, NoiseGetsMore) {
+TEST(SampleMap, NoiseGetsMore) {
   const Stage stage = studio_stage();
   const RenderOptions options = small(32);
-  const Allotment shares(stage.path_setting(), front(), options);
+  const SampleMap shares(stage.path_setting(), front(), options);
   EXPECT_EQ(shares.samples(1, 1), 8U) << "the backdrop, which has none";
   EXPECT_GT(shares.samples(25, 20), 16U) << "the ball";
 }
 
 // Looks do not go through glass: what is seen behind it counts as noise.
-TEST(Allotment, EdgesBehindGlassGetMore) {
+TEST(SampleMap, EdgesBehindGlassGetMore) {
   const auto at_edge = [](double transmission) {
     Scene scene = scene_of(square(), matte(Rgb(1)));
     scene.materials[0].factors.unlit = true;
@@ -73,38 +73,38 @@ TEST(Allotment, EdgesBehindGlassGetMore) {
     scene.instances.push_back({1, moved(0, 0, 1, 8)});
     const Stage stage(std::move(scene));
     const RenderOptions options = small(32);
-    return Allotment(stage.path_setting(), front(), options).samples(16, 16);
+    return SampleMap(stage.path_setting(), front(), options).samples(16, 16);
   };
   EXPECT_EQ(at_edge(0), 8U) << "nothing is seen through it";
   EXPECT_GT(at_edge(1), 32U);
 }
 
-TEST(Allotment, TheNumberOfThreadsDoesNotShow) {
+TEST(SampleMap, TheNumberOfThreadsDoesNotShow) {
   const Stage stage = studio_stage();
   RenderOptions options = small(16);
-  const Allotment one(stage.path_setting(), front(), options);
+  const SampleMap one(stage.path_setting(), front(), options);
   options.jobs = 2;
-  const Allotment two(stage.path_setting(), front(), options);
+  const SampleMap two(stage.path_setting(), front(), options);
   for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
     ASSERT_EQ(one.samples(x, y), two.samples(x, y));
   });
 }
 
 // Nothing but an even backdrop.
-TEST(Allotment, WithoutNoiseFewAreEnough) {
+TEST(SampleMap, WithoutNoiseFewAreEnough) {
   Stage stage(scene_of(square(), matte(Rgb(0.5))));
   View away;
   away.origin = {0, 0, 4};
   away.backward = {0, 0, -1};
   const RenderOptions options = small(16);
-  const Allotment shares(stage.path_setting(), away, options);
+  const SampleMap shares(stage.path_setting(), away, options);
   EXPECT_EQ(shares.most(), 4U);
 }
 
-TEST(Allotment, FewSamplesOrAnEndOfTheirOwnAreTheSameEverywhere) {
+TEST(SampleMap, FewSamplesOrAnEndOfTheirOwnAreTheSameEverywhere) {
   const Stage stage = studio_stage();
   const auto expect_even = [&stage](const RenderOptions& options) {
-    const Allotment shares(stage.path_setting(), front(), options);
+    const SampleMap shares(stage.path_setting(), front(), options);
     for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
       ASSERT_EQ(shares.samples(x, y), options.samples);
     });

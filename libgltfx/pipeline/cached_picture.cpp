@@ -2,7 +2,7 @@
 // What is kept: the report of the validation; the notes; the first picture as PNG where its own
 // file does not hold it exactly; for each file what stands between the name and the ending, and the
 // hash of its bytes.
-#include "pipeline/kept_picture.hpp"
+#include "pipeline/cached_picture.hpp"
 
 #include <gltfx/result_cache.hpp>
 #include <gltfx/validate.hpp>
