@@ -216,5 +216,17 @@ TEST_F(OwnSchema, EachTestThatFailsIsNamedWithItsReason) {
   EXPECT_THAT(said(R"({"good": 1})"), HasSubstr("tests/good: not an array"));
 }
 
+// An asset of the user may be called as those of the test.
+TEST_F(OwnSchema, WithoutAFolderForTemporaryFilesNothingIsWritten) {
+  write_with_tests(R"({"upgrade": [{"before": {}, "after": {}}]})");
+  folder_.write("before.gltf", "mine");
+  const Outcome outcome =
+      gltfx({"schema", "--test", "a.schema.json", "--isolated"},
+            {folder_.path().native(), {}, {{"TMPDIR", (folder_.path() / "none").native()}}});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("tests/upgrade/0: there is no folder for temporary files"));
+  EXPECT_EQ(read_file((folder_.path() / "before.gltf").native()), "mine");
+}
+
 }  // namespace
 }  // namespace gltfx::program

@@ -174,6 +174,7 @@ class SchemaTests {
     const json::NodeId after = document_.find(test, "after");
     if (before == json::kNoNode || after == json::kNoNode) return "needs 'before' and 'after'";
     const WorkFolder folder;
+    if (folder.path().empty()) return "there is no folder for temporary files";
     const std::string path = folder.path() / "before.gltf";
     std::ofstream(path, std::ios::binary) << document_.raw(before);
     UpgradeOptions options;
