@@ -14,11 +14,7 @@ void write_if_any(json::Writer& writer, std::string_view name, const std::string
 
 void write_if_any(json::Writer& writer, std::string_view name,
                   const std::vector<std::string>& texts) {
-  if (texts.empty()) return;
-  writer.key(name);
-  writer.begin_array();
-  for (const std::string& text : texts) writer.string(long_value(text));
-  writer.end_array();
+  if (!texts.empty()) write_long_values(writer, name, texts);
 }
 
 void write_image(json::Writer& writer, const ResourceInfo::Image& image) {

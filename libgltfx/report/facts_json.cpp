@@ -35,13 +35,6 @@ void member_if(Writer& writer, std::string_view name, const std::string& text) {
   if (!text.empty()) writer.member(name, report::long_value(text));
 }
 
-void write_strings(Writer& writer, std::string_view name, const std::vector<std::string>& texts) {
-  writer.key(name);
-  writer.begin_array();
-  for (const std::string& text : texts) writer.string(report::long_value(text));
-  writer.end_array();
-}
-
 void write_counts(Writer& writer, const AssetFacts& facts) {
   writer.key("counts");
   writer.begin_object();
@@ -122,7 +115,7 @@ void write(Writer& writer, const MaterialFacts& facts) {
   writer.member("alphaMode", report::long_value(facts.alpha_mode));
   writer.member("doubleSided", facts.double_sided);
   writer.member("textures", facts.textures);
-  write_strings(writer, "extensions", facts.extensions);
+  report::write_long_values(writer, "extensions", facts.extensions);
 }
 
 void write(Writer& writer, const ImageFacts& facts) {
@@ -135,7 +128,7 @@ void write(Writer& writer, const ImageFacts& facts) {
   writer.member("bits", std::uint64_t{facts.bits});
   member_if(writer, "channels", facts.channels);
   writer.member("levels", std::uint64_t{facts.levels});
-  write_strings(writer, "slots", facts.slots);
+  report::write_long_values(writer, "slots", facts.slots);
   member_if(writer, "colorSpace", facts.color_space);
   writer.member("textures", facts.textures);
   writer.member("bytes", facts.bytes);
@@ -244,7 +237,7 @@ void write_facts(Writer& writer, const AssetFacts& facts, std::size_t most) {
   write_list(writer, "skins", facts.skins, most);
   write_list(writer, "cameras", facts.cameras, most);
   write_list(writer, "lights", facts.lights, most);
-  write_strings(writer, "problems", facts.problems);
+  report::write_long_values(writer, "problems", facts.problems);
   writer.end_object();
 }
 
@@ -257,7 +250,7 @@ void write_upgrade_facts(Writer& writer, const std::vector<UpgradeFact>& upgrade
     member_if(writer, "to", fact.to);
     writer.member("outcome", fact.outcome);
     writer.member("done", fact.done);
-    write_strings(writer, "notes", fact.notes);
+    report::write_long_values(writer, "notes", fact.notes);
     writer.end_object();
   }
   writer.end_array();

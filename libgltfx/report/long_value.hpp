@@ -3,8 +3,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/text.hpp"
+#include "json/writer.hpp"
 
 namespace gltfx::report {
 
@@ -14,6 +17,15 @@ inline std::string long_value(const std::string& text) {
   constexpr std::size_t kLongest = 1000;  // code points
   const std::size_t shown = bytes_of_code_points(text, kLongest);
   return shown == text.size() ? text : text.substr(0, shown) + "…";
+}
+
+/// A member whose value is an array of such texts.
+inline void write_long_values(json::Writer& writer, std::string_view name,
+                              const std::vector<std::string>& texts) {
+  writer.key(name);
+  writer.begin_array();
+  for (const std::string& text : texts) writer.string(long_value(text));
+  writer.end_array();
 }
 
 }  // namespace gltfx::report

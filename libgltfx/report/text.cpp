@@ -35,9 +35,7 @@ class TextWriter final : public ReportWriter {
  private:
   void finding(const FileReport& report, const Diagnostic& diagnostic, std::string& out) const {
     const std::string margin(gutter_width(diagnostic), ' ');
-    const std::string label =
-        fmt::format("{}[{}]", severity_name(diagnostic.severity), safe(diagnostic.code));
-    out += style_.paint(ink_of(diagnostic.severity), label);
+    out += rule_label(style_, diagnostic.severity, diagnostic.code);
     out += style_.paint(Ink::strong, fmt::format(": {}", safe(diagnostic.message))) + "\n";
     out += margin + style_.paint(Ink::frame, "-->") + " ";
     out += file_place(report, diagnostic) + document_place(diagnostic) + "\n";

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "report/rule_lookup.hpp"
 #include "report/safe_text.hpp"
 #include "report/style.hpp"
 #include "report/text_summary.hpp"
@@ -56,14 +55,12 @@ class GroupedWriter final : public ReportWriter {
 
   void block(Severity severity, const std::string& code, const Group& group,
              std::string& out) const {
-    const RuleDescription* rule = find_rule_in(options_.rules, code);
+    out += rule_label(style_, severity, code);
     out +=
-        style_.paint(ink_of(severity), fmt::format("{}[{}]", severity_name(severity), safe(code)));
-    const std::string_view what = rule == nullptr ? std::string_view() : rule->summary;
-    out += style_.paint(Ink::strong,
-                        fmt::format(": {} ({} in {})", what, counted(group.findings, "finding"),
-                                    counted(group.files, "file"))) +
-           "\n";
+        style_.paint(Ink::strong, fmt::format(": {} ({} in {})", rule_summary(options_.rules, code),
+                                              counted(group.findings, "finding"),
+                                              counted(group.files, "file"))) +
+        "\n";
     for (const std::string& place : group.places) {
       out += " " + style_.paint(Ink::frame, "-->") + " " + place + "\n";
     }

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "report/rule_lookup.hpp"
 #include "report/safe_text.hpp"
 #include "report/style.hpp"
 #include "report/text_summary.hpp"
@@ -21,10 +20,9 @@ namespace {
 constexpr std::size_t kMostFiles = 10;  // that are listed
 
 struct RuleCount {
-  std::string code;
-  Severity severity = Severity::error;
   std::uint64_t findings = 0, files = 0;
 };
+using Rule = std::pair<std::string, Severity>;
 
 class StatisticsWriter final : public ReportWriter {
  public:
@@ -53,21 +51,15 @@ class StatisticsWriter final : public ReportWriter {
   }
 
   void end(const RunSummary& summary, std::string& out) override {
-    std::vector<RuleCount> rows;
-    for (auto& [rule, count] : rules_) {
-      rows.push_back({rule.first, rule.second, count.findings, count.files});
-    }
-    std::stable_sort(rows.begin(), rows.end(), [](const RuleCount& a, const RuleCount& b) {
-      return a.findings > b.findings;
+    std::vector<std::pair<Rule, RuleCount>> rows(rules_.begin(), rules_.end());
+    std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+      return a.second.findings > b.second.findings;
     });
     if (!rows.empty()) out += style_.paint(Ink::strong, "findings   files  rule") + "\n";
-    for (const RuleCount& row : rows) {
-      const RuleDescription* rule = find_rule_in(options_.rules, row.code);
-      out += fmt::format(
-          "{:>8} {:>7}  {}: {}\n", row.findings, row.files,
-          style_.paint(ink_of(row.severity),
-                       fmt::format("{}[{}]", severity_name(row.severity), safe(row.code))),
-          rule == nullptr ? std::string_view() : rule->summary);
+    for (const auto& [rule, count] : rows) {
+      out += fmt::format("{:>8} {:>7}  {}: {}\n", count.findings, count.files,
+                         rule_label(style_, rule.second, rule.first),
+                         rule_summary(options_.rules, rule.first));
     }
     if (!files_.empty()) out += "\n" + style_.paint(Ink::strong, "findings  file") + "\n";
     for (const auto& [count, path] : files_) out += fmt::format("{:>8}  {}\n", count, safe(path));
@@ -78,7 +70,7 @@ class StatisticsWriter final : public ReportWriter {
  private:
   FormatOptions options_;
   Style style_;
-  std::map<std::pair<std::string, Severity>, RuleCount> rules_;
+  std::map<Rule, RuleCount> rules_;
   std::vector<std::pair<std::uint64_t, std::string>> files_;  // most findings first
 };
 

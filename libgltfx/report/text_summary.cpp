@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "report/rule_lookup.hpp"
 #include "report/safe_text.hpp"
 #include "report/style.hpp"
 #include "report/wording.hpp"
@@ -37,6 +38,15 @@ std::string unlisted_note(const RunSummary& summary, const FormatOptions& option
 }
 
 }  // namespace
+
+std::string rule_label(const Style& style, Severity severity, std::string_view code) {
+  return style.paint(ink_of(severity), fmt::format("{}[{}]", severity_name(severity), safe(code)));
+}
+
+std::string_view rule_summary(std::span<const RuleDescription> rules, std::string_view code) {
+  const RuleDescription* rule = find_rule_in(rules, code);
+  return rule == nullptr ? std::string_view() : rule->summary;
+}
 
 std::uint64_t count_of(const Counts& counts, Severity severity) {
   if (severity == Severity::error) return counts.errors;

@@ -4,25 +4,20 @@
 #include <gltfx/version.hpp>
 
 #include <string_view>
-#include <vector>
 
 #include "json/writer.hpp"
+#include "report/long_value.hpp"
 
 namespace gltfx::tool {
 namespace {
 
 using json::Writer;
-
-void write_texts(Writer& writer, std::string_view name, const std::vector<std::string>& texts) {
-  writer.key(name);
-  writer.begin_array();
-  for (const std::string& text : texts) writer.string(text);
-  writer.end_array();
-}
+using report::long_value;
+using report::write_long_values;
 
 void write_action(Writer& writer, const UpgradeAction& action) {
   writer.begin_object();
-  writer.member("pointer", action.pointer);
+  writer.member("pointer", long_value(action.pointer));
   writer.member("from", action.from);
   if (!action.to.empty() && !action.removed) writer.member("to", action.to);
   if (!action.generation.empty()) writer.member("generation", action.generation);
@@ -30,7 +25,7 @@ void write_action(Writer& writer, const UpgradeAction& action) {
                 action.removed ? std::string_view("removed") : upgrade_fate_name(action.fate));
   writer.member("done", action.done);
   writer.member("lossy", action.lossy);
-  write_texts(writer, "notes", action.notes);
+  write_long_values(writer, "notes", action.notes);
   writer.end_object();
 }
 
@@ -70,7 +65,7 @@ std::string upgrade_json(const UpgradeReport& report, bool first) {
   writer.begin_object();
   writer.member("path", report.path);
   writer.member("problem", problem_name(report.problem));
-  if (!report.error.empty()) writer.member("error", report.error);
+  if (!report.error.empty()) writer.member("error", long_value(report.error));
   writer.member("changes", report.changes);
   writer.member("written", report.written);
   if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
@@ -78,9 +73,9 @@ std::string upgrade_json(const UpgradeReport& report, bool first) {
   writer.begin_array();
   for (const UpgradeAction& action : report.actions) write_action(writer, action);
   writer.end_array();
-  write_texts(writer, "newFiles", report.new_files);
-  write_texts(writer, "newWarnings", report.new_warnings);
-  write_texts(writer, "namesRemoved", report.names_removed);
+  write_long_values(writer, "newFiles", report.new_files);
+  write_long_values(writer, "newWarnings", report.new_warnings);
+  write_long_values(writer, "namesRemoved", report.names_removed);
   writer.key("orphans");
   writer.begin_array();
   for (const UpgradeOrphan& orphan : report.orphans) write_orphan(writer, orphan);
