@@ -170,4 +170,10 @@ std::string_view Document::string(NodeId id, std::string& buffer) const {
   return buffer;
 }
 
+bool Document::insert_string(NodeId id, KeyTable& table) const {
+  std::string unescaped;
+  const std::string_view content = string(id, unescaped);
+  return unescaped.empty() ? table.insert(content) : table.insert_copy(std::move(unescaped));
+}
+
 }  // namespace gltfx::json

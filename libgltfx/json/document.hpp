@@ -202,6 +202,9 @@ class Document {
   std::string string(NodeId id) const;
   /// The content without copying when it has no escape; otherwise unescaped into `buffer`.
   std::string_view string(NodeId id, std::string& buffer) const;
+  /// Adds the content of a string to a table that does not outlive the document; says whether it is
+  /// new.
+  bool insert_string(NodeId id, KeyTable& table) const;
 
   /// Number of different member names; KeyIds are below it.
   std::size_t key_count() const { return keys_.size(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Member names, each stored once and known by a number.
+/// Member names and other texts, each stored once and known by a number.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gltfx::json {
@@ -28,16 +29,31 @@ class KeyTable {
   std::string_view name(KeyId id) const { return names_[id]; }
   /// The number of a name, or kNoKey.
   KeyId find(std::string_view name) const;
+  bool contains(std::string_view name) const { return find(name) != kNoKey; }
   /// The number of a name, which must outlive the table: the next free number when it is new.
   KeyId intern(std::string_view name);
   /// The same for a name that the table has to keep.
   KeyId intern_copy(std::string name);
+  /// As intern(); says whether the name is new.
+  bool insert(std::string_view name) {
+    return is_new([&] { intern(name); });
+  }
+  /// As intern_copy(); says whether the name is new.
+  bool insert_copy(std::string name) {
+    return is_new([&] { intern_copy(std::move(name)); });
+  }
 
  private:
   struct Slot {
     std::uint32_t tag = 0;  // upper half of the hash
     KeyId id = kNoKey;
   };
+  template <typename Intern>
+  bool is_new(const Intern& intern_name) {
+    const std::size_t before = size();
+    intern_name();
+    return size() != before;
+  }
   std::uint64_t hash(std::string_view name) const;
   // The slot that holds `name` or would take it. Precondition: slots_ is not empty.
   std::size_t slot_of(std::string_view name, std::uint64_t hash) const;

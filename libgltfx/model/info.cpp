@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <unordered_set>
 
 #include "base/checked.hpp"
 #include "model/fields.hpp"
@@ -17,11 +16,10 @@ std::vector<std::string> string_list(const json::Document& document, std::string
   std::vector<std::string> list;
   const json::NodeId array = document.find(document.root(), member);
   if (array == json::kNoNode || document.kind(array) != json::Kind::array) return list;
-  std::unordered_set<std::string> seen;
+  json::KeyTable seen;
   for (const json::NodeId element : document.elements(array)) {
-    if (!document.is_string(element)) continue;
-    std::string text = document.string(element);
-    if (seen.insert(text).second) list.push_back(std::move(text));
+    if (document.is_string(element) && document.insert_string(element, seen))
+      list.push_back(document.string(element));
   }
   return list;
 }

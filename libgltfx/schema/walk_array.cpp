@@ -278,17 +278,18 @@ std::uint64_t Walker::count_elements(const Shape& shape, json::NodeId node) cons
 // type are told as such.
 void Walker::unique_items(const Frame& frame) {
   const ShapeId items = set_.shape(frame.shape).items;
-  std::unordered_set<std::string> seen;
+  json::KeyTable seen;
   std::uint64_t index = 0;
   for (const json::NodeId element : document_.elements(frame.node)) {
     if (items != kNone && !values_.has_type({element}, set_.shape(items).types)) {
       ++index;
       continue;
     }
-    std::string content(document_.raw(element));
-    if (document_.is_string(element))
-      content.replace(1, std::string::npos, document_.string(element));
-    if (!seen.insert(std::move(content)).second) {
+    std::string unescaped;
+    if (document_.is_string(element)) document_.string(element, unescaped);
+    const bool is_new = unescaped.empty() ? seen.insert(document_.raw(element))
+                                          : seen.insert_copy('"' + unescaped + '"');
+    if (!is_new) {
       report({frame.path, index}, Code::DUPLICATE_ELEMENTS, document_.span(element),
              name_of(frame.path) + " has " + shown(values_, {element}) +
                  " more than once; the elements must be unique.");

@@ -11,7 +11,7 @@
 namespace gltfx::schema {
 
 void Walker::read_declarations() {
-  const auto read = [&](std::string_view member, std::unordered_set<std::string>& names,
+  const auto read = [&](std::string_view member, json::KeyTable& names,
                         std::vector<std::string>& list) {
     const json::NodeId node = document_.find(document_.root(), member);
     if (node == json::kNoNode) return;
@@ -20,9 +20,8 @@ void Walker::read_declarations() {
     for (const json::NodeId element : elements) only_strings &= document_.is_string(element);
     if (deviations().broken_values_are_absent && !only_strings) return;
     for (const json::NodeId element : elements) {
-      if (!document_.is_string(element)) continue;
-      std::string name = document_.string(element);
-      if (names.insert(name).second) list.push_back(std::move(name));
+      if (document_.is_string(element) && document_.insert_string(element, names))
+        list.push_back(document_.string(element));
     }
   };
   read("extensionsUsed", used_, result_.extensions_used);

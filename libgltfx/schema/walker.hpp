@@ -164,8 +164,8 @@ class Walker {
   void declarations();
   /// is_declared() of a member's name, looked up once.
   bool is_declared(json::KeyId key);
-  bool is_declared(std::string_view name) const { return used_.count(std::string(name)) != 0; }
-  bool is_required(std::string_view name) const { return required_.count(std::string(name)) != 0; }
+  bool is_declared(std::string_view name) const { return used_.contains(name); }
+  bool is_required(std::string_view name) const { return required_.contains(name); }
 
   const Deviations& deviations() const { return options_.deviations; }
   bool is_hidden(json::NodeId value) const { return document_.is_hidden(value); }
@@ -195,7 +195,7 @@ class Walker {
   std::vector<json::NodeId> members_;  ///< of all open objects, by property; see Frame::scratch
   std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
   std::unordered_set<std::uint64_t> walked_;  ///< shape and node of Frame::again
-  std::unordered_set<std::string> used_, required_;
+  json::KeyTable used_, required_;
   std::string adding_extension_;       ///< one that is declared and may add values; or empty
   std::vector<bool> seen_;             ///< by KeyId: an extension object of that name was met
   std::vector<std::uint32_t> stamps_;  ///< by index: the last long list of indices that had it

@@ -108,17 +108,20 @@ Severity Collector::severity_of(const Finding& finding) const {
 bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& finding) {
   if (deviations_.each_fault_is_listed) return false;
   const auto at = static_cast<std::size_t>(phase);
-  const auto [entry, fresh] =
-      folded_[at].try_emplace(fold_key(path, finding, severity), entries_[at].size());
-  if (fresh) {
+  const std::uint64_t key = fold_key(path, finding, severity);
+  const auto listed = folded_[at].find(key);
+  std::size_t position = listed != folded_[at].end() ? listed->second : entries_[at].size();
+  if (position == entries_[at].size()) {
     Places& places = places_[at][code_key(finding, severity)];
-    if (places.count++ < kMostPlaces) {
-      places.last = entries_[at].size();
+    if (places.count < kMostPlaces) {
+      ++places.count;
+      places.last = position;
+      folded_[at].emplace(key, position);
       return false;
     }
-    entry->second = places.last;
+    position = places.last;
   }
-  Entry& first = entries_[at][entry->second];
+  Entry& first = entries_[at][position];
   first.diagnostic.count += finding.count;
   first.diagnostic.last_pointer = path.pointer();
   if (options_.max_issues != 0 || repeats_kept_ >= kMostRepeats) return true;

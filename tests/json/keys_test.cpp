@@ -27,6 +27,26 @@ TEST(KeyTable, GivesTheSameNumberForTheSameName) {
   EXPECT_EQ(table.name(3), "c");
 }
 
+TEST(KeyTable, SaysWhetherANameIsNew) {
+  KeyTable table;
+  EXPECT_TRUE(table.insert("a"));
+  EXPECT_FALSE(table.insert("a"));
+  EXPECT_FALSE(table.insert_copy("a"));
+  EXPECT_TRUE(table.insert_copy("b"));
+  EXPECT_FALSE(table.insert("b"));
+  EXPECT_TRUE(table.contains("b"));
+  EXPECT_FALSE(table.contains("c"));
+}
+
+TEST(KeyTable, AStringIsTheSameWithAndWithoutEscapes) {
+  const Document document = parse_clean(R"(["a\u0062", "ab", "", "\""])");
+  KeyTable table;
+  std::vector<bool> is_new;
+  for (const NodeId element : document.elements(document.root()))
+    is_new.push_back(document.insert_string(element, table));
+  EXPECT_THAT(is_new, ElementsAre(true, false, true, true));
+}
+
 TEST(KeyTable, TellsNamesOfEveryLengthApart) {
   std::vector<std::string> names;
   for (std::size_t length = 0; length < 70; ++length) {

@@ -3,7 +3,6 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -21,16 +20,18 @@
 namespace gltfx::validate {
 namespace {
 
-using NameSet = std::unordered_set<std::string_view>;
-
-NameSet as_set(const std::vector<std::string>& names) { return {names.begin(), names.end()}; }
+json::KeyTable as_set(const std::vector<std::string>& names) {
+  json::KeyTable set;
+  for (const std::string& name : names) set.insert(name);
+  return set;
+}
 
 // So many extensions are told apart; what says the same of more is folded.
 constexpr std::uint64_t kMostTold = 50;
 
 // The three lists, to look names up in.
 struct Names {
-  NameSet used, required, seen, without_fallback;
+  json::KeyTable used, required, seen, without_fallback;
   std::string_view unseen;                                          ///< see unseen_user()
   std::unordered_map<std::string_view, std::string_view> misspelt;  ///< to what is meant
   std::vector<std::string> required_unknown;  ///< in the order of extensionsUsed
@@ -47,7 +48,7 @@ struct Names {
                                          ? schema::misspelt_extension(context.schemas, name)
                                          : std::string_view();
       if (!meant.empty()) misspelt.emplace(name, meant);
-      if (meant.empty() && required.count(name) != 0) required_unknown.push_back(name);
+      if (meant.empty() && required.contains(name)) required_unknown.push_back(name);
     }
   }
 };
@@ -95,7 +96,7 @@ void report_unknown(const Entry& entry) {
                  fmt::format("{} is not a valid extension name; it must have the form PREFIX_name.",
                              gltfx::quoted(entry.name)));
   }
-  if (entry.names.required.count(entry.name) != 0) {
+  if (entry.names.required.contains(entry.name)) {
     if (entry.name != entry.names.required_unknown.front()) return;
     entry.report(Code::UNSUPPORTED_EXTENSION_REQUIRED,
                  fmt::format("The asset requires {}, which is unknown; its content is not checked.",
@@ -140,7 +141,7 @@ void report_status(const Entry& entry, const schema::Extension& extension) {
 
 // An extension either has objects, or formats of attributes alone.
 bool is_unused(const Entry& entry, const schema::Extension& extension) {
-  if (!extension.homes.empty()) return entry.names.seen.count(extension.name) == 0;
+  if (!extension.homes.empty()) return !entry.names.seen.contains(extension.name);
   const bool formats = !extension.vertex_attributes.empty() || !extension.morph_attributes.empty();
   return formats && !uses_formats_of(entry.context, extension);
 }
@@ -152,12 +153,12 @@ void report_use(const Entry& entry, const schema::Extension& extension) {
     entry.report(Code::EXTENSION_UNUSED,
                  fmt::format("{} is declared but not used.", extension.name));
   } else if (extension.must_be_required == schema::MustBeRequired::recommended &&
-             entry.names.required.count(extension.name) == 0) {
+             !entry.names.required.contains(extension.name)) {
     entry.report(
         Code::EXTENSION_SHOULD_BE_REQUIRED,
         fmt::format("{} has no fallback, but is not in extensionsRequired.", extension.name));
-  } else if (extension.optional_with_fallback && entry.names.required.count(extension.name) != 0 &&
-             entry.names.without_fallback.count(extension.name) == 0) {
+  } else if (extension.optional_with_fallback && entry.names.required.contains(extension.name) &&
+             !entry.names.without_fallback.contains(extension.name)) {
     entry.report(Code::EXTENSION_REQUIRED_WITH_FALLBACK,
                  fmt::format("{} is in extensionsRequired, but {} is always present as a fallback.",
                              extension.name, gltfx::quoted(extension.fallback)));
@@ -181,21 +182,19 @@ void check_declared(const Context& context, const Names& names) {
   if (list == json::kNoNode || document.kind(list) != json::Kind::array) return;
   const Path root;
   const Path used(root, "extensionsUsed");
-  std::unordered_set<std::string> done;
+  json::KeyTable done;
   std::uint64_t index = 0;
   for (const json::NodeId element : document.elements(list)) {
     const Path path(used, index++);
-    if (!document.is_string(element)) continue;
-    std::string name = document.string(element);
-    if (!done.insert(name).second) continue;
-    check_entry({context, names, path, document.span(element), std::move(name)}, true);
+    if (!document.is_string(element) || !document.insert_string(element, done)) continue;
+    check_entry({context, names, path, document.span(element), document.string(element)}, true);
   }
 }
 
 void check_undeclared(const Context& context, const Names& names) {
   const Path root;
   for (const std::string& name : context.checked.extensions_seen) {
-    if (names.used.count(name) != 0) continue;
+    if (names.used.contains(name)) continue;
     check_entry({context, names, root, Span{}, name}, false);
   }
 }
