@@ -70,6 +70,8 @@ std::string without_exponent_padding(std::string_view digits) {
 }  // namespace
 
 std::string printable(std::string_view text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c <= '~'; };
+  if (std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
   std::string out;
   out.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
@@ -92,6 +94,7 @@ std::size_t count_code_points(std::string_view text) {
 }
 
 std::size_t bytes_of_code_points(std::string_view text, std::size_t code_points) {
+  if (text.size() <= code_points) return text.size();
   std::size_t at = 0;
   for (; code_points > 0 && at < text.size(); --code_points) at += decode_utf8(text, at).size;
   return at;

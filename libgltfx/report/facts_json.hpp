@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Facts about an asset as JSON. facts_schema.cpp describes them.
+/// Facts about an asset as JSON. schema/meta/inspect.schema.json describes them.
 #pragma once
 
 #include <gltfx/inspect.hpp>

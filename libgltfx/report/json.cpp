@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For programs: one object a run, one line a file. json_schema.cpp describes it.
+// For programs: one object a run, one line a file. schema/meta/report.schema.json describes it.
 #include <gltfx/version.hpp>
 
 #include "json/writer.hpp"

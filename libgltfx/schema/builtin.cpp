@@ -6,22 +6,12 @@
 namespace gltfx::schema {
 namespace {
 
-bool is_meta(std::string_view name) { return name.substr(0, 5) == "meta/"; }
-
 std::vector<SourceFile> read_embedded() {
   std::vector<SourceFile> files;
   for (const EmbeddedFile& embedded : embedded_files()) {
     SourceFile file{std::string(embedded.name), {}, false};
     for (const std::string_view piece : embedded.text) file.text += piece;
     files.push_back(std::move(file));
-  }
-  return files;
-}
-
-std::vector<SourceFile> described_files() {
-  std::vector<SourceFile> files;
-  for (const SourceFile& file : builtin_files()) {
-    if (!is_meta(file.name)) files.push_back(file);
   }
   return files;
 }
@@ -36,13 +26,13 @@ const std::vector<SourceFile>& builtin_files() {
 const std::shared_ptr<const Set>& builtin_set() {
   static const std::shared_ptr<const Set> set = [] {
     auto ready = read_image(embedded_image());
-    return ready ? ready : compile(described_files()).set;
+    return ready ? ready : compile(builtin_files()).set;
   }();
   return set;
 }
 
 Compiled compile_with(const std::vector<SourceFile>& extra) {
-  std::vector<SourceFile> files = described_files();
+  std::vector<SourceFile> files = builtin_files();
   for (const SourceFile& file : extra) {
     files.push_back(file);
     files.back().from_user = true;

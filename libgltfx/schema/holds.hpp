@@ -15,9 +15,15 @@ class Holds {
  public:
   Holds(const json::Document& document, const Set& set)
       : values_(document), set_(set), names_(document, set) {}
-  bool operator()(ShapeId shape, Value value) { return holds(shape, value, 0); }
+  bool operator()(ShapeId shape, Value value) {
+    if (known_.size() > kMostKnown) known_.clear();
+    return holds(shape, value, 0);
+  }
 
  private:
+  // Answers are shared by the questions about one value and its surroundings; more of them only
+  // leave the processor's cache.
+  static constexpr std::size_t kMostKnown = 1U << 12U;
   static constexpr int kDepth = 100;
   bool holds(ShapeId shape, Value value, int depth);
   bool judge(const Shape& shape, Value value, int depth);

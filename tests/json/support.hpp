@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the tests of the JSON room share.
+/// What the tests of the JSON module share.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the tests of the report room share: reports made by hand.
+/// What the tests of the report module share: reports made by hand.
 #pragma once
 
 #include <gltfx/report.hpp>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What schema files become.
-#include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -66,13 +65,6 @@ TEST(BuiltinSet, IsTheSameAsTheOneCompiledFromItsTexts) {
 }
 
 TEST(BuiltinSet, IsMadeOnce) { EXPECT_EQ(builtin_set().get(), builtin_set().get()); }
-
-TEST(BuiltinSet, FilesIncludeTheVocabularyItself) {
-  const auto is_meta = [](const schema::SourceFile& file) {
-    return file.name == "meta/vocabulary.schema.json";
-  };
-  EXPECT_TRUE(std::any_of(schema::builtin_files().begin(), schema::builtin_files().end(), is_meta));
-}
 
 TEST(Image, BrokenBytesAreRefused) {
   const std::string image = schema::write_image(*builtin_set());

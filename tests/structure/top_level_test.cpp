@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What lies at the root of the repository, and that every room is tested.
+/// What lies at the root of the repository, and that every module is tested.
 #include <filesystem>
 #include <set>
 
@@ -49,10 +49,10 @@ TEST(TopLevel, AnotherEntryIsFound) {
 
 TEST(TopLevel, EveryRoomHasTests) {
   const fs::path root = repository();
-  for (const std::string& room : names_in(root / "libgltfx", true)) {
-    if (room == "include") continue;
-    const fs::path tests = root / "tests" / room;
-    EXPECT_TRUE(fs::is_directory(tests) && !fs::is_empty(tests)) << room;
+  for (const std::string& module : names_in(root / "libgltfx", true)) {
+    if (module == "include") continue;
+    const fs::path tests = root / "tests" / module;
+    EXPECT_TRUE(fs::is_directory(tests) && !fs::is_empty(tests)) << module;
   }
 }
 

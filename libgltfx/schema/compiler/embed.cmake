@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The schema room comes in two: gltfx_schema_core knows no schema; gltfx_schema adds those of schema/,
+# The schema module comes in two: gltfx_schema_core knows no schema; gltfx_schema adds those of schema/,
 # which the host program gltfx_schema_compiler has checked and turned into C++.
 get_target_property(schema_sources gltfx_schema SOURCES)
 set(core_sources ${schema_sources})
@@ -24,10 +24,10 @@ target_include_directories(gltfx_rule_compiler PRIVATE ${CMAKE_CURRENT_SOURCE_DI
 
 set(schema_root ${PROJECT_SOURCE_DIR}/schema)
 file(GLOB schema_files CONFIGURE_DEPENDS RELATIVE ${schema_root}
-  ${schema_root}/core/*.json ${schema_root}/extensions/*.json ${schema_root}/meta/*.json)
+  ${schema_root}/core/*.json ${schema_root}/extensions/*.json)
 list(TRANSFORM schema_files PREPEND ${schema_root}/ OUTPUT_VARIABLE schema_paths)
 set(embedded ${CMAKE_CURRENT_BINARY_DIR}/embedded_schemas.cpp)
-# What bake and model read of the schemas: in the folder of base/, so that every room may include it.
+# What bake and model read of the schemas: in the folder of base/, so that every module may include it.
 set(material_table ${generated}/base/material_table.hpp)
 add_custom_command(OUTPUT ${embedded} ${material_table}
   COMMAND gltfx_schema_compiler ${embedded} ${material_table} ${schema_root} ${schema_files}

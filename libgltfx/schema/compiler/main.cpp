@@ -37,16 +37,6 @@ int fail(const std::string& message) {
   return 1;
 }
 
-// The vocabulary's own schema is embedded but describes no object of an asset. `root` is the length
-// of what stands before the name inside schema/.
-std::vector<SourceFile> described(const std::vector<SourceFile>& files, std::size_t root) {
-  std::vector<SourceFile> all;
-  for (const SourceFile& file : files) {
-    if (file.name.compare(root, 5, "meta/") != 0) all.push_back(file);
-  }
-  return all;
-}
-
 // Whether the files are free of mistakes; tells each with its place.
 bool are_right(const std::vector<SourceFile>& files) {
   const Compiled compiled = gltfx::schema::compile(files);
@@ -67,12 +57,12 @@ int main(int argc, char** argv) {
     if (!read_file(file.name, file.text)) return fail(file.name + ": cannot be read");
     files.push_back(std::move(file));
   }
-  if (!are_right(described(files, root.size()))) return fail("schema/ has mistakes: see above");
+  if (!are_right(files)) return fail("schema/ has mistakes: see above");
   for (SourceFile& file : files) {
     file.name.erase(0, root.size());
     file.text = gltfx::schema::minified(file.text);
   }
-  const Compiled compiled = gltfx::schema::compile(described(files, 0));
+  const Compiled compiled = gltfx::schema::compile(files);
   const std::string out = gltfx::schema::embed(files, gltfx::schema::write_image(*compiled.set));
   if (!write_file(argv[1], out)) return fail(std::string(argv[1]) + ": cannot be written");
   // A header that stays as it is rebuilds nothing.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Who may include whom: rooms on floors, and third-party headers in their rooms.
+/// Who may include whom: modules on layers, and third-party headers in their modules.
 #include <map>
 #include <optional>
 
@@ -15,15 +15,15 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// What a file may include: headers of its own room, and of rooms on floors below.
-const std::map<std::string, int, std::less<>> kFloors{
+// What a file may include: headers of its own module, and of modules on layers below.
+const std::map<std::string, int, std::less<>> kLayers{
     {"base", 0},      {"json", 1},     {"codec", 1},   {"image", 2},
     {"container", 2}, {"schema", 2},   {"report", 2},  {"model", 3},
     {"edit", 3},      {"validate", 4}, {"upgrade", 4}, {"bake", 4},
     {"inspect", 4},   {"pipeline", 5}, {"interop", 5}, {"tools", 6},
 };
 
-// The room a public header belongs to.
+// The module a public header belongs to.
 const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/diagnostic.hpp", "base"},
     {"gltfx/version.hpp", "base"},
@@ -43,13 +43,13 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/tinygltf.hpp", "interop"},
 };
 
-// Lower floors that a room must not reach for all the same.
+// Lower layers that a module must not reach for all the same.
 const std::vector<std::pair<std::string, std::string>> kNever{{"bake", "json"}, {"bake", "schema"}};
 
 // Where a library's headers may be included: a start of the path.
 const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdParty{
     {"simdjson.h", {"libgltfx/json/"}},
-    {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/", "tools/gltfx_ground_truth/"}},
+    {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/"}},
     {"tbb/", {"libgltfx/base/parallel.cpp"}},
     {"sanitizer/", {"libgltfx/base/parallel.cpp"}},
     {"xxhash.h", {"libgltfx/base/hash.cpp"}},
@@ -58,7 +58,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"embree3/", {"libgltfx/bake/"}},
     {"CLI/", {"tools/gltfx/command_line"}},
     {"toml++/", {"tools/gltfx/config_file.cpp"}},
-    {"fmt/", {"libgltfx/", "tools/gltfx/", "tools/gltfx_manual/", "tools/gltfx_ground_truth/"}},
+    {"fmt/", {"libgltfx/", "tools/gltfx/", "tools/gltfx_manual/"}},
     {"draco/", {"tools/gltfx_codec/draco_"}},
     {"Imf", {"tools/gltfx_codec/exr_"}},
     {"Iex", {"tools/gltfx_codec/exr_"}},
@@ -96,7 +96,7 @@ const std::vector<std::string_view> kSystemHeaders{"fcntl.h",
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 
-std::string room_of(std::string_view path) {
+std::string module_of(std::string_view path) {
   if (path.starts_with("tools/")) return "tools";
   constexpr std::string_view kLibrary = "libgltfx/";
   if (is_public(path)) {
@@ -108,8 +108,8 @@ std::string room_of(std::string_view path) {
   return std::string(path.substr(0, path.find('/')));
 }
 
-// The room an include leads into; nothing for the standard library and other libraries.
-std::optional<std::string> room_of(const Include& include) {
+// The module an include leads into; nothing for the standard library and other libraries.
+std::optional<std::string> module_of(const Include& include) {
   if (include.name.starts_with("gltfx/")) {
     const auto header = kPublicHeaders.find(include.name);
     return header == kPublicHeaders.end() ? "an unknown public header" : header->second;
@@ -122,25 +122,25 @@ std::optional<std::string> room_of(const Include& include) {
 
 bool allowed(const std::string& from, const std::string& to) {
   if (from == to) return true;
-  for (const auto& [room, other] : kNever) {
-    if (room == from && other == to) return false;
+  for (const auto& [module, other] : kNever) {
+    if (module == from && other == to) return false;
   }
-  const auto own = kFloors.find(from);
-  const auto floor = kFloors.find(to);
-  return own != kFloors.end() && floor != kFloors.end() && floor->second < own->second;
+  const auto own = kLayers.find(from);
+  const auto layer = kLayers.find(to);
+  return own != kLayers.end() && layer != kLayers.end() && layer->second < own->second;
 }
 
-Problems check_floors(const Source& source) {
+Problems check_layers(const Source& source) {
   Problems problems;
-  const std::string own = room_of(source.path);
-  if (kFloors.find(own) == kFloors.end()) {
-    return {problem(source, 1, "belongs to no room: add it to the table of floors")};
+  const std::string own = module_of(source.path);
+  if (kLayers.find(own) == kLayers.end()) {
+    return {problem(source, 1, "belongs to no module: add it to the table of layers")};
   }
   for (const Include& include : includes_of(source.text)) {
-    const auto room = room_of(include);
-    if (!room || allowed(own, *room)) continue;
+    const auto module = module_of(include);
+    if (!module || allowed(own, *module)) continue;
     problems.push_back(problem(source, include.line,
-                               own + " must not include " + *room + " (" + include.name + ")"));
+                               own + " must not include " + *module + " (" + include.name + ")"));
   }
   return problems;
 }
@@ -186,36 +186,36 @@ Problems over_all(const Check& check) {
 }
 
 TEST(Floors, FilesIncludeTheirOwnRoomAndLowerFloorsOnly) {
-  EXPECT_THAT(over_all(check_floors), IsEmpty());
+  EXPECT_THAT(over_all(check_layers), IsEmpty());
 }
 
 TEST(Floors, AnUpwardIncludeIsFound) {
-  EXPECT_THAT(check_floors({"libgltfx/json/a.cpp", "\n#include \"model/mesh.hpp\"\n"}),
+  EXPECT_THAT(check_layers({"libgltfx/json/a.cpp", "\n#include \"model/mesh.hpp\"\n"}),
               ElementsAre("libgltfx/json/a.cpp:2: json must not include model (model/mesh.hpp)"));
-  EXPECT_THAT(check_floors({"libgltfx/report/a.cpp", "#include <gltfx/validate.hpp>\n"}),
+  EXPECT_THAT(check_layers({"libgltfx/report/a.cpp", "#include <gltfx/validate.hpp>\n"}),
               ElementsAre(HasSubstr("report must not include validate")));
 }
 
 TEST(Floors, ARoomOnTheSameFloorIsFound) {
-  EXPECT_THAT(check_floors({"libgltfx/schema/a.hpp", "#include \"container/uri.hpp\"\n"}),
+  EXPECT_THAT(check_layers({"libgltfx/schema/a.hpp", "#include \"container/uri.hpp\"\n"}),
               ElementsAre(HasSubstr("schema must not include container")));
 }
 
 TEST(Floors, BakingDoesNotReachForJson) {
-  EXPECT_THAT(check_floors({"libgltfx/bake/a.cpp", "#include \"json/parse.hpp\"\n"}),
+  EXPECT_THAT(check_layers({"libgltfx/bake/a.cpp", "#include \"json/parse.hpp\"\n"}),
               ElementsAre(HasSubstr("bake must not include json")));
 }
 
 TEST(Floors, AFileOrHeaderWithoutRoomIsFound) {
-  EXPECT_THAT(check_floors({"libgltfx/cellar/a.cpp", ""}), ElementsAre(HasSubstr("no room")));
-  EXPECT_THAT(check_floors({"libgltfx/include/gltfx/attic.hpp", ""}),
-              ElementsAre(HasSubstr("no room")));
-  EXPECT_THAT(check_floors({"libgltfx/base/a.cpp", "#include <gltfx/attic.hpp>\n"}),
+  EXPECT_THAT(check_layers({"libgltfx/cellar/a.cpp", ""}), ElementsAre(HasSubstr("no module")));
+  EXPECT_THAT(check_layers({"libgltfx/include/gltfx/attic.hpp", ""}),
+              ElementsAre(HasSubstr("no module")));
+  EXPECT_THAT(check_layers({"libgltfx/base/a.cpp", "#include <gltfx/attic.hpp>\n"}),
               ElementsAre(HasSubstr("unknown public header")));
 }
 
 TEST(Floors, WhatIsBelowMayBeIncluded) {
-  EXPECT_THAT(check_floors({"libgltfx/validate/a.cpp",
+  EXPECT_THAT(check_layers({"libgltfx/validate/a.cpp",
                             "#include <gltfx/report.hpp>\n#include \"json/parse.hpp\"\n"
                             "#include \"validate/b.hpp\"\n#include <vector>\n"}),
               IsEmpty());
