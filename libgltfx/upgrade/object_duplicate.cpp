@@ -79,7 +79,10 @@ UpgradeAction ObjectPlan::judge_duplicate(const schema::Extension& other) {
 void ObjectPlan::note_differences(json::NodeId other) {
   const Decision decision =
       decide_generation(document_, extension_, carrier_.object, context_.options.generation);
-  if (decision.generation != nullptr) generation_ = decision.generation->name;
+  if (decision.generation != nullptr) {
+    action_.generation = decision.generation->name;
+    action_.decision = decision.because;
+  }
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
     if (applies(step.generations)) note_difference(step, other);
   }

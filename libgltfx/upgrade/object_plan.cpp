@@ -51,8 +51,7 @@ UpgradeAction ObjectPlan::judge() {
   const Decision decision =
       decide_generation(document_, extension_, carrier_.object, context_.options.generation);
   if (!decision.problem.empty()) return refuse(decision.problem);
-  if (decision.generation != nullptr) generation_ = decision.generation->name;
-  action_.generation = generation_;
+  if (decision.generation != nullptr) action_.generation = decision.generation->name;
   action_.decision = decision.because;
   if (Problem problem = judge_company()) return refuse(*std::move(problem));
   if (Problem problem = judge_steps()) return refuse(*std::move(problem));
@@ -82,7 +81,7 @@ bool ObjectPlan::has_beside(const std::string& extension) const {
 
 bool ObjectPlan::applies(const std::vector<std::string>& generations) const {
   return generations.empty() ||
-         std::find(generations.begin(), generations.end(), generation_) != generations.end();
+         std::find(generations.begin(), generations.end(), action_.generation) != generations.end();
 }
 
 ObjectPlan::Problem ObjectPlan::judge_steps() {

@@ -103,7 +103,6 @@ class ObjectPlan {
   const Carrier carrier_;
   Placements placements_;
   std::unique_ptr<Conversion> conversion_;
-  std::string generation_;
   std::vector<Found> found_;
   std::vector<Follower> followers_;
   Rgb tint_{1, 1, 1};                  ///< of the copy against its original

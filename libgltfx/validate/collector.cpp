@@ -82,7 +82,7 @@ bool is_heard(const ValidateOptions& options, Code code) {
 Collector::Collector(const ValidateOptions& options)
     : options_(options), deviations_(deviations_of(options.profile)) {
   if (options_.changed_lines) changed_.emplace(*options_.changed_lines, std::string_view());
-  for (std::size_t i = 0; i < kPhaseCount; ++i) sinks_[i].bind(*this, static_cast<Phase>(i));
+  for (std::size_t i = 0; i < kPhaseCount; ++i) phases_[i].sink.bind(*this, static_cast<Phase>(i));
 }
 
 void Collector::PhaseSink::bind(Collector& collector, Phase phase) {
@@ -107,21 +107,23 @@ Severity Collector::severity_of(const Finding& finding) const {
 // Takes the text of the finding when it returns true.
 bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& finding) {
   if (deviations_.each_fault_is_listed) return false;
-  const auto at = static_cast<std::size_t>(phase);
+  PhaseFindings& findings = phases_[static_cast<std::size_t>(phase)];
   const std::uint64_t key = fold_key(path, finding, severity);
-  const auto listed = folded_[at].find(key);
-  std::size_t position = listed != folded_[at].end() ? listed->second : entries_[at].size();
-  if (position == entries_[at].size()) {
-    Places& places = places_[at][code_key(finding, severity)];
+  const auto listed = findings.listed.find(key);
+  std::size_t position = findings.entries.size();
+  if (listed != findings.listed.end()) {
+    position = listed->second;
+  } else {
+    Places& places = findings.places[code_key(finding, severity)];
     if (places.count < kMostPlaces) {
       ++places.count;
       places.last = position;
-      folded_[at].emplace(key, position);
+      findings.listed.emplace(key, position);
       return false;
     }
     position = places.last;
   }
-  Entry& first = entries_[at][position];
+  Entry& first = findings.entries[position];
   first.diagnostic.count += finding.count;
   first.diagnostic.last_pointer = path.pointer();
   if (options_.max_issues != 0 || repeats_kept_ >= kMostRepeats) return true;
@@ -167,7 +169,7 @@ void Collector::store(Phase phase, Severity severity, Finding finding, std::stri
                       std::optional<std::uint64_t> offset) {
   Entry entry = entry_of(phase, severity, std::move(finding), std::move(pointer));
   entry.diagnostic.offset = offset;
-  entries_[static_cast<std::size_t>(phase)].push_back(std::move(entry));
+  phases_[static_cast<std::size_t>(phase)].entries.push_back(std::move(entry));
 }
 
 Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding finding,
@@ -192,7 +194,8 @@ Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding fin
 
 void Collector::finish(FileReport& report, const json::Document& document,
                        std::uint64_t json_offset) {
-  for (std::vector<Entry>& entries : entries_) {
+  for (PhaseFindings& findings : phases_) {
+    std::vector<Entry>& entries = findings.entries;
     for (const Entry& entry : entries) {
       report.counts.add(entry.diagnostic.severity, entry.diagnostic.count);
     }
@@ -231,8 +234,8 @@ void Collector::move_to(FileReport& report, std::vector<Entry>& entries) const {
 // Where the last of all marked spans ends.
 std::size_t Collector::last_place() const {
   std::uint32_t last = 0;
-  for (const std::vector<Entry>& entries : entries_) {
-    for (const Entry& entry : entries) {
+  for (const PhaseFindings& findings : phases_) {
+    for (const Entry& entry : findings.entries) {
       last = std::max(last, entry.span.end);
       for (const Entry& repeat : entry.repeats) last = std::max(last, repeat.span.end);
     }

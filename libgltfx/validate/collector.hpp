@@ -50,7 +50,7 @@ class Collector {
   Collector& operator=(const Collector&) = delete;
 
   /// The sink of a phase; lives as long as the collector.
-  Sink& sink(Phase phase) { return sinks_[static_cast<std::size_t>(phase)]; }
+  Sink& sink(Phase phase) { return phases_[static_cast<std::size_t>(phase)].sink; }
   /// A finding on the container, at a byte of the file.
   void report_offset(Phase phase, std::uint64_t offset, Finding finding);
   /// A finding that belongs to no value: about the file as a whole, or about its text.
@@ -77,7 +77,7 @@ class Collector {
   /// Where a code was found at one severity, but for array indices.
   struct Places {
     std::size_t count = 0;
-    std::size_t last = 0;  ///< the last one that is listed: position in entries_ of its phase
+    std::size_t last = 0;  ///< the last one that is listed: position in entries of its phase
   };
   class PhaseSink final : public Sink {
    public:
@@ -87,6 +87,13 @@ class Collector {
    private:
     Collector* collector_ = nullptr;
     Phase phase_ = Phase::schema;
+  };
+
+  struct PhaseFindings {
+    PhaseSink sink;
+    std::vector<Entry> entries;
+    std::unordered_map<std::uint64_t, std::size_t> listed;  ///< positions in entries by fold key
+    std::unordered_map<std::uint64_t, Places> places;       ///< by code and severity
   };
 
   void add(Phase phase, const Path& path, Finding finding);
@@ -104,11 +111,7 @@ class Collector {
 
   const ValidateOptions& options_;
   const Deviations& deviations_;
-  std::array<std::vector<Entry>, kPhaseCount> entries_;
-  std::array<PhaseSink, kPhaseCount> sinks_;
-  /// Fold key -> position in entries_ of its phase.
-  std::array<std::unordered_map<std::uint64_t, std::size_t>, kPhaseCount> folded_;
-  std::array<std::unordered_map<std::uint64_t, Places>, kPhaseCount> places_;
+  std::array<PhaseFindings, kPhaseCount> phases_;
   SharedText text_;
   std::optional<ChangedLines> changed_;
   std::uint64_t unchanged_ = 0;   ///< findings on other lines than `changed_`

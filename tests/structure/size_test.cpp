@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// How long files and functions are.
 #include <algorithm>
+#include <map>
+#include <regex>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,6 +21,13 @@ constexpr std::size_t kLongestFile = 400;
 constexpr std::size_t kLongestFunction = 100;
 constexpr std::size_t kMedianFile = 120;
 constexpr std::size_t kMedianFunction = 12;
+constexpr std::size_t kMostMembers = 12;
+
+// Classes with more data members than that, and why.
+const std::map<std::string, std::string, std::less<>> kLargeClasses{
+    {"Walker",
+     "one walk: what it reads, where it reports, and the stack that stands for recursion"},
+};
 
 Problems check_file_length(const Source& source) {
   const std::size_t lines = line_count(source.text);
@@ -31,6 +41,48 @@ Problems check_function_length(const Source& source) {
     if (function.lines <= kLongestFunction) continue;
     problems.push_back(
         problem(source, function.line, std::to_string(function.lines) + " lines in one function"));
+  }
+  return problems;
+}
+
+struct Class {
+  std::size_t line = 0;  ///< from 1
+  std::string name;
+  std::size_t members = 0;  ///< private data members, whose names end in '_'
+};
+
+// Classes of clang-formatted code, told by the indent of their lines.
+std::vector<Class> classes_of(std::string_view text) {
+  static const std::regex head(R"(^( *)class ([\w:]+)[^;]*\{$)");
+  static const std::regex members(R"(^ *[^ ].*? (\w+_)((?:, \w+_)*)(?: = .*|\{.*\})?; *$)");
+  std::vector<Class> all;
+  std::vector<std::pair<std::size_t, std::size_t>> open;  // indent, index into all
+  std::istringstream lines(lex(text).code);
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    const std::size_t indent = line.find_first_not_of(' ');
+    if (indent == std::string::npos) continue;
+    while (!open.empty() && indent <= open.back().first && line[indent] == '}') open.pop_back();
+    std::smatch match;
+    if (!open.empty() && indent == open.back().first + 2 &&
+        std::regex_match(line, match, members)) {
+      const std::string more = match[2];
+      all[open.back().second].members +=
+          1 + static_cast<std::size_t>(std::count(more.begin(), more.end(), ','));
+    } else if (std::regex_match(line, match, head)) {
+      open.emplace_back(indent, all.size());
+      all.push_back({number, match[2], 0});
+    }
+  }
+  return all;
+}
+
+Problems check_members(const Source& source) {
+  Problems problems;
+  for (const Class& one : classes_of(source.text)) {
+    if (one.members > kMostMembers && kLargeClasses.find(one.name) == kLargeClasses.end())
+      problems.push_back(
+          problem(source, one.line, one.name + " has " + std::to_string(one.members) + " members"));
   }
   return problems;
 }
@@ -62,6 +114,29 @@ TEST(Size, NoFunctionIsLongerThanAHundredLines) {
     problems.insert(problems.end(), found.begin(), found.end());
   }
   EXPECT_THAT(problems, IsEmpty());
+}
+
+TEST(Size, NoClassHasManyMembersWithoutAReason) {
+  Problems problems;
+  std::size_t counted = 0;
+  for (const Source& source : cpp_below({"libgltfx", "tools"})) {
+    const Problems found = check_members(source);
+    problems.insert(problems.end(), found.begin(), found.end());
+    for (const Class& one : classes_of(source.text)) counted += one.members;
+  }
+  EXPECT_THAT(problems, IsEmpty());
+  EXPECT_GT(counted, 500U) << "members are not found any more";
+}
+
+TEST(Size, MembersOfAClassAreCounted) {
+  const std::string text =
+      "class A : public B {\n public:\n  A(int a) : a_(a) {}\n  int get() const { return a_; }\n"
+      "  class Inner {\n    int x_ = 0;\n  };\n\n private:\n  void f(int b_);\n  int a_;\n"
+      "  std::map<int, int> c_, d_;  ///< both\n  int e_{0};\n  Path f_ = g(1);\n};\n";
+  const std::vector<Class> found = classes_of(text);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].members, 5U);
+  EXPECT_EQ(found[1].members, 1U);
 }
 
 TEST(Size, TheMedianFileAndFunctionAreShort) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
-#include "ignore_files.hpp"
+#include "folder_walk.hpp"
 #include "options.hpp"
 
 namespace gltfx::tool {
@@ -28,14 +28,28 @@ struct Input {
 /// little memory.
 inline constexpr std::size_t kBatch = 1024;
 
+/// Arguments, then the lines of a list, which are no patterns.
+class WordList {
+ public:
+  /// `named` outlives the list.
+  explicit WordList(const NamedPaths& named)
+      : named_(named), between_(named.listed.find('\0') != std::string::npos ? '\0' : '\n') {}
+
+  std::optional<std::string> next();
+  /// Whether next() gave a line of the list.
+  bool from_list() const { return listed_ > 0; }
+
+ private:
+  const NamedPaths& named_;
+  std::size_t word_ = 0;    ///< next of the arguments
+  std::size_t listed_ = 0;  ///< where the next line of the list begins
+  char between_;            ///< lines of the list
+};
+
 /// Goes through words, lists and folders in the order of reports: that of the arguments, by bytes
-/// of the path within a folder or glob. Holds the names of the folders it is in, so that memory
-/// does not grow with the number of files. A path that does not exist is an input as well: opening
-/// it says why. So is a glob that nothing matches, unless NamedPaths::allow_empty.
-///
-/// Folders are searched through for .gltf and .glb files (in any case of letters); folders that are
-/// symbolic links are entered only when named, `.git` never. What .gitignore files name, or
-/// NamedPaths::exclude, is left out of folders; exclude also of what globs give.
+/// of the path within a folder or glob. A path that does not exist is an input as well: opening it
+/// says why. So is a glob that nothing matches, unless NamedPaths::allow_empty.
+/// NamedPaths::exclude leaves files out of folders and of what globs give.
 class InputWalk {
  public:
   /// `named` outlives the walk.
@@ -52,38 +66,20 @@ class InputWalk {
   bool several() const { return several_ || met_ > 1; }
   const std::vector<std::string>& without_assets() const { return without_assets_; }
   /// Assets that .gitignore files name, those in folders that they name left out.
-  std::uint64_t ignored() const { return ignored_; }
+  std::uint64_t ignored() const { return folder_.ignored(); }
 
  private:
-  // What is left to visit of one folder: names that end in NUL, those of folders with '/' before.
-  struct Listing {
-    std::string path;  ///< ends in '/'
-    std::string names;
-    std::vector<std::uint32_t> order;  ///< where names begin; the last one is next
-  };
-
   std::optional<Input> step();
-  std::optional<Input> step_into_folders();
-  std::optional<std::string> next_word();
   void finish_word();
   std::optional<Input> enter(const std::string& path);
-  bool list(const std::string& folder);
-  bool is_excluded(std::string_view path, std::string_view place) const;
-  bool is_left_out(const std::string& path, bool is_folder);
   std::optional<Input> take(std::string path, std::string place, const std::string& key);
 
   const NamedPaths& named_;
-  std::size_t word_ = 0;              ///< next of the arguments
-  std::size_t listed_ = 0;            ///< where the next line of the list begins
-  char between_;                      ///< lines of the list
+  WordList words_;
+  FolderWalk folder_;
   std::vector<std::string> matches_;  ///< of a glob, the last one is next
-  std::vector<Listing> open_;         ///< from the folder that was named to that of the next file
-  IgnoreFiles ignore_files_;          ///< along open_
-  std::uint64_t ignored_ = 0;
-  std::string here_;             ///< working folder
-  std::size_t root_length_ = 0;  ///< of the path of the folder that was named
-  std::string current_;          ///< the word that is being expanded
-  bool found_any_ = true;        ///< by that word
+  std::string current_;               ///< the word that is being expanded
+  bool found_any_ = true;             ///< by that word
   bool may_repeat_;
   struct HashOfHash {
     std::size_t operator()(const Hash128& hash) const { return static_cast<std::size_t>(hash.low); }
@@ -93,8 +89,5 @@ class InputWalk {
   std::vector<std::string> folders_, without_assets_;
   bool several_ = false;
 };
-
-/// Whether a path ends in .gltf or .glb, in any case of letters.
-bool is_asset_name(const std::string& path);
 
 }  // namespace gltfx::tool
