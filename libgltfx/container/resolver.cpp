@@ -24,11 +24,11 @@ std::filesystem::path or_current(const std::filesystem::path& path) {
 std::string relative_base(const std::filesystem::path& root, const std::filesystem::path& base,
                           ResolveFault& fault) {
   if (root == base) return {};
-  std::error_code error;
-  const auto real_root = std::filesystem::canonical(root, error);
-  const auto real_base = error ? base : std::filesystem::canonical(base, error);
-  if (error) {
-    fault = fault_of_errno(error.value());
+  std::error_code failure;
+  const auto real_root = std::filesystem::canonical(root, failure);
+  const auto real_base = failure ? base : std::filesystem::canonical(base, failure);
+  if (failure) {
+    fault = fault_of_errno(failure.value());
     return {};
   }
   const std::filesystem::path relative = real_base.lexically_relative(real_root);

@@ -28,9 +28,10 @@ constexpr std::uint32_t kSamples = 16;  // of a picture that is seen small
 constexpr std::uint32_t kBounces = 4;
 constexpr std::uint32_t kQuality = 82;  // WebP
 
-BakeOptions bake_options(const ValidateOptions& options, const PageWishes& wishes, unsigned jobs) {
+BakeOptions bake_options(const ValidateOptions& options, const ThumbnailOptions& thumbnails,
+                         unsigned jobs) {
   BakeOptions bake;
-  bake.sizes = {{wishes.picture_size, wishes.picture_size}};
+  bake.sizes = {{thumbnails.size, thumbnails.size}};
   bake.samples = kSamples;
   bake.bounces = kBounces;
   bake.force = true;  // who looks for a fault wants to see it
@@ -63,7 +64,7 @@ PagePicture picture_of(const BakeReport& baked) {
 }
 
 void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
-                      const PageWishes& wishes, unsigned jobs, PageAsset& page) {
+                      const ThumbnailOptions& thumbnails, unsigned jobs, PageAsset& page) {
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   page.inspection = inspect_asset(opened, *schemas, jobs);
   if (!page.inspection.facts) return;
@@ -73,14 +74,14 @@ void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
   upgrade.schemas = schemas;
   Rehearsal rehearsal = rehearse_upgrade(asset, upgrade);
   add_upgrade(std::move(rehearsal.report), page.inspection);
-  if (!wishes.pictures) return;
-  const BakeOptions bake = bake_options(options, wishes, jobs);
+  if (!thumbnails.draw) return;
+  const BakeOptions bake = bake_options(options, thumbnails, jobs);
   page.picture = picture_of(bake_asset(std::move(asset), bake));
   if (rehearsal.after) page.upgraded = picture_of(bake_asset(*std::move(rehearsal.after), bake));
 }
 
 // The library does not throw.
-PageAsset collected(const ValidateInput& input, const PageWishes& wishes, unsigned jobs) {
+PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnails, unsigned jobs) {
   const ValidateOptions& options = *input.options;
   PageAsset page;
   std::string why;
@@ -97,7 +98,7 @@ PageAsset collected(const ValidateInput& input, const PageWishes& wishes, unsign
       }
     }
     if (validation.asset) {
-      inspect_and_draw(*std::move(validation.asset), options, wishes, jobs, page);
+      inspect_and_draw(*std::move(validation.asset), options, thumbnails, jobs, page);
       return page;
     }
   } catch (const std::bad_alloc&) {
@@ -114,12 +115,12 @@ PageAsset collected(const ValidateInput& input, const PageWishes& wishes, unsign
 
 }  // namespace
 
-void report_files(std::span<const ValidateInput> inputs, const PageWishes& wishes, unsigned jobs,
-                  const std::function<void(PageAsset&&)>& consume) {
+void report_files(std::span<const ValidateInput> inputs, const ThumbnailOptions& thumbnails,
+                  unsigned jobs, const std::function<void(PageAsset&&)>& consume) {
   // Many files keep all threads busy by themselves.
   const unsigned each = inputs.size() == 1 ? jobs : 1;
   report_in_order<PageAsset>(
-      inputs.size(), jobs, [&](std::size_t i) { return collected(inputs[i], wishes, each); },
+      inputs.size(), jobs, [&](std::size_t i) { return collected(inputs[i], thumbnails, each); },
       consume);
 }
 

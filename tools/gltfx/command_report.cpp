@@ -99,7 +99,7 @@ class ReportRun {
     options_.set_jobs(paths.size() == 1 ? jobs : 1);
     std::vector<ValidateInput> inputs;
     for (const std::string& path : paths) inputs.push_back({path, &options_.of(path)});
-    report_files(inputs, request_.wishes, jobs, [this](PageAsset&& asset) { take(asset); });
+    report_files(inputs, request_.thumbnails, jobs, [this](PageAsset&& asset) { take(asset); });
   }
 
   void take(PageAsset& asset) {

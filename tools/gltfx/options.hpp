@@ -97,7 +97,7 @@ struct ValidateRequest : ReportRequest {
 /// A page about assets.
 struct PageRequest {
   ValidateRequest validate;  ///< but for its targets
-  PageWishes wishes;
+  ThumbnailOptions thumbnails;
   std::string output;  ///< file; empty: standard output
   std::string title;   ///< empty: the paths
 };

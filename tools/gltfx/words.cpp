@@ -133,8 +133,8 @@ Result<PageRequest> request_of(const PageWords& words, ValidateRequest validate)
   std::uint64_t size = 0;
   reading.set(size, parse_number("--thumbnail-size", words.thumbnail_size, kLeast));
   reading.require(size <= kMost, "--thumbnail-size: from 32 to 1024 pixels.");
-  request.wishes.picture_size = static_cast<std::uint32_t>(size);
-  request.wishes.pictures = !words.no_thumbnails;
+  request.thumbnails.size = static_cast<std::uint32_t>(size);
+  request.thumbnails.draw = !words.no_thumbnails;
   request.output = words.output == "-" ? std::string() : words.output;
   request.title = words.title;
   request.validate = std::move(validate);

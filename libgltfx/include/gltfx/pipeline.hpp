@@ -93,16 +93,16 @@ InspectReport inspect_file(const std::string& path, const InspectOptions& option
 void inspect_files(const std::vector<std::string>& paths, const InspectOptions& options,
                    unsigned jobs, const std::function<void(InspectReport&&)>& consume);
 
-/// What the page of PageWriter is to show.
-struct PageWishes {
-  bool pictures = true;              ///< of each asset, and of what an upgrade makes of it
-  std::uint32_t picture_size = 160;  ///< pixels along each side
+/// Thumbnails on the page of PageWriter.
+struct ThumbnailOptions {
+  bool draw = true;          ///< each asset, and what an upgrade makes of it
+  std::uint32_t size = 160;  ///< pixels per side
 };
 
 /// Validates, inspects and draws many files on `jobs` threads (at least 1) and hands over what the
 /// page says of them in the order of `inputs`, one at a time. Memory does not grow with their
 /// number. Nothing is written.
-void report_files(std::span<const ValidateInput> inputs, const PageWishes& wishes, unsigned jobs,
-                  const std::function<void(PageAsset&&)>& consume);
+void report_files(std::span<const ValidateInput> inputs, const ThumbnailOptions& thumbnails,
+                  unsigned jobs, const std::function<void(PageAsset&&)>& consume);
 
 }  // namespace gltfx
