@@ -6,10 +6,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-dev libtbb-dev
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libopenexr-dev
-  libembree-dev libtinygltf-dev libxxhash-dev libsodium-dev)
-test_packages=(clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
+  libembree-dev libxxhash-dev libsodium-dev)
+test_packages=(libtinygltf-dev clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
   pre-commit libxml2-utils shellcheck pkg-config doxygen mandoc)
-package_packages=(dpkg-dev file gzip)  # for Debian packages
+package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
 
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only nightly asks for them
 page_packages=(chromium npm)  # large: only nightly asks for them

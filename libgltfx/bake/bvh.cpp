@@ -4,10 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include <embree3/rtcore.h>
-
 #include "bake/bvh_state.hpp"
 #include "bake/coverage.hpp"
+#include "bake/embree.hpp"
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
 
@@ -15,8 +14,8 @@ namespace gltfx::bake {
 
 // What the filters know of the ray. Embree hands back its own part, which is the first one.
 struct Bvh::Tracing {
-  Tracing(const State& s, std::uint32_t k) : state(&s), key(k) { rtcInitIntersectContext(&embree); }
-  RTCIntersectContext embree;
+  Tracing(const State& s, std::uint32_t k) : state(&s), key(k) { rtcInitRayQueryContext(&embree); }
+  RTCRayQueryContext embree;
   const State* state;
   std::uint32_t key;
   bool every_layer = false;  // whatever covers anything counts
@@ -187,7 +186,7 @@ std::optional<Hit> Bvh::Tracing::intersect(const Ray& ray) {
   start(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(state->top, &embree, &query);
+  find_hit(state->top, embree, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   Hit hit = state->hit_of(query.hit.instID[0], query.hit.geomID, query.hit.primID);
   hit.distance = query.ray.tfar;
@@ -221,7 +220,7 @@ float Bvh::visibility(const Ray& ray, const std::optional<Eye>& eye) const {
   tracing.eye = &eye;
   RTCRay query;
   start(query, ray);
-  rtcOccluded1(state_->top, &tracing.embree, &query);
+  find_occluder(state_->top, tracing.embree, query);
   return query.tfar < 0 ? 0.0F : tracing.visibility;
 }
 

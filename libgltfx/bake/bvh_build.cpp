@@ -5,12 +5,12 @@
 #include <span>
 #include <utility>
 
-#include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
 
 #include "bake/bvh_repeats.hpp"
 #include "bake/bvh_state.hpp"
+#include "bake/embree.hpp"
 #include "bake/storage.hpp"
-#include "base/parallel.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -42,8 +42,10 @@ bool attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, std::uint32_
 
 // On one thread: with more the order of triangles, and with it which of two at one place is hit,
 // would depend on their number. Not by the device's own limit, which holds for the whole process.
+// An arena is used again: TBB is slow to give back what it holds.
 void commit(RTCScene scene) {
-  run_alone([scene] { rtcCommitScene(scene); });
+  static thread_local tbb::task_arena arena(1);
+  arena.execute([scene] { rtcCommitScene(scene); });
 }
 
 // A ray in some millions slips through between two triangles, for a tenth less time: only those

@@ -2,136 +2,162 @@
 #include "base/parallel.hpp"
 
 #include <algorithm>
-#include <map>
+#include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <thread>
 #include <utility>
 #include <vector>
 
-#include <tbb/info.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
-#ifdef GLTFX_THREAD_SANITIZER
-#include <sanitizer/tsan_interface.h>
-#endif
+#include <sched.h>
 
 namespace gltfx {
 namespace {
 
 constexpr std::size_t kAheadPerJob = 4;  // enough that one slow item does not idle the others
 
-/// What one thread leaves to another through TBB. It orders nothing: it says that TBB does. Nothing
-/// at all but for ThreadSanitizer, which cannot look into the library and would take what is
-/// written before give() and read after take() for a race.
-class HandOver {
- public:
-  void give() {
-#ifdef GLTFX_THREAD_SANITIZER
-    __tsan_release(this);
-#endif
+using Work = std::function<void(std::size_t)>;
+
+/// One call of parallel_ordered(). The mutex of the pool guards it.
+struct Call {
+  Call(std::size_t n, unsigned limit, const Work& first, const Work& second)
+      : count(n), jobs(limit), produce(first), consume(second), ready(limit * kAheadPerJob) {}
+
+  bool has_item() const {
+    return failure == nullptr && taken < count && taken - consumed < ready.size();
   }
-  void take() {
-#ifdef GLTFX_THREAD_SANITIZER
-    __tsan_acquire(this);
-#endif
-  }
+  bool is_done() const { return helpers == 0 && (failure != nullptr || consumed == count); }
+
+  const std::size_t count;
+  const unsigned jobs;
+  const Work& produce;
+  const Work& consume;
+  std::vector<bool> ready;  // by item, modulo the size
+  std::size_t taken = 0, consumed = 0;
+  bool consuming = false;
+  unsigned helpers = 0;  // threads besides the caller's
+  std::exception_ptr failure;
+  std::condition_variable changed;  // what the caller waits for
+  Call* older = nullptr;
 };
 
-// An item is made after the one that was `ahead` items before it was taken, and taken after all
-// before it were.
-void run_pipeline(std::size_t count, std::size_t ahead,
-                  const std::function<void(std::size_t)>& produce,
-                  const std::function<void(std::size_t)>& consume) {
-  HandOver begin, order;
-  std::vector<HandOver> items(ahead);
-  std::size_t next = 0;
-  const auto number = [&](tbb::flow_control& control) -> std::size_t {
-    begin.take();
-    const std::size_t i = next;
-    if (i == count) {
-      control.stop();
-    } else {
-      ++next;
-    }
-    begin.give();
-    return i;
-  };
-  const auto work = [&](std::size_t i) {
-    begin.take();
-    items[i % ahead].take();
-    produce(i);
-    items[i % ahead].give();
-    return i;
-  };
-  const auto end = [&](std::size_t i) {
-    items[i % ahead].take();
-    order.take();
-    consume(i);
-    items[i % ahead].give();
-    order.give();
-  };
-  begin.give();
-  tbb::parallel_pipeline(
-      ahead, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, number) &
-                 tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work) &
-                 tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, end));
-  begin.take();
-  order.take();
-}
-
-// Where TBB's workers meet for as long as it lives. It is slow to give back what an arena has held,
-// megabytes after some dozens of them, so each is used again once it is free.
-class Arena {
+/// Threads that help with any call that has items to take. A caller works on its own call and waits
+/// for items that others have taken, never for a thread to become free: calls may be nested.
+class ThreadPool {
  public:
-  explicit Arena(unsigned jobs) {
-    const std::lock_guard lock(mutex());
-    arena_ = idle().extract(jobs);
-    if (arena_.empty()) {
-      Arenas made;
-      arena_ = made.extract(made.emplace(jobs, static_cast<int>(jobs)));
-    }
+  static ThreadPool& of_process() {
+    static ThreadPool& pool = *new ThreadPool;  // its threads run as long as the process
+    return pool;
   }
-  ~Arena() {
-    const std::lock_guard lock(mutex());
-    idle().insert(idle().lower_bound(arena_.key()), std::move(arena_));  // the warm one first
-  }
-  Arena(const Arena&) = delete;
-  Arena& operator=(const Arena&) = delete;
 
-  template <class Work>
-  void execute(const Work& work) {
-    arena_.mapped().execute(work);
+  void run(Call& call) {
+    std::unique_lock lock(mutex_);
+    call.older = std::exchange(newest_, &call);
+    wake(std::min<std::size_t>(call.count, call.jobs) - 1);
+    while (!call.is_done()) {
+      if (call.has_item()) {
+        work_on(call, lock);
+      } else {
+        call.changed.wait(lock);
+      }
+    }
+    Call** link = &newest_;
+    while (*link != &call) link = &(*link)->older;
+    *link = call.older;
   }
 
  private:
-  using Arenas = std::multimap<unsigned, tbb::task_arena>;  // by jobs
-
-  static std::mutex& mutex() {
-    static std::mutex mutex;
-    return mutex;
+  void wake(std::size_t wanted) {
+    for (; wanted > 0 && idle_ > 0; --wanted) {
+      --idle_;
+      ++called_;
+      wanted_.notify_one();
+    }
+    try {
+      for (; wanted > 0 && threads_ + 1 < default_jobs(); --wanted) {
+        std::thread([this] { help(); }).detach();
+        ++threads_;
+      }
+    } catch (const std::exception&) {  // fewer threads do
+    }
   }
-  static Arenas& idle() {
-    static Arenas& idle = *new Arenas;  // for as long as anything runs
-    return idle;
+
+  void help() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      Call* call = newest_;
+      while (call != nullptr && !(call->has_item() && call->helpers + 1 < call->jobs)) {
+        call = call->older;
+      }
+      if (call == nullptr) {
+        ++idle_;
+        wanted_.wait(lock, [this] { return called_ > 0; });
+        --called_;
+        continue;
+      }
+      ++call->helpers;
+      while (call->has_item()) work_on(*call, lock);
+      --call->helpers;
+      call->changed.notify_one();
+    }
   }
 
-  Arenas::node_type arena_;
+  // Takes one item. Consumes what is ready unless another thread is at it.
+  void work_on(Call& call, std::unique_lock<std::mutex>& lock) {
+    const std::size_t item = call.taken++;
+    run_unlocked(call, call.produce, item, lock);
+    call.ready[item % call.ready.size()] = true;
+    while (call.failure == nullptr && !call.consuming &&
+           call.ready[call.consumed % call.ready.size()]) {
+      call.consuming = true;
+      run_unlocked(call, call.consume, call.consumed, lock);
+      call.consuming = false;
+      call.ready[call.consumed % call.ready.size()] = false;
+      ++call.consumed;
+      if (!call.has_item()) continue;
+      call.changed.notify_one();
+      if (call.helpers + 1 < call.jobs) wake(1);
+    }
+  }
+
+  static void run_unlocked(Call& call, const Work& work, std::size_t item,
+                           std::unique_lock<std::mutex>& lock) {
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      work(item);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    lock.lock();
+    if (failure != nullptr && call.failure == nullptr) call.failure = std::move(failure);
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wanted_;
+  Call* newest_ = nullptr;
+  std::size_t threads_ = 0, idle_ = 0, called_ = 0;
 };
 
-// TBB has no more workers than that, and says so on stderr when asked for more.
 unsigned possible_jobs(unsigned jobs) {
   return jobs == 1 ? 1 : std::min(jobs == 0 ? default_jobs() : jobs, default_jobs());
+}
+
+unsigned processors() {
+  cpu_set_t usable;  // fails on machines with more than it has room for
+  const int count = ::sched_getaffinity(0, sizeof usable, &usable) == 0 ? CPU_COUNT(&usable) : 0;
+  return count > 0 ? static_cast<unsigned>(count)
+                   : std::max(1U, std::thread::hardware_concurrency());
 }
 
 }  // namespace
 
 unsigned default_jobs() {
-  return static_cast<unsigned>(std::max(1, tbb::info::default_concurrency()));
+  static const unsigned jobs = processors();
+  return jobs;
 }
 
-void parallel_ordered(std::size_t count, unsigned jobs,
-                      const std::function<void(std::size_t)>& produce,
-                      const std::function<void(std::size_t)>& consume) {
+void parallel_ordered(std::size_t count, unsigned jobs, const Work& produce, const Work& consume) {
   jobs = possible_jobs(jobs);
   if (jobs == 1 || count < 2) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -140,32 +166,14 @@ void parallel_ordered(std::size_t count, unsigned jobs,
     }
     return;
   }
-  Arena arena(jobs);
-  arena.execute([&] { run_pipeline(count, jobs * kAheadPerJob, produce, consume); });
+  Call call(count, jobs, produce, consume);
+  ThreadPool::of_process().run(call);
+  if (call.failure != nullptr) std::rethrow_exception(call.failure);
 }
 
 void run_both(unsigned jobs, const std::function<void()>& one, const std::function<void()>& other) {
-  jobs = possible_jobs(jobs);
-  if (jobs == 1) {
-    one();
-    other();
-    return;
-  }
-  HandOver begin, end;
-  const auto between = [&](const std::function<void()>& work) {
-    begin.take();
-    work();
-    end.give();
-  };
-  begin.give();
-  Arena arena(jobs);
-  arena.execute([&] { tbb::parallel_invoke([&] { between(one); }, [&] { between(other); }); });
-  end.take();
-}
-
-void run_alone(const std::function<void()>& work) {
-  Arena arena(1);
-  arena.execute(work);
+  parallel_ordered(
+      2, jobs, [&](std::size_t i) { i == 0 ? one() : other(); }, [](std::size_t) {});
 }
 
 }  // namespace gltfx

@@ -17,9 +17,8 @@ unsigned default_jobs();
 ///
 /// - `jobs` 1 runs everything on the caller's thread, item by item; 0 and more than default_jobs()
 ///   mean default_jobs().
-/// - Items that are produced and not yet consumed never exceed a small multiple of `jobs`, so
-/// memory
-///   stays flat over any number of items.
+/// - Items that are produced and not yet consumed never exceed a small multiple of `jobs`, so that
+///   memory stays flat over any number of items.
 /// - consume() may run on any of the threads, but sees all that the calls before it wrote.
 /// - Callbacks must not throw. One that does ends the work early and the exception reaches the
 ///   caller of parallel_ordered; it does not end the process.
@@ -30,9 +29,5 @@ void parallel_ordered(std::size_t count, unsigned jobs,
 /// Calls both, at the same time when `jobs` (as above) is not 1, and returns when both are done.
 /// An exception reaches the caller.
 void run_both(unsigned jobs, const std::function<void()>& one, const std::function<void()>& other);
-
-/// Calls it on the caller's thread, where also libraries that would share their work out among
-/// threads keep to this one.
-void run_alone(const std::function<void()>& work);
 
 }  // namespace gltfx

@@ -157,19 +157,7 @@ struct BakeVerb {
 
 }  // namespace
 
-std::string_view bake_layer_name(BakeLayer layer) {
-  switch (layer) {
-    case BakeLayer::albedo:
-      return "albedo";
-    case BakeLayer::normal:
-      return "normal";
-    case BakeLayer::depth:
-      return "depth";
-    case BakeLayer::material:
-      break;
-  }
-  return "material";
-}
+bool can_bake() { return true; }
 
 std::string check_picture_name(const std::string& path) {
   const auto format = picture_format(path);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/bake_names.hpp"
 
+#include <gltfx/bake.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -61,6 +63,20 @@ std::optional<std::pair<double, double>> parse_angles(const std::string& word) {
   if (!parse_all(text.substr(comma + 1), angles.second)) return std::nullopt;
   if (!std::isfinite(angles.first) || !std::isfinite(angles.second)) return std::nullopt;
   return angles;
+}
+
+std::string_view bake_layer_name(BakeLayer layer) {
+  switch (layer) {
+    case BakeLayer::albedo:
+      return "albedo";
+    case BakeLayer::normal:
+      return "normal";
+    case BakeLayer::depth:
+      return "depth";
+    case BakeLayer::material:
+      break;
+  }
+  return "material";
 }
 
 }  // namespace gltfx

@@ -67,7 +67,12 @@ bake::EnvironmentImage shrunk(const codec::Image& image) {
 Result<bake::EnvironmentImage> read_environment(const std::string& path) {
   const auto format = format_of(path);
   const std::string name = quoted(path, 200);
-  if (!format) return Error{fmt::format("the environment {} does not end in .hdr or .exr", name)};
+  if (!format) {
+    return Error{
+        fmt::format("the environment {} does not end in .hdr or .exr; oiiotool, of the Debian "
+                    "package openimageio-tools, converts other formats",
+                    name)};
+  }
   const auto file = container::open_file(path);
   if (!file) return Error{fmt::format("the environment {}: {}", name, file.error().message)};
   codec::ImageRequest request;

@@ -74,7 +74,7 @@ void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
   upgrade.schemas = schemas;
   Rehearsal rehearsal = rehearse_upgrade(asset, upgrade);
   add_upgrade(std::move(rehearsal.report), page.inspection);
-  if (!thumbnails.draw) return;
+  if (!thumbnails.draw || !can_bake()) return;
   const BakeOptions bake = bake_options(options, thumbnails, jobs);
   page.picture = picture_of(bake_asset(std::move(asset), bake));
   if (rehearsal.after) page.upgraded = picture_of(bake_asset(*std::move(rehearsal.after), bake));

@@ -111,12 +111,31 @@ TEST(ParallelOrderedThreads, AnExceptionReachesTheCallerInsteadOfEndingTheProces
   }
 }
 
-TEST(ParallelOrderedThreads, WorkAloneStaysOnTheCallersThread) {
-  const auto here = std::this_thread::get_id();
-  bool ran = false;
-  run_alone([&] { ran = std::this_thread::get_id() == here; });
-  EXPECT_TRUE(ran);
-  EXPECT_THROW(run_alone([] { throw std::runtime_error("no"); }), std::runtime_error);
+TEST(ParallelOrderedThreads, CallsMayBeNestedAndMadeFromSeveralThreads) {
+  std::atomic<int> sum = 0;
+  const auto add = [&](std::size_t) { ++sum; };
+  const auto nested = [&](std::size_t) { parallel_ordered(10, 0, add, add); };
+  const auto all = [&] { parallel_ordered(100, 0, nested, nested); };
+  std::thread other(all);
+  all();
+  other.join();
+  EXPECT_EQ(sum, 2 * 100 * 2 * 10 * 2);
+}
+
+TEST(ParallelOrderedThreads, AFailureInsideOfAnotherCallReachesItsCaller) {
+  const auto fail = [](std::size_t i) {
+    if (i == 3) throw std::runtime_error("three");
+  };
+  std::atomic<int> failed = 0;
+  const auto nested = [&](std::size_t) {
+    try {
+      parallel_ordered(10, 0, nothing, fail);
+    } catch (const std::runtime_error&) {
+      ++failed;
+    }
+  };
+  parallel_ordered(50, 0, nested, nothing);
+  EXPECT_EQ(failed, 50);
 }
 
 TEST(DefaultJobs, IsAtLeastOne) { EXPECT_GE(default_jobs(), 1U); }

@@ -10,8 +10,7 @@
 #include <ctime>
 #include <vector>
 
-#include <embree3/rtcore.h>
-
+#include "bake/embree.hpp"
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"
@@ -83,12 +82,12 @@ Vec3d bounce(const RTCRayHit& q, const bake::Float2& random) {
 // One path of intersections and occlusions; the number of rays.
 std::uint64_t cast(RTCScene scene, const bake::Ray& ray, const bake::SampleStream& random,
                    unsigned bounces) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  RTCRayQueryContext context;
+  rtcInitRayQueryContext(&context);
   std::uint64_t rays = 0;
   RTCRayHit q = query(ray.origin, ray.direction);
   for (unsigned step = 0;; ++step) {
-    rtcIntersect1(scene, &context, &q);
+    bake::find_hit(scene, context, q);
     ++rays;
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID || step == bounces) return rays;
     const double t = static_cast<double>(q.ray.tfar) * 0.9999;
@@ -96,7 +95,7 @@ std::uint64_t cast(RTCScene scene, const bake::Ray& ray, const bake::SampleStrea
                    static_cast<double>(q.ray.org_y) + t * static_cast<double>(q.ray.dir_y),
                    static_cast<double>(q.ray.org_z) + t * static_cast<double>(q.ray.dir_z));
     RTCRay shadow = query(at, bounce(q, random.pair(2 * step + 1))).ray;
-    rtcOccluded1(scene, &context, &shadow);
+    bake::find_occluder(scene, context, shadow);
     ++rays;
     q = query(at, bounce(q, random.pair(2 * step + 2)));
   }

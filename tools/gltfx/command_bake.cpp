@@ -147,6 +147,10 @@ class BakeRun {
 }  // namespace
 
 ExitCode run(const BakeRequest& request) {
+  if (!can_bake()) {
+    complain("bake: this build cannot render: it was configured with GLTFX_BAKE=OFF.");
+    return ExitCode::usage;
+  }
   permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   BakeOptions options = request.bake;
   if (const auto problem = check_root(options.root)) {

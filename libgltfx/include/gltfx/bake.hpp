@@ -20,6 +20,10 @@ class Set;
 }
 class ResultCache;
 
+/// False in a build without Embree (GLTFX_BAKE=OFF), where each picture that is asked for is
+/// BakeProblem::refused.
+bool can_bake();
+
 /// Which lamps shine. `studio`: soft boxes that follow the camera. `asset`: what the asset brings;
 /// when it brings nothing that shines, the studio all the same.
 enum class BakeLights : std::uint8_t { studio, asset, both };

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Embree 3.13 and Embree 4 under one set of names, those of Embree 4 where it has one.
+/// GLTFX_EMBREE is the major version.
+#pragma once
+
+#if GLTFX_EMBREE < 4
+#include <embree3/rtcore.h>
+
+using RTCRayQueryContext = RTCIntersectContext;
+inline void rtcInitRayQueryContext(RTCRayQueryContext* context) {
+  rtcInitIntersectContext(context);
+}
+#else
+#include <embree4/rtcore.h>
+#endif
+
+namespace gltfx::bake {
+
+/// The closest hit. Filters find `context`.
+inline void find_hit(RTCScene scene, RTCRayQueryContext& context, RTCRayHit& query) {
+#if GLTFX_EMBREE < 4
+  rtcIntersect1(scene, &context, &query);
+#else
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  rtcIntersect1(scene, &query, &arguments);
+#endif
+}
+
+/// Any hit, after which `tfar` is below 0.
+inline void find_occluder(RTCScene scene, RTCRayQueryContext& context, RTCRay& query) {
+#if GLTFX_EMBREE < 4
+  rtcOccluded1(scene, &context, &query);
+#else
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &context;
+  rtcOccluded1(scene, &query, &arguments);
+#endif
+}
+
+}  // namespace gltfx::bake

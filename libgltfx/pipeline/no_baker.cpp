@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a build without Embree (GLTFX_BAKE=OFF) has in place of the functions that render.
+#include <gltfx/pipeline.hpp>
+
+#include "pipeline/bake_asset.hpp"
+
+namespace gltfx {
+namespace {
+
+constexpr const char* kNoBaker = "this build cannot render: it was configured with GLTFX_BAKE=OFF";
+
+BakeReport refusal(const std::string& path) {
+  BakeReport report;
+  report.path = path;
+  report.problem = BakeProblem::refused;
+  report.error = kNoBaker;
+  return report;
+}
+
+}  // namespace
+
+bool can_bake() { return false; }
+
+std::string check_picture_name(const std::string&) { return kNoBaker; }
+
+BakeReport bake_asset(validate::ValidatedAsset asset, const BakeOptions&) {
+  return refusal(asset.asset().name());
+}
+
+BakeReport bake_file(const std::string& path, const BakeOptions&) { return refusal(path); }
+
+std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions&,
+                       const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
+  for (const BakeInput& input : inputs) consume(refusal(input.path));
+  return sheet.empty() ? "" : kNoBaker;
+}
+
+BakeComparison bake_comparison(const std::string& first, const std::string& second,
+                               const BakeOptions&) {
+  return {refusal(first), refusal(second), 0, {}};
+}
+
+}  // namespace gltfx
