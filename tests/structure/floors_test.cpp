@@ -55,6 +55,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"xxhash.h", {"libgltfx/base/hash.cpp"}},
     {"sodium.h", {"libgltfx/pipeline/seal.cpp"}},
     {"meshoptimizer.h", {"libgltfx/model/"}},
+    {"stb/", {"libgltfx/pipeline/label_font.cpp"}},
     {"embree3/", {"libgltfx/bake/"}},
     {"CLI/", {"tools/gltfx/command_line"}},
     {"toml++/", {"tools/gltfx/config_file.cpp"}},
