@@ -76,6 +76,16 @@ TEST(UnusualScale, IsSilentWithoutASize) {
   EXPECT_EQ(about_size(R"({"asset": {"version": "2.0"}})"), Lines());
 }
 
+TEST(UnusualScale, IsSilentWhereTheSceneHasTooManyParts) {
+  const auto with_nodes = [](std::size_t count) {
+    std::string nodes = scaled("1e12");
+    for (std::size_t i = 1; i < count; ++i) nodes += ",{}";
+    return about_size(points(nodes, kScene));
+  };
+  EXPECT_EQ(with_nodes(65535), Lines{"UNUSUAL_SCALE /scenes/0"}) << "and one mesh";
+  EXPECT_EQ(with_nodes(65536), Lines());
+}
+
 TEST(UnusualScale, IsNoRuleOfTheKhronosValidator) {
   EXPECT_EQ(about_size(points(scaled("1e12"), kScene), Profile::khronos), Lines());
 }

@@ -18,8 +18,21 @@ namespace {
 // Earth, neighbouring 32-bit positions are eight metres apart.
 constexpr double kSmallestScene = 1e-4;
 constexpr double kLargestScene = 1e8;
-// Enough for the extent: the facts of `gltfx inspect` count each instance.
+// Larger scenes would take more time and memory than all other rules.
+constexpr std::uint64_t kMostParts = std::uint64_t{1} << 16U;
 constexpr std::uint64_t kInstanceTransforms = std::uint64_t{1} << 24U;
+
+bool is_measured(const Context& context) {
+  std::uint64_t parts = context.views.nodes.size() + context.views.meshes.size();
+  for (const json::NodeId skin : context.asset.elements(model::RootArray::skins)) {
+    if (skin == json::kNoNode) continue;
+    const json::NodeId joints = context.document.find(skin, "joints");
+    if (joints != json::kNoNode && context.document.is_array(joints)) {
+      parts += context.document.array_size(joints);
+    }
+  }
+  return parts <= kMostParts;
+}
 
 double width_of(const SceneBounds& bounds) {
   double width = 0;
@@ -37,7 +50,7 @@ std::string length_text(double metres) {
 }  // namespace
 
 void check_scene_extent(const Context& context, const model::ResourceData& resources, Sink& sink) {
-  if (context.deviations.no_additional_rules) return;
+  if (context.deviations.no_additional_rules || !is_measured(context)) return;
   const model::SceneExtent extent =
       model::scene_extent(context.asset, context.views, resources, {}, kInstanceTransforms);
   if (!extent.bounds) return;
