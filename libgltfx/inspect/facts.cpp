@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/checked.hpp"
-#include "inspect/bounds.hpp"
 #include "inspect/byte_count.hpp"
 #include "inspect/image_facts.hpp"
 #include "inspect/uses.hpp"
@@ -16,12 +15,15 @@
 #include "model/info.hpp"
 #include "model/light.hpp"
 #include "model/load_resources.hpp"
+#include "model/scene_extent.hpp"
 #include "model/skin.hpp"
 
 namespace gltfx::inspect {
 namespace {
 
 using model::RootArray;
+
+constexpr std::uint64_t kInstanceBytes = std::uint64_t{1} << 28U;
 
 /// Everything that is read once and asked by all parts.
 struct Source {
@@ -259,8 +261,8 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   facts.skins = skins_of(source);
   facts.cameras = cameras_of(source);
   facts.lights = lights_of(source);
-  const SceneExtent extent =
-      scene_extent(source.asset, source.views, source.loaded.data, facts.meshes);
+  const model::SceneExtent extent = model::scene_extent(
+      source.asset, source.views, source.loaded.data, facts.meshes, kInstanceBytes);
   facts.drawn_triangles = extent.triangles;
   facts.bounds = extent.bounds;
   return facts;

@@ -164,17 +164,19 @@ bool read_weights(const Asset& asset, json::NodeId object, const std::string& po
 
 SceneRoots choose_scene(const Asset& asset, const Views& views,
                         std::optional<std::uint32_t> wanted) {
-  const json::Document& document = asset.document();
-  if (wanted && *wanted < asset.count(RootArray::scenes)) return {nodes_of(asset, *wanted), {}};
-  if (const auto scene = asset.index(document.root(), "scene", RootArray::scenes)) {
-    return {nodes_of(asset, *scene), {}};
+  const std::size_t count = asset.count(RootArray::scenes);
+  if (wanted && *wanted < count) return {nodes_of(asset, *wanted), {}, wanted};
+  const json::NodeId root = asset.document().root();
+  if (const auto scene = asset.index(root, "scene", RootArray::scenes)) {
+    return {nodes_of(asset, *scene), {}, scene};
   }
-  if (asset.count(RootArray::scenes) > 0) {
-    const bool only = asset.count(RootArray::scenes) == 1;
-    return {nodes_of(asset, 0),
-            only ? "" : "The file names no default scene; the first one is drawn."};
+  if (count == 0) {
+    return {nodes_without_parent(asset, views),
+            "The file has no scene; all of its nodes are drawn."};
   }
-  return {nodes_without_parent(asset, views), "The file has no scene; all of its nodes are drawn."};
+  const bool only = count == 1;
+  return {nodes_of(asset, 0),
+          only ? "" : "The file names no default scene; the first one is drawn.", 0};
 }
 
 Pose compute_pose(const Asset& asset, const Views& views, const SceneRoots& roots,

@@ -18,6 +18,7 @@ namespace gltfx::model {
 struct SceneRoots {
   std::vector<NodeIndex> nodes;
   std::string note;  ///< how it was chosen where the file does not say, one sentence; else empty
+  std::optional<std::uint32_t> scene = {};  ///< nothing: the file has none
 };
 
 /// The roots of scene `wanted`; else of the default scene, else of the first one, else all nodes

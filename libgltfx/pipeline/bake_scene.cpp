@@ -76,8 +76,7 @@ Result<SceneOptions> scene_options(const model::Asset& asset, const BakeOptions&
   return wanted;
 }
 
-// The asset is closed at the end: its bytes are in the scene by then.
-Result<std::unique_ptr<bake::Scene>> build(validate::ValidatedAsset asset,
+Result<std::unique_ptr<bake::Scene>> build(const validate::ValidatedAsset& asset,
                                            const BakeOptions& options) {
   const auto wanted = scene_options(model::Asset(asset.asset().document()), options);
   if (!wanted) return wanted.error();
@@ -99,6 +98,7 @@ std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
 }
 
 BakeScene prepared(BakeScene result) {
+  if (!result.scene) return result;
   auto subject = bake::find_subject(*result.scene);
   if (!subject) {
     return failed(std::move(result), BakeProblem::nothing_to_see, "it has no visible triangles");
@@ -118,6 +118,28 @@ BakeScene empty_scene(const std::string& path) {
   return scene;
 }
 
+// The scene as the asset has it, or a report that says why there is none.
+BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
+                const BakeOptions& options) {
+  BakeScene result = empty_scene(asset.asset().name());
+  if (auto refusal = find_refusal(options)) {
+    return failed(std::move(result), BakeProblem::refused, *std::move(refusal));
+  }
+  result.report.validation = errors_of(std::move(report));
+  if (result.report.validation.counts.errors > 0 && !options.force) {
+    return failed(std::move(result), BakeProblem::invalid,
+                  "it is not valid (--force draws it all the same)");
+  }
+  auto scene = build(asset, options);
+  if (!scene) return failed(std::move(result), BakeProblem::refused, scene.error().message);
+  if (auto trouble = light(**scene, options)) {
+    return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
+  }
+  result.report.notes = (*scene)->notes;
+  result.scene = *std::move(scene);
+  return result;
+}
+
 std::vector<std::string> camera_names(const bake::Scene& scene) {
   std::vector<std::string> names;
   for (const bake::Camera& camera : scene.cameras) names.push_back(camera.name);
@@ -135,23 +157,19 @@ validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOp
 }
 
 BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options) {
-  BakeScene result = empty_scene(asset.asset().name());
-  if (auto refusal = find_refusal(options)) {
-    return failed(std::move(result), BakeProblem::refused, *std::move(refusal));
+  BakeScene result;
+  {
+    // Closed at the end: its bytes are in the scene by then.
+    validate::ValidatedAsset closing = std::move(asset);
+    FileReport report = closing.take_report();
+    result = built(closing, std::move(report), options);
   }
-  result.report.validation = errors_of(asset.take_report());
-  if (result.report.validation.counts.errors > 0 && !options.force) {
-    return failed(std::move(result), BakeProblem::invalid,
-                  "it is not valid (--force draws it all the same)");
-  }
-  auto scene = build(std::move(asset), options);
-  if (!scene) return failed(std::move(result), BakeProblem::refused, scene.error().message);
   give_back_memory();
-  if (auto trouble = light(**scene, options)) {
-    return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
-  }
-  result.report.notes = (*scene)->notes;
-  result.scene = *std::move(scene);
+  return prepared(std::move(result));
+}
+
+BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOptions& options) {
+  BakeScene result = built(asset, asset.report(), options);
   return prepared(std::move(result));
 }
 

@@ -33,6 +33,8 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options);
 /// The same for what was opened and validated already. Without `force`, errors of its report refuse
 /// it. Precondition: the asset has a document.
 BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options);
+/// The same for an asset that is needed further on.
+BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOptions& options);
 
 /// Validates as baking does.
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options);

@@ -10,7 +10,7 @@
 
 namespace gltfx {
 
-constexpr std::uint32_t kLabelHeight = 18;  ///< pixels of a line, from the top of A to that below g
+constexpr std::uint32_t kLabelHeight = 18;  ///< pixels from the highest to the lowest letter
 
 /// Writes a line of UTF-8 into a picture of 8-bit RGB, in the middle of `width` pixels from `left`
 /// on. What is too long ends with three dots; what is not known is a box. The place has to lie in

@@ -142,6 +142,7 @@ UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string e
   report.changes = false;
   report.new_files.clear();
   report.new_warnings.clear();
+  report.verified = false;
   report.diff.clear();
   report.orphans.clear();
   return report;

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/file_state.hpp"
+#include "base/material_table.hpp"
 #include "edit/write_asset.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
+#include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
 #include "pipeline/resolver_for.hpp"
 #include "pipeline/upgrade_asset.hpp"
@@ -74,16 +79,55 @@ std::optional<UpgradeReport> find_old_container(const OpenedAsset& asset,
   return report;
 }
 
-// The new bytes may have no error that the old ones had not.
-std::optional<std::string> find_new_fault(const ValidatedAsset& before, const ValidatedAsset& after,
-                                          const SchemaSet& schemas, UpgradeReport& report) {
-  NewFindings found = new_findings(before, after, schemas);
-  report.new_warnings = std::move(found.warnings);
-  if (found.error.empty()) return std::nullopt;
-  return fmt::format(
-      "the new file would have the new error {}; fix the findings of 'gltfx validate' first",
-      found.error);
+// What an old material looked like is not known where gltfx does not draw its extension.
+std::string find_undrawn(const std::vector<UpgradeAction>& actions) {
+  constexpr std::span kDrawn(material_table::kTexts);
+  for (const UpgradeAction& action : actions) {
+    if (!action.done || action.from.find("_materials_") == std::string::npos) continue;
+    const bool drawn = std::any_of(kDrawn.begin(), kDrawn.end(), [&](const MaterialText& text) {
+      return text.extension == action.from;
+    });
+    if (!drawn) return fmt::format("gltfx does not draw {}", action.from);
+  }
+  return {};
 }
+
+/// What has to hold of the new asset.
+class Judge {
+ public:
+  /// `actions`: of the upgrade.
+  Judge(const ValidatedAsset& before, const SchemaSet& schemas, const UpgradeOptions& options,
+        const std::vector<UpgradeAction>& actions)
+      : before_(before),
+        schemas_(schemas),
+        obstacle_(options.verify ? find_undrawn(actions) : std::string()) {
+    if (!options.verify || !obstacle_.empty()) return;
+    pictures_.emplace(before, options.root, schemas, options.jobs);
+    obstacle_ = pictures_->obstacle();
+  }
+
+  /// Why `after` may not take the place of the old asset, or nothing.
+  std::optional<std::string> find_fault(const ValidatedAsset& after, UpgradeReport& report) const {
+    NewFindings found = new_findings(before_, after, schemas_);
+    report.new_warnings = std::move(found.warnings);
+    if (!found.error.empty()) {
+      return fmt::format(
+          "the new file would have the new error {}; fix the findings of 'gltfx validate' first",
+          found.error);
+    }
+    report.not_verified = obstacle_;
+    if (!pictures_ || !obstacle_.empty()) return std::nullopt;
+    std::string difference = pictures_->find_difference(after);
+    report.verified = difference.empty();
+    return report.verified ? std::nullopt : std::optional(difference + " (--verify)");
+  }
+
+ private:
+  const ValidatedAsset& before_;
+  const SchemaSet& schemas_;
+  std::string obstacle_;  // why there are no pictures
+  std::optional<PictureCheck> pictures_;
+};
 
 // Without the tables: they are not to be held beside the new document.
 ValidatedAsset validated(OpenedAsset asset, const SchemaSet& schemas) {
@@ -93,15 +137,17 @@ ValidatedAsset validated(OpenedAsset asset, const SchemaSet& schemas) {
 }
 
 // A plan is judged as what is written is.
-Rehearsal try_out(const ValidatedAsset& before, PlannedUpgrade planned, const SchemaSet& schemas) {
+Rehearsal try_out(const ValidatedAsset& before, PlannedUpgrade planned, const SchemaSet& schemas,
+                  const UpgradeOptions& options) {
   UpgradeReport& report = planned.report;
   const OpenedAsset& asset = before.asset();
   auto changed = edit::rewritten(asset.container(), planned.edits, planned.bin, asset.name());
   if (!changed) {
     return {failed(std::move(report), UpgradeProblem::refused, changed.error().message), {}};
   }
+  const Judge judge(before, schemas, options, report.actions);
   ValidatedAsset after(upgraded(asset, planned, *std::move(changed)), default_judgement(schemas));
-  if (auto fault = find_new_fault(before, after, schemas, report)) {
+  if (auto fault = judge.find_fault(after, report)) {
     return {failed(std::move(report), UpgradeProblem::refused, *std::move(fault)), {}};
   }
   return {std::move(report), std::move(after)};
@@ -142,9 +188,10 @@ UpgradeReport write(const ValidatedAsset& before, const FileState& state, Planne
   if (!pieces) {
     return failed(std::move(planned.report), UpgradeProblem::refused, pieces.error().message);
   }
+  const Judge judge(before, schemas, options, planned.report.actions);
   const auto check = [&](const container::Container& on_disk) {
     const ValidatedAsset after(upgraded(asset, planned, on_disk), default_judgement(schemas));
-    return find_new_fault(before, after, schemas, planned.report);
+    return judge.find_fault(after, planned.report);
   };
   const auto failure = edit::write_asset(old_asset(asset, state), destination_of(options),
                                          {*pieces, planned.files}, check);
@@ -172,7 +219,7 @@ UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& option
     return copy(before.asset(), *state, std::move(planned.report), options);
   }
   if (options.output.empty() && !options.in_place) {
-    return try_out(before, std::move(planned), schemas).report;
+    return try_out(before, std::move(planned), schemas, options).report;
   }
   return write(before, *state, std::move(planned), schemas, options);
 }
@@ -186,7 +233,7 @@ Rehearsal rehearse_upgrade(const ValidatedAsset& asset, const UpgradeOptions& op
     const SchemaSet schemas = schemas_of(options);
     PlannedUpgrade planned = plan_upgrade(asset, options, schemas);
     if (!planned.report.changes) return std::move(planned.report);
-    Rehearsal tried = try_out(asset, std::move(planned), schemas);
+    Rehearsal tried = try_out(asset, std::move(planned), schemas, options);
     rehearsal.after = std::move(tried.after);
     return std::move(tried.report);
   });
@@ -214,6 +261,8 @@ void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions
       [&](std::size_t i) {
         return guarded(inputs[i].path, [&] {
           UpgradeOptions each = options;
+          // Many files keep all threads busy by themselves.
+          each.jobs = inputs.size() == 1 ? jobs : 1;
           each.output = inputs[i].output;
           return upgrade_file(inputs[i].path, each);
         });

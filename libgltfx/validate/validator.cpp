@@ -20,6 +20,7 @@
 #include "validate/rules/budget.hpp"
 #include "validate/rules/image_based_light.hpp"
 #include "validate/rules/interactivity_draft.hpp"
+#include "validate/rules/scene_extent.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -63,6 +64,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   check_data(context, resources.data, sink, report);
   check_image_based_lights(context, resources.data, sink);
   check_light_profiles(context, resources.data, sink, report);
+  check_scene_extent(context, resources.data, sink);
   check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
   check_budgets(context, resources.data, *report.info, resources.listed, sink);

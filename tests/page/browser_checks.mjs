@@ -97,13 +97,14 @@ async function filters(browser, url) {
   assert.equal(await page.locator(".finding:not(.warning)").count(), 0);
   await page.click("#reset");
   await page.waitForFunction((wanted) => document.getElementById("count").textContent === wanted, all);
-  await page.selectOption("#code", "UNRESOLVED_REFERENCE");
+  await page.selectOption("#rule", "UNRESOLVED_REFERENCE");
   assert.match(await shownCount(page), / of /);
   await page.click("#reset");
   await page.waitForFunction((wanted) => document.getElementById("count").textContent === wanted, all);
   await page.locator(".fold > summary").first().click();
-  await page.locator(".fold .link").first().click();
-  assert.match(await shownCount(page), / of /);
+  await page.locator(".fold td a").first().click();
+  await page.waitForFunction(() => / of /.test(document.getElementById("count").textContent));
+  assert.match(await page.evaluate(() => location.hash), /^#rule=[A-Z0-9_]+$/);
   await context.close();
 }
 
@@ -131,23 +132,46 @@ async function addressHoldsTheState(browser, url) {
   const paths = await page.evaluate(() => shown.map((one) => one.path));
   assert.deepEqual(paths, paths.slice().sort((a, b) => (a < b ? -1 : 1)));
   await page.selectOption("#verdict", "error");
-  await page.selectOption("#code", "UNRESOLVED_REFERENCE");
+  await page.selectOption("#rule", "UNRESOLVED_REFERENCE");
   await page.locator("#list summary").first().click();
   await page.locator(".finding").first().waitFor();
   const count = await shownCount(page);
   const path = await page.locator("#list details[open] .path-line bdi").textContent();
   const address = await page.evaluate(() => location.href);
-  assert.match(address, /#.*code=UNRESOLVED_REFERENCE/);
+  assert.match(address, /#.*rule=UNRESOLVED_REFERENCE/);
   const other = await open(context, address);
   assert.equal(await shownCount(other), count);
   assert.equal(await other.locator("#list details[open] .path-line bdi").textContent(), path);
   await other.click("#reset");
   assert.equal(await other.evaluate(() => location.hash), "#assets");
+  // Links from elsewhere: to a rule, to a rule that found nothing, to an asset.
+  await other.evaluate(() => { location.hash = "#rule=UNRESOLVED_REFERENCE"; });
+  await other.waitForFunction(() => document.getElementById("rule").value === "UNRESOLVED_REFERENCE");
+  const found = await other.evaluate(() => shown.every((one) => one.findings.some((each) => each.code === "UNRESOLVED_REFERENCE")));
+  assert.ok(found);
+  const top = await other.evaluate(() => document.getElementById("assets").getBoundingClientRect().top);
+  assert.ok(Math.abs(top) < 40, `the assets are ${top} px below the top`);
+  const none = await open(context, url + "#rule=UNUSUAL_SCALE");
+  assert.match(await shownCount(none), /^0 of /);
+  const linked = await open(context, url + "#asset=" + encodeURIComponent(path));
+  assert.equal(await linked.locator("#list details[open] .path-line bdi").textContent(), path);
+  assert.match(await shownCount(linked), /^\d+ assets$/);
   // What stands in an address is text, whatever it is.
-  const wild = await open(context, url + "#verdict=%3Cb%3E&order=x&text=<i id=none onerror=window.broken=1>&asset=no");
+  const wild = await open(context, url + "#verdict=%3Cb%3E&order=x&rule=<b id=none>&text=<i id=none onerror=window.broken=1>&asset=no");
   assert.match(await shownCount(wild), /^0 of /);
   assert.equal(await wild.evaluate(() => window.broken), undefined);
   assert.deepEqual(wild.complaints, []);
+  await context.close();
+}
+
+async function showsLengths(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  const text = (sides) => page.evaluate((max) => boundsText({ min: [0, 0, 0], max }), sides);
+  assert.equal(await text([0.0054, 0.001, 0]), "5.4 × 1 × 0 mm");
+  assert.equal(await text([0.32, 0.12, 0.0951]), "32 × 12 × 9.51 cm");
+  assert.equal(await text([1.7, 12.345, 900]), "1.7 × 12.3 × 900 m");
+  assert.equal(await text([1000, 12, 1.2e24]), "1 × 0.012 × 1.2e+21 km");
   await context.close();
 }
 
@@ -210,6 +234,7 @@ export function browserChecks(browser, url, axePath) {
     ["filters", () => filters(browser, url)],
     ["sorts", () => sorts(browser, url)],
     ["address holds filters and the open asset", () => addressHoldsTheState(browser, url)],
+    ["shows lengths with a unit that fits", () => showsLengths(browser, url)],
     ["copies paths", () => copiesPaths(browser, url)],
     ["works by keyboard", () => worksByKeyboard(browser, url)],
     ["shows all in the end", () => showsAllInTheEnd(browser, url)],

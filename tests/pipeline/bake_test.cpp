@@ -330,15 +330,29 @@ std::vector<std::size_t> inked(std::string_view name) {
   return columns;
 }
 
+std::size_t extent_of(const std::vector<std::size_t>& columns) {
+  return columns.empty() ? 0 : columns.back() - columns.front() + 1;
+}
+
 TEST(ContactSheet, NamesStandBelow) {
   EXPECT_THAT(inked(""), IsEmpty());
-  EXPECT_THAT(inked("l"), SizeIs(6));
-  EXPECT_THAT(inked("I.I"), SizeIs(16));
-  EXPECT_THAT(inked("\xC3\xA4"), SizeIs(10)) << "one box";
-  const std::vector<std::size_t> long_name = inked(std::string(500, 'm'));
-  EXPECT_GE(long_name.front(), 4U);
-  EXPECT_LE(long_name.back(), 95U);
-  EXPECT_GT(long_name.back() - long_name.front(), 75U);
+  EXPECT_THAT(inked(" "), IsEmpty());
+  const std::size_t narrow = extent_of(inked("l")), wide = extent_of(inked("W"));
+  EXPECT_GE(narrow, 1U);
+  EXPECT_LE(narrow, 3U);
+  EXPECT_GT(wide, 12U);
+  EXPECT_NEAR(static_cast<double>(inked("W").front() + inked("W").back()), 99, 2) << "centered";
+  EXPECT_LT(extent_of(inked("AV")), 2 * extent_of(inked("A"))) << "kerning";
+  EXPECT_GT(extent_of(inked("\xC3\xA4\xCE\xA9")), 15U) << "letters of other alphabets";
+  EXPECT_EQ(inked("\xE6\x97\xA5"), inked("\xFF")) << "a box for what the font does not have";
+}
+
+TEST(ContactSheet, LongNamesEndWithDots) {
+  const std::vector<std::size_t> columns = inked(std::string(500, 'm'));
+  EXPECT_GE(columns.front(), 4U);
+  EXPECT_LE(columns.back(), 95U);
+  EXPECT_GT(extent_of(columns), 70U);
+  EXPECT_EQ(columns, inked(std::string(501, 'm')));
 }
 
 TEST(PictureFile, EndingsDecide) {

@@ -93,6 +93,8 @@ TEST(OpenedOnce, ByAnUpgrade) {
   options.output = folder.path() / "new.glb";
   const auto write = [&] { EXPECT_TRUE(upgrade_file(kLegacyBinary, options).written); };
   EXPECT_EQ(work_of(write), (Work{2, 2, 2})) << "what is on the disk is opened to be checked";
+  options.verify = true;
+  EXPECT_EQ(work_of(write), (Work{2, 2, 2})) << "and drawn without another look";
 }
 
 TEST(OpenedOnce, ByBaking) {

@@ -55,6 +55,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"sodium.h", {"libgltfx/pipeline/seal.cpp"}},
     {"meshoptimizer.h", {"libgltfx/model/"}},
     {"embree", {"libgltfx/bake/embree.hpp"}},
+    {"stb/", {"libgltfx/pipeline/label_font.cpp"}},
     {"CLI/", {"tools/gltfx/command_line"}},
     {"toml++/", {"tools/gltfx/config_file.cpp"}},
     {"fmt/", {"libgltfx/", "tools/gltfx/", "tools/gltfx_manual/"}},

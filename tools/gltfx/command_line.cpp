@@ -100,6 +100,7 @@ void Declaration::declare_upgrade() {
   app.add_flag("--restore", upgrade_.restore, "Restore the files that --backup kept");
   app.add_flag("--check", upgrade_.check, "Write nothing; exit 1 if there is work to do");
   app.add_flag("--diff", upgrade_.diff, "Print the changes as a unified diff");
+  app.add_flag("--verify", upgrade_.verify, "Refuse upgrades that change the rendered picture");
   app.add_flag("--unsafe", upgrade_.unsafe, "Allow lossy upgrades");
   app.add_flag("--strict", upgrade_.strict, "Skip files that cannot be upgraded without loss");
   add_list(app, "--only", upgrade_.only, "NAME", "Upgrade only this extension (repeatable)");

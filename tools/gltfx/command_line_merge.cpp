@@ -10,7 +10,7 @@ void declare_merge(CLI::App& app, MergeWords& words) {
   add_formats(app, words.formats);
   add_listing(app, words.listing);
   add_sarif_notes(app, words.sarif_notes);
-  add_fail_on(app, words.fail_on, "as run");
+  add_fail_on(app, words.fail_on, "Exit 1 at error, warning, info, never (else as run)");
   app.add_flag("-q,--quiet", words.quiet, "Print findings only, no summary and no notes");
   add_common(app, words.common);
 }

@@ -2,7 +2,6 @@
 #include "command_line_parts.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 namespace gltfx::tool {
 
@@ -47,7 +46,7 @@ void add_search(CLI::App& app, std::vector<std::string>& exclude, bool& no_ignor
 
 void add_listing(CLI::App& app, ListingWords& words) {
   add_word(app, "--min-severity", words.min_severity, "LEVEL",
-           "List findings at this severity or above");
+           "Lowest severity to list: error, warning, info, hint");
   add_word(app, "--group-by", words.group_by, "WHAT",
            "Group text output by finding (default) or rule");
   app.add_flag("--statistics", words.statistics, "Print counts per rule and file only (text)");
@@ -57,9 +56,8 @@ void add_root(CLI::App& app, std::string& root) {
   add_word(app, "--root", root, "DIR", "Root of resources (default: folder of the asset)");
 }
 
-void add_fail_on(CLI::App& app, std::string& level, const char* otherwise) {
-  const std::string text = fmt::format("Exit 1 at this severity or above (default: {})", otherwise);
-  add_word(app, "--fail-on", level, "LEVEL", text.c_str());
+void add_fail_on(CLI::App& app, std::string& level, const char* text) {
+  add_word(app, "--fail-on", level, "LEVEL", text);
 }
 
 void add_common(CLI::App& app, CommonWords& words) {

@@ -45,7 +45,7 @@ void add_listing(CLI::App& app, ListingWords& words);
 void add_root(CLI::App& app, std::string& root);
 
 /// --fail-on of the verbs that give a verdict.
-void add_fail_on(CLI::App& app, std::string& level, const char* otherwise);
+void add_fail_on(CLI::App& app, std::string& level, const char* text);
 
 void add_common(CLI::App& app, CommonWords& words);
 /// The options of the verbs that decode images and meshes.

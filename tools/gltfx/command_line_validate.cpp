@@ -36,10 +36,10 @@ void declare_budgets(CLI::App& app, ValidateWords& words) {
 
 // What both verbs ask in the same words.
 void declare_checks(CLI::App& app, ValidateWords& words) {
-  add_fail_on(app, words.fail_on, "error");
+  add_fail_on(app, words.fail_on, "Exit 1 at error (default), warning, info or never");
   declare_filters(app, words);
   add_word(app, "--pixels", words.pixels, "LEVEL",
-           "Images to decode: headers (none), needed or all");
+           "Decode images: headers (none, default), needed, all");
   declare_budgets(app, words);
   add_root(app, words.root);
   add_word(app, "--lfs", words.lfs, "POLICY", "Git LFS pointers: skip (default) or error");

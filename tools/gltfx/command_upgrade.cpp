@@ -152,6 +152,9 @@ class UpgradeRun {
     for (const std::string& warning : report.new_warnings) {
       complain(fmt::format("note: {}: new warning: {}", path, printable(warning)));
     }
+    if (!report.not_verified.empty()) {
+      complain(fmt::format("note: {}: not verified: {}", path, printable(report.not_verified)));
+    }
   }
 
   void take(const UpgradeReport& report) {

@@ -38,6 +38,7 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade model.gltf --diff           show the changes
   gltfx upgrade assets/ --in-place          safe upgrades only
   gltfx upgrade model.glb -o new.glb --pack --prune   with fewer images
+  gltfx upgrade assets/ --in-place --verify   only if the pictures stay the same
   gltfx upgrade assets/ --check             for CI: exit 1 if work is left
   gltfx upgrade assets/ -o current/         copy the tree with its resources
   gltfx upgrade old.glb -o new.glb --unsafe --generation v2

@@ -68,6 +68,8 @@ std::string upgrade_json(const UpgradeReport& report, bool first) {
   if (!report.error.empty()) writer.member("error", long_value(report.error));
   writer.member("changes", report.changes);
   writer.member("written", report.written);
+  writer.member("verified", report.verified);
+  if (!report.not_verified.empty()) writer.member("notVerified", long_value(report.not_verified));
   if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
   writer.key("actions");
   writer.begin_array();

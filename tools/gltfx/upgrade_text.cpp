@@ -89,6 +89,10 @@ std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
     text += wrapped(printable("new warning: " + warning), 2);
   }
   text += orphans_text(report);
+  if (report.verified) text += "  verified: the picture is the same\n";
+  if (!report.not_verified.empty()) {
+    text += wrapped(printable("not verified: " + report.not_verified), 2);
+  }
   return text;
 }
 

@@ -185,6 +185,7 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   request.upgrade.strict = words.strict;
   request.upgrade.pack = words.pack;
   request.upgrade.prune = words.prune;
+  request.upgrade.verify = words.verify;
   request.upgrade.diff = words.diff;
   request.upgrade.in_place = words.in_place;
   request.upgrade.backup = words.backup;

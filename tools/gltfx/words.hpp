@@ -67,7 +67,7 @@ struct UpgradeWords {
   std::vector<std::string> schema_files, schema_folders, only, to;
   std::string output, generation = "auto", root, ior = "0", format = "text";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
-       strict = false, pack = false, prune = false, restore = false, quiet = false;
+       strict = false, pack = false, prune = false, verify = false, restore = false, quiet = false;
   bool hook = false;  ///< as above
 };
 

@@ -73,6 +73,9 @@ struct UpgradeOptions {
   /// upgrade.
   bool prune = false;
   bool diff = false;  ///< fill UpgradeReport::diff
+  /// Draw the asset before and after; a file whose picture changes beyond noise is not written.
+  bool verify = false;
+  unsigned jobs = 1;  ///< threads for these pictures, which do not depend on it; 0: one a core
 
   bool in_place = false;  ///< replace the file
   bool backup = false;    ///< in place: keep the old bytes beside it, with ".bak" behind the name
@@ -109,6 +112,8 @@ struct UpgradeReport {
   std::vector<std::string> new_warnings;
   /// Extensions whose last object was one of them, so that the lists name them no more.
   std::vector<std::string> names_removed;
+  bool verified = false;     ///< the picture before and after is the same
+  std::string not_verified;  ///< why there is none to compare, without stop; else empty
   std::string orphans_kept;  ///< why they stay although they were to go, without stop
   /// Unified, of the JSON text, for `git apply` and `patch -p1` in the working folder; of a binary
   /// file as a comment, which both skip. Raw asset text.

@@ -107,9 +107,12 @@ function picturesPart(asset) {
   return before || after ? make("div.pictures", {}, before, after) : null;
 }
 
-function bounds(box) {
-  const sides = box.max.map((most, i) => Number((most - box.min[i]).toPrecision(4)));
-  return sides.join(" × ") + " m";
+/** "32 × 12 × 9.5 cm": the unit is that of the longest side. */
+function boundsText(box) {
+  const sides = box.max.map((most, i) => most - box.min[i]);
+  const longest = Math.max(...sides);
+  const [size, unit] = longest < 0.01 ? [0.001, "mm"] : longest < 1 ? [0.01, "cm"] : longest < 1000 ? [1, "m"] : [1000, "km"];
+  return sides.map((side) => String(Number((side / size).toPrecision(3)))).join(" × ") + " " + unit;
 }
 
 function generalPart(facts) {
@@ -121,7 +124,7 @@ function generalPart(facts) {
   add("Format", (facts.mimeType === "model/gltf-binary" ? "GLB" : "glTF") + " " + (facts.version || "of no version"));
   add("Generator", facts.generator && isolated(facts.generator));
   add("Copyright", facts.copyright && isolated(facts.copyright));
-  add("Extent", facts.bounds && bounds(facts.bounds));
+  add("Extent", facts.bounds && boundsText(facts.bounds));
   add("Triangles", grouped(counts.triangles) + (counts.drawnTriangles === counts.triangles ? ""
     : ", " + grouped(counts.drawnTriangles) + " drawn"));
   add("Vertices", grouped(counts.vertices));

@@ -4,7 +4,7 @@
 const report = JSON.parse(document.getElementById("data").textContent);
 const ROWS_AT_ONCE = 50;
 const byId = (id) => document.getElementById(id);
-const state = { text: "", path: "", verdict: "all", code: "", order: "worst" };
+const state = { text: "", path: "", verdict: "all", rule: "", order: "worst" };
 
 // --- What the list is filtered and sorted by ---
 
@@ -63,13 +63,13 @@ function words(asset) {
 
 function findingMatches(finding) {
   if (SEVERITIES.includes(state.verdict) && finding.severity !== state.verdict) return false;
-  return state.code === "" || finding.code === state.code;
+  return state.rule === "" || finding.code === state.rule;
 }
 
 function assetMatches(asset) {
   if (state.path && !asset.path.toLowerCase().includes(state.path)) return false;
   if (!VERDICTS.find(([name]) => name === state.verdict)[2](asset)) return false;
-  if (state.code && !asset.findings.some(findingMatches)) return false;
+  if (state.rule && !asset.findings.some(findingMatches)) return false;
   return !state.text || words(asset).includes(state.text);
 }
 
@@ -162,17 +162,29 @@ function openAsset(path) {
   folded.scrollIntoView();
 }
 
+/** A link to a rule holds even where the rule found nothing. */
+function offerRule(code) {
+  if (Array.from(byId("rule").options).some((one) => one.value === code)) return;
+  byId("rule").append(make("option", { value: code }, visible(code) + " (0)"));
+}
+
 function readAddress() {
   const words = new URLSearchParams(location.hash.slice(1));
+  if (words.get("rule")) offerRule(words.get("rule"));
   for (const name of Object.keys(state)) {
     const field = byId(name);
     const value = words.get(name);
-    if (value === null) continue;
-    if (field.tagName !== "SELECT") field.value = value;
-    else if (Array.from(field.options).some((one) => one.value === value)) field.value = value;
+    if (field.tagName !== "SELECT") field.value = value || "";
+    else field.selectedIndex = Math.max(0, Array.from(field.options).findIndex((one) => one.value === value));
   }
   readFilter();
   if (words.has("asset")) openAsset(words.get("asset"));
+  else if (words.has("rule")) byId("assets").scrollIntoView();
+}
+
+/** Another link on the page, but for the one that skips to the assets as they are. */
+function followLink() {
+  if (location.hash !== "#assets") readAddress();
 }
 
 // --- Totals ---
@@ -241,17 +253,8 @@ function fold(heading, note, content) {
 }
 
 function fillOverview(rules) {
-  const pick = (entry) => {
-    const button = make("button.link", { type: "button" }, entry.code);
-    button.addEventListener("click", () => {
-      byId("code").value = entry.code;
-      read();
-      byId("assets").scrollIntoView();
-      byId("code").focus({ preventScroll: true });
-    });
-    return button;
-  };
-  const ruleRows = rules.map((entry) => [make("span.label.is-" + entry.severity, {}, entry.severity), pick(entry),
+  const ruleRows = rules.map((entry) => [make("span.label.is-" + entry.severity, {}, entry.severity),
+    make("a.mono", { href: "#rule=" + entry.code }, entry.code),
     report.rules[entry.code] ? report.rules[entry.code].summary : "", grouped(entry.findings), grouped(entry.assets)]);
   const extensions = extensionCounts();
   const extensionRows = extensions.map((one) => [make("span.mono", {}, link(one.spec, visible(one.name))), one.status,
@@ -308,7 +311,7 @@ function fillFilter(rules) {
   const option = ([value, text]) => make("option", { value }, text);
   byId("verdict").append(...VERDICTS.map(option));
   byId("order").append(...ORDERS.map(option));
-  byId("code").append(option(["", "any"]),
+  byId("rule").append(option(["", "any"]),
     ...rules.slice().sort((a, b) => (a.code < b.code ? -1 : 1))
       .map((entry) => option([entry.code, entry.code + " (" + entry.assets + ")"])));
   byId("filter").addEventListener("input", read);
@@ -338,7 +341,7 @@ function start() {
   document.querySelector(".theme").addEventListener("change", chooseTheme);
   byId("about").textContent = "gltfx " + report.gltfx + ", profile " + report.profile + ", images: " + report.pixels;
   document.addEventListener("keydown", searchByKey);
-  window.addEventListener("hashchange", readAddress);
+  window.addEventListener("hashchange", followLink);
   readAddress();
 }
 

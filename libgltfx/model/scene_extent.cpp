@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "inspect/bounds.hpp"
+#include "model/scene_extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +11,13 @@
 #include "model/memory_budget.hpp"
 #include "model/pose.hpp"
 
-namespace gltfx::inspect {
+namespace gltfx::model {
 namespace {
 
-using model::Affine;
-using model::Vector3;
-
 constexpr std::uint64_t kMostJoints = std::uint64_t{1} << 20U;  // of all skinned meshes together
-constexpr std::uint64_t kInstanceBytes = std::uint64_t{1} << 28U;
 
 /// Joined by include().
-class Box {
+class ExtentBox {
  public:
   bool empty() const { return empty_; }
   void include(const Vector3& point) {
@@ -36,7 +32,7 @@ class Box {
     }
   }
   /// The corners of another box, moved.
-  void include(const Box& other, const Affine& transform) {
+  void include(const ExtentBox& other, const Affine& transform) {
     if (other.empty_) return;
     for (unsigned corner = 0; corner < 8; ++corner) {
       Vector3 point{};
@@ -48,6 +44,14 @@ class Box {
     }
   }
   const SceneBounds& bounds() const { return bounds_; }
+  /// The greatest coordinate, of whatever sign.
+  double reach() const {
+    double reach = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      reach = std::max({reach, -bounds_.least[i], bounds_.greatest[i]});
+    }
+    return reach;
+  }
 
  private:
   bool empty_ = true;
@@ -55,69 +59,73 @@ class Box {
 };
 
 // `min` and `max` of integers that are normalized are written as those integers.
-double scale_of(const model::Format& format) {
-  const bool integer = format.normalized && model::is_integer(format.component);
-  return integer ? model::value_range(format.component).most : 1;
+double scale_of(const Format& format) {
+  const bool integer = format.normalized && is_integer(format.component);
+  return integer ? value_range(format.component).most : 1;
 }
 
-void include_positions(const json::Document& document, const model::Accessor& accessor, Box& box) {
-  const auto least = model::float_array<3>(document, accessor.min);
-  const auto greatest = model::float_array<3>(document, accessor.max);
-  if (!least || !greatest || accessor.format.type != model::ElementType::vec3) return;
+void include_positions(const json::Document& document, const Accessor& accessor, ExtentBox& box) {
+  const auto least = float_array<3>(document, accessor.min);
+  const auto greatest = float_array<3>(document, accessor.max);
+  if (!least || !greatest || accessor.format.type != ElementType::vec3) return;
   const double scale = scale_of(accessor.format);
   for (const auto& corner : {*least, *greatest}) {
     box.include({corner[0] / scale, corner[1] / scale, corner[2] / scale});
   }
 }
 
-Box box_of(const json::Document& document, const model::Views& views, const model::Mesh& mesh) {
-  Box box;
-  for (const model::Primitive& primitive : mesh.primitives) {
-    const model::Attribute* positions = primitive.find(model::SemanticKind::position);
+ExtentBox box_of(const json::Document& document, const Views& views, const Mesh& mesh) {
+  ExtentBox box;
+  for (const Primitive& primitive : mesh.primitives) {
+    const Attribute* positions = primitive.find(SemanticKind::position);
     if (positions == nullptr || !positions->accessor) continue;
     include_positions(document, views.accessors[*positions->accessor], box);
   }
   return box;
 }
 
-class Measurer {
+class ExtentMeasurer {
  public:
-  Measurer(const model::Asset& asset, const model::Views& views,
-           const model::ResourceData& resources, std::span<const MeshFacts> meshes)
+  ExtentMeasurer(const Asset& asset, const Views& views, const ResourceData& resources,
+                 std::span<const MeshFacts> meshes, std::uint64_t instance_bytes)
       : asset_(asset),
         views_(views),
         resources_(resources),
         meshes_(meshes),
-        pose_(model::compute_pose(asset, views, model::choose_scene(asset, views))) {
-    for (const model::Mesh& mesh : views.meshes) {
+        budget_(instance_bytes),
+        pose_(compute_pose(asset, views, choose_scene(asset, views))) {
+    for (const Mesh& mesh : views.meshes) {
       boxes_.push_back(box_of(asset.document(), views, mesh));
     }
   }
 
   SceneExtent run() {
     for (std::size_t i = 0; i < views_.nodes.size(); ++i) {
-      const model::Node& node = views_.nodes[i];
-      if (pose_.in_scene[i] != 0 && node.mesh) take(node, pose_.world[i]);
+      const Node& node = views_.nodes[i];
+      if (pose_.in_scene[i] == 0 || !node.mesh) continue;
+      const double before = box_.reach();
+      take(node, pose_.world[i]);
+      if (box_.reach() > before) extent_.farthest = static_cast<NodeIndex>(i);
     }
     if (!box_.empty()) extent_.bounds = box_.bounds();
     return extent_;
   }
 
  private:
-  void take(const model::Node& node, const Affine& world) {
-    const std::uint64_t triangles = meshes_[*node.mesh].triangles;
-    const auto instances = model::read_instancing(asset_, views_, resources_, node, budget_);
+  void take(const Node& node, const Affine& world) {
+    const std::uint64_t triangles = meshes_.empty() ? 0 : meshes_[*node.mesh].triangles;
+    const auto instances = read_instancing(asset_, views_, resources_, node, budget_);
     const std::uint64_t times = instances && instances->readable ? instances->transforms.size() : 1;
     extent_.triangles =
         saturating_add(extent_.triangles, checked_mul(triangles, times).value_or(UINT64_MAX));
-    const Box& own = boxes_[*node.mesh];
+    const ExtentBox& own = boxes_[*node.mesh];
     if (node.skin) return take_skinned(own, *node.skin);
     if (!instances || !instances->readable) return box_.include(own, world);
     for (const Affine& each : instances->transforms) box_.include(own, world * each);
   }
 
   // The node does not move a skinned mesh: its joints do.
-  void take_skinned(const Box& own, std::uint32_t skin) {
+  void take_skinned(const ExtentBox& own, std::uint32_t skin) {
     const std::vector<Affine>& joints = joints_of(skin);
     const std::uint64_t count = joints.size() <= joints_left_ ? joints.size() : 1;
     joints_left_ -= std::min(joints_left_, count);
@@ -128,28 +136,28 @@ class Measurer {
 
   const std::vector<Affine>& joints_of(std::uint32_t skin) {
     const auto [entry, fresh] = joints_.try_emplace(skin);
-    if (fresh) entry->second = model::joint_matrices(asset_, views_, resources_, skin, pose_);
+    if (fresh) entry->second = joint_matrices(asset_, views_, resources_, skin, pose_);
     return entry->second;
   }
 
-  const model::Asset& asset_;
-  const model::Views& views_;
-  const model::ResourceData& resources_;
+  const Asset& asset_;
+  const Views& views_;
+  const ResourceData& resources_;
   const std::span<const MeshFacts> meshes_;
-  const model::Pose pose_;
-  std::vector<Box> boxes_;  // by mesh
+  MemoryBudget budget_;
+  const Pose pose_;
+  std::vector<ExtentBox> boxes_;  // by mesh
   std::map<std::uint32_t, std::vector<Affine>> joints_;
   std::uint64_t joints_left_ = kMostJoints;
-  model::MemoryBudget budget_{kInstanceBytes};
-  Box box_;
+  ExtentBox box_;
   SceneExtent extent_;
 };
 
 }  // namespace
 
-SceneExtent scene_extent(const model::Asset& asset, const model::Views& views,
-                         const model::ResourceData& resources, std::span<const MeshFacts> meshes) {
-  return Measurer(asset, views, resources, meshes).run();
+SceneExtent scene_extent(const Asset& asset, const Views& views, const ResourceData& resources,
+                         std::span<const MeshFacts> meshes, std::uint64_t instance_bytes) {
+  return ExtentMeasurer(asset, views, resources, meshes, instance_bytes).run();
 }
 
-}  // namespace gltfx::inspect
+}  // namespace gltfx::model

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Whether a change of an asset changes its picture.
+#pragma once
+
+#include <gltfx/bake.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bake/develop.hpp"
+#include "bake/framing.hpp"
+#include "bake/view.hpp"
+#include "pipeline/bake_scene.hpp"
+#include "validate/validated_asset.hpp"
+
+namespace gltfx {
+
+/// Small pictures of an asset before a change: of its default scene, from two opposite sides.
+///
+/// Pictures are compared by the means of squares of 8 by 8 pixels, in steps of the 256 of a
+/// display. Two pictures of the asset before the change that differ in nothing but the seed tell
+/// the noise.
+class PictureCheck {
+ public:
+  /// Draws. `root` and `schemas` as in BakeOptions; `jobs`: threads.
+  PictureCheck(const validate::ValidatedAsset& before, const std::string& root,
+               std::shared_ptr<const schema::Set> schemas, unsigned jobs);
+
+  /// Why there are no pictures; empty: there are.
+  const std::string& obstacle() const { return obstacle_; }
+  /// How the pictures of `after`, with the same seeds and from the same places, differ beyond the
+  /// noise, a sentence without stop; empty: they do not. Precondition: there is no obstacle.
+  std::string find_difference(const validate::ValidatedAsset& after) const;
+
+ private:
+  bake::Picture draw(const BakeScene& scene, const bake::View& view, std::uint32_t seed) const;
+
+  BakeOptions options_;
+  std::string obstacle_;
+  std::optional<bake::Subject> subject_;
+  std::vector<bake::View> views_;
+  std::vector<bake::Picture> pictures_;  ///< by view
+  double limit_ = 0;                     ///< what the difference may be
+};
+
+}  // namespace gltfx
