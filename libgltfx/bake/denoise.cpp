@@ -48,7 +48,7 @@ using Block = std::array<float, std::size_t{kHeight} * kWidth>;
 template <std::size_t Terms>
 class TileFilter {
  public:
-  TileFilter(const DenoiseLayer& layer, const Features& features, std::uint32_t left,
+  TileFilter(const DenoiseLayer& layer, const FeaturePlanes& features, std::uint32_t left,
              std::uint32_t top)
       : layer_(layer),
         all_features_(features),
@@ -221,7 +221,7 @@ class TileFilter {
   }
 
   const DenoiseLayer& layer_;
-  const Features& all_features_;
+  const FeaturePlanes& all_features_;
   int left_, top_;  // of the surroundings
   Block weight_, variance_, y_;
   std::array<Block, 3> values_{};
@@ -237,7 +237,7 @@ class Denoiser {
 
   void run(const DepthRange& depths) {
     start();
-    const Features features = features_of(film_, depths, jobs_);
+    const FeaturePlanes features = features_of(film_, depths, jobs_);
     for (const LightPart part : {LightPart::scattered, LightPart::reflected}) {
       const DenoiseLayer layer = light_layer(film_, part, jobs_);
       const auto light = [part](const FeatureSums& seen, const Rgb& value) {
@@ -249,10 +249,10 @@ class Denoiser {
         smooth<kReflectedTerms>(layer, features, light);
       }
     }
-    smooth<kShadowTerms>(shadow_layer(film_, jobs_), features,
-                         [](const FeatureSums& seen, const Rgb& value) {
-                           return to_vec(seen.behind) * ((1 - value.x) / std::max(seen.count, 1U));
-                         });
+    smooth<kShadowTerms>(
+        shadow_layer(film_, jobs_), features, [](const FeatureSums& seen, const Rgb& value) {
+          return to_vec(seen.background) * ((1 - value.x) / std::max(seen.count, 1U));
+        });
   }
 
  private:
@@ -268,13 +268,13 @@ class Denoiser {
   void start() {
     for (std::size_t i = pixel(0, rows_.first); i < pixel(0, rows_.last); ++i) {
       const FeatureSums seen = film_.feature_sums(i);
-      canvas_.radiance[i] = to_float3(to_vec(seen.direct) / Rgb(std::max(seen.count, 1U)));
+      canvas_.radiance[i] = to_float3(to_vec(seen.emitted) / Rgb(std::max(seen.count, 1U)));
     }
   }
 
   // light(what is seen, value of the layer): what is added to the radiance.
   template <std::size_t Terms, class Light>
-  void smooth(const DenoiseLayer& layer, const Features& features, const Light& light) {
+  void smooth(const DenoiseLayer& layer, const FeaturePlanes& features, const Light& light) {
     const std::uint32_t columns = (film_.width() + kFilterWidth - 1) / kFilterWidth;
     const std::uint32_t lines = (rows_.last - rows_.first + kFilterHeight - 1) / kFilterHeight;
     parallel_ordered(

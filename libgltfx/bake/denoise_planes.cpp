@@ -103,8 +103,8 @@ float scaled_depth(float z, const DepthRange& depths) {
 
 }  // namespace
 
-Features features_of(const Film& film, const DepthRange& depths, unsigned jobs) {
-  Features features;
+FeaturePlanes features_of(const Film& film, const DepthRange& depths, unsigned jobs) {
+  FeaturePlanes features;
   for (Plane& plane : features) plane.resize(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const FeatureSums seen = film.feature_sums(pixel);
@@ -120,7 +120,7 @@ Features features_of(const Film& film, const DepthRange& depths, unsigned jobs) 
 
 Rgb surface_color(const FeatureSums& seen, LightPart part) {
   const double count = std::max(seen.count, 1U);
-  return to_vec(part == LightPart::scattered ? seen.albedo : seen.mirror) / Rgb(count);
+  return to_vec(part == LightPart::scattered ? seen.albedo : seen.specular_albedo) / Rgb(count);
 }
 
 DenoiseLayer light_layer(const Film& film, LightPart part, unsigned jobs) {
@@ -156,7 +156,7 @@ DenoiseLayer shadow_layer(const Film& film, unsigned jobs) {
   Plane apart(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const PixelSums& sums = film.at(pixel);
-    const auto seen = static_cast<float>(luminance(to_vec(sums.feature_sums.behind)));
+    const auto seen = static_cast<float>(luminance(to_vec(sums.feature_sums.background)));
     const float alpha = sums.feature_sums.alpha / static_cast<float>(std::max(sums.samples, 1U));
     layer.weight[i] = std::max(1 - alpha, 0.0F);
     if (!(seen > 0)) return;

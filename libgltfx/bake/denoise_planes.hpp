@@ -20,7 +20,7 @@ struct DepthRange {
 
 /// What is known of surfaces without noise: normal, depth by its range, colour.
 constexpr std::size_t kFeatures = 7;
-using Features = std::array<Plane, kFeatures>;
+using FeaturePlanes = std::array<Plane, kFeatures>;
 
 /// Something that is to be smooth, with noise.
 struct DenoiseLayer {
@@ -32,7 +32,7 @@ struct DenoiseLayer {
 };
 
 /// All of them have the rows that the film holds.
-Features features_of(const Film& film, const DepthRange& depths, unsigned jobs);
+FeaturePlanes features_of(const Film& film, const DepthRange& depths, unsigned jobs);
 
 /// Light that surfaces scatter, divided by their colour, or that the ones seen first reflect,
 /// divided by what tints it. What the surfaces cover is what a pixel says.

@@ -41,21 +41,21 @@ bool is_finite(const Rgb& c) { return std::isfinite(c.x + c.y + c.z); }
 
 void add(FeatureSums& feature_sums, const PathSample& sample) {
   ++feature_sums.count;
-  add_to(feature_sums.direct, sample.direct);
-  add_to(feature_sums.behind, sample.behind);
+  add_to(feature_sums.emitted, sample.emitted);
+  add_to(feature_sums.background, sample.background);
   feature_sums.alpha += static_cast<float>(sample.alpha);
-  add_to(feature_sums.albedo, sample.albedo);
-  add_to(feature_sums.mirror, sample.mirror);
-  add_to(feature_sums.normal, sample.normal);
-  feature_sums.depth += static_cast<float>(sample.depth);
+  add_to(feature_sums.albedo, sample.features.albedo);
+  add_to(feature_sums.specular_albedo, sample.features.specular_albedo);
+  add_to(feature_sums.normal, sample.features.normal);
+  feature_sums.depth += static_cast<float>(sample.features.depth);
 }
 
 void add_sight(PixelSums& sums, const PathSample& sample) {
   add(sums.feature_sums, sample);
-  sums.albedo_square += static_cast<float>(dot(sample.albedo, sample.albedo));
-  sums.normal_square += static_cast<float>(dot(sample.normal, sample.normal));
-  sums.clear = sums.clear || sample.clear;
-  if (sums.material == kNone) sums.material = sample.material;
+  sums.albedo_square += static_cast<float>(dot(sample.features.albedo, sample.features.albedo));
+  sums.normal_square += static_cast<float>(dot(sample.features.normal, sample.features.normal));
+  sums.clear = sums.clear || sample.features.clear;
+  if (sums.material == kNone) sums.material = sample.features.material;
 }
 
 bool PixelSums::is_mixed() const {
@@ -100,7 +100,7 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   }
   add_to(sums.reflected[half], sample.reflected);
   add_to(sums.scattered[half], sample.scattered);
-  const double taken = luminance(sample.behind) * sample.shadow;
+  const double taken = luminance(sample.background) * sample.shadow;
   sums.shadow[half] += static_cast<float>(taken);
   const double reflected = luminance(sample.reflected);
   const double scattered = luminance(sample.scattered);
@@ -130,11 +130,11 @@ FeatureSums Film::feature_sums(std::size_t pixel) const {
   if (looked == kNone) return sum;
   const FeatureSums& more = looks_[looked];
   sum.count += more.count;
-  add_to(sum.direct, to_vec(more.direct));
-  add_to(sum.behind, to_vec(more.behind));
+  add_to(sum.emitted, to_vec(more.emitted));
+  add_to(sum.background, to_vec(more.background));
   sum.alpha += more.alpha;
   add_to(sum.albedo, to_vec(more.albedo));
-  add_to(sum.mirror, to_vec(more.mirror));
+  add_to(sum.specular_albedo, to_vec(more.specular_albedo));
   add_to(sum.normal, to_vec(more.normal));
   sum.depth += more.depth;
   return sum;
@@ -143,10 +143,10 @@ FeatureSums Film::feature_sums(std::size_t pixel) const {
 Rgb Film::radiance(std::size_t pixel) const {
   const PixelSums& sums = at(pixel);
   if (sums.samples == 0) return {};
-  const Rgb behind = to_vec(sums.feature_sums.behind);
+  const Rgb behind = to_vec(sums.feature_sums.background);
   const double seen = luminance(behind);
   const double lit = seen > 0 ? 1 - shadow(sums) / seen : 1;
-  return (noisy(sums) + to_vec(sums.feature_sums.direct) + behind * lit) /
+  return (noisy(sums) + to_vec(sums.feature_sums.emitted) + behind * lit) /
          static_cast<double>(sums.samples);
 }
 

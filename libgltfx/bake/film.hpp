@@ -15,9 +15,9 @@ namespace gltfx::bake {
 /// Sums of what is seen first.
 struct FeatureSums {
   std::uint32_t count = 0;
-  Float3 direct{}, behind{};  ///< light that has no noise
+  Float3 emitted{}, background{};  ///< light that has no noise
   float alpha = 0;
-  Float3 albedo{}, mirror{}, normal{};
+  Float3 albedo{}, specular_albedo{}, normal{};
   float depth = 0;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/integrator.hpp"
 
+#include <algorithm>
 #include <optional>
 
+#include "bake/background.hpp"
 #include "bake/coverage.hpp"
-#include "bake/path.hpp"
+#include "bake/radiance.hpp"
 #include "bake/storage.hpp"
 
 namespace gltfx::bake {
@@ -33,7 +35,7 @@ PathSample through_layers(const PathSetting& setting, const Ray& ray, const Samp
         last ? setting.bvh.intersect(rest, random.key()) : setting.bvh.first_layer(rest);
     const double covered = hit && !last ? static_cast<double>(setting.bvh.coverage(*hit)) : 1.0;
     ++sum.rays;
-    trace(sum, rest, hit, layer, left * covered);
+    trace(rest, hit, layer, left * covered, sum);
     left *= 1 - covered;
     if (left < kLeast) return sum;
     const Vec3d behind = rest.origin + rest.direction * hit->distance;
@@ -43,46 +45,57 @@ PathSample through_layers(const PathSetting& setting, const Ray& ray, const Samp
 
 }  // namespace
 
-void PathSample::add(const PathSample& path, double part) {
-  scattered += path.scattered * part;
-  reflected += path.reflected * part;
-  direct += path.direct * part;
-  const double seen = luminance(path.behind) * part;
+void PathSample::add(const PathSample& sample, double weight) {
+  scattered += sample.scattered * weight;
+  reflected += sample.reflected * weight;
+  emitted += sample.emitted * weight;
+  const double seen = luminance(sample.background) * weight;
   if (seen > 0) {
-    const double before = luminance(behind);
-    shadow = (shadow * before + path.shadow * seen) / (before + seen);
-    behind += path.behind * part;
+    const double before = luminance(background);
+    shadow = (shadow * before + sample.shadow * seen) / (before + seen);
+    background += sample.background * weight;
   }
-  alpha += path.alpha * part;
-  albedo += path.albedo * part;
-  mirror += path.mirror * part;
-  normal += path.normal * part;
-  depth += path.depth * part;
-  if (material == kNone) material = path.material;
-  clear = clear || path.clear;
-  rays += path.rays;
+  alpha += sample.alpha * weight;
+  features.add(sample.features, weight);
+  rays += sample.rays;
 }
 
 PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
                       const SampleStream& random) {
-  const auto trace = [&](PathSample& sum, const Ray& rest, const std::optional<Hit>& hit,
-                         std::uint32_t layer, double share) {
+  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t layer,
+                         double weight, PathSample& sum) {
     const std::uint32_t colors = hit ? colors_at(setting.scene, *hit) : 1;
+    const PathSampler sampler(random, layer);
     for (std::uint32_t i = 0; i < colors; ++i) {
-      const PathSample path = follow_path(setting, rest, point, random, {hit, layer, {i, colors}});
-      sum.add(path, share / colors);
+      const Path path{rest, sampler.split(i, colors)};
+      PathSample sample = incident_radiance(setting, path, {}, hit, point);
+      sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);
+      sum.add(sample, weight / colors);
     }
   };
   return through_layers(setting, ray, random, trace);
 }
 
-PathSample look_along(const PathSetting& setting, const Ray& ray, const Float2& point,
-                      const SampleStream& random) {
-  const auto look = [&](PathSample& sum, const Ray& rest, const std::optional<Hit>& hit,
-                        std::uint32_t layer, double share) {
-    sum.add(look_at_start(setting, rest, point, random, {hit, layer, {}}), share);
+PathSample sample_features(const PathSetting& setting, const Ray& ray, const Float2& point,
+                           const SampleStream& random) {
+  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t /*layer*/,
+                         double weight, PathSample& sum) {
+    PathSample sample;
+    if (hit) {
+      const Surface surface = surface_at(setting.scene, *hit, rest);
+      FeatureRecorder recorder;
+      recorder.record_first(setting.scene, *hit, surface);
+      recorder.record(Path{rest, {random, 0}}, *hit, surface);
+      sample.features = recorder.features();
+      sample.features.clear = may_be_clear(surface.material);
+      sample.emitted = emitted(surface.material, surface.frame.to_local(-rest.direction));
+      sample.alpha = 1;
+    } else {
+      sample.background = background(setting, rest.direction, point);
+    }
+    sum.add(sample, weight);
   };
-  return through_layers(setting, ray, random, look);
+  return through_layers(setting, ray, random, trace);
 }
 
 }  // namespace gltfx::bake

@@ -14,26 +14,39 @@
 
 namespace gltfx::bake {
 
+/// What is known of the surface that is seen, for the denoiser and extra layers; 0 beside the
+/// scene.
+struct Features {
+  Rgb albedo;           ///< of what scatters light
+  Rgb specular_albedo;  ///< tint of mirrors and gloss, at normal incidence
+  Vec3d normal;
+  double depth = 0;  ///< along the ray
+  std::uint32_t material = kNone;
+  bool clear = false;  ///< something is or may be seen straight through glass
+
+  /// Adds those of another sample, weighted.
+  void add(const Features& sample, double weight);
+};
+
 /// What one path brings back.
 struct PathSample {
   Rgb reflected;      ///< by mirrors and gloss of the surface that is seen first
   Rgb scattered;      ///< otherwise, by surfaces and media
-  Rgb direct;         ///< sent by what is seen first
-  Rgb behind;         ///< of the background, as far as it is seen, without shadow
-  double shadow = 0;  ///< part of that which shadow takes away
-  Rgb radiance() const { return reflected + scattered + direct + behind * (1 - shadow); }
-  double alpha = 0;  ///< 1 on the scene, 0 beside it, between them where it is seen through
-  // Of the first surface; 0 beside the scene.
-  Rgb albedo;  ///< of what it scatters
-  Rgb mirror;  ///< by what gloss is tinted, at right angles
-  Vec3d normal;
-  double depth = 0;  ///< along the ray
-  std::uint32_t material = kNone;
-  bool clear = false;      ///< something is or may be seen straight through glass
+  Rgb emitted;        ///< by what is seen first
+  Rgb background;     ///< as far as it is seen, without shadow
+  double shadow = 0;  ///< part of the background that shadow takes away
+  double alpha = 0;   ///< 1 on the scene, 0 beside it, between them where it is seen through
+  Features features;
   std::uint32_t rays = 0;  ///< that were traced
 
-  /// Another one, as part of this one.
-  void add(const PathSample& path, double part);
+  Rgb radiance() const { return reflected + scattered + emitted + background * (1 - shadow); }
+  /// Light of which the surface that is seen first reflects a part, by colour.
+  void add_light(const Rgb& light, const Rgb& reflected_share) {
+    reflected += light * reflected_share;
+    scattered += light * (Rgb(1) - reflected_share);
+  }
+  /// Adds another sample, weighted.
+  void add(const PathSample& sample, double weight);
 };
 
 /// What all paths of a picture share. References must outlive it.
@@ -52,10 +65,10 @@ struct PathSetting {
 PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
                       const SampleStream& random);
 
-/// Only what is seen first, and what it and the background send by themselves: neither light on
-/// it, nor shadow, nor anything behind glass.
-PathSample look_along(const PathSetting& setting, const Ray& ray, const Float2& point,
-                      const SampleStream& random);
+/// A feature sample: features, emission and background of what is seen first, without light on it,
+/// shadow, or anything behind glass.
+PathSample sample_features(const PathSetting& setting, const Ray& ray, const Float2& point,
+                           const SampleStream& random);
 
 /// Light along a ray by other means, as a test of the first: directions are taken evenly but on
 /// glass and mirrors, lights other than punctual ones are found by chance only, media are followed

@@ -95,7 +95,7 @@ class Renderer {
     for (std::uint32_t i = 0; i < options_.looks; ++i) {
       if (sums.clear || (sums.feature_sums.count >= enough && !sums.is_mixed())) return {};
       const auto [ray, point, random] = sample_of(x, y, samples_.samples(x, y) + i);
-      const PathSample sample = look_along(setting_, ray, point, random);
+      const PathSample sample = sample_features(setting_, ray, point, random);
       add(seen, sample);
       add_sight(sums, sample);
     }

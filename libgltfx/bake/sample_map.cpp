@@ -44,11 +44,11 @@ class Spread {
   void add(const PathSample& sample) {
     ++count_;
     radiance_ += luminance(sample.radiance());
-    scattered_.add(sample.scattered, sample.albedo);
-    reflected_.add(sample.reflected, sample.mirror);
-    shadow_.add(sample.behind * sample.shadow, Rgb(1));
-    steady_.add(sample.direct + sample.behind, Rgb(1));
-    clear_ = clear_ || sample.clear;
+    scattered_.add(sample.scattered, sample.features.albedo);
+    reflected_.add(sample.reflected, sample.features.specular_albedo);
+    shadow_.add(sample.background * sample.shadow, Rgb(1));
+    steady_.add(sample.emitted + sample.background, Rgb(1));
+    clear_ = clear_ || sample.features.clear;
   }
 
   /// Variance of a sample as it shows in the finished picture.

@@ -16,12 +16,12 @@ using testing::FloatEq;
 Canvas two_pixels() {
   Film film(2, 1);
   PathSample there;
-  there.direct = Rgb(0.5);
+  there.emitted = Rgb(0.5);
   there.alpha = 1;
-  there.albedo = Rgb(0.25, 0.5, 1);
-  there.normal = {0, 0, 2};
-  there.depth = 4;
-  there.material = 3;
+  there.features.albedo = Rgb(0.25, 0.5, 1);
+  there.features.normal = {0, 0, 2};
+  there.features.depth = 4;
+  there.features.material = 3;
   film.add(0, there);
   film.add(0, PathSample());
   film.add(1, PathSample());
@@ -54,7 +54,7 @@ TEST(Film, HoldsSomeRowsOnly) {
   Film film(1, 4, {0, 2});
   PathSample sample;
   sample.scattered = Rgb(1);
-  sample.albedo = Rgb(0.5);
+  sample.features.albedo = Rgb(0.5);
   film.add(1, sample);
   FeatureSums more;
   bake::add(more, sample);

@@ -129,10 +129,10 @@ TEST(Integrator, AlphaIsWhatHidesTheBackground) {
 TEST(Integrator, TheFirstSurfaceIsDescribed) {
   Stage stage(scene_of(square(), matte({0.6, 0.4, 0.2})));
   const PathSample sample = trace_path(stage.path_setting(), kDown, {0, 0}, {0, 0, 0});
-  EXPECT_EQ(sample.albedo, Rgb(0.6, 0.4, 0.2));
-  EXPECT_NEAR(sample.normal.z, 1, 1e-6);
-  EXPECT_NEAR(sample.depth, 3, 1e-6);
-  EXPECT_EQ(sample.material, 0U);
+  EXPECT_EQ(sample.features.albedo, Rgb(0.6, 0.4, 0.2));
+  EXPECT_NEAR(sample.features.normal.z, 1, 1e-6);
+  EXPECT_NEAR(sample.features.depth, 3, 1e-6);
+  EXPECT_EQ(sample.features.material, 0U);
 }
 
 }  // namespace
