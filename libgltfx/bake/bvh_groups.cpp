@@ -76,7 +76,7 @@ class Grouping {
     groups_.triangles += size.triangles;
     const std::uint32_t uses = uses_[instance.mesh];
     if (uses > 1 && shared_bytes(size, uses) < flat_bytes(size) * uses) {
-      const double stretch = stretch_into(instance.to_world);
+      const double stretch = inverse_norm(instance.to_world);
       if (stretch > 0 && std::isfinite(stretch)) {
         share(number, stretch);
         return;

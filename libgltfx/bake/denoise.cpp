@@ -232,8 +232,8 @@ class TileFilter {
 // Layer by layer: there is memory for one of them at a time.
 class Denoiser {
  public:
-  Denoiser(const Film& film, const Rows& rows, unsigned jobs, Canvas& canvas)
-      : film_(film), rows_(rows), jobs_(jobs), canvas_(canvas) {}
+  Denoiser(const Film& film, const Rows& rows, unsigned jobs, Framebuffer& buffer)
+      : film_(film), rows_(rows), jobs_(jobs), buffer_(buffer) {}
 
   void run(const DepthRange& depths) {
     start();
@@ -267,8 +267,8 @@ class Denoiser {
   // Light that has no noise.
   void start() {
     for (std::size_t i = pixel(0, rows_.first); i < pixel(0, rows_.last); ++i) {
-      const FeatureSums seen = film_.feature_sums(i);
-      canvas_.radiance[i] = to_float3(to_vec(seen.emitted) / Rgb(std::max(seen.count, 1U)));
+      const FeatureSums seen = film_.features(i);
+      buffer_.radiance[i] = to_float3(to_vec(seen.emitted) / Rgb(std::max(seen.count, 1U)));
     }
   }
 
@@ -299,8 +299,8 @@ class Denoiser {
       if (matters) values = filter.values(static_cast<int>(y));
       for (std::uint32_t x = 0; x < kFilterWidth && left + x < film_.width(); ++x) {
         const std::size_t i = pixel(left + x, top + y);
-        const Rgb more = light(film_.feature_sums(i), to_vec(values[x]));
-        canvas_.radiance[i] = to_float3(to_vec(canvas_.radiance[i]) + more);
+        const Rgb more = light(film_.features(i), to_vec(values[x]));
+        buffer_.radiance[i] = to_float3(to_vec(buffer_.radiance[i]) + more);
       }
     }
   }
@@ -308,14 +308,14 @@ class Denoiser {
   const Film& film_;
   const Rows rows_;
   const unsigned jobs_;
-  Canvas& canvas_;
+  Framebuffer& buffer_;
 };
 
 }  // namespace
 
 void denoise(const Film& film, const Rows& rows, const DepthRange& depths, unsigned jobs,
-             Canvas& canvas) {
-  Denoiser(film, rows, jobs, canvas).run(depths);
+             Framebuffer& buffer) {
+  Denoiser(film, rows, jobs, buffer).run(depths);
 }
 
 }  // namespace gltfx::bake

@@ -7,8 +7,8 @@
 /// Nonlinearly Weighted First-order Regression for Denoising Monte Carlo Renderings (EGSR 2016).
 #pragma once
 
-#include "bake/canvas.hpp"
-#include "bake/denoise_planes.hpp"
+#include "bake/denoise_layers.hpp"
+#include "bake/framebuffer.hpp"
 
 namespace gltfx::bake {
 
@@ -18,11 +18,11 @@ constexpr int kNeighbours = 4;
 constexpr int kPatch = 1;
 constexpr std::uint32_t kDenoiseReach = kNeighbours + kPatch + kVarianceReach;
 
-/// Replaces the radiance of rows of the canvas, as resolve() gives it, by the same without noise.
+/// Replaces the radiance of rows of the buffer, as resolve() gives it, by the same without noise.
 /// The film holds the rows and kDenoiseReach more on either side, as far as the picture has them.
 /// Deterministic: the same numbers on any number of threads. A film with fewer than two samples a
 /// pixel, or without noise, comes out as it is.
 void denoise(const Film& film, const Rows& rows, const DepthRange& depths, unsigned jobs,
-             Canvas& canvas);
+             Framebuffer& buffer);
 
 }  // namespace gltfx::bake

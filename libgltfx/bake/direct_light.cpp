@@ -16,7 +16,9 @@ bool DirectLight::leads_in(const Vec3d& l) const {
   return l.z < 0 && surface_.material.volumetric();
 }
 
-Vec3d DirectLight::start(const Vec3d& l) const { return start_at(surface_, l.z > 0, s_.size); }
+Vec3d DirectLight::start(const Vec3d& l) const {
+  return start_at(surface_, l.z > 0, context_.scene_size);
+}
 
 Rgb DirectLight::dimming(const Vec3d& l, double far) const {
   if (leads_in(l)) return medium_of(surface_.material).transmittance(far);
@@ -32,7 +34,7 @@ Candidate DirectLight::candidate(const Ray& towards, const Vec3d& l, const Rgb& 
 }
 
 Candidate DirectLight::from_environment(const Float2& random) const {
-  const EnvironmentSample light = s_.setting.environment->sample(random);
+  const EnvironmentSample light = context_.world.environment->sample(random);
   if (!(light.pdf > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
   if (!is_consistent(light.direction, l) || leads_in(l)) return {};
@@ -44,23 +46,24 @@ Candidate DirectLight::from_environment(const Float2& random) const {
 }
 
 void DirectLight::finish_environment(Candidate& chosen) const {
-  chosen.share *= s_.setting.environment->radiance_at(chosen.point);
+  chosen.share *= context_.world.environment->radiance_at(chosen.point);
 }
 
 Candidate DirectLight::from_emitter(const Float2& random) const {
-  const EmissiveTriangle light = s_.setting.emitters.sample(s_.scene, surface_.position, random);
+  const EmissiveTriangle light =
+      context_.world.emitters.sample(context_.scene, surface_.position, random);
   if (!(max_value(light.radiance) > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
   if (!is_consistent(light.direction, l) || leads_in(l)) return {};
   const Vec3d from = start(l);
-  const Vec3d way = beside(light.position, light.normal, s_.size) - from;
+  const Vec3d way = beside(light.position, light.normal, context_.scene_size) - from;
   const double distance = length(way);
   if (!(distance > 0)) return {};
   return candidate({from, way / distance, distance}, l, light.radiance, light.pdf);
 }
 
 Candidate DirectLight::from_lamp(const Float2& random) const {
-  const LightChoice lamp = choose_light(s_.setting.lights, surface_.position, random);
+  const LightChoice lamp = choose_light(context_.world.lights, surface_.position, random);
   if (!(lamp.probability > 0)) return {};
   const Vec3d l = surface_.frame.to_local(lamp.light.direction);
   if (!is_consistent(lamp.light.direction, l)) return {};
@@ -68,10 +71,10 @@ Candidate DirectLight::from_lamp(const Float2& random) const {
                    lamp.light.irradiance / Rgb(lamp.probability), 0);
 }
 
-Candidate lamp_inside(const PathSetting& setting, const Medium& medium, const Ray& ray,
+Candidate lamp_inside(const TraceContext& context, const Medium& medium, const Ray& ray,
                       const Float2& random) {
-  if (setting.setting.lights.empty()) return {};
-  const LightChoice lamp = choose_light(setting.setting.lights, ray.origin, random);
+  if (context.world.lights.empty()) return {};
+  const LightChoice lamp = choose_light(context.world.lights, ray.origin, random);
   if (!(lamp.probability > 0)) return {};
   const Ray towards{ray.origin, lamp.light.direction, lamp.light.distance};
   const double phase = henyey_greenstein(medium.anisotropy, -dot(ray.direction, towards.direction));

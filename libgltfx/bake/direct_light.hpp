@@ -52,9 +52,9 @@ Reservoir choose_one(std::uint32_t tries, double random, const Propose& propose)
 class DirectLight {
  public:
   /// References must outlive it. `around`: the medium outside of the surface; null: none.
-  DirectLight(const PathSetting& setting, const Surface& surface, const Bsdf& bsdf,
+  DirectLight(const TraceContext& context, const Surface& surface, const Bsdf& bsdf,
               const Medium* around)
-      : s_(setting), surface_(surface), bsdf_(bsdf), around_(around) {}
+      : context_(context), surface_(surface), bsdf_(bsdf), around_(around) {}
 
   /// Its share still wants finish_environment(). Weighed without a look at the environment, which
   /// is sampled by its brightness: what that is over the density is the same everywhere, more or
@@ -76,14 +76,14 @@ class DirectLight {
   Rgb dimming(const Vec3d& l, double far) const;
   Vec3d start(const Vec3d& l) const;
 
-  const PathSetting& s_;
+  const TraceContext& context_;
   const Surface& surface_;
   const Bsdf& bsdf_;
   const Medium* around_;
 };
 
 /// A lamp that lies in a medium, for where a ray along it is scattered; f and l are not set.
-Candidate lamp_inside(const PathSetting& setting, const Medium& medium, const Ray& ray,
+Candidate lamp_inside(const TraceContext& context, const Medium& medium, const Ray& ray,
                       const Float2& random);
 
 /// A start for rays, off the surface.

@@ -24,7 +24,7 @@ std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
 // What is partly transparent by alpha is not left to chance where it is seen directly: each layer
 // is a path of its own, and counts for what it covers of what is left.
 template <class Trace>
-PathSample through_layers(const PathSetting& setting, const Ray& ray, const SampleStream& random,
+PathSample through_layers(const TraceContext& context, const Ray& ray, const SampleStream& random,
                           const Trace& trace) {
   PathSample sum;
   Ray rest = ray;
@@ -32,14 +32,14 @@ PathSample through_layers(const PathSetting& setting, const Ray& ray, const Samp
   for (std::uint32_t layer = 0;; ++layer) {
     const bool last = layer + 1 == kLayers;
     const auto hit =
-        last ? setting.bvh.intersect(rest, random.key()) : setting.bvh.first_layer(rest);
-    const double covered = hit && !last ? static_cast<double>(setting.bvh.coverage(*hit)) : 1.0;
+        last ? context.bvh.intersect(rest, random.key()) : context.bvh.first_layer(rest);
+    const double covered = hit && !last ? static_cast<double>(context.bvh.coverage(*hit)) : 1.0;
     ++sum.rays;
     trace(rest, hit, layer, left * covered, sum);
     left *= 1 - covered;
     if (left < kLeast) return sum;
     const Vec3d behind = rest.origin + rest.direction * hit->distance;
-    rest.origin = beside(behind, rest.direction, setting.size);
+    rest.origin = beside(behind, rest.direction, context.scene_size);
   }
 }
 
@@ -60,42 +60,42 @@ void PathSample::add(const PathSample& sample, double weight) {
   rays += sample.rays;
 }
 
-PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
+PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2& point,
                       const SampleStream& random) {
   const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t layer,
                          double weight, PathSample& sum) {
-    const std::uint32_t colors = hit ? colors_at(setting.scene, *hit) : 1;
+    const std::uint32_t colors = hit ? colors_at(context.scene, *hit) : 1;
     const PathSampler sampler(random, layer);
     for (std::uint32_t i = 0; i < colors; ++i) {
       const Path path{rest, sampler.split(i, colors)};
-      PathSample sample = incident_radiance(setting, path, {}, hit, point);
+      PathSample sample = incident_radiance(context, path, {}, hit, point);
       sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);
       sum.add(sample, weight / colors);
     }
   };
-  return through_layers(setting, ray, random, trace);
+  return through_layers(context, ray, random, trace);
 }
 
-PathSample sample_features(const PathSetting& setting, const Ray& ray, const Float2& point,
+PathSample sample_features(const TraceContext& context, const Ray& ray, const Float2& point,
                            const SampleStream& random) {
   const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t /*layer*/,
                          double weight, PathSample& sum) {
     PathSample sample;
     if (hit) {
-      const Surface surface = surface_at(setting.scene, *hit, rest);
+      const Surface surface = surface_at(context.scene, *hit, rest);
       FeatureRecorder recorder;
-      recorder.record_first(setting.scene, *hit, surface);
+      recorder.record_first(context.scene, *hit, surface);
       recorder.record(Path{rest, {random, 0}}, *hit, surface);
       sample.features = recorder.features();
       sample.features.clear = may_be_clear(surface.material);
       sample.emitted = emitted(surface.material, surface.frame.to_local(-rest.direction));
       sample.alpha = 1;
     } else {
-      sample.background = background(setting, rest.direction, point);
+      sample.background = background(context, rest.direction, point);
     }
     sum.add(sample, weight);
   };
-  return through_layers(setting, ray, random, trace);
+  return through_layers(context, ray, random, trace);
 }
 
 }  // namespace gltfx::bake

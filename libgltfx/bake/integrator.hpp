@@ -9,8 +9,8 @@
 #include "bake/bvh.hpp"
 #include "bake/sampler.hpp"
 #include "bake/scene.hpp"
-#include "bake/setting.hpp"
 #include "bake/view.hpp"
+#include "bake/world.hpp"
 
 namespace gltfx::bake {
 
@@ -49,30 +49,25 @@ struct PathSample {
   void add(const PathSample& sample, double weight);
 };
 
-/// What all paths of a picture share. References must outlive it.
-struct PathSetting {
+/// What all paths of a picture have in common. References must outlive it.
+struct TraceContext {
   const Scene& scene;
   const Bvh& bvh;
-  const Setting& setting;
-  int bounces = 4;  ///< surfaces at most that scatter along a path
-  double size = 1;  ///< of the scene, for distances that count as none
+  const World& world;
+  int max_depth = 4;      ///< surfaces that scatter along a path
+  double scene_size = 1;  ///< for distances that count as zero
   ShaderMode mode = ShaderMode::conserving;
-  std::uint32_t tries = 4;  ///< for a light, where the camera looks: fewer do with many samples
+  std::uint32_t light_candidates = 4;  ///< at the first surface; many samples need fewer of them
 };
 
 /// Light that arrives along a ray that comes from a point of the picture (x and y from 0 to 1),
 /// with next event estimation, multiple importance sampling and Russian roulette.
-PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
+PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2& point,
                       const SampleStream& random);
 
 /// A feature sample: features, emission and background of what is seen first, without light on it,
 /// shadow, or anything behind glass.
-PathSample sample_features(const PathSetting& setting, const Ray& ray, const Float2& point,
+PathSample sample_features(const TraceContext& context, const Ray& ray, const Float2& point,
                            const SampleStream& random);
-
-/// Light along a ray by other means, as a test of the first: directions are taken evenly but on
-/// glass and mirrors, lights other than punctual ones are found by chance only, media are followed
-/// collision by collision in one colour, and no path is given up or split.
-Rgb trace_simply(const PathSetting& setting, const Ray& ray, const SampleStream& random);
 
 }  // namespace gltfx::bake

@@ -58,24 +58,24 @@ bool shines(const Scene& scene) {
 
 }  // namespace
 
-Setting make_setting(const Scene& scene, const Subject& subject, const View& view,
-                     const LightingOptions& options) {
-  Setting setting;
+World make_world(const Scene& scene, const Subject& subject, const View& view,
+                 const LightingOptions& options) {
+  World world;
   const double exposure = std::exp2(options.exposure);
   const bool own = scene.environment.has_value();
   const bool studio = !own && (options.lamps != Lamps::asset || !shines(scene));
   if (own || studio) {
     EnvironmentImage image = own ? *scene.environment : studio_environment(view.backward);
     for (Float3& texel : image.radiance) scale(texel, exposure);
-    if (studio) setting.floor = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
-    setting.environment.emplace(image);
+    if (studio) world.shadow_catcher = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
+    world.environment.emplace(image);
   }
-  setting.emitters = Emitters(scene);
-  setting.lights = brought_to_studio(scene, subject, options.lamps);
-  for (Light& light : setting.lights) scale(light.intensity, exposure);
-  if (own) setting.background = Background::environment;
-  if (options.transparent) setting.background = Background::transparent;
-  return setting;
+  world.emitters = Emitters(scene);
+  world.lights = brought_to_studio(scene, subject, options.lamps);
+  for (Light& light : world.lights) scale(light.intensity, exposure);
+  if (own) world.background = Background::environment;
+  if (options.transparent) world.background = Background::transparent;
+  return world;
 }
 
 std::optional<Eye> eye_of(const View& view, const Bvh& bvh) {

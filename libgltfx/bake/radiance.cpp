@@ -39,15 +39,17 @@ Rgb share_of(const Rgb& part, const Rgb& all) {
 
 // The environment counts once along a path: through the first wall that lets it in, and not again
 // by what that wall reflects.
-const Environment* environment_of(const PathSetting& s, const Path& path) {
-  return s.setting.environment && !path.prefix.environment_in ? &*s.setting.environment : nullptr;
+const Environment* environment_of(const TraceContext& context, const Path& path) {
+  return context.world.environment && !path.prefix.environment_in ? &*context.world.environment
+                                                                  : nullptr;
 }
 
 // The weight of light that the BSDF or phase function found, beside light sampling.
-double mis_weight(const PathSetting& s, const Path& path, const Hit& hit, const Surface& surface) {
-  if (!(path.pdf > 0) || s.setting.emitters.empty()) return 1;
+double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
+                  const Surface& surface) {
+  if (!(path.pdf > 0) || context.world.emitters.empty()) return 1;
   const double cosine = std::fabs(dot(surface.flat_normal, path.ray.direction));
-  return power_weight(path.pdf, s.setting.emitters.pdf(hit, cosine));
+  return power_weight(path.pdf, context.world.emitters.pdf(hit, cosine));
 }
 
 void add_environment(const Environment& environment, const Path& path, PathSample& L) {
@@ -57,41 +59,42 @@ void add_environment(const Environment& environment, const Path& path, PathSampl
 }
 
 // Beyond the scene: straight on the backdrop, else the environment as a light.
-void add_infinite_light(const PathSetting& s, const Path& path, const Float2& point,
+void add_infinite_light(const TraceContext& context, const Path& path, const Float2& point,
                         FeatureRecorder& features, PathSample& L) {
   if (path.prefix.straight) {
     L.alpha = 1 - luminance(path.throughput);
-    L.background = path.throughput * background(s, path.ray.direction, point);
-    L.shadow = floor_shadow(s, path.ray, path.sampler.pair(Dimension::environment), L.rays);
-  } else if (const Environment* environment = environment_of(s, path)) {
+    L.background = path.throughput * background(context, path.ray.direction, point);
+    L.shadow = catcher_shadow(context, path.ray, path.sampler.pair(Dimension::environment), L.rays);
+  } else if (const Environment* environment = environment_of(context, path)) {
     features.record(path, Rgb(1), -path.ray.direction, 0);
     add_environment(*environment, path, L);
   }
 }
 
 // A wall that lets light in is a window for what shines from behind it.
-void add_light_through_wall(const PathSetting& s, const SurfaceVertex& wall, Path& path,
+void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, Path& path,
                             PathSample& L) {
   if (path.prefix.specular || !path.media.empty()) return;
   const auto add_emitter = [&](const Hit& hit, const Surface& surface) {
     const Rgb light = emitted(surface.material, surface.frame.to_local(-path.ray.direction));
-    L.add_light(path.throughput * light * mis_weight(s, path, hit, surface), path.reflected_share);
+    L.add_light(path.throughput * light * mis_weight(context, path, hit, surface),
+                path.reflected_share);
   };
   const bool open =
-      light_through(s, path.ray, wall.hit, wall.surface, path.sampler.key(), add_emitter);
-  const Environment* environment = environment_of(s, path);
+      light_through(context, path.ray, wall.hit, wall.surface, path.sampler.key(), add_emitter);
+  const Environment* environment = environment_of(context, path);
   if (!open || environment == nullptr) return;
   add_environment(*environment, path, L);
   path.prefix.environment_in = true;
 }
 
-void add_emission(const PathSetting& s, const Path& path, const SurfaceVertex& vertex,
+void add_emission(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
                   PathSample& L) {
   const Material& material = vertex.surface.material;
   const bool outshone = path.prefix.environment_in && material.unlit;
-  if (outshone || is_unseen_back(s.scene, vertex.hit, vertex.surface)) return;
+  if (outshone || is_unseen_back(context.scene, vertex.hit, vertex.surface)) return;
   const Rgb light = path.throughput * emitted(material, vertex.v) *
-                    mis_weight(s, path, vertex.hit, vertex.surface);
+                    mis_weight(context, path, vertex.hit, vertex.surface);
   if (path.prefix.straight) {
     L.emitted += light;
   } else {
@@ -100,12 +103,13 @@ void add_emission(const PathSetting& s, const Path& path, const SurfaceVertex& v
 }
 
 // Traces the shadow ray of a candidate.
-void add_unoccluded(const PathSetting& s, const Path& path, const Reservoir& chosen,
+void add_unoccluded(const TraceContext& context, const Path& path, const Reservoir& chosen,
                     const Rgb& reflected_share, PathSample& L) {
   const auto& [light, scale] = chosen;
   if (!(max_value(light.share) > 0)) return;
   ++L.rays;
-  const auto visible = static_cast<double>(s.bvh.visibility(light.towards, s.setting.eye));
+  const auto visible =
+      static_cast<double>(context.bvh.visibility(light.towards, context.world.eye));
   if (visible <= 0) return;
   L.add_light(path.throughput * light.share * (scale * visible), reflected_share);
 }
@@ -122,7 +126,7 @@ void choose_channel(const Material& material, Path& path) {
 
 // The distance at which the medium scatters, and the direction then; false if a surface comes
 // first, to which the medium only absorbs.
-bool sample_medium(const PathSetting& s, const std::optional<Hit>& hit, Path& path,
+bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, Path& path,
                    FeatureRecorder& features, PathSample& L) {
   const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
   const MediumStep step =
@@ -132,8 +136,8 @@ bool sample_medium(const PathSetting& s, const std::optional<Hit>& hit, Path& pa
   features.record(path, Rgb(1), -path.ray.direction, step.distance);
   path.ray.origin += path.ray.direction * step.distance;
   const Candidate lamp =
-      lamp_inside(s, path.media.top(), path.ray, path.sampler.pair(Dimension::lamp));
-  if (lamp.weight > 0) add_unoccluded(s, path, {lamp, 1}, path.reflected_share, L);
+      lamp_inside(context, path.media.top(), path.ray, path.sampler.pair(Dimension::lamp));
+  if (lamp.weight > 0) add_unoccluded(context, path, {lamp, 1}, path.reflected_share, L);
   const Float2 u = path.sampler.pair(Dimension::phase);
   path.ray.direction = sample_phase(path.media.top(), path.ray.direction, static_cast<double>(u[0]),
                                     static_cast<double>(u[1]));
@@ -144,12 +148,12 @@ bool sample_medium(const PathSetting& s, const std::optional<Hit>& hit, Path& pa
 
 // Next event estimation: one of some candidates for each kind of light, by resampling. The first
 // surface gets more of them, as it is all that most pixels show.
-void sample_direct_light(const PathSetting& s, const Path& path, const SurfaceVertex& vertex,
+void sample_direct_light(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
                          const Bsdf& bsdf, PathSample& L) {
-  const DirectLight light(s, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
+  const DirectLight light(context, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
   const bool first = path.depth == 1;
-  const std::uint32_t candidates = first ? s.tries : 1;
-  const std::uint32_t samples = first && s.tries > 2 ? kLightSamples : 1;
+  const std::uint32_t candidates = first ? context.light_candidates : 1;
+  const std::uint32_t samples = first && context.light_candidates > 2 ? kLightSamples : 1;
   const auto resample = [&](const PathSampler& sampler, Dimension choice, Dimension point,
                             const auto& propose) {
     return choose_one(candidates, sampler.single(choice), [&](std::uint32_t i) {
@@ -158,23 +162,23 @@ void sample_direct_light(const PathSetting& s, const Path& path, const SurfaceVe
   };
   const auto add = [&](const Reservoir& chosen) {
     const Evaluation& value = chosen.light.value;
-    add_unoccluded(s, path, chosen,
+    add_unoccluded(context, path, chosen,
                    first ? share_of(value.reflected, value.f) : path.reflected_share, L);
   };
   for (std::uint32_t i = 0; i < samples; ++i) {
     const PathSampler sampler = path.sampler.split(i, samples);
-    if (environment_of(s, path) != nullptr) {
+    if (environment_of(context, path) != nullptr) {
       Reservoir chosen = resample(sampler, Dimension::environment_candidate, Dimension::environment,
                                   [&](const Float2& u) { return light.from_environment(u); });
       if (chosen.scale > 0) light.finish_environment(chosen.light);
       add({chosen.light, chosen.scale / samples});
     }
-    if (s.setting.emitters.empty()) continue;
+    if (context.world.emitters.empty()) continue;
     const Reservoir chosen = resample(sampler, Dimension::emitter_candidate, Dimension::emitter,
                                       [&](const Float2& u) { return light.from_emitter(u); });
     add({chosen.light, chosen.scale / samples});
   }
-  if (!s.setting.lights.empty()) add({light.from_lamp(path.sampler.pair(Dimension::lamp)), 1});
+  if (!context.world.lights.empty()) add({light.from_lamp(path.sampler.pair(Dimension::lamp)), 1});
 }
 
 Random3 bsdf_random(const PathSampler& sampler) {
@@ -183,7 +187,7 @@ Random3 bsdf_random(const PathSampler& sampler) {
 }
 
 // The next direction. False where the path ends.
-bool sample_bsdf(const PathSetting& s, const SurfaceVertex& vertex, const Bsdf& bsdf,
+bool sample_bsdf(const TraceContext& context, const SurfaceVertex& vertex, const Bsdf& bsdf,
                  const Random3& random, Path& path, FeatureRecorder& features) {
   constexpr double kNarrow = 2;  // per steradian: what comes through shows a picture
   const auto& [hit, surface, v] = vertex;
@@ -213,7 +217,7 @@ bool sample_bsdf(const PathSetting& s, const SurfaceVertex& vertex, const Bsdf& 
                          dot(direction, path.ray.direction) > 0.99999;
   const bool inwards = next->l.z < 0 && surface.material.volumetric();
   path.pdf = next->delta || inwards ? 0 : next->pdf;
-  path.ray = {start_at(surface, outside, s.size), direction};
+  path.ray = {start_at(surface, outside, context.scene_size), direction};
   features.go_on(path, hit.distance);
   return true;
 }
@@ -232,7 +236,7 @@ bool russian_roulette(Path& path) {
 // 1990). Mirrors and gloss get a branch of their own: what they show is sharp, but by their
 // strength they would get few paths. Clear and scattering matter shows much at once, and gets
 // several.
-void add_branches(const PathSetting& s, const Path& path, const FeatureRecorder& features,
+void add_branches(const TraceContext& context, const Path& path, const FeatureRecorder& features,
                   const SurfaceVertex& vertex, const Bsdf& bsdf, const Float2& point,
                   PathSample& L) {
   const Material& m = vertex.surface.material;
@@ -256,9 +260,9 @@ void add_branches(const PathSetting& s, const Path& path, const FeatureRecorder&
     branch.throughput *= branch.weight;
     FeatureRecorder recorder = features.split(!mirrors);
     PathSample sample;
-    if (sample_bsdf(s, vertex, bsdf, random, branch, recorder) && russian_roulette(branch)) {
+    if (sample_bsdf(context, vertex, bsdf, random, branch, recorder) && russian_roulette(branch)) {
       branch.sampler.next_step();
-      sample = incident_radiance(s, std::move(branch), recorder, std::nullopt, point);
+      sample = incident_radiance(context, std::move(branch), recorder, std::nullopt, point);
     } else {
       sample.alpha = 1;
       sample.features = recorder.features();
@@ -269,7 +273,7 @@ void add_branches(const PathSetting& s, const Path& path, const FeatureRecorder&
 
 }  // namespace
 
-PathSample incident_radiance(const PathSetting& s, Path path, FeatureRecorder features,
+PathSample incident_radiance(const TraceContext& context, Path path, FeatureRecorder features,
                              std::optional<Hit> hit, const Float2& point) {
   PathSample L;
   L.alpha = 1;
@@ -277,32 +281,33 @@ PathSample incident_radiance(const PathSetting& s, Path path, FeatureRecorder fe
     // Intersect the ray with the scene. The camera does not see the backs of walls.
     if (path.sampler.step() > 0) {
       const Backs backs = path.prefix.specular ? Backs::culled : Backs::solid;
-      hit = s.bvh.intersect(path.ray, path.sampler.key(), backs);
+      hit = context.bvh.intersect(path.ray, path.sampler.key(), backs);
       ++L.rays;
     }
 
     // In a medium, the path may scatter before it gets to the surface.
-    if (!path.media.empty() && sample_medium(s, hit, path, features, L)) {
+    if (!path.media.empty() && sample_medium(context, hit, path, features, L)) {
       if (!russian_roulette(path)) break;
       continue;
     }
 
     // Beyond the scene, add the background or the environment.
     if (!hit) {
-      add_infinite_light(s, path, point, features, L);
+      add_infinite_light(context, path, point, features, L);
       break;
     }
 
     // Evaluate the surface, and add the light that it and lights behind it send.
-    SurfaceVertex vertex{*hit, surface_at(s.scene, *hit, path.ray), {}};
+    SurfaceVertex vertex{*hit, surface_at(context.scene, *hit, path.ray), {}};
     Surface& surface = vertex.surface;
     vertex.v = surface.frame.to_local(-path.ray.direction);
-    if (path.depth == 0) features.record_first(s.scene, *hit, surface);
-    add_light_through_wall(s, vertex, path, L);
-    add_emission(s, path, vertex, L);
+    if (path.depth == 0) features.record_first(context.scene, *hit, surface);
+    add_light_through_wall(context, vertex, path, L);
+    add_emission(context, path, vertex, L);
 
     // End the path where nothing is reflected, or at its greatest depth.
-    if (surface.material.unlit || path.depth >= s.bounces || surface.flat_normal == Vec3d()) {
+    if (surface.material.unlit || path.depth >= context.max_depth ||
+        surface.flat_normal == Vec3d()) {
       features.record(path, *hit, surface);
       break;
     }
@@ -311,20 +316,20 @@ PathSample incident_radiance(const PathSetting& s, Path path, FeatureRecorder fe
     // Evaluate the material for the direction that light leaves in.
     surface.material.outside_ior = path.media.ior_around(hit->body());
     choose_channel(surface.material, path);
-    const Bsdf bsdf(surface.material, vertex.v, {s.mode, path.channel});
+    const Bsdf bsdf(surface.material, vertex.v, {context.mode, path.channel});
     if (!may_be_clear(surface.material)) features.record(path, *hit, surface);
 
     // Add direct light.
-    if (!bsdf.is_delta()) sample_direct_light(s, path, vertex, bsdf, L);
+    if (!bsdf.is_delta()) sample_direct_light(context, path, vertex, bsdf, L);
 
     // Sample the BSDF for the next ray; at the first surface, for the rays of several branches.
     if (path.depth == 1) {
       L.features = features.features();
-      add_branches(s, path, features, vertex, bsdf, point, L);
+      add_branches(context, path, features, vertex, bsdf, point, L);
       return L;
     }
     const Random3 random = bsdf_random(path.sampler);
-    if (!sample_bsdf(s, vertex, bsdf, random, path, features)) break;
+    if (!sample_bsdf(context, vertex, bsdf, random, path, features)) break;
 
     // End paths that carry little.
     if (!russian_roulette(path)) break;

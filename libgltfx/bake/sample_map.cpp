@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bake/camera_sample.hpp"
-#include "bake/render.hpp"
+#include "bake/render_rows.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 #include "base/parallel.hpp"
@@ -84,18 +84,18 @@ struct Square {
 
 }  // namespace
 
-SampleMap::SampleMap(const PathSetting& setting, const View& view, const RenderOptions& options)
+SampleMap::SampleMap(const TraceContext& context, const View& view, const RenderOptions& options)
     : SampleMap(options.samples) {
   if (options.samples < kFewest || options.seconds > 0 || options.noise > 0) return;
   columns_ = (options.width + kSide - 1) / kSide;
   rows_ = (options.height + kSide - 1) / kSide;
-  std::vector<float> noise = find_noise(setting, view, options);
+  std::vector<float> noise = find_noise(context, view, options);
   blur(noise);
   for (float& each : noise) each = std::sqrt(each);
   share_out(noise, options);
 }
 
-std::vector<float> SampleMap::find_noise(const PathSetting& setting, const View& view,
+std::vector<float> SampleMap::find_noise(const TraceContext& context, const View& view,
                                          const RenderOptions& options) const {
   const std::uint32_t samples = std::clamp(options.samples / kFewest, 2U, 4U);
   // Others than those of the picture: pixels that were lucky once must not be given more of it.
@@ -105,7 +105,7 @@ std::vector<float> SampleMap::find_noise(const PathSetting& setting, const View&
     for (std::uint32_t i = 0; i < samples; ++i) {
       const auto [ray, point, random] =
           camera_sample(view, options.width, options.height, seed, x, y, i);
-      spread.add(trace_path(setting, ray, point, random));
+      spread.add(trace_path(context, ray, point, random));
     }
     return spread.visible();
   };

@@ -22,7 +22,7 @@ class SampleMap {
   /// pixel in proportion to it, which leaves the least of it as a whole: no pixel gets less than a
   /// quarter of that or more than four times as much. The same for any number of jobs. Where there
   /// are too few to find out, or an end by time or noise is wanted, all pixels get the same.
-  SampleMap(const PathSetting& setting, const View& view, const RenderOptions& options);
+  SampleMap(const TraceContext& context, const View& view, const RenderOptions& options);
 
   std::uint32_t samples(std::uint32_t x, std::uint32_t y) const {
     if (counts_.empty()) return most_;
@@ -35,7 +35,7 @@ class SampleMap {
   static constexpr std::uint32_t kSide = 4;  // of a square, in pixels
 
   // Variances of single samples, by square.
-  std::vector<float> find_noise(const PathSetting& setting, const View& view,
+  std::vector<float> find_noise(const TraceContext& context, const View& view,
                                 const RenderOptions& options) const;
   void blur(std::vector<float>& values) const;
   void share_out(const std::vector<float>& noise, const RenderOptions& options);

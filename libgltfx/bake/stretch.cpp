@@ -9,7 +9,7 @@
 
 namespace gltfx::bake {
 
-double stretch_into(const Matrix34& m) {
+double inverse_norm(const Matrix34& m) {
   constexpr double kMost = 1e9;
   const double volume = determinant(m);
   const Vec3d x(m[0][0], m[1][0], m[2][0]);

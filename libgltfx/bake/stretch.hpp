@@ -12,6 +12,6 @@ inline constexpr double kFarthest = 5e17;
 
 /// How much longer rays become on their way into the space of a mesh, in the worst direction;
 /// infinite where there is no way, or none in floats.
-double stretch_into(const Matrix34& m);
+double inverse_norm(const Matrix34& m);
 
 }  // namespace gltfx::bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/denoise_planes.hpp"
+#include "bake/denoise_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ FeaturePlanes features_of(const Film& film, const DepthRange& depths, unsigned j
   FeaturePlanes features;
   for (Plane& plane : features) plane.resize(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
-    const FeatureSums seen = film.feature_sums(pixel);
+    const FeatureSums seen = film.features(pixel);
     if (seen.alpha <= 0) return;
     for (std::size_t c = 0; c < 3; ++c) {
       features[c][i] = seen.normal[c] / seen.alpha;
@@ -129,10 +129,10 @@ DenoiseLayer light_layer(const Film& film, LightPart part, unsigned jobs) {
   Plane apart(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const PixelSums& sums = film.at(pixel);
-    const Rgb color = surface_color(sums.feature_sums, part);
-    layer.weight[i] = sums.feature_sums.alpha / static_cast<float>(std::max(sums.samples, 1U));
+    const Rgb color = surface_color(sums.features, part);
+    layer.weight[i] = sums.features.alpha / static_cast<float>(std::max(sums.samples, 1U));
     if (!(max_value(color) > 0)) return;
-    const auto& halves = part == LightPart::scattered ? sums.scattered : sums.reflected;
+    const auto& halves = part == LightPart::scattered ? sums.light.scattered : sums.light.reflected;
     std::array<Rgb, 2> light;
     for (std::size_t half = 0; half < 2; ++half) {
       light[half] = light_on(to_vec(halves[half]) / Rgb(count_of(sums, half)), color);
@@ -156,14 +156,14 @@ DenoiseLayer shadow_layer(const Film& film, unsigned jobs) {
   Plane apart(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const PixelSums& sums = film.at(pixel);
-    const auto seen = static_cast<float>(luminance(to_vec(sums.feature_sums.background)));
-    const float alpha = sums.feature_sums.alpha / static_cast<float>(std::max(sums.samples, 1U));
+    const auto seen = static_cast<float>(luminance(to_vec(sums.features.background)));
+    const float alpha = sums.features.alpha / static_cast<float>(std::max(sums.samples, 1U));
     layer.weight[i] = std::max(1 - alpha, 0.0F);
     if (!(seen > 0)) return;
     std::array<float, 2> part{};
     for (std::size_t half = 0; half < 2; ++half) {
-      part[half] =
-          sums.shadow[half] * static_cast<float>(sums.samples) / (seen * count_of(sums, half));
+      part[half] = sums.light.shadow[half] * static_cast<float>(sums.samples) /
+                   (seen * count_of(sums, half));
     }
     const float mean = (part[0] + part[1]) / 2;
     layer.values[0][i] = layer.y[i] = mean;

@@ -18,8 +18,8 @@ struct Layers {
 
 /// By pixel, rows from the top; layers that are not wanted are empty. What was seen first is
 /// averaged over the samples, and 0 where there is nothing.
-struct Canvas {
-  Canvas(std::uint32_t width, std::uint32_t height, const Layers& layers = {});
+struct Framebuffer {
+  Framebuffer(std::uint32_t width, std::uint32_t height, const Layers& layers = {});
 
   std::uint32_t width, height;
   std::vector<Float3> radiance;  ///< multiplied by alpha where the background is transparent
@@ -33,6 +33,6 @@ struct Canvas {
 };
 
 /// Rows of a film, which holds them, with their noise.
-void resolve(const Film& film, const Rows& rows, Canvas& canvas);
+void resolve(const Film& film, const Rows& rows, Framebuffer& buffer);
 
 }  // namespace gltfx::bake

@@ -17,17 +17,17 @@ namespace gltfx::bake {
 enum class Background : std::uint8_t { backdrop, environment, transparent };
 
 /// A level floor that nobody sees but for the shadow on it.
-struct Floor {
+struct ShadowCatcher {
   double height = 0;
   double irradiance = 0;  ///< luminance of what the environment gives it with nothing in the way
 };
 
-struct Setting {
+struct World {
   std::optional<Environment> environment;
   std::vector<Light> lights;
   Emitters emitters;  ///< of the scene; those not named are found by chance
   Background background = Background::backdrop;
-  std::optional<Floor> floor;  ///< only with a backdrop
+  std::optional<ShadowCatcher> shadow_catcher;  ///< only with a backdrop
   /// Which walls let light in. Nothing: all that turn their backs to it.
   std::optional<Eye> eye;
 };

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bake/canvas.hpp"
+#include "bake/framebuffer.hpp"
 
 namespace gltfx::bake {
 
@@ -18,20 +18,20 @@ struct Picture {
 };
 
 /// What the pixels are to be used for.
-enum class Numbers : std::uint8_t { bytes, floats };
+enum class PixelType : std::uint8_t { bytes, floats };
 
-/// The picture itself. With `alpha` there are four channels, and the canvas has to have it.
-Picture develop(const Canvas& canvas, bool alpha, Numbers numbers);
+/// The picture itself. With `alpha` there are four channels, and the buffer has to have it.
+Picture tone_mapped_picture(const Framebuffer& buffer, bool alpha, PixelType type);
 
 enum class Layer : std::uint8_t { albedo, normal, depth, material };
 
-/// Of what was seen first. Precondition: the canvas has the layer, and alpha.
-Picture develop_layer(const Canvas& canvas, Layer layer, Numbers numbers);
+/// Of what was seen first. Precondition: the buffer has the layer, and alpha.
+Picture layer_picture(const Framebuffer& buffer, Layer layer, PixelType type);
 
-/// The mean square of the difference of bytes, over pixels in which either canvas shows something.
+/// The mean square of the difference of bytes, over pixels in which either buffer shows something.
 /// Precondition: pictures and canvases of one size and number of channels; the canvases have alpha.
-double mean_square_difference(const Picture& a, const Picture& b, const Canvas& canvas_a,
-                              const Canvas& canvas_b);
+double mean_square_difference(const Picture& a, const Picture& b, const Framebuffer& buffer_a,
+                              const Framebuffer& buffer_b);
 
 /// How much they differ, by pixel: grey where they are equal, and four times the difference around
 /// it.
