@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "bake/scene.hpp"
-#include "bake/stretch.hpp"
 
 namespace gltfx::bake {
+
+/// Embree ends the program at a ray from beyond 1.8e18.
+inline constexpr double kFarthest = 5e17;
 
 /// How rays treat triangles. Each treatment is one Embree geometry, so that no ray asks about what
 /// needs no question.

@@ -10,7 +10,7 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::size_t kLooks = 4096;
+constexpr std::size_t kProbes = 4096;
 
 using Triangle = std::array<std::uint32_t, 3>;
 using Corners = std::array<Float3, 3>;
@@ -55,7 +55,7 @@ class Kinds {
 };
 
 bool may_repeat(std::span<const Triangle> triangles, std::span<const Float3> points) {
-  const std::size_t count = std::min(kLooks, triangles.size());
+  const std::size_t count = std::min(kProbes, triangles.size());
   Kinds kinds(triangles, points, count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!kinds.add(static_cast<std::uint32_t>(i * triangles.size() / count))) return true;

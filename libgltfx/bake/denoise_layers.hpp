@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A film as the denoiser looks at it.
+/// The input of the denoiser: layers with noise, and features without.
 #pragma once
 
 #include <array>
@@ -10,40 +10,40 @@
 
 namespace gltfx::bake {
 
-/// A number by pixel, rows from the top.
+/// One value for each pixel, rows from the top.
 using Plane = std::vector<float>;
 
-/// Distances between which lies what is seen.
+/// Distances of the nearest and farthest surface that is seen.
 struct DepthRange {
   float nearest = 0, farthest = 0;
 };
 
-/// What is known of surfaces without noise: normal, depth by its range, colour.
+/// Auxiliary features: normal (3), depth relative to its range (1), albedo (3).
 constexpr std::size_t kFeatures = 7;
 using FeaturePlanes = std::array<Plane, kFeatures>;
 
-/// Something that is to be smooth, with noise.
+/// Values with noise.
 struct DenoiseLayer {
   std::uint32_t width = 0, height = 0;
   std::vector<Plane> values;  ///< by channel
-  Plane y;                    ///< their luminance
-  Plane variance;             ///< of that
-  Plane weight;               ///< how much a pixel says, from 0 (nothing) to 1
+  Plane y;                    ///< luminance of the values
+  Plane variance;             ///< of the luminance
+  Plane weight;               ///< confidence in a pixel, from 0 to 1
 };
 
-/// All of them have the rows that the film holds.
+/// Planes have the rows that the film holds.
 FeaturePlanes features_of(const Film& film, const DepthRange& depths, unsigned jobs);
 
-/// Light that surfaces scatter, divided by their colour, or that the ones seen first reflect,
-/// divided by what tints it. What the surfaces cover is what a pixel says.
+/// Scattered or reflected light, divided by the albedo or specular albedo (demodulated). The
+/// confidence in a pixel is its alpha.
 DenoiseLayer light_layer(const Film& film, LightPart part, unsigned jobs);
-/// By which that light is multiplied again.
-Rgb surface_color(const FeatureSums& seen, LightPart part);
+/// The albedo by which denoised light is multiplied again.
+Rgb albedo_of(const FeatureSums& seen, LightPart part);
 
 /// The part of the background that shadow takes away; one channel.
 DenoiseLayer shadow_layer(const Film& film, unsigned jobs);
 
-/// Rows beyond a pixel's own on which its variance depends.
+/// Rows above and below a pixel on which its variance depends.
 constexpr int kVarianceReach = 7;
 
 }  // namespace gltfx::bake

@@ -35,15 +35,15 @@ Corners corners_of(const Instance& each, const Mesh& mesh, std::size_t triangle)
 // What a triangle emits, as far as its middle and what lies towards its corners tell.
 double brightness(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, Hit hit) {
   if (material.use(Slot::emissive).texture == kNone) return luminance(material.factors.emissive);
-  constexpr std::array<Float2, 4> kLooks{
+  constexpr std::array<Float2, 4> kProbes{
       {{1.0F / 3, 1.0F / 3}, {0.1F, 0.1F}, {0.8F, 0.1F}, {0.1F, 0.8F}}};
   double sum = 0;
-  for (const Float2& look : kLooks) {
+  for (const Float2& look : kProbes) {
     hit.u = look[0];
     hit.v = look[1];
     sum += luminance(material_at(scene, mesh, material, hit).emissive);
   }
-  return sum / kLooks.size();
+  return sum / kProbes.size();
 }
 
 }  // namespace

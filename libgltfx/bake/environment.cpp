@@ -109,7 +109,7 @@ Rgb Environment::radiance_at(const Float2& point) const {
   return to_vec(sum);
 }
 
-EnvironmentLook Environment::look(const Vec3d& direction) const {
+EnvironmentValue Environment::evaluate(const Vec3d& direction) const {
   const Float2 point = point_of(direction);
   const double ring = std::sqrt(std::max(0.0, 1 - direction.y * direction.y));
   const double area = 2 * kPi * kPi * ring;

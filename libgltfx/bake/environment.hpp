@@ -20,7 +20,7 @@ struct EnvironmentSample {
 };
 
 /// What is seen in a direction.
-struct EnvironmentLook {
+struct EnvironmentValue {
   Rgb radiance;
   double pdf = 0;  ///< with which sample() takes the direction
 };
@@ -31,15 +31,15 @@ class Environment {
   /// `image` has at least one texel.
   explicit Environment(const EnvironmentImage& image);
 
-  Rgb radiance(const Vec3d& direction) const { return look(direction).radiance; }
+  Rgb radiance(const Vec3d& direction) const { return evaluate(direction).radiance; }
   /// Radiance and density of a direction in one go.
-  EnvironmentLook look(const Vec3d& direction) const;
+  EnvironmentValue evaluate(const Vec3d& direction) const;
   EnvironmentSample sample(const Float2& random) const;
   /// That of a sample.
   Rgb radiance(const EnvironmentSample& sample) const { return radiance_at(sample.point); }
   Rgb radiance_at(const Float2& point) const;
   /// Of sample(), per steradian.
-  double pdf(const Vec3d& direction) const { return look(direction).pdf; }
+  double pdf(const Vec3d& direction) const { return evaluate(direction).pdf; }
 
  private:
   std::uint32_t width_, height_;

@@ -79,12 +79,12 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
 }
 
 std::optional<Eye> eye_of(const View& view, const Bvh& bvh) {
-  constexpr int kLooks = 256;
-  constexpr int kWaysOut = kLooks / 16;
+  constexpr int kProbes = 256;
+  constexpr int kWaysOut = kProbes / 16;
   constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749979);
   int ways_out = 0;
-  for (int i = 0; i < kLooks && ways_out <= kWaysOut; ++i) {
-    const double y = 1 - (2 * i + 1.0) / kLooks;
+  for (int i = 0; i < kProbes && ways_out <= kWaysOut; ++i) {
+    const double y = 1 - (2 * i + 1.0) / kProbes;
     const double ring = std::sqrt(1 - y * y);
     const double turn = i * kGoldenAngle;
     const Ray look{view.origin, {ring * std::cos(turn), y, ring * std::sin(turn)}};

@@ -16,13 +16,13 @@ enum Dimension : std::uint32_t {
   direction,
   environment,
   emitter,
-  lamp,
+  punctual,
   roulette,
   free_flight,
   phase,
   color,
-  environment_candidate,
-  emitter_candidate,
+  environment_choice,
+  emitter_choice,
   kDimensions
 };
 

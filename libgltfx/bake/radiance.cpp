@@ -49,12 +49,12 @@ double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
                   const Surface& surface) {
   if (!(path.pdf > 0) || context.world.emitters.empty()) return 1;
   const double cosine = std::fabs(dot(surface.flat_normal, path.ray.direction));
-  return power_weight(path.pdf, context.world.emitters.pdf(hit, cosine));
+  return power_heuristic(path.pdf, context.world.emitters.pdf(hit, cosine));
 }
 
 void add_environment(const Environment& environment, const Path& path, PathSample& L) {
-  const EnvironmentLook seen = environment.look(path.ray.direction);
-  const double weight = path.pdf > 0 ? power_weight(path.pdf, seen.pdf) : 1.0;
+  const EnvironmentValue seen = environment.evaluate(path.ray.direction);
+  const double weight = path.pdf > 0 ? power_heuristic(path.pdf, seen.pdf) : 1.0;
   L.add_light(path.throughput * seen.radiance * weight, path.reflected_share);
 }
 
@@ -105,13 +105,13 @@ void add_emission(const TraceContext& context, const Path& path, const SurfaceVe
 // Traces the shadow ray of a candidate.
 void add_unoccluded(const TraceContext& context, const Path& path, const Reservoir& chosen,
                     const Rgb& reflected_share, PathSample& L) {
-  const auto& [light, scale] = chosen;
-  if (!(max_value(light.share) > 0)) return;
+  const auto& [candidate, scale] = chosen;
+  if (!(max_value(candidate.contribution) > 0)) return;
   ++L.rays;
   const auto visible =
-      static_cast<double>(context.bvh.visibility(light.towards, context.world.eye));
+      static_cast<double>(context.bvh.visibility(candidate.shadow_ray, context.world.eye));
   if (visible <= 0) return;
-  L.add_light(path.throughput * light.share * (scale * visible), reflected_share);
+  L.add_light(path.throughput * candidate.contribution * (scale * visible), reflected_share);
 }
 
 // Colours part in a dispersive volume: from there on the path carries one of them.
@@ -129,15 +129,15 @@ void choose_channel(const Material& material, Path& path) {
 bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, Path& path,
                    FeatureRecorder& features, PathSample& L) {
   const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
-  const MediumStep step =
-      walk(path.media.top(), path.throughput, far, path.sampler.pair(Dimension::free_flight));
+  const DistanceSample step = sample_distance(path.media.top(), path.throughput, far,
+                                              path.sampler.pair(Dimension::free_flight));
   path.throughput *= step.weight;
   if (!step.scattered) return false;
   features.record(path, Rgb(1), -path.ray.direction, step.distance);
   path.ray.origin += path.ray.direction * step.distance;
-  const Candidate lamp =
-      lamp_inside(context, path.media.top(), path.ray, path.sampler.pair(Dimension::lamp));
-  if (lamp.weight > 0) add_unoccluded(context, path, {lamp, 1}, path.reflected_share, L);
+  const Candidate light =
+      sample_punctual(context, path.media.top(), path.ray, path.sampler.pair(Dimension::punctual));
+  if (light.weight > 0) add_unoccluded(context, path, {light, 1}, path.reflected_share, L);
   const Float2 u = path.sampler.pair(Dimension::phase);
   path.ray.direction = sample_phase(path.media.top(), path.ray.direction, static_cast<double>(u[0]),
                                     static_cast<double>(u[1]));
@@ -154,31 +154,32 @@ void sample_direct_light(const TraceContext& context, const Path& path, const Su
   const bool first = path.depth == 1;
   const std::uint32_t candidates = first ? context.light_candidates : 1;
   const std::uint32_t samples = first && context.light_candidates > 2 ? kLightSamples : 1;
-  const auto resample = [&](const PathSampler& sampler, Dimension choice, Dimension point,
-                            const auto& propose) {
-    return choose_one(candidates, sampler.single(choice), [&](std::uint32_t i) {
+  const auto choose = [&](const PathSampler& sampler, Dimension choice, Dimension point,
+                          const auto& propose) {
+    return resample(candidates, sampler.single(choice), [&](std::uint32_t i) {
       return propose(sampler.split(i, candidates).pair(point));
     });
   };
   const auto add = [&](const Reservoir& chosen) {
-    const Evaluation& value = chosen.light.value;
+    const Evaluation& bsdf_value = chosen.candidate.bsdf;
     add_unoccluded(context, path, chosen,
-                   first ? share_of(value.reflected, value.f) : path.reflected_share, L);
+                   first ? share_of(bsdf_value.reflected, bsdf_value.f) : path.reflected_share, L);
   };
   for (std::uint32_t i = 0; i < samples; ++i) {
     const PathSampler sampler = path.sampler.split(i, samples);
     if (environment_of(context, path) != nullptr) {
-      Reservoir chosen = resample(sampler, Dimension::environment_candidate, Dimension::environment,
-                                  [&](const Float2& u) { return light.from_environment(u); });
-      if (chosen.scale > 0) light.finish_environment(chosen.light);
-      add({chosen.light, chosen.scale / samples});
+      Reservoir chosen = choose(sampler, Dimension::environment_choice, Dimension::environment,
+                                [&](const Float2& u) { return light.sample_environment(u); });
+      if (chosen.scale > 0) light.add_radiance(chosen.candidate);
+      add({chosen.candidate, chosen.scale / samples});
     }
     if (context.world.emitters.empty()) continue;
-    const Reservoir chosen = resample(sampler, Dimension::emitter_candidate, Dimension::emitter,
-                                      [&](const Float2& u) { return light.from_emitter(u); });
-    add({chosen.light, chosen.scale / samples});
+    const Reservoir chosen = choose(sampler, Dimension::emitter_choice, Dimension::emitter,
+                                    [&](const Float2& u) { return light.sample_emitter(u); });
+    add({chosen.candidate, chosen.scale / samples});
   }
-  if (!context.world.lights.empty()) add({light.from_lamp(path.sampler.pair(Dimension::lamp)), 1});
+  if (!context.world.lights.empty())
+    add({light.sample_punctual(path.sampler.pair(Dimension::punctual)), 1});
 }
 
 Random3 bsdf_random(const PathSampler& sampler) {

@@ -12,13 +12,13 @@ namespace {
 
 // Some rays tell enough of it.
 DepthRange depth_range(const TraceContext& context, const View& view) {
-  constexpr std::uint32_t kLooks = 96;  // along a side
+  constexpr std::uint32_t kProbes = 96;  // along a side
   DepthRange range;
-  for (std::uint32_t i = 0; i < kLooks * kLooks; ++i) {
-    const std::uint32_t column = i % kLooks;
-    const std::uint32_t row = i / kLooks;
+  for (std::uint32_t i = 0; i < kProbes * kProbes; ++i) {
+    const std::uint32_t column = i % kProbes;
+    const std::uint32_t row = i / kProbes;
     const auto hit =
-        context.bvh.first_layer(view.ray((column + 0.5) / kLooks, (row + 0.5) / kLooks));
+        context.bvh.first_layer(view.ray((column + 0.5) / kProbes, (row + 0.5) / kProbes));
     if (!hit) continue;
     const auto z = static_cast<float>(hit->distance);
     range.nearest = range.nearest == 0 ? z : std::min(range.nearest, z);
