@@ -17,7 +17,7 @@ Rgb background(const TraceContext& context, const Vec3d& direction, const Float2
 
 double catcher_shadow(const TraceContext& context, const Ray& ray, const Float2& random,
                       std::uint32_t& rays) {
-  constexpr double kDepth = 0.7;  // how dark the floor becomes
+  constexpr double kDepth = 0.7;  // of the shadow at most
   const World& world = context.world;
   if (!world.shadow_catcher || !world.environment || ray.direction.y >= 0) return 0;
   const double distance = (world.shadow_catcher->height - ray.origin.y) / ray.direction.y;

@@ -137,7 +137,7 @@ class Grouping {
   const Scene& scene_;
   std::vector<ShapeSize> sums_;                          // of all meshes before one
   std::vector<std::uint32_t> uses_;                      // by first mesh
-  std::vector<std::uint32_t> shape_of_;                  // likewise
+  std::vector<std::uint32_t> shape_of_;                  // by first mesh
   std::set<std::pair<std::uint32_t, Matrix34>> places_;  // of shapes without holes
   std::vector<Treatment> treatments_;                    // by mesh
   std::uint64_t forced_ = 0;
@@ -151,7 +151,7 @@ std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances) {
   return instances > 1 ? std::min(flat, shared_bytes(shape, instances)) : flat;
 }
 
-// By sums of what edges are mixed to: those that run both ways cancel each other out.
+// By a sum of the hashes of edges: edges that run both ways cancel each other out.
 bool is_closed(const Mesh& mesh) {
   const auto bits = [](const Float3& p) {
     const auto part = [&p](std::size_t i) { return std::bit_cast<std::uint32_t>(p[i] + 0.0F); };

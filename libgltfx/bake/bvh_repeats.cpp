@@ -23,13 +23,13 @@ std::uint32_t hash_of(const Corners& corners) {
   return hash;
 }
 
-/// Triangles by their corners, each kind once. Open addressing.
+/// A set of triangles by their corners. Open addressing.
 class Kinds {
  public:
   Kinds(std::span<const Triangle> triangles, std::span<const Float3> points, std::size_t count)
       : triangles_(triangles), points_(points), slots_(std::bit_ceil(2 * count + 1), kNone) {}
 
-  /// False when there is one like it.
+  /// False if the set has an equal triangle.
   bool add(std::uint32_t number) {
     const Corners corners = corners_of(number);
     const std::size_t mask = slots_.size() - 1;

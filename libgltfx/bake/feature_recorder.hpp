@@ -20,7 +20,7 @@ class FeatureRecorder {
   /// The path has left a surface, which it reached after `distance`.
   void go_on(const Path& path, double distance);
 
-  /// For a branch: what was recorded stays with the path that splits.
+  /// The recorder of a branch, without the features that the path before it has recorded.
   FeatureRecorder split(bool records) const;
 
   const Features& features() const { return features_; }

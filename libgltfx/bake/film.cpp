@@ -26,7 +26,7 @@ double shadow(const PixelSums& sums) {
   return static_cast<double>(sums.light.shadow[0]) + static_cast<double>(sums.light.shadow[1]);
 }
 
-// Of the mean, by the sum of luminances and of their squares.
+// The standard error of a mean, by the sums of luminances and of their squares.
 double standard_error(std::uint32_t samples, double sum, float square) {
   if (samples < 2) return 0;
   const double count = samples;

@@ -13,16 +13,16 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::uint32_t kLayers = 4;  // of alpha, before the camera
-constexpr double kLeast = 1.0 / 512;  // of a layer
+constexpr double kLeast = 1.0 / 512;  // weight of a layer
 
-// With dispersion each colour is a picture of its own.
+// With dispersion each colour has a path of its own.
 std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
   const Material& factors = material_of(scene, scene.meshes[hit.mesh]).factors;
   return factors.dispersion > 0 && factors.transmission > 0 ? 3 : 1;
 }
 
-// What is partly transparent by alpha is not left to chance where it is seen directly: each layer
-// is a path of its own, and counts for what it covers of what is left.
+// Layers of alpha before the camera are not sampled at random: each has a path of its own, whose
+// weight is its coverage times what the layers before it let through.
 template <class Trace>
 PathSample through_layers(const TraceContext& context, const Ray& ray, const SampleStream& random,
                           const Trace& trace) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Light along paths: from the camera over surfaces and through media to lights.
+/// Path tracing, from the camera over surfaces and through media to lights.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -14,33 +14,32 @@
 
 namespace gltfx::bake {
 
-/// What is known of the surface that is seen, for the denoiser and extra layers; 0 beside the
-/// scene.
+/// Features of the surface that is seen, for the denoiser and extra layers; 0 beside the scene.
 struct Features {
   Rgb albedo;           ///< of what scatters light
   Rgb specular_albedo;  ///< tint of mirrors and gloss, at normal incidence
   Vec3d normal;
   double depth = 0;  ///< along the ray
   std::uint32_t material = kNone;
-  bool clear = false;  ///< something is or may be seen straight through glass
+  bool clear = false;  ///< the surface is, or may be, seen straight through glass
 
   /// Adds those of another sample, weighted.
   void add(const Features& sample, double weight);
 };
 
-/// What one path brings back.
+/// Light and features along one camera ray.
 struct PathSample {
-  Rgb reflected;      ///< by mirrors and gloss of the surface that is seen first
+  Rgb reflected;      ///< by mirrors and gloss of the first surface
   Rgb scattered;      ///< otherwise, by surfaces and media
-  Rgb emitted;        ///< by what is seen first
-  Rgb background;     ///< as far as it is seen, without shadow
+  Rgb emitted;        ///< by the first surface
+  Rgb background;     ///< as far as it is visible, without shadow
   double shadow = 0;  ///< part of the background that shadow takes away
-  double alpha = 0;   ///< 1 on the scene, 0 beside it, between them where it is seen through
+  double alpha = 0;   ///< 1 on the scene, 0 beside it, between them where both are visible
   Features features;
   std::uint32_t rays = 0;  ///< that were traced
 
   Rgb radiance() const { return reflected + scattered + emitted + background * (1 - shadow); }
-  /// Light of which the surface that is seen first reflects a part, by colour.
+  /// Adds light, of which the first surface reflects a part, by colour.
   void add_light(const Rgb& light, const Rgb& reflected_share) {
     reflected += light * reflected_share;
     scattered += light * (Rgb(1) - reflected_share);
@@ -65,8 +64,8 @@ struct TraceContext {
 PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2& point,
                       const SampleStream& random);
 
-/// A feature sample: features, emission and background of what is seen first, without light on it,
-/// shadow, or anything behind glass.
+/// A feature sample: features and emission of the first surface, or the background. Without light
+/// on the surface, shadow, or anything behind glass.
 PathSample sample_features(const TraceContext& context, const Ray& ray, const Float2& point,
                            const SampleStream& random);
 

@@ -10,9 +10,9 @@
 
 namespace gltfx::bake {
 
-/// Follows a ray on through walls that let light in, from the one that it hit, whose surface is
-/// given. Calls emitter(hit, surface) for what shines on it from behind them, with distances from
-/// the start of the ray. True where the ray gets out of the scene.
+/// Continues a ray that has hit a wall through all walls that let light in. Calls emitter(hit,
+/// surface) for the surfaces behind them, with distances from the start of the ray. True if the ray
+/// leaves the scene.
 template <class Emitter>
 bool light_through(const TraceContext& context, const Ray& ray, Hit hit, Surface surface,
                    std::uint32_t key, const Emitter& emitter) {

@@ -16,7 +16,7 @@ namespace {
 // Lux at which a white surface is white.
 constexpr double kFull = std::numbers::pi;
 
-// What lamps give to the subject: the mean over its middle and the corners of its box.
+// The illumination of the subject by its lights: the mean over the middle and corners of its box.
 double lux_on(const Subject& subject, const std::vector<Light>& lights) {
   double sum = 0;
   constexpr std::size_t kMost = 4096;
@@ -28,7 +28,7 @@ double lux_on(const Subject& subject, const std::vector<Light>& lights) {
                (corner & 4U) != 0 ? subject.least.z : subject.greatest.z};
     }
     for (std::size_t i = 0; i < std::min(lights.size(), kMost); ++i) {
-      // One that sits on a corner says nothing of the rest.
+      // A light at a corner does not represent the others.
       sum += std::min(luminance(illuminate(lights[i], point).irradiance), 1e6 * kFull);
     }
   }
@@ -49,7 +49,7 @@ std::vector<Light> brought_to_studio(const Scene& scene, const Subject& subject,
   return lights;
 }
 
-bool shines(const Scene& scene) {
+bool is_emissive(const Scene& scene) {
   if (!scene.lights.empty()) return true;
   return std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
     return max_value(material.factors.emissive) > 0 || material.factors.unlit;
@@ -63,7 +63,7 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
   World world;
   const double exposure = std::exp2(options.exposure);
   const bool own = scene.environment.has_value();
-  const bool studio = !own && (options.lamps != Lamps::asset || !shines(scene));
+  const bool studio = !own && (options.lamps != Lamps::asset || !is_emissive(scene));
   if (own || studio) {
     EnvironmentImage image = own ? *scene.environment : studio_environment(view.backward);
     for (Float3& texel : image.radiance) scale(texel, exposure);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What lights a scene for a picture of it.
+/// The lighting of a picture.
 #pragma once
 
 #include <optional>

@@ -10,7 +10,7 @@
 
 namespace gltfx::bake {
 
-/// What the vertices of a path so far have in common.
+/// Properties of all vertices of a path so far.
 struct PathPrefix {
   bool specular = true;         ///< nothing but mirrors and clear glass
   bool straight = true;         ///< nothing but sheets of clear glass

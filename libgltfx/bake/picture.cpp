@@ -25,8 +25,7 @@ Picture blank(const Framebuffer& buffer, std::uint32_t channels, PixelType type)
   return picture;
 }
 
-// Colours that are no light: their bytes are those of a display too, but for the curve of bright
-// ones.
+// Adds a colour without tone mapping; `encoded`: it is not to be converted to sRGB.
 void add_color(Picture& picture, const Float3& color, bool encoded, PixelType type) {
   for (const float part : color) {
     if (type == PixelType::floats) {
@@ -44,7 +43,7 @@ Float3 material_color(std::uint32_t material) {
           static_cast<float>((bits >> 16U) & 0xFFU) / 255.0F};
 }
 
-// Nearest and farthest distance of what is seen.
+// Nearest and farthest distance of visible surfaces.
 std::pair<float, float> depth_range(const Framebuffer& buffer) {
   float nearest = 0;
   float farthest = 0;

@@ -19,7 +19,7 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kLightSamples = 2;      // at the first surface, if there are few paths
+constexpr std::uint32_t kLightSamples = 2;      // at the first surface, with few samples a pixel
 constexpr std::uint32_t kRouletteFrom = 3;      // step
 constexpr double kSharp = 0.5;                  // roughness below which gloss shows a picture
 constexpr std::uint32_t kTransmittedPaths = 4;  // at the first surface
@@ -31,14 +31,14 @@ struct SurfaceVertex {
   Vec3d v;  // to the start of the ray, in the frame of the surface
 };
 
-// What part of light another one is, by colour; from 0 to 1.
+// The share of a part of light in all of it, by colour; from 0 to 1.
 Rgb share_of(const Rgb& part, const Rgb& all) {
   const auto ratio = [](double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0.0; };
   return {ratio(part.x, all.x), ratio(part.y, all.y), ratio(part.z, all.z)};
 }
 
 // The environment counts once along a path: through the first wall that lets it in, and not again
-// by what that wall reflects.
+// when that wall reflects it.
 const Environment* environment_of(const TraceContext& context, const Path& path) {
   return context.world.environment && !path.prefix.environment_in ? &*context.world.environment
                                                                   : nullptr;
@@ -71,7 +71,7 @@ void add_infinite_light(const TraceContext& context, const Path& path, const Flo
   }
 }
 
-// A wall that lets light in is a window for what shines from behind it.
+// A wall that lets light in is a window for the emitters and the environment behind it.
 void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, Path& path,
                             PathSample& L) {
   if (path.prefix.specular || !path.media.empty()) return;
@@ -114,7 +114,7 @@ void add_unoccluded(const TraceContext& context, const Path& path, const Reservo
   L.add_light(path.throughput * candidate.contribution * (scale * visible), reflected_share);
 }
 
-// Colours part in a dispersive volume: from there on the path carries one of them.
+// A dispersive volume refracts each colour differently: from there on a path carries one of them.
 void choose_channel(const Material& material, Path& path) {
   if (path.channel >= 0 || material.dispersion <= 0 || material.transmission <= 0) return;
   if (!material.volumetric()) return;
@@ -146,8 +146,8 @@ bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, P
   return true;
 }
 
-// Next event estimation: one of some candidates for each kind of light, by resampling. The first
-// surface gets more of them, as it is all that most pixels show.
+// Next event estimation: resamples one of some candidates for each kind of light. The first surface
+// gets more candidates, as its light is the most visible.
 void sample_direct_light(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
                          const Bsdf& bsdf, PathSample& L) {
   const DirectLight light(context, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
@@ -190,7 +190,7 @@ Random3 bsdf_random(const PathSampler& sampler) {
 // The next direction. False where the path ends.
 bool sample_bsdf(const TraceContext& context, const SurfaceVertex& vertex, const Bsdf& bsdf,
                  const Random3& random, Path& path, FeatureRecorder& features) {
-  constexpr double kNarrow = 2;  // per steradian: what comes through shows a picture
+  constexpr double kNarrow = 2;  // per steradian: transmitted light shows a picture
   const auto& [hit, surface, v] = vertex;
   const auto next = bsdf.sample(random);
   const bool transmitted = next && (next->l.z > 0) != (v.z > 0);
@@ -223,7 +223,7 @@ bool sample_bsdf(const TraceContext& context, const SurfaceVertex& vertex, const
   return true;
 }
 
-// Paths that carry little end early; those that do not carry the part of these, too.
+// Ends paths of low throughput with a probability by which the throughput of the others is divided.
 bool russian_roulette(Path& path) {
   const double most = max_value(path.throughput) / path.weight;
   if (!(most > 0)) return false;
@@ -234,9 +234,8 @@ bool russian_roulette(Path& path) {
 }
 
 // Splits a path at the first surface (J. Arvo and D. Kirk, Particle Transport and Image Synthesis,
-// 1990). Mirrors and gloss get a branch of their own: what they show is sharp, but by their
-// strength they would get few paths. Clear and scattering matter shows much at once, and gets
-// several.
+// 1990). Mirrors and gloss get a branch of their own: reflections are sharp, but would get few
+// paths by their albedo. Light that is transmitted varies most, and gets several branches.
 void add_branches(const TraceContext& context, const Path& path, const FeatureRecorder& features,
                   const SurfaceVertex& vertex, const Bsdf& bsdf, const Float2& point,
                   PathSample& L) {

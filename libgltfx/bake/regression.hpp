@@ -9,8 +9,8 @@
 
 namespace gltfx::bake {
 
-/// Sums of the normal equations of one pixel: of the products of what is known of neighbours,
-/// and of these with the colours that are looked for.
+/// Sums of the normal equations of one pixel: products of the terms of neighbours, and of the terms
+/// with the values.
 template <std::size_t Terms>
 struct NormalEquations {
   static constexpr std::size_t kProducts = Terms * (Terms + 1) / 2;

@@ -10,7 +10,7 @@
 namespace gltfx::bake {
 namespace {
 
-// Some rays tell enough of it.
+// An estimate by a grid of rays.
 DepthRange depth_range(const TraceContext& context, const View& view) {
   constexpr std::uint32_t kProbes = 96;  // along a side
   DepthRange range;
@@ -27,7 +27,7 @@ DepthRange depth_range(const TraceContext& context, const View& view) {
   return range;
 }
 
-// Enough tiles that few threads wait at the end of them. What is drawn does not depend on it.
+// Enough tiles that few threads wait at the end. Values do not depend on it.
 std::uint32_t rows_at_once(const RenderOptions& options) {
   constexpr std::uint32_t kTilesPerJob = 16;
   if (options.seconds > 0) return options.height;
@@ -37,7 +37,7 @@ std::uint32_t rows_at_once(const RenderOptions& options) {
   return (tiles + columns - 1) / columns * kTileHeight;
 }
 
-// Progress of the whole by that of some rows.
+// Progress of the picture by the progress of some rows.
 RenderOptions part_of(const RenderOptions& options, const Rows& rows) {
   RenderOptions part = options;
   if (!options.progress) return part;

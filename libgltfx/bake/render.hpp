@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A finished picture of a scene, in memory that does not grow with what its samples tell.
+/// Rendering of a scene to a framebuffer, in memory that does not grow with the samples.
 #pragma once
 
 #include "bake/framebuffer.hpp"
@@ -8,14 +8,14 @@
 namespace gltfx::bake {
 
 struct PictureOptions {
-  RenderOptions render;  ///< its progress is that of the whole picture
+  RenderOptions render;  ///< progress is that of the whole picture
   Layers layers;
   bool denoise = false;
 };
 
-/// Renders and finishes some rows after the others: samples are summed up for those that are at
-/// work only, unless there is a limit of time, which all rows share. The same bytes for any number
-/// of jobs, without such a limit.
+/// Renders, resolves and denoises some rows after the others, so that the film holds few rows;
+/// with a time limit, which all rows share, it holds all. Without one the values are the same for
+/// any number of jobs.
 Framebuffer render(const TraceContext& context, const View& view, const PictureOptions& options);
 
 }  // namespace gltfx::bake

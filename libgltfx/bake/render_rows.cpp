@@ -45,7 +45,7 @@ class Renderer {
   }
 
  private:
-  // False when all tiles have enough.
+  // False if all tiles have enough samples.
   bool render_round(std::uint32_t first, std::uint32_t last) {
     bool any = false;
     parallel_ordered(
@@ -68,7 +68,7 @@ class Renderer {
     std::uint32_t material;
   };
 
-  // Edges and textures are finer than samples tell.
+  // Edges and textures are finer than the samples of the light.
   void add_feature_samples() {
     std::vector<std::vector<PixelFeatures>> found(done_.size());
     parallel_ordered(
@@ -116,7 +116,7 @@ class Renderer {
     if (options_.progress) options_.progress(part);
   }
 
-  // The worst row of a tile tells whether it has enough.
+  // A tile has enough samples if its worst row has.
   void render_tile(std::uint32_t tile, std::uint32_t first, std::uint32_t last) {
     std::array<double, kTileHeight> errors{};
     for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
@@ -128,7 +128,7 @@ class Renderer {
     if (options_.noise > 0 && last >= 2 * kRound && worst < options_.noise) done_[tile] = 1;
   }
 
-  // The error as it is seen in the finished picture.
+  // The standard error in the tone mapped picture.
   double visible_error(std::size_t pixel) const {
     if (options_.noise <= 0) return 0;
     const double error = film_.error(pixel);
@@ -159,7 +159,7 @@ class Renderer {
   const Rows rows_;
   Film& film_;
   std::uint32_t columns_;
-  std::vector<std::uint8_t> done_;  // tiles; not bool, of which neighbours share a byte
+  std::vector<std::uint8_t> done_;  // by tile; not bool, as neighbours would share a byte
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

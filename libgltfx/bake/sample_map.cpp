@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
 constexpr std::uint32_t kRange = 4;    // times more or less than on average
 constexpr double kMostError = 0.25;    // of the range from black to white: more counts as this
-constexpr double kDark = 0.02;         // albedos below it say little of the light
+constexpr double kDark = 0.02;         // least albedo by which light is divided
 
 // The variance of one part of the light of a pixel, which is divided by the albedo as the denoiser
 // does: variance of the albedo does not count.

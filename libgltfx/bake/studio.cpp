@@ -35,8 +35,8 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Light that fills the room: bright above, and what the floor gives back below.
-Rgb room(double elevation) {
+// Ambient light: bright above, and reflected by the ground below.
+Rgb ambient(double elevation) {
   const double above = smooth_step(-8, 70, elevation);
   const double below = smooth_step(-2, -60, elevation);
   const Rgb horizon(0.50, 0.51, 0.53);
@@ -94,7 +94,7 @@ EnvironmentImage studio_environment(const Vec3d& backward) {
           {(static_cast<float>(x) + 0.5F) / kWidth, (static_cast<float>(y) + 0.5F) / kHeight});
       const double elevation = std::asin(std::clamp(d.y, -1.0, 1.0)) / kDegree;
       const double azimuth = std::remainder(std::atan2(d.x, d.z) / kDegree - own, 360.0);
-      Rgb radiance = room(elevation);
+      Rgb radiance = ambient(elevation);
       for (const SoftBox& box : kBoxes) {
         radiance += box.radiance * within(box, azimuth, elevation);
       }
