@@ -12,8 +12,8 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kLayers = 4;  // of alpha, before the camera
-constexpr double kLeast = 1.0 / 512;  // weight of a layer
+constexpr std::uint32_t kLayers = 4;        // of alpha, before the camera
+constexpr double kLeastWeight = 1.0 / 512;  // weight of a layer
 
 // With dispersion each colour has a path of its own.
 std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
@@ -37,7 +37,7 @@ PathSample through_layers(const TraceContext& context, const Ray& ray, const Sam
     ++sum.rays;
     trace(rest, hit, layer, left * covered, sum);
     left *= 1 - covered;
-    if (left < kLeast) return sum;
+    if (left < kLeastWeight) return sum;
     const Vec3d behind = rest.origin + rest.direction * hit->distance;
     rest.origin = beside(behind, rest.direction, context.scene_size);
   }

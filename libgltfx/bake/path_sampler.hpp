@@ -11,7 +11,7 @@ namespace gltfx::bake {
 constexpr std::uint32_t kMaxSteps = 1024;  // of a path, in media and on surfaces
 
 /// Dimensions of one step.
-enum Dimension : std::uint32_t {
+enum class Dimension : std::uint32_t {
   lobe,
   direction,
   environment,
@@ -23,7 +23,7 @@ enum Dimension : std::uint32_t {
   color,
   environment_choice,
   emitter_choice,
-  kDimensions
+  count
 };
 
 /// A path that splits gives each branch a part of its points, so that all branches together are
@@ -54,7 +54,10 @@ class PathSampler {
 
  private:
   static constexpr std::uint32_t kFirst = 1;  // after the position in the pixel
-  std::uint32_t number(Dimension d) const { return first_ + step_ * kDimensions + d; }
+  static constexpr auto kDimensions = static_cast<std::uint32_t>(Dimension::count);
+  std::uint32_t number(Dimension d) const {
+    return first_ + step_ * kDimensions + static_cast<std::uint32_t>(d);
+  }
 
   SampleStream stream_;
   std::uint32_t first_;

@@ -72,10 +72,11 @@ class PixelVariance {
 };
 
 // Pixels of part of a picture.
-struct Block {
+struct PixelBlock {
   std::uint32_t left, top, right, bottom;
 
-  Block(std::uint32_t column, std::uint32_t row, std::uint32_t side, const RenderOptions& options)
+  PixelBlock(std::uint32_t column, std::uint32_t row, std::uint32_t side,
+             const RenderOptions& options)
       : left(column * side),
         top(row * side),
         right(std::min(left + side, options.width)),
@@ -110,7 +111,7 @@ std::vector<float> SampleMap::estimate_variance(const TraceContext& context, con
     }
     return variance.tone_mapped();
   };
-  const auto mean_of = [&](const Block& block) {
+  const auto mean_of = [&](const PixelBlock& block) {
     double sum = 0;
     for (std::uint32_t y = block.top; y < block.bottom; ++y) {
       for (std::uint32_t x = block.left; x < block.right; ++x) sum += variance_at(x, y);
@@ -161,7 +162,7 @@ void SampleMap::allocate(const std::vector<float>& deviations, const RenderOptio
     for (std::uint32_t y = 0; y < rows_; ++y) {
       for (std::uint32_t x = 0; x < columns_; ++x) {
         total += count(deviations[std::size_t{y} * columns_ + x], scale) *
-                 Block(x, y, kSide, options).pixels();
+                 PixelBlock(x, y, kSide, options).pixels();
       }
     }
     return total;

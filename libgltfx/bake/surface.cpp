@@ -14,9 +14,9 @@ namespace gltfx::bake {
 namespace {
 
 // The triangle of a hit. Results are in world space.
-class Triangle {
+class HitTriangle {
  public:
-  Triangle(const Scene& scene, const Hit& hit)
+  HitTriangle(const Scene& scene, const Hit& hit)
       : instance_(scene.instances[hit.instance]),
         mesh_(scene.meshes[hit.mesh]),
         corners_(mesh_.triangles[hit.triangle]),
@@ -149,7 +149,7 @@ bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface) 
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  const Triangle triangle(scene, hit);
+  const HitTriangle triangle(scene, hit);
   Surface surface{triangle.position(), triangle.flat_normal(), Frame(),
                   material_at(scene, mesh, material, hit)};
   const bool front = dot(surface.flat_normal, ray.direction) < 0;
