@@ -2,8 +2,8 @@
 /// Directional albedos: parts of light that lobes send back, by the cosine of the view.
 ///
 /// The shader reads them from tables over roughness and the fourth root of the cosine. The tables
-/// are in albedo_specular.cpp and albedo_sheen.cpp, made by the quadratures below; a test compares
-/// them and writes them anew when asked to.
+/// are in albedo_specular.cpp and albedo_sheen.cpp, made by the quadratures below, with which a
+/// test compares them, or writes them anew.
 #pragma once
 
 #include <array>
@@ -28,11 +28,12 @@ inline constexpr int kSheenRows = 48;
 
 TableCell albedo_column(double cosine);
 
-/// What specular_brdf returns under Schlick's Fresnel: f0 * constant + f90 * rising.
+/// The albedo of specular_brdf under Schlick's Fresnel: f0 * constant + f90 * rising.
 struct SpecularAlbedo {
   double constant = 0, rising = 0;  ///< integrals of 1 - w and of w, w = (1 - V.H)^5
 };
-/// That of one roughness. Exact to 2e-4 for cosines above 0.1, to 2e-3 above 0.02, to 2e-2 below.
+/// The albedo for one roughness. Exact to 2e-4 for cosines above 0.1, to 2e-3 above 0.02, to 2e-2
+/// below.
 class SpecularCurve {
  public:
   SpecularCurve() = default;
@@ -56,7 +57,7 @@ class SheenCurve {
   TableCell row_;
 };
 
-/// The integral of (1 - V.H)^5 over a Lambertian lobe, which is what Schlick's Fresnel takes of it.
+/// The integral of (1 - V.H)^5 over a Lambertian lobe: its loss under Schlick's Fresnel.
 double diffuse_fresnel(double cosine);
 
 // The same by quadrature with `resolution` squared points.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is seen where nothing of the scene is.
+/// The background of a picture, and the shadow on it.
 #pragma once
 
 #include "bake/integrator.hpp"
@@ -7,12 +7,11 @@
 namespace gltfx::bake {
 
 /// Black where it is transparent. `point`: of the picture.
-Rgb background(const PathSetting& setting, const Vec3d& direction, const Float2& point);
+Rgb background(const TraceContext& context, const Vec3d& direction, const Float2& point);
 
-/// What part of the light that falls onto the floor is kept away from it, from 0 to 1 on average.
-/// Only what is kept away is estimated: where nothing stands in the way there is no noise. Counts
-/// the rays it traces.
-double floor_shadow(const PathSetting& setting, const Ray& ray, const Float2& random,
-                    std::uint32_t& rays);
+/// The part of the light on the shadow catcher that the scene occludes, from 0 to 1 on average.
+/// Only occluded light is estimated, so that an unoccluded point has no noise. Counts its rays.
+double catcher_shadow(const TraceContext& context, const Ray& ray, const Float2& random,
+                      std::uint32_t& rays);
 
 }  // namespace gltfx::bake

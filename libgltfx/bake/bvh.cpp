@@ -12,13 +12,13 @@
 
 namespace gltfx::bake {
 
-// What the filters know of the ray. Embree hands back its own part, which is the first one.
+// A ray with what the filters need. Embree hands back its own part, the first member.
 struct Bvh::Tracing {
   Tracing(const State& s, std::uint32_t k) : state(&s), key(k) { rtcInitRayQueryContext(&embree); }
   RTCRayQueryContext embree;
   const State* state;
   std::uint32_t key;
-  bool every_layer = false;  // whatever covers anything counts
+  bool every_layer = false;  // any coverage above 0 is a hit
   Backs backs = Backs::culled;
   const std::optional<Eye>* eye = nullptr;  // of a ray towards light
   float visibility = 1;
@@ -45,7 +45,7 @@ Vec3d normal_of(const RTCFilterFunctionNArguments* args) {
           RTCHitN_Ng_z(args->hit, 1, 0)};
 }
 
-// Above 0 where the ray goes the way that the triangle's normal points, by its winding.
+// Above 0 where the ray goes along the normal of the triangle, by its winding.
 float along_normal(const RTCFilterFunctionNArguments* args) {
   return RTCHitN_Ng_x(args->hit, 1, 0) * RTCRayN_dir_x(args->ray, 1, 0) +
          RTCHitN_Ng_y(args->hit, 1, 0) * RTCRayN_dir_y(args->ray, 1, 0) +
@@ -63,7 +63,7 @@ Vec3d point_of(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-// Whether the ray passes because of the side that it comes from. A shared mesh is met in its own
+// Whether the ray passes the side that it comes from. A shared mesh is met in its own
 // space, where nothing is mirrored.
 bool Bvh::Tracing::is_passed(const RTCFilterFunctionNArguments* args, const Hit& hit,
                              const SceneMaterial& material) const {
@@ -75,7 +75,7 @@ bool Bvh::Tracing::is_passed(const RTCFilterFunctionNArguments* args, const Hit&
   return eye != nullptr && is_wall(material) && turns_back(state->scene, hit, *eye);
 }
 
-// What part of a ray a triangle stops that Embree offers.
+// The part of a ray that the triangle of a possible hit stops.
 float Bvh::Tracing::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const {
   hit = state->hit_of(RTCHitN_instID(args->hit, 1, 0, 0), RTCHitN_geomID(args->hit, 1, 0),
                       RTCHitN_primID(args->hit, 1, 0));

@@ -13,16 +13,15 @@
 
 namespace gltfx::bake {
 
-/// What a ray makes of the backs of walls (wall.hpp). Surfaces that are single-sided and clear are
-/// not there from behind for any ray.
+/// Whether a ray hits the backs of walls (wall.hpp). No ray hits the back of a surface that is
+/// single-sided and clear.
 enum class Backs : std::uint8_t {
-  culled,  ///< not there: rays of the camera
-  solid    ///< there: rays along which light is gathered
+  culled,  ///< no: camera rays
+  solid    ///< yes: all later rays
 };
 
-/// Immutable once built; any number of threads may trace. Triangles that are culled or cut out by
-/// alpha are not there for the rays that pass them. The same scene gives the same answers on any
-/// number of threads.
+/// Immutable once built; any number of threads may trace. Rays pass triangles that are culled or
+/// cut out by alpha. The same scene gives the same hits on any number of threads.
 class Bvh {
  public:
   /// `scene` must outlive the result. An Error when there is not enough memory.
@@ -35,14 +34,14 @@ class Bvh {
 
   /// The first surface that covers anything at all, however little.
   std::optional<Hit> first_layer(const Ray& ray) const;
-  /// What part of a ray that surface stops: above 0 for what was hit.
+  /// The part of a ray that a surface stops: above 0 for a hit of first_layer().
   float coverage(const Hit& hit) const;
 
-  /// What part of light comes from the end of the ray to its start: 0 when a surface stops it. See
+  /// The part of light from the end of the ray that gets to its start: 0 behind a surface. See
   /// lets_light_in() for `eye`.
   float visibility(const Ray& ray, const std::optional<Eye>& eye = std::nullopt) const;
 
-  /// As the function of that name, but not through a body, out of which no light comes.
+  /// As the function lets_light_in() in wall.hpp, but never for the surface of a closed body.
   bool lets_light_in(const Hit& hit, const Vec3d& direction, const std::optional<Eye>& eye) const;
 
   /// Triangles of all instances.

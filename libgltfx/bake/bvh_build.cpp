@@ -48,8 +48,8 @@ void commit(RTCScene scene) {
   arena.execute([scene] { rtcCommitScene(scene); });
 }
 
-// A ray in some millions slips through between two triangles, for a tenth less time: only those
-// must not that keep count of what they are inside of.
+// A ray in some millions slips through between two triangles, for a tenth less time: only rays
+// that keep count of the bodies they are inside of must not.
 bool has_volumes(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const SceneMaterial& each) { return each.factors.volumetric(); });
@@ -116,7 +116,7 @@ bool Bvh::State::add_triangles(RTCGeometry geometry, const Group& group,
     base += static_cast<std::uint32_t>(mesh.positions.size());
   }
   if (may_repeat) return true;
-  // Embree leaves out what has no corners.
+  // Embree ignores triangles whose indices are out of range.
   for (const std::uint32_t i : find_repeats({first, group.triangles}, points)) {
     first[i] = {kNone, kNone, kNone};
   }
@@ -128,7 +128,7 @@ bool Bvh::State::add_groups(RTCScene target, const TreatedGroups& treated, bool 
     const Group& group = treated[i];
     if (group.triangles == 0) continue;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Of what has holes each layer counts.
+    // Of triangles with alpha each layer counts.
     const bool layered = static_cast<Treatment>(i) == Treatment::holed;
     const std::span<const Float3> points = add_points(geometry, group, in_world);
     if (points.empty() || !add_triangles(geometry, group, points, layered)) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -26,6 +27,24 @@ std::uint64_t flat_bytes(const ShapeSize& shape) {
 
 std::uint64_t shared_bytes(const ShapeSize& shape, std::uint64_t instances) {
   return kSceneBytes + flat_bytes(shape) + instances * kInstanceBytes;
+}
+
+// The norm of the inverse of a transform: how much longer rays become on their way into the space
+// of a mesh, at most. Infinite where there is no inverse, or none in floats.
+double inverse_norm(const Matrix34& m) {
+  constexpr double kMost = 1e9;
+  const double volume = determinant(m);
+  const Vec3d x(m[0][0], m[1][0], m[2][0]);
+  const Vec3d y(m[0][1], m[1][1], m[2][1]);
+  const Vec3d z(m[0][2], m[1][2], m[2][2]);
+  const Vec3d place(m[0][3], m[1][3], m[2][3]);
+  double most = 0;
+  for (const Vec3d& row : {cross(y, z), cross(z, x), cross(x, y)}) {
+    const double sum = (std::fabs(row.x) + std::fabs(row.y) + std::fabs(row.z)) / std::fabs(volume);
+    const bool fits = sum < kMost && std::fabs(dot(row, place) / volume) < kFarthest;
+    most = std::max(most, fits ? sum : std::numeric_limits<double>::infinity());
+  }
+  return most;
 }
 
 class Grouping {
@@ -76,9 +95,9 @@ class Grouping {
     groups_.triangles += size.triangles;
     const std::uint32_t uses = uses_[instance.mesh];
     if (uses > 1 && shared_bytes(size, uses) < flat_bytes(size) * uses) {
-      const double stretch = stretch_into(instance.to_world);
-      if (stretch > 0 && std::isfinite(stretch)) {
-        share(number, stretch);
+      const double scale = inverse_norm(instance.to_world);
+      if (scale > 0 && std::isfinite(scale)) {
+        share(number, scale);
         return;
       }
       forced_ += size.triangles;
@@ -87,7 +106,7 @@ class Grouping {
     append(groups_.flat, number);
   }
 
-  void share(std::uint32_t number, double stretch) {
+  void share(std::uint32_t number, double ray_scale) {
     std::uint32_t& shape = shape_of_[scene_.instances[number].mesh];
     if (shape == kNone) {
       shape = static_cast<std::uint32_t>(groups_.shared.size());
@@ -99,7 +118,7 @@ class Grouping {
     }
     groups_.instanced.push_back(number);
     groups_.shape.push_back(shape);
-    groups_.farthest = std::min(groups_.farthest, kFarthest / stretch);
+    groups_.farthest = std::min(groups_.farthest, kFarthest / ray_scale);
   }
 
   void append(TreatedGroups& groups, std::uint32_t number) const {
@@ -118,7 +137,7 @@ class Grouping {
   const Scene& scene_;
   std::vector<ShapeSize> sums_;                          // of all meshes before one
   std::vector<std::uint32_t> uses_;                      // by first mesh
-  std::vector<std::uint32_t> shape_of_;                  // likewise
+  std::vector<std::uint32_t> shape_of_;                  // by first mesh
   std::set<std::pair<std::uint32_t, Matrix34>> places_;  // of shapes without holes
   std::vector<Treatment> treatments_;                    // by mesh
   std::uint64_t forced_ = 0;
@@ -132,7 +151,7 @@ std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances) {
   return instances > 1 ? std::min(flat, shared_bytes(shape, instances)) : flat;
 }
 
-// By sums of what edges are mixed to: those that run both ways cancel each other out.
+// By a sum of the hashes of edges: edges that run both ways cancel each other out.
 bool is_closed(const Mesh& mesh) {
   const auto bits = [](const Float3& p) {
     const auto part = [&p](std::size_t i) { return std::bit_cast<std::uint32_t>(p[i] + 0.0F); };

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "bake/scene.hpp"
-#include "bake/stretch.hpp"
 
 namespace gltfx::bake {
 
-/// How rays treat triangles. Each treatment is one Embree geometry, so that no ray asks about what
-/// needs no question.
+/// Embree ends the program at a ray from beyond 1.8e18.
+inline constexpr double kFarthest = 5e17;
+
+/// How rays treat triangles. Each treatment is one Embree geometry, so that filters are
+/// called for the triangles that need them only.
 enum class Treatment : std::uint8_t {
   solid,   ///< stops every ray
   body,    ///< a closed surface of what would be a wall: solid, but for cameras inside of it
@@ -47,7 +49,7 @@ struct Groups {
   double farthest = kFarthest;           ///< from where a ray may come
 };
 
-/// What all meshes of one instance amount to.
+/// Sums over the meshes of one instance.
 struct ShapeSize {
   std::uint64_t triangles = 0, vertices = 0;
 };
@@ -60,8 +62,8 @@ std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances);
 /// neighbour that runs along it the other way.
 bool is_closed(const Mesh& mesh);
 
-/// What costs less memory in its own space stays there, unless a transform stretches it out of all
-/// numbers. Linear in meshes and instances.
+/// A shape is shared where that costs less memory, unless a transform has no inverse in floats.
+/// Linear in meshes and instances.
 Groups group_instances(const Scene& scene);
 
 }  // namespace gltfx::bake

@@ -10,12 +10,12 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::size_t kLooks = 4096;
+constexpr std::size_t kRepeatProbes = 4096;
 
 using Triangle = std::array<std::uint32_t, 3>;
-using Corners = std::array<Float3, 3>;
+using CornerPoints = std::array<Float3, 3>;
 
-std::uint32_t hash_of(const Corners& corners) {
+std::uint32_t hash_of(const CornerPoints& corners) {
   std::uint32_t hash = 0;
   for (const Float3& corner : corners) {
     for (const float value : corner) hash = mix_bits(hash, std::bit_cast<std::uint32_t>(value));
@@ -23,15 +23,15 @@ std::uint32_t hash_of(const Corners& corners) {
   return hash;
 }
 
-/// Triangles by their corners, each kind once. Open addressing.
+/// A set of triangles by their corners. Open addressing.
 class Kinds {
  public:
   Kinds(std::span<const Triangle> triangles, std::span<const Float3> points, std::size_t count)
       : triangles_(triangles), points_(points), slots_(std::bit_ceil(2 * count + 1), kNone) {}
 
-  /// False when there is one like it.
+  /// False if the set has an equal triangle.
   bool add(std::uint32_t number) {
-    const Corners corners = corners_of(number);
+    const CornerPoints corners = corners_of(number);
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t at = hash_of(corners) & mask;; at = (at + 1) & mask) {
       std::uint32_t& slot = slots_[at];
@@ -44,7 +44,7 @@ class Kinds {
   }
 
  private:
-  Corners corners_of(std::uint32_t number) const {
+  CornerPoints corners_of(std::uint32_t number) const {
     const Triangle& t = triangles_[number];
     return {points_[t[0]], points_[t[1]], points_[t[2]]};
   }
@@ -55,7 +55,7 @@ class Kinds {
 };
 
 bool may_repeat(std::span<const Triangle> triangles, std::span<const Float3> points) {
-  const std::size_t count = std::min(kLooks, triangles.size());
+  const std::size_t count = std::min(kRepeatProbes, triangles.size());
   Kinds kinds(triangles, points, count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!kinds.add(static_cast<std::uint32_t>(i * triangles.size() / count))) return true;

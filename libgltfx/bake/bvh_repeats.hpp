@@ -12,8 +12,8 @@
 namespace gltfx::bake {
 
 /// Numbers of the triangles that repeat an earlier one, corner for corner, in ascending order. A
-/// hierarchy cannot part them, so that each ray would meet them all. Empty where a look at some
-/// thousand triangles finds no two alike.
+/// hierarchy cannot separate them, so that each ray would test them all. Empty where a sample of
+/// some thousand triangles has no repeats.
 std::vector<std::uint32_t> find_repeats(std::span<const std::array<std::uint32_t, 3>> triangles,
                                         std::span<const Float3> points);
 

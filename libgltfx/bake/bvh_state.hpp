@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a hierarchy is made of: Embree's scenes, and what its filters ask.
+/// The state of a hierarchy: Embree's scenes, and the data of its filters.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Bvh::State {
 
   /// False where there is not enough memory.
   bool build();
-  /// Embree's threads still hold on to what a build that failed had allocated: it is never freed.
+  /// Never frees a state whose build failed: Embree's threads still hold on to its memory.
   static void keep(std::unique_ptr<State> failed);
   Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
 
@@ -38,7 +38,7 @@ struct Bvh::State {
   std::vector<RTCScene> shared;  // of each shared group
 
  private:
-  /// Tells Embree to ask about triangles that are not simply there.
+  /// Sets filter functions for triangles that do not stop every ray.
   static void set_filters(RTCGeometry geometry, Treatment treatment, bool in_world, bool mirrored);
   std::span<const Float3> add_points(RTCGeometry geometry, const Group& group, bool in_world) const;
   bool add_triangles(RTCGeometry geometry, const Group& group, std::span<const Float3> points,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where one sample of a pixel begins.
+/// Camera rays.
 #pragma once
 
 #include <cmath>
@@ -17,8 +17,8 @@ struct CameraSample {
   SampleStream random;
 };
 
-/// Of a picture of width x height pixels. Positions are within a pixel's neighbourhood of two by
-/// two, by a tent: edges come out smooth, and samples of different pixels stay independent.
+/// A sample in a picture of width x height pixels. Positions are distributed by a tent filter two
+/// pixels wide: edges are smooth, and samples of different pixels stay independent.
 inline CameraSample camera_sample(const View& view, std::uint32_t width, std::uint32_t height,
                                   std::uint32_t seed, std::uint32_t x, std::uint32_t y,
                                   std::uint32_t sample) {

@@ -11,7 +11,7 @@ struct CoatFrame {
   Vec3d x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
   CoatFrame() = default;
-  /// With the tangent as near to +x as it can be.
+  /// The tangent is as near to +x as possible.
   explicit CoatFrame(const Vec3d& normal);
   Vec3d into(const Vec3d& w) const { return {dot(w, x), dot(w, y), dot(w, z)}; }
   Vec3d out_of(const Vec3d& w) const { return w.x * x + w.y * y + w.z * z; }
@@ -27,8 +27,8 @@ struct SeenCoat {
       : frame(normal), v(frame.into(viewer)), facets(microfacets(roughness), v) {}
 };
 
-/// clearcoat_brdf = specular_brdf(normal, alpha). Values are those of a BRDF about +z: the cosine
-/// to its own normal is in, that to +z divided out.
+/// clearcoat_brdf = specular_brdf(normal, alpha). Values are those of a BRDF about +z: they
+/// include the cosine to the normal of the coat over that to +z.
 struct clearcoat_brdf : Lobe {
   static constexpr int kKinds = kSpecularReflect;
   const SeenCoat& coat;

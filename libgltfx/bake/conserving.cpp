@@ -20,12 +20,12 @@ double f0_through(double reflectance, double f90, double cosine) {
 }
 
 struct Shares {
-  double layer = 0;  // what the layer reflects
-  double base = 0;   // what 1 - F hands on to diffuse lobes
+  double layer = 0;  // reflected by the layer
+  double base = 0;   // transmitted to diffuse lobes, by 1 - F
 };
 
-// Inside a volume total reflection makes a curve that is in no table. What the layer reflects, over
-// a lattice of visible normals.
+// Inside a volume, total reflection makes a curve that no table has: the reflectance of the layer
+// is summed over a lattice of visible normals.
 double layer_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
   if (facets.smooth()) return max_value(fresnel.at(v.z));
   constexpr int kPoints = 144;  // Fibonacci numbers: the lattice follows no edge
@@ -54,8 +54,9 @@ double cosines_around(double v_z, double cosine, double sine) {
   return 2 * (middle * rise + swing * std::sin(rise));
 }
 
-// What 1 - F hands on to diffuse lobes there. F depends on the angle between v and l alone, which
-// is twice that to the facet: over the angle at which the facet lets light out, all is smooth.
+// The transmittance to diffuse lobes inside a volume, by 1 - F. F depends on the angle between v
+// and l alone, twice the angle to the facet. Over the angle of refracted light the
+// integrand is smooth.
 double base_inside(const Fresnel& fresnel, double v_z) {
   static const std::vector<Node> kNodes = gauss_legendre(10);
   double sum = 0;
@@ -70,7 +71,7 @@ double base_inside(const Fresnel& fresnel, double v_z) {
   return sum / pi;
 }
 
-// Lights over a hemisphere, of a view along its rim.
+// Lights over a hemisphere, for a grazing view.
 struct GrazingLight {
   double cosine = 0;
   TableCell column;
@@ -149,7 +150,7 @@ double EnergyCompensation::share(double cosine) const {
 double EnergyCompensation::share(const SpecularAlbedo& along, const SpecularAlbedo& across,
                                  double cosine) const {
   double reflected = highest_f0_ * along.constant + f90_ * (along.rising + table_margin(cosine));
-  if (!isotropic_) {  // between those of the two, but for grazing angles
+  if (!isotropic_) {  // between the isotropic values of both, but for grazing angles
     reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising) +
                 4 * f90_ * table_margin(cosine);
   }

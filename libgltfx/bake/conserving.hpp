@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What keeps layered materials from reflecting more than they receive, and the albedo scaling of
-/// sheen.
+/// Energy conservation of layered materials, and the albedo scaling of sheen.
 ///
 /// The sample implementation weights diffuse light by 1 - F(V.H), averaged over all lights. At
-/// grazing angles that is far more than what a smooth layer leaves. The conserving mode scales the
-/// diffuse light by s(V) s(L) / m. Here s is what the layer leaves over what the sample
-/// implementation hands on, 1 at most, and m is the mean of s over the lights of a grazing view,
+/// grazing angles that is far more than a smooth layer transmits. The conserving mode scales the
+/// diffuse light by s(V) s(L) / m. Here s is the transmittance of the layer over that of the
+/// sample implementation, 1 at most, and m is the mean of s over the lights of a grazing view,
 /// which is the highest of all views. The result is reciprocal, never gains, and keeps the albedo
 /// of the sample implementation where that conserves energy. (The form is that of C. Kulla and A.
 /// Conty, Revisiting Physically Based Shading at Imageworks, 2017.)
@@ -24,11 +23,11 @@ class EnergyCompensation {
   EnergyCompensation() = default;
   EnergyCompensation(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);
 
-  /// For a light under a cosine.
+  /// `cosine`: of the light.
   double factor(double n_l) const;
 
-  /// Of rough diffuse lobes: they send more light back to where it comes from, and there an
-  /// interface lets more through than elsewhere. By the furnace that is 2 % of it at most.
+  /// For rough diffuse lobes: they reflect more light back to its source, where an interface
+  /// transmits more than elsewhere. In a furnace the difference is 2 % at most.
   void calm(double diffuse_roughness) { scale_ *= 1 - 0.021 * diffuse_roughness * f90_; }
 
  private:
@@ -47,7 +46,7 @@ class EnergyCompensation {
   double scale_ = 1;
 };
 
-/// What is held back below the dielectric interface of a material: nothing in spec mode, or without
+/// The compensation below the dielectric interface of a material: none in spec mode, or without
 /// diffuse lobes.
 inline EnergyCompensation held_below(const Fresnel& fresnel, const Microfacets& facets,
                                      const Vec3d& v, const Material& material, ShaderMode mode) {
@@ -59,7 +58,7 @@ inline EnergyCompensation held_below(const Fresnel& fresnel, const Microfacets& 
   return held;
 }
 
-/// Weights of a sheen and of what is below it.
+/// Weights of a sheen and of the layers below it.
 struct SheenScaling {
   double strength = 0;  ///< of the sheen: its strongest colour
   double roughness = 0;
@@ -72,7 +71,7 @@ struct SheenScaling {
   };
 
   SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v, ShaderMode mode);
-  /// For a light under a cosine.
+  /// `cosine`: of the light.
   Weights weights(double n_l) const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where a triangle is there for a ray at all: alpha and the culling of back faces.
+/// Alpha, and the culling of back faces.
 #pragma once
 
 #include "bake/ray.hpp"
@@ -21,7 +21,7 @@ bool is_culled(const SceneMaterial& material);
 Float2 uv_at(const Mesh& mesh, std::uint32_t set, const Hit& hit);
 Float4 color_at(const Mesh& mesh, const Hit& hit);
 
-/// What alphaMode makes of the alpha at a hit, from 0 (a hole) to 1 (solid).
+/// The coverage at a hit by alpha and alphaMode, from 0 (a hole) to 1 (solid).
 float coverage_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& material,
                   const Hit& hit);
 

@@ -14,23 +14,23 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr int kFilterWidth = 16;  // of the pixels that are worked on together
+constexpr int kFilterWidth = 16;  // of a tile
 constexpr int kFilterHeight = 8;
 constexpr int kReach = kNeighbours;
 constexpr int kMargin = kReach + kPatch;
 constexpr int kWidth = kFilterWidth + 2 * kMargin;
 constexpr int kHeight = kFilterHeight + 2 * kMargin;
-constexpr int kComparedWidth = kFilterWidth + 2 * kPatch;
-constexpr int kComparedHeight = kFilterHeight + 2 * kPatch;
+constexpr int kPatchRowWidth = kFilterWidth + 2 * kPatch;
+constexpr int kPatchRows = kFilterHeight + 2 * kPatch;
 constexpr int kOffsets = (2 * kReach + 1) * (2 * kReach + 1);
 constexpr std::size_t kPatchWidth = std::size_t{2} * kPatch + 1;
-constexpr float kStrictness = 0.25F;  // squared: standard deviations that are left to noise
+constexpr float kDamping = 0.25F;  // k^2 of non-local means
 constexpr float kRidge = 1e-4F;
 
 using Row = std::array<float, kFilterWidth>;
 
-// As exp(-x), but falling off slower far out: a pixel that is like no other still has neighbours.
-inline float falling(float x) {
+// A kernel as exp(-x), but with a longer tail: a pixel unlike all others still has neighbours.
+inline float kernel(float x) {
   float t = 1 / (1 + x * (1.0F / 8.0F));
   t *= t;
   t *= t;
@@ -41,14 +41,14 @@ constexpr std::size_t at(int y, int x) {
   return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
 }
 
-// Part of a plane: a tile and its surroundings, which go on at the edge of the picture as they end.
+// Part of a plane: a tile with its margin, where the edge of the picture is repeated.
 using Block = std::array<float, std::size_t{kHeight} * kWidth>;
 
-// One tile. `Terms`: of the regression: 1, x, y, and the first of the features.
+// Filters one tile. The regression has so many terms: 1, x, y, and the first of the features.
 template <std::size_t Terms>
 class TileFilter {
  public:
-  TileFilter(const DenoiseLayer& layer, const Features& features, std::uint32_t left,
+  TileFilter(const DenoiseLayer& layer, const FeaturePlanes& features, std::uint32_t left,
              std::uint32_t top)
       : layer_(layer),
         all_features_(features),
@@ -57,11 +57,11 @@ class TileFilter {
     copy(layer.weight, weight_);
     copy(layer.variance, variance_);
     copy(layer.y, y_);
-    leave_out_beyond();
+    clear_outside();
   }
 
-  /// Whether there is something in the tile or around it; else it stays as dark as it is.
-  bool matters() const {
+  /// Whether the tile or its margin has any light; else it stays black.
+  bool has_light() const {
     const auto is_set = [](float each) { return each != 0; };
     return std::any_of(y_.begin(), y_.end(), is_set) ||
            std::any_of(variance_.begin(), variance_.end(), is_set);
@@ -72,13 +72,14 @@ class TileFilter {
     for (std::size_t f = 0; f < Terms - 3; ++f) copy(all_features_[f], features_[f]);
     std::size_t offset = 0;
     for (int dy = -kReach; dy <= kReach; ++dy) {
-      for (int dx = -kReach; dx <= kReach; ++dx, ++offset) compare(dx, dy, weights_[offset]);
+      for (int dx = -kReach; dx <= kReach; ++dx, ++offset)
+        compute_weights(dx, dy, weights_[offset]);
     }
   }
 
-  /// Of each pixel of a row; as it was where nothing can be said.
+  /// Filtered values of a row; unfiltered where the equations have no solution.
   std::array<Float3, kFilterWidth> values(int row) const {
-    const Sums sums = add_up(row);
+    const Sums sums = equations_of(row);
     std::array<Float3, kFilterWidth> result{};
     for (std::size_t x = 0; x < kFilterWidth; ++x) {
       for (std::size_t c = 0; c < layer_.values.size(); ++c) {
@@ -101,7 +102,7 @@ class TileFilter {
     std::array<Row, kProducts> products{};
     std::array<std::array<Row, Terms>, 3> colors{};
   };
-  using Compared = std::array<std::array<float, kComparedWidth>, kComparedHeight>;
+  using PatchRows = std::array<std::array<float, kPatchRowWidth>, kPatchRows>;
 
   void copy(const Plane& plane, Block& block) const {
     for (int y = 0; y < kHeight; ++y) {
@@ -113,7 +114,7 @@ class TileFilter {
     }
   }
 
-  void leave_out_beyond() {
+  void clear_outside() {
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const bool inside = left_ + x >= 0 && left_ + x < static_cast<int>(layer_.width) &&
@@ -123,41 +124,40 @@ class TileFilter {
     }
   }
 
-  // How much neighbours at an offset count: by how far patches around differ, beyond what noise
-  // explains.
-  void compare(int dx, int dy, std::array<Row, kFilterHeight>& weights) const {
-    Compared distance;
-    Compared say;
-    for (int y = 0; y < kComparedHeight; ++y) {
+  // The weights of neighbours at an offset, from the distance of patches beyond the variance.
+  void compute_weights(int dx, int dy, std::array<Row, kFilterHeight>& weights) const {
+    PatchRows distance;
+    PatchRows confidence;
+    for (int y = 0; y < kPatchRows; ++y) {
       const std::size_t a = at(y + kReach, kReach);
       const std::size_t b = at(y + kReach + dy, kReach + dx);
       auto& distances = distance[static_cast<std::size_t>(y)];
-      auto& says = say[static_cast<std::size_t>(y)];
-      for (std::size_t x = 0; x < kComparedWidth; ++x) {
+      auto& confidences = confidence[static_cast<std::size_t>(y)];
+      for (std::size_t x = 0; x < kPatchRowWidth; ++x) {
         const float difference = y_[a + x] - y_[b + x];
         const float expected = variance_[a + x] + std::min(variance_[a + x], variance_[b + x]);
-        const float unit = 1e-5F + kStrictness * (variance_[a + x] + variance_[b + x]);
-        says[x] = weight_[a + x] * weight_[b + x];
-        distances[x] = says[x] * (difference * difference - expected) / unit;
+        const float unit = 1e-5F + kDamping * (variance_[a + x] + variance_[b + x]);
+        confidences[x] = weight_[a + x] * weight_[b + x];
+        distances[x] = confidences[x] * (difference * difference - expected) / unit;
       }
     }
     add_rows(distance);
-    add_rows(say);
+    add_rows(confidence);
     for (int y = 0; y < kFilterHeight; ++y) {
       const Row distances = add_columns(distance, y);
-      const Row says = add_columns(say, y);
+      const Row confidences = add_columns(confidence, y);
       const std::size_t b = at(y + kMargin + dy, kMargin + dx);
       Row& row = weights[static_cast<std::size_t>(y)];
       for (std::size_t x = 0; x < kFilterWidth; ++x) {
-        const float alike = falling(std::max(distances[x] / std::max(says[x], 1e-6F), 0.0F));
-        row[x] = says[x] > 0 ? alike * weight_[b + x] : 0.0F;
+        const float weight = kernel(std::max(distances[x] / std::max(confidences[x], 1e-6F), 0.0F));
+        row[x] = confidences[x] > 0 ? weight * weight_[b + x] : 0.0F;
       }
     }
   }
 
-  static void add_rows(Compared& compared) {
-    for (auto& line : compared) {
-      std::array<float, kComparedWidth> sums{};
+  static void add_rows(PatchRows& rows) {
+    for (auto& line : rows) {
+      std::array<float, kPatchRowWidth> sums{};
       for (std::size_t k = 0; k < kPatchWidth; ++k) {
         for (std::size_t x = 0; x < kFilterWidth; ++x) sums[x] += line[x + k];
       }
@@ -165,17 +165,17 @@ class TileFilter {
     }
   }
 
-  static Row add_columns(const Compared& compared, int y) {
+  static Row add_columns(const PatchRows& rows, int y) {
     Row sums{};
     for (std::size_t k = 0; k < kPatchWidth; ++k) {
       for (std::size_t x = 0; x < kFilterWidth; ++x)
-        sums[x] += compared[static_cast<std::size_t>(y) + k][x];
+        sums[x] += rows[static_cast<std::size_t>(y) + k][x];
     }
     return sums;
   }
 
-  // What is known of the neighbours of a row, as seen from each of its pixels.
-  void look(int row, int dx, int dy, std::array<Row, Terms>& terms) const {
+  // The terms of the regression for neighbours of a row, relative to its pixels.
+  void set_terms(int row, int dx, int dy, std::array<Row, Terms>& terms) const {
     terms[1].fill(static_cast<float>(dx) / kReach);
     terms[2].fill(static_cast<float>(dy) / kReach);
     const std::size_t a = at(row + kMargin, kMargin);
@@ -187,14 +187,14 @@ class TileFilter {
     }
   }
 
-  Sums add_up(int row) const {
+  Sums equations_of(int row) const {
     Sums sums;
     std::array<Row, Terms> terms;
     terms[0].fill(1);
     std::size_t offset = 0;
     for (int dy = -kReach; dy <= kReach; ++dy) {
       for (int dx = -kReach; dx <= kReach; ++dx, ++offset) {
-        look(row, dx, dy, terms);
+        set_terms(row, dx, dy, terms);
         add(weights_[offset][static_cast<std::size_t>(row)], terms,
             at(row + kMargin + dy, kMargin + dx), sums);
       }
@@ -221,27 +221,27 @@ class TileFilter {
   }
 
   const DenoiseLayer& layer_;
-  const Features& all_features_;
-  int left_, top_;  // of the surroundings
+  const FeaturePlanes& all_features_;
+  int left_, top_;  // of the margin
   Block weight_, variance_, y_;
   std::array<Block, 3> values_{};
   std::array<Block, Terms - 3 == 0 ? 1 : Terms - 3> features_;
   std::array<std::array<Row, kFilterHeight>, static_cast<std::size_t>(kOffsets)> weights_;
 };
 
-// Layer by layer: there is memory for one of them at a time.
+// Filters the layers one after the other, so that one is in memory at a time.
 class Denoiser {
  public:
-  Denoiser(const Film& film, const Rows& rows, unsigned jobs, Canvas& canvas)
-      : film_(film), rows_(rows), jobs_(jobs), canvas_(canvas) {}
+  Denoiser(const Film& film, const Rows& rows, unsigned jobs, Framebuffer& buffer)
+      : film_(film), rows_(rows), jobs_(jobs), buffer_(buffer) {}
 
   void run(const DepthRange& depths) {
     start();
-    const Features features = features_of(film_, depths, jobs_);
+    const FeaturePlanes features = features_of(film_, depths, jobs_);
     for (const LightPart part : {LightPart::scattered, LightPart::reflected}) {
       const DenoiseLayer layer = light_layer(film_, part, jobs_);
       const auto light = [part](const FeatureSums& seen, const Rgb& value) {
-        return value * surface_color(seen, part);
+        return value * albedo_of(seen, part);
       };
       if (part == LightPart::scattered) {
         smooth<kScatteredTerms>(layer, features, light);
@@ -249,10 +249,10 @@ class Denoiser {
         smooth<kReflectedTerms>(layer, features, light);
       }
     }
-    smooth<kShadowTerms>(shadow_layer(film_, jobs_), features,
-                         [](const FeatureSums& seen, const Rgb& value) {
-                           return to_vec(seen.behind) * ((1 - value.x) / std::max(seen.count, 1U));
-                         });
+    smooth<kShadowTerms>(
+        shadow_layer(film_, jobs_), features, [](const FeatureSums& seen, const Rgb& value) {
+          return to_vec(seen.background) * ((1 - value.x) / std::max(seen.count, 1U));
+        });
   }
 
  private:
@@ -264,17 +264,17 @@ class Denoiser {
     return std::size_t{y} * film_.width() + x;
   }
 
-  // Light that has no noise.
+  // Emission has no noise.
   void start() {
     for (std::size_t i = pixel(0, rows_.first); i < pixel(0, rows_.last); ++i) {
-      const FeatureSums seen = film_.feature_sums(i);
-      canvas_.radiance[i] = to_float3(to_vec(seen.direct) / Rgb(std::max(seen.count, 1U)));
+      const FeatureSums seen = film_.features(i);
+      buffer_.radiance[i] = to_float3(to_vec(seen.emitted) / Rgb(std::max(seen.count, 1U)));
     }
   }
 
-  // light(what is seen, value of the layer): what is added to the radiance.
+  // light(features, value of the layer) is what is added to the radiance.
   template <std::size_t Terms, class Light>
-  void smooth(const DenoiseLayer& layer, const Features& features, const Light& light) {
+  void smooth(const DenoiseLayer& layer, const FeaturePlanes& features, const Light& light) {
     const std::uint32_t columns = (film_.width() + kFilterWidth - 1) / kFilterWidth;
     const std::uint32_t lines = (rows_.last - rows_.first + kFilterHeight - 1) / kFilterHeight;
     parallel_ordered(
@@ -292,15 +292,15 @@ class Denoiser {
 
   template <class Filter, class Light>
   void add_tile(Filter& filter, std::uint32_t left, std::uint32_t top, const Light& light) {
-    const bool matters = filter.matters();
-    if (matters) filter.run();
+    const bool lit = filter.has_light();
+    if (lit) filter.run();
     for (std::uint32_t y = 0; y < kFilterHeight && top + y < rows_.last; ++y) {
       std::array<Float3, kFilterWidth> values{};
-      if (matters) values = filter.values(static_cast<int>(y));
+      if (lit) values = filter.values(static_cast<int>(y));
       for (std::uint32_t x = 0; x < kFilterWidth && left + x < film_.width(); ++x) {
         const std::size_t i = pixel(left + x, top + y);
-        const Rgb more = light(film_.feature_sums(i), to_vec(values[x]));
-        canvas_.radiance[i] = to_float3(to_vec(canvas_.radiance[i]) + more);
+        const Rgb more = light(film_.features(i), to_vec(values[x]));
+        buffer_.radiance[i] = to_float3(to_vec(buffer_.radiance[i]) + more);
       }
     }
   }
@@ -308,14 +308,14 @@ class Denoiser {
   const Film& film_;
   const Rows rows_;
   const unsigned jobs_;
-  Canvas& canvas_;
+  Framebuffer& buffer_;
 };
 
 }  // namespace
 
 void denoise(const Film& film, const Rows& rows, const DepthRange& depths, unsigned jobs,
-             Canvas& canvas) {
-  Denoiser(film, rows, jobs, canvas).run(depths);
+             Framebuffer& buffer) {
+  Denoiser(film, rows, jobs, buffer).run(depths);
 }
 
 }  // namespace gltfx::bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Light that falls onto a surface straight from where it is made.
+/// Sampling of lights: candidates for direct light, and the choice among them.
 #pragma once
 
 #include "bake/integrator.hpp"
@@ -10,82 +10,78 @@
 namespace gltfx::bake {
 
 /// The power heuristic of two strategies (E. Veach, Robust Monte Carlo Methods, 1997).
-inline double power_weight(double own, double other) {
+inline double power_heuristic(double own, double other) {
   const double a = own * own;
   const double b = other * other;
   return a > 0 ? a / (a + b) : 0.0;
 }
 
-/// What would come from a direction to the viewer, were nothing in the way.
+/// Light that a surface or medium would send to the viewer if nothing occluded its source.
 struct Candidate {
-  Ray towards;
-  Evaluation value;  ///< of the material for it
-  Float2 point{};    ///< of the environment
-  Rgb share;
-  double weight = 0;  ///< for a choice among its kind; 0: nothing
+  Ray shadow_ray;
+  Evaluation bsdf;
+  Float2 point{};     ///< of the environment
+  Rgb contribution;   ///< over the density, with the weight of multiple importance sampling
+  double weight = 0;  ///< in the choice among candidates; 0: no light
 };
 
-/// One of several candidates, and what it stands for.
+/// One candidate out of several.
 struct Reservoir {
-  Candidate light;
-  double scale = 0;
+  Candidate candidate;
+  double scale = 0;  ///< of its contribution, to stand for all of them
 };
 
-/// Of `tries` candidates one, by what they would give were nothing in the way: resampled importance
-/// sampling (J. Talbot et al., EGSR 2005). `random` is from [0, 1); propose(i) gives a candidate.
+/// Chooses one of `count` candidates by their weights: resampled importance sampling (J. Talbot et
+/// al., EGSR 2005). `random` is from [0, 1); propose(i) gives a candidate.
 template <class Propose>
-Reservoir choose_one(std::uint32_t tries, double random, const Propose& propose) {
+Reservoir resample(std::uint32_t count, double random, const Propose& propose) {
   Candidate chosen;
   double total = 0;
-  for (std::uint32_t i = 0; i < tries; ++i) {
-    const Candidate each = propose(i);
-    if (!(each.weight > 0)) continue;
-    total += each.weight;
-    if (choose(each.weight / total, random)) chosen = each;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Candidate candidate = propose(i);
+    if (!(candidate.weight > 0)) continue;
+    total += candidate.weight;
+    if (choose(candidate.weight / total, random)) chosen = candidate;
   }
-  return {chosen, total > 0 ? total / (chosen.weight * tries) : 0};
+  return {chosen, total > 0 ? total / (chosen.weight * count) : 0};
 }
 
-/// Candidates of one surface. Each takes even random numbers, and its shares' mean is the light of
-/// its kind, as far as directions that the material samples do not find it (multiple importance
-/// sampling with those).
+/// Candidates for one surface, by uniform random numbers. The mean contribution is the light of
+/// its kind, weighted against BSDF sampling.
 class DirectLight {
  public:
   /// References must outlive it. `around`: the medium outside of the surface; null: none.
-  DirectLight(const PathSetting& setting, const Surface& surface, const Bsdf& bsdf,
+  DirectLight(const TraceContext& context, const Surface& surface, const Bsdf& bsdf,
               const Medium* around)
-      : s_(setting), surface_(surface), bsdf_(bsdf), around_(around) {}
+      : context_(context), surface_(surface), bsdf_(bsdf), around_(around) {}
 
-  /// Its share still wants finish_environment(). Weighed without a look at the environment, which
-  /// is sampled by its brightness: what that is over the density is the same everywhere, more or
-  /// less.
-  Candidate from_environment(const Float2& random) const;
-  void finish_environment(Candidate& chosen) const;
-  Candidate from_emitter(const Float2& random) const;
-  Candidate from_lamp(const Float2& random) const;
+  /// Without the radiance of the environment, which add_radiance() multiplies in for the candidate
+  /// that is chosen: directions are sampled by it, so that radiance over density hardly varies.
+  Candidate sample_environment(const Float2& random) const;
+  void add_radiance(Candidate& chosen) const;
+  Candidate sample_emitter(const Float2& random) const;
+  Candidate sample_punctual(const Float2& random) const;
 
  private:
   /// Whether a direction is on the same side of the flat triangle as of the shading normal.
   bool is_consistent(const Vec3d& direction, const Vec3d& l) const;
-  /// Whether light from there comes through the volume behind the surface: then only lamps are
-  /// looked for.
-  bool leads_in(const Vec3d& l) const;
-  /// `light`: radiance, or irradiance of a lamp; `pdf`: of the direction, 0 for a lamp.
+  /// Whether light from there comes through the volume behind the surface: then only punctual
+  /// lights are sampled.
+  bool is_inwards(const Vec3d& l) const;
+  /// `light`: radiance, or irradiance of a punctual light; `pdf`: of the direction, 0 for those.
   Candidate candidate(const Ray& towards, const Vec3d& l, const Rgb& light, double pdf) const;
-  /// What media let through on the way.
-  Rgb dimming(const Vec3d& l, double far) const;
+  Rgb transmittance(const Vec3d& l, double distance) const;
   Vec3d start(const Vec3d& l) const;
 
-  const PathSetting& s_;
+  const TraceContext& context_;
   const Surface& surface_;
   const Bsdf& bsdf_;
   const Medium* around_;
 };
 
-/// A lamp that lies in a medium, for where a ray along it is scattered; f and l are not set.
-Candidate lamp_inside(const PathSetting& setting, const Medium& medium, const Ray& ray,
-                      const Float2& random);
-
+/// A candidate where a ray is scattered in a medium; `bsdf` is not set.
+Candidate sample_punctual(const TraceContext& context, const Medium& medium, const Ray& ray,
+                          const Float2& random);
 /// A start for rays, off the surface.
 inline Vec3d start_at(const Surface& surface, bool outside, double size) {
   return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A pair of directions, and what all lobes need to know of it.
+/// Directions of view and light, and random directions.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -15,11 +15,11 @@ namespace gltfx::bake {
 using std::numbers::inv_pi;
 using std::numbers::pi;
 
-/// In what a value is measured: lobes without width answer to `delta` alone, all others to
-/// `solid_angle` alone.
+/// The measure of a value: delta lobes have values for `delta` only, all others for `solid_angle`
+/// only.
 enum class Measure : std::uint8_t { solid_angle, delta };
 
-/// Which lobes are asked: a set of bits.
+/// Kinds of lobes: a set of bits.
 enum Lobes : std::uint8_t {
   kDiffuseReflect = 1,
   kDiffuseTransmit = 2,
@@ -79,24 +79,24 @@ inline Vec3d refraction_half(const Directions& d, double eta) {
 /// Value and density of one direction, as multiple importance sampling needs them together.
 struct Evaluation {
   Rgb f;           ///< without the cosine
-  Rgb reflected;   ///< the part of it that is mirrored, glossy or sheen
+  Rgb reflected;   ///< the part of `f` that is mirrored, glossy or sheen
   double pdf = 0;  ///< per steradian
 };
 
-/// A direction that a lobe proposes.
+/// A direction that a lobe samples.
 struct Proposal {
   Vec3d l;
   Measure measure = Measure::solid_angle;
   bool valid = true;
 };
 
-/// What the interface above lets through to the lobes below it. Diffuse and microfacet lobes ask
-/// separately: they differ in half vector and in what keeps them from gaining energy.
+/// The transmittance of an interface to the lobes below it. Diffuse and microfacet lobes differ in
+/// half vector and in energy compensation.
 struct Through {
   double diffuse = 1, specular = 1;
 };
 
-/// Random numbers of a choice between two, used up and stretched again.
+/// Chooses the second of two with a probability, and rescales the random number to [0, 1).
 inline bool choose(double probability, double& random) {
   const bool chosen = random < probability;
   random = chosen ? random / probability : (random - probability) / (1 - probability);

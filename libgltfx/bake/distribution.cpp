@@ -10,7 +10,7 @@ namespace gltfx::bake {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1F;
-constexpr std::size_t kMostParts = 128;  // of a list: tables stay near at hand
+constexpr std::size_t kMostParts = 128;  // of a list: tables stay in the cache
 
 double sum_of(std::span<const float> weights) {
   double sum = 0;
@@ -25,7 +25,7 @@ bool are_alike(std::span<const float> weights, float most) {
 
 }  // namespace
 
-void GridDistribution::Lists::add(std::span<const float> weights, float alike) {
+void PiecewiseConstant2d::Lists::add(std::span<const float> weights, float alike) {
   count = weights.size();
   parts = std::min(std::bit_ceil(count), kMostParts);
   const double total = sum_of(weights);
@@ -43,7 +43,7 @@ void GridDistribution::Lists::add(std::span<const float> weights, float alike) {
   add_bounds(probabilities, alike);
 }
 
-void GridDistribution::Lists::add_bounds(std::span<const float> probabilities, float alike) {
+void PiecewiseConstant2d::Lists::add_bounds(std::span<const float> probabilities, float alike) {
   const std::size_t list = bounds.size() / (parts + 1);
   float begin = 0;
   for (std::size_t part = 0; part < parts; ++part) {
@@ -58,13 +58,14 @@ void GridDistribution::Lists::add_bounds(std::span<const float> probabilities, f
   bounds.push_back(1);
 }
 
-std::size_t GridDistribution::Lists::cell_of(float coordinate) const {
+std::size_t PiecewiseConstant2d::Lists::cell_of(float coordinate) const {
   const float scaled = std::max(coordinate, 0.0F) * static_cast<float>(count);
   return std::min(static_cast<std::size_t>(static_cast<std::int64_t>(scaled)), count - 1);
 }
 
-// The last sum is 1 and `random` below: what is found has width.
-GridDistribution::Choice GridDistribution::Lists::search(std::size_t list, float random) const {
+// The last sum is 1 and `random` is below: the cell has width.
+PiecewiseConstant2d::Choice PiecewiseConstant2d::Lists::search(std::size_t list,
+                                                               float random) const {
   const float* first = sums.data() + list * (count + 1);
   const float* after = std::upper_bound(first, first + count, random);
   const float probability = after[0] - after[-1];
@@ -73,7 +74,8 @@ GridDistribution::Choice GridDistribution::Lists::search(std::size_t list, float
   return {std::min(place / cells, kBelowOne), 1 / (probability * cells)};
 }
 
-GridDistribution::Choice GridDistribution::Lists::choose(std::size_t list, float random) const {
+PiecewiseConstant2d::Choice PiecewiseConstant2d::Lists::choose(std::size_t list,
+                                                               float random) const {
   random = std::min(random, kBelowOne);
   const float scaled = random * static_cast<float>(parts);
   const auto part = static_cast<std::int32_t>(scaled);
@@ -84,8 +86,8 @@ GridDistribution::Choice GridDistribution::Lists::choose(std::size_t list, float
           width * static_cast<float>(parts)};
 }
 
-// By halves, without a branch that nobody can foresee.
-float GridDistribution::Lists::spread(std::size_t list, float coordinate) const {
+// Bisection without unpredictable branches.
+float PiecewiseConstant2d::Lists::spread(std::size_t list, float coordinate) const {
   const float* bound = bounds.data() + list * (parts + 1);
   for (std::size_t step = parts / 2; step > 0; step /= 2) {
     bound += std::fabs(bound[step]) <= coordinate ? step : 0;
@@ -97,7 +99,8 @@ float GridDistribution::Lists::spread(std::size_t list, float coordinate) const 
   return 1 / ((sum[1] - sum[0]) * static_cast<float>(count));
 }
 
-GridDistribution::GridDistribution(std::size_t width, std::span<const float> weights, float alike) {
+PiecewiseConstant2d::PiecewiseConstant2d(std::size_t width, std::span<const float> weights,
+                                         float alike) {
   std::vector<float> totals;
   for (std::size_t first = 0; first < weights.size(); first += width) {
     const auto row = weights.subspan(first, width);
@@ -107,15 +110,15 @@ GridDistribution::GridDistribution(std::size_t width, std::span<const float> wei
   rows_.add(totals, alike);
 }
 
-GridDistribution::Sample GridDistribution::sample(const Float2& random) const {
+PiecewiseConstant2d::Sample PiecewiseConstant2d::sample(const Float2& random) const {
   const Choice y = rows_.choose(0, random[1]);
   const Choice x = cells_.choose(rows_.cell_of(y.coordinate), random[0]);
   return {{x.coordinate, y.coordinate},
           1 / (static_cast<double>(x.spread) * static_cast<double>(y.spread))};
 }
 
-// Infinite spread: nothing is taken there.
-double GridDistribution::density(const Float2& point) const {
+// Where the spread is infinite, no point is sampled.
+double PiecewiseConstant2d::density(const Float2& point) const {
   const float y = rows_.spread(0, point[1]);
   const float x = cells_.spread(rows_.cell_of(point[1]), point[0]);
   return 1 / (static_cast<double>(x) * static_cast<double>(y));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Choosing the cells of a grid by their weights.
+/// Sampling of a piecewise constant function of two dimensions.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace gltfx::bake {
 
-/// Piecewise constant over the unit square, in rows of parts of equal probability. Where the
-/// weights of a part are nearly alike all its points are alike, and taking one is a look into a
-/// table; where they differ it is a search for the cell. Weights that are all 0 count as equal.
-class GridDistribution {
+/// A distribution over the cells of the unit square, in rows of parts of equal probability. Where
+/// the weights of a part are nearly equal, its density is constant, and sampling reads a table;
+/// elsewhere it searches for the cell. Weights that are all 0 count as equal.
+class PiecewiseConstant2d {
  public:
-  GridDistribution() = default;
-  /// `weights`: rows of `width`, finite and not negative. `alike`: how far weights may be apart
-  /// that count as equal; with 1 the density is the same all over a cell.
-  GridDistribution(std::size_t width, std::span<const float> weights, float alike = 1);
+  PiecewiseConstant2d() = default;
+  /// `weights`: rows of `width`, finite and not negative. `alike`: the ratio up to which weights
+  /// count as equal; with 1 the density is constant in each cell.
+  PiecewiseConstant2d(std::size_t width, std::span<const float> weights, float alike = 1);
 
   struct Sample {
     Float2 point{};
-    double density = 0;  ///< there
+    double density = 0;  ///< at the point
   };
-  /// A point of the unit square by an even one.
+  /// `random`: uniform in the unit square.
   Sample sample(const Float2& random) const;
   /// Density at a point of the unit square; 1 on average.
   double density(const Float2& point) const;
@@ -32,7 +32,7 @@ class GridDistribution {
  private:
   struct Choice {
     float coordinate = 0;
-    float spread = 1;  ///< one over the density there
+    float spread = 1;  ///< one over the density
   };
   /// Lists of `count` weights each.
   struct Lists {

@@ -16,7 +16,7 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::size_t kRow = 256;  // of the grid in which triangles are chosen
+constexpr std::size_t kRow = 256;  // of the grid of triangles
 constexpr std::size_t kMostTriangles = 1U << 20U;
 
 struct Corners {
@@ -32,32 +32,32 @@ Corners corners_of(const Instance& each, const Mesh& mesh, std::size_t triangle)
   return {point(a), point(b), point(c)};
 }
 
-// What a triangle emits, as far as its middle and what lies towards its corners tell.
+// The emission of a triangle, as the mean of its middle and three points near its corners.
 double brightness(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, Hit hit) {
   if (material.use(Slot::emissive).texture == kNone) return luminance(material.factors.emissive);
-  constexpr std::array<Float2, 4> kLooks{
+  constexpr std::array<Float2, 4> kProbes{
       {{1.0F / 3, 1.0F / 3}, {0.1F, 0.1F}, {0.8F, 0.1F}, {0.1F, 0.8F}}};
   double sum = 0;
-  for (const Float2& look : kLooks) {
+  for (const Float2& look : kProbes) {
     hit.u = look[0];
     hit.v = look[1];
     sum += luminance(material_at(scene, mesh, material, hit).emissive);
   }
-  return sum / kLooks.size();
+  return sum / kProbes.size();
 }
 
 }  // namespace
 
-bool shines(const SceneMaterial& material) {
+bool is_emissive(const SceneMaterial& material) {
   return !material.factors.unlit && max_value(material.factors.emissive) > 0;
 }
 
 Emitters::Emitters(const Scene& scene) {
-  std::map<std::uint32_t, std::vector<float>> shining;  // by mesh: what its triangles emit
+  std::map<std::uint32_t, std::vector<float>> shining;  // by mesh: emission of its triangles
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
     const SceneMaterial& material = material_of(scene, mesh);
-    if (!shines(material)) continue;
+    if (!is_emissive(material)) continue;
     std::vector<float>& each = shining[i];
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       each.push_back(static_cast<float>(brightness(scene, mesh, material, {0, 0, i, t, 0, 0})));
@@ -79,7 +79,7 @@ Emitters::Emitters(const Scene& scene) {
   }
   for (float& weight : weights) weight /= most;
   weights.resize((weights.size() + kRow - 1) / kRow * kRow);
-  choice_ = GridDistribution(kRow, weights);
+  choice_ = PiecewiseConstant2d(kRow, weights);
 }
 
 void Emitters::add(const Scene& scene, std::uint32_t instance, std::uint32_t mesh,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Surfaces that shine, as lights that are looked for.
+/// Emissive surfaces as lights (area lights).
 #pragma once
 
 #include <gltfx/vec3.hpp>
@@ -13,30 +13,29 @@
 
 namespace gltfx::bake {
 
-/// Whether surfaces of the material are lights.
-bool shines(const SceneMaterial& material);
+/// Whether surfaces of the material are area lights.
+bool is_emissive(const SceneMaterial& material);
 
-/// A point that shines onto another one.
+/// A point of an area light, seen from a lit point.
 struct EmissiveTriangle {
   Vec3d position;
-  Vec3d normal;     ///< of the flat triangle, towards the other point
-  Vec3d direction;  ///< from the other point, unit length
+  Vec3d normal;     ///< of the flat triangle, towards the lit point
+  Vec3d direction;  ///< from the lit point, unit length
   Rgb radiance;     ///< 0: none
-  double pdf = 0;   ///< per steradian, seen from the other point
+  double pdf = 0;   ///< per steradian, at the lit point
 };
 
-/// Triangles whose material emits, taken by area times what they emit as far as a few looks at
-/// their textures tell. Light that these miss, and that of meshes beyond a million triangles in
-/// all, is not taken at all: its pdf is 0.
+/// Emissive triangles, sampled by power: area times emission, estimated at a few points of the
+/// texture. The pdf of a triangle that is black at these points, or beyond a million, is 0.
 class Emitters {
  public:
   Emitters() = default;
   explicit Emitters(const Scene& scene);
 
   bool empty() const { return shapes_.empty(); }
-  /// `scene`: the same one. `random`: even.
+  /// `scene`: the same as before. `random`: uniform.
   EmissiveTriangle sample(const Scene& scene, const Vec3d& from, const Float2& random) const;
-  /// That of sample() for what a ray has hit; `cosine`: between the ray and the flat triangle.
+  /// The density of sample() for the hit of a ray; `cosine`: between ray and flat normal.
   double pdf(const Hit& hit, double cosine) const;
 
  private:
@@ -51,7 +50,7 @@ class Emitters {
 
   std::vector<Shape> shapes_;  ///< by instance, then by mesh
   std::vector<float> areas_;   ///< by triangle
-  GridDistribution choice_;
+  PiecewiseConstant2d choice_;
 };
 
 }  // namespace gltfx::bake

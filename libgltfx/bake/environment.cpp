@@ -12,10 +12,9 @@ namespace gltfx::bake {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr float kAlike = 2;  // brightness that is taken for the same where light is looked for
+constexpr float kAlike = 2;  // ratio of brightness up to which texels are sampled alike
 
-// A column may lie one beside the image, on whose other side it goes on; a row as well, where the
-// outermost counts.
+// A column beside the image wraps around; a row beside it is clamped.
 const Float3& texel(const EnvironmentImage& image, std::int64_t column, std::int64_t row) {
   const auto width = static_cast<std::int64_t>(image.width);
   const auto height = static_cast<std::int64_t>(image.height);
@@ -24,9 +23,8 @@ const Float3& texel(const EnvironmentImage& image, std::int64_t column, std::int
   return image.radiance[static_cast<std::size_t>(y * width + x)];
 }
 
-// The integral over each texel of the brightness that is read between texels: of linear
-// interpolation the texel itself counts 6/8, its neighbours 1/8 along each axis. So whatever is not
-// black is sampled.
+// The integral of the interpolated brightness over each texel: the texel itself counts 6/8, its
+// neighbours 1/8 along each axis. So every point that is not black is sampled.
 std::vector<float> weights_of(const EnvironmentImage& image) {
   const auto width = static_cast<std::int64_t>(image.width);
   const auto height = static_cast<std::int64_t>(image.height);
@@ -49,7 +47,7 @@ std::vector<float> weights_of(const EnvironmentImage& image) {
   return weights;
 }
 
-// With one texel more on each side.
+// The texels with a border of one texel.
 std::vector<Float3> with_border(const EnvironmentImage& image) {
   const std::int64_t width = image.width;
   const std::int64_t height = image.height;
@@ -61,7 +59,7 @@ std::vector<Float3> with_border(const EnvironmentImage& image) {
   return texels;
 }
 
-// `down`: from the upper edge.
+// `down`: of the angle from the upper edge.
 Vec3d direction_at(const Float2& point, const SinCos& down) {
   const SinCos around = sin_cos_of(static_cast<double>(point[0]) - 0.5);  // from -z to +x
   return {down.sine * around.sine, down.cosine, -down.sine * around.cosine};
@@ -109,7 +107,7 @@ Rgb Environment::radiance_at(const Float2& point) const {
   return to_vec(sum);
 }
 
-EnvironmentLook Environment::look(const Vec3d& direction) const {
+EnvironmentValue Environment::evaluate(const Vec3d& direction) const {
   const Float2 point = point_of(direction);
   const double ring = std::sqrt(std::max(0.0, 1 - direction.y * direction.y));
   const double area = 2 * kPi * kPi * ring;

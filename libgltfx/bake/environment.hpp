@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Light from far away, by direction.
+/// Light from infinity, by direction.
 #pragma once
 
 #include <gltfx/vec3.hpp>
@@ -12,39 +12,38 @@
 
 namespace gltfx::bake {
 
-/// A direction that light comes from, and how likely it was.
+/// A sampled direction.
 struct EnvironmentSample {
   Vec3d direction;
   Float2 point{};  ///< of the image
   double pdf = 0;  ///< per steradian; 0: no sample
 };
 
-/// What is seen in a direction.
-struct EnvironmentLook {
+/// Radiance from a direction, and its density in sample().
+struct EnvironmentValue {
   Rgb radiance;
-  double pdf = 0;  ///< with which sample() takes the direction
+  double pdf = 0;  ///< per steradian
 };
 
-/// An equirectangular image that is read between its texels, and sampled by its brightness.
+/// An equirectangular image, interpolated linearly and sampled by its brightness.
 class Environment {
  public:
   /// `image` has at least one texel.
   explicit Environment(const EnvironmentImage& image);
 
-  Rgb radiance(const Vec3d& direction) const { return look(direction).radiance; }
-  /// Radiance and density of a direction in one go.
-  EnvironmentLook look(const Vec3d& direction) const;
+  Rgb radiance(const Vec3d& direction) const { return evaluate(direction).radiance; }
+  EnvironmentValue evaluate(const Vec3d& direction) const;
   EnvironmentSample sample(const Float2& random) const;
-  /// That of a sample.
+  /// The radiance of a sample.
   Rgb radiance(const EnvironmentSample& sample) const { return radiance_at(sample.point); }
   Rgb radiance_at(const Float2& point) const;
-  /// Of sample(), per steradian.
-  double pdf(const Vec3d& direction) const { return look(direction).pdf; }
+  /// The density of sample(), per steradian.
+  double pdf(const Vec3d& direction) const { return evaluate(direction).pdf; }
 
  private:
   std::uint32_t width_, height_;
-  std::vector<Float3> texels_;  ///< rows from the top, with a border that makes it endless
-  GridDistribution distribution_;
+  std::vector<Float3> texels_;  ///< rows from the top, with a border of one texel
+  PiecewiseConstant2d distribution_;
 };
 
 /// The direction at a point of the unit square over the image, and the other way round.

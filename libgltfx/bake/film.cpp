@@ -18,15 +18,15 @@ void add_to(Float3& sum, const Vec3d& value) {
 float squared(double value) { return static_cast<float>(value * value); }
 
 Rgb noisy(const PixelSums& sums) {
-  return to_vec(sums.reflected[0]) + to_vec(sums.reflected[1]) + to_vec(sums.scattered[0]) +
-         to_vec(sums.scattered[1]);
+  return to_vec(sums.light.reflected[0]) + to_vec(sums.light.reflected[1]) +
+         to_vec(sums.light.scattered[0]) + to_vec(sums.light.scattered[1]);
 }
 
 double shadow(const PixelSums& sums) {
-  return static_cast<double>(sums.shadow[0]) + static_cast<double>(sums.shadow[1]);
+  return static_cast<double>(sums.light.shadow[0]) + static_cast<double>(sums.light.shadow[1]);
 }
 
-// Of the mean, by the sum of luminances and of their squares.
+// The standard error of a mean, by the sums of luminances and of their squares.
 double standard_error(std::uint32_t samples, double sum, float square) {
   if (samples < 2) return 0;
   const double count = samples;
@@ -39,54 +39,66 @@ bool is_finite(const Rgb& c) { return std::isfinite(c.x + c.y + c.z); }
 
 }  // namespace
 
-void add(FeatureSums& feature_sums, const PathSample& sample) {
-  ++feature_sums.count;
-  add_to(feature_sums.direct, sample.direct);
-  add_to(feature_sums.behind, sample.behind);
-  feature_sums.alpha += static_cast<float>(sample.alpha);
-  add_to(feature_sums.albedo, sample.albedo);
-  add_to(feature_sums.mirror, sample.mirror);
-  add_to(feature_sums.normal, sample.normal);
-  feature_sums.depth += static_cast<float>(sample.depth);
+void FeatureSums::add(const PathSample& sample) {
+  ++count;
+  add_to(emitted, sample.emitted);
+  add_to(background, sample.background);
+  alpha += static_cast<float>(sample.alpha);
+  add_to(albedo, sample.features.albedo);
+  add_to(specular_albedo, sample.features.specular_albedo);
+  add_to(normal, sample.features.normal);
+  depth += static_cast<float>(sample.features.depth);
 }
 
-void add_sight(PixelSums& sums, const PathSample& sample) {
-  add(sums.feature_sums, sample);
-  sums.albedo_square += static_cast<float>(dot(sample.albedo, sample.albedo));
-  sums.normal_square += static_cast<float>(dot(sample.normal, sample.normal));
-  sums.clear = sums.clear || sample.clear;
-  if (sums.material == kNone) sums.material = sample.material;
+void FeatureSums::add(const FeatureSums& other) {
+  count += other.count;
+  add_to(emitted, to_vec(other.emitted));
+  add_to(background, to_vec(other.background));
+  alpha += other.alpha;
+  add_to(albedo, to_vec(other.albedo));
+  add_to(specular_albedo, to_vec(other.specular_albedo));
+  add_to(normal, to_vec(other.normal));
+  depth += other.depth;
+}
+
+void PixelSums::add_features(const PathSample& sample) {
+  features.add(sample);
+  albedo_square += static_cast<float>(dot(sample.features.albedo, sample.features.albedo));
+  normal_square += static_cast<float>(dot(sample.features.normal, sample.features.normal));
+  clear = clear || sample.features.clear;
+  if (material == kNone) material = sample.features.material;
 }
 
 bool PixelSums::is_mixed() const {
   constexpr double kColors = 3e-4;  // variances
   constexpr double kNormals = 1e-2;
-  if (clear || feature_sums.alpha <= 0) return false;
-  const double count = feature_sums.count;
-  if (static_cast<double>(feature_sums.alpha) < count * (1 - 1e-4)) return true;
+  if (clear || features.alpha <= 0) return false;
+  const double count = features.count;
+  if (static_cast<double>(features.alpha) < count * (1 - 1e-4)) return true;
   const auto spread = [count](float squares, const Float3& sum) {
     const Vec3d mean = to_vec(sum) / count;
     return static_cast<double>(squares) / count - dot(mean, mean);
   };
-  return spread(albedo_square, feature_sums.albedo) > kColors ||
-         spread(normal_square, feature_sums.normal) > kNormals;
+  return spread(albedo_square, features.albedo) > kColors ||
+         spread(normal_square, features.normal) > kNormals;
 }
 
 void Film::reserve(std::uint32_t rows) {
   pixels_.reserve(std::size_t{rows} * width_);
-  looked_.reserve(std::size_t{rows} * width_);
+  feature_samples_.reserve(std::size_t{rows} * width_);
 }
 
 void Film::hold(const Rows& rows) {
   const std::size_t lost = std::min(std::size_t{rows.first - held_.first} * width_, size());
   pixels_.erase(pixels_.begin(), pixels_.begin() + static_cast<std::ptrdiff_t>(lost));
   for (std::size_t i = 0; i < lost; ++i) {
-    if (looked_[i] != kNone) unused_.push_back(looked_[i]);
+    if (feature_samples_[i] != kNone) unused_.push_back(feature_samples_[i]);
   }
-  looked_.erase(looked_.begin(), looked_.begin() + static_cast<std::ptrdiff_t>(lost));
+  feature_samples_.erase(feature_samples_.begin(),
+                         feature_samples_.begin() + static_cast<std::ptrdiff_t>(lost));
   held_ = rows;
   pixels_.resize(std::size_t{rows.last - rows.first} * width_);
-  looked_.resize(pixels_.size(), kNone);
+  feature_samples_.resize(pixels_.size(), kNone);
 }
 
 void Film::add(std::size_t pixel, const PathSample& sample) {
@@ -95,72 +107,63 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   ++sums.samples;
   sums.rays += sample.rays;
   if (!is_finite(sample.radiance())) {
-    ++sums.feature_sums.count;
+    ++sums.features.count;
     return;
   }
-  add_to(sums.reflected[half], sample.reflected);
-  add_to(sums.scattered[half], sample.scattered);
-  const double taken = luminance(sample.behind) * sample.shadow;
-  sums.shadow[half] += static_cast<float>(taken);
+  add_to(sums.light.reflected[half], sample.reflected);
+  add_to(sums.light.scattered[half], sample.scattered);
+  const double taken = luminance(sample.background) * sample.shadow;
+  sums.light.shadow[half] += static_cast<float>(taken);
   const double reflected = luminance(sample.reflected);
   const double scattered = luminance(sample.scattered);
-  sums.square += squared(reflected + scattered - taken);
-  sums.reflected_square += squared(reflected);
-  sums.scattered_square += squared(scattered);
-  add_sight(sums, sample);
+  sums.light.square += squared(reflected + scattered - taken);
+  sums.light.reflected_square += squared(reflected);
+  sums.light.scattered_square += squared(scattered);
+  sums.add_features(sample);
 }
 
-void Film::add_sights(std::size_t pixel, const FeatureSums& feature_sums, std::uint32_t material) {
+void Film::add_features(std::size_t pixel, const FeatureSums& sums, std::uint32_t material) {
   const std::size_t held = pixel - first_pixel();
   pixels_[held].material = material;
-  std::uint32_t& place = looked_[held];
+  std::uint32_t& place = feature_samples_[held];
   if (unused_.empty()) {
-    place = static_cast<std::uint32_t>(looks_.size());
-    looks_.push_back(feature_sums);
+    place = static_cast<std::uint32_t>(feature_sums_.size());
+    feature_sums_.push_back(sums);
   } else {
     place = unused_.back();
     unused_.pop_back();
-    looks_[place] = feature_sums;
+    feature_sums_[place] = sums;
   }
 }
 
-FeatureSums Film::feature_sums(std::size_t pixel) const {
-  FeatureSums sum = at(pixel).feature_sums;
-  const std::uint32_t looked = looked_[pixel - first_pixel()];
-  if (looked == kNone) return sum;
-  const FeatureSums& more = looks_[looked];
-  sum.count += more.count;
-  add_to(sum.direct, to_vec(more.direct));
-  add_to(sum.behind, to_vec(more.behind));
-  sum.alpha += more.alpha;
-  add_to(sum.albedo, to_vec(more.albedo));
-  add_to(sum.mirror, to_vec(more.mirror));
-  add_to(sum.normal, to_vec(more.normal));
-  sum.depth += more.depth;
+FeatureSums Film::features(std::size_t pixel) const {
+  FeatureSums sum = at(pixel).features;
+  const std::uint32_t more = feature_samples_[pixel - first_pixel()];
+  if (more != kNone) sum.add(feature_sums_[more]);
   return sum;
 }
 
 Rgb Film::radiance(std::size_t pixel) const {
   const PixelSums& sums = at(pixel);
   if (sums.samples == 0) return {};
-  const Rgb behind = to_vec(sums.feature_sums.behind);
+  const Rgb behind = to_vec(sums.features.background);
   const double seen = luminance(behind);
   const double lit = seen > 0 ? 1 - shadow(sums) / seen : 1;
-  return (noisy(sums) + to_vec(sums.feature_sums.direct) + behind * lit) /
+  return (noisy(sums) + to_vec(sums.features.emitted) + behind * lit) /
          static_cast<double>(sums.samples);
 }
 
 double Film::error(std::size_t pixel) const {
   const PixelSums& sums = at(pixel);
-  return standard_error(sums.samples, luminance(noisy(sums)) - shadow(sums), sums.square);
+  return standard_error(sums.samples, luminance(noisy(sums)) - shadow(sums), sums.light.square);
 }
 
 double Film::error(std::size_t pixel, LightPart part) const {
   const PixelSums& sums = at(pixel);
   const bool scattered = part == LightPart::scattered;
-  const auto& halves = scattered ? sums.scattered : sums.reflected;
+  const auto& halves = scattered ? sums.light.scattered : sums.light.reflected;
   return standard_error(sums.samples, luminance(to_vec(halves[0]) + to_vec(halves[1])),
-                        scattered ? sums.scattered_square : sums.reflected_square);
+                        scattered ? sums.light.scattered_square : sums.light.reflected_square);
 }
 
 }  // namespace gltfx::bake

@@ -15,12 +15,12 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::size_t kMostPoints = 200000;
-constexpr double kEnoughSeen = 0.01;  // of the area of all surfaces, seen from where one looks
+constexpr double kEnoughSeen = 0.01;  // of the area of all surfaces, projected
 constexpr double kYfov = 28 * std::numbers::pi / 180;
 constexpr double kMargin = 0.90;  // part of the picture that the subject may fill
 
 bool is_sane(const Vec3d& p) {
-  constexpr double kFar = 1e18;  // beyond that there is no ray
+  constexpr double kFar = 1e18;  // beyond it rays cannot be traced
   return std::fabs(p.x) < kFar && std::fabs(p.y) < kFar && std::fabs(p.z) < kFar;
 }
 
@@ -31,7 +31,7 @@ bool is_invisible(const SceneMaterial& material) {
   return material.alpha <= 0;
 }
 
-// Of all meshes before one.
+// Sums over all meshes before one.
 std::vector<std::size_t> visible_triangles(const Scene& scene) {
   std::vector<std::size_t> sums{0};
   sums.reserve(scene.meshes.size() + 1);
@@ -54,7 +54,7 @@ Subject surfaces_of(const Scene& scene) {
   Subject subject;
   subject.points.reserve(3 * (triangles / step + 1));
   subject.faces.reserve(triangles / step + 1);
-  std::size_t next = 0;  // of the triangles that are still to come
+  std::size_t next = 0;  // index of the next triangle
   for (const Instance& each : scene.instances) {
     const bool mirrored = determinant(each.to_world) < 0;
     const std::size_t before = sums[each.mesh];
@@ -85,7 +85,7 @@ Vec3d backward_of(const Direction& direction) {
   return {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
 }
 
-// Normal of a face on its front, as long as twice its area.
+// The normal on the front of a face, of twice its area in length.
 Vec3d area_of(const Subject& subject, std::size_t face) {
   const Float3* corners = &subject.points[3 * face];
   const Vec3d first = to_vec(corners[0]);
@@ -93,7 +93,7 @@ Vec3d area_of(const Subject& subject, std::size_t face) {
   return subject.faces[face].mirrored ? -area : area;
 }
 
-// What part of the surfaces that are looked at from there shows something: back faces do not.
+// The part of the projected area that is visible: back faces of culled surfaces are not.
 double fronts_seen(const Subject& subject, const Direction& direction) {
   const Vec3d backward = backward_of(direction);
   double seen = 0;
@@ -106,8 +106,8 @@ double fronts_seen(const Subject& subject, const Direction& direction) {
   return all > 0 ? seen / all : 0.0;
 }
 
-// Bounds of points in the camera's axes, slanted by the edges of its picture: what decides where a
-// perspective camera has to stand to see them all.
+// Bounds of points along the planes of a camera's frustum: they decide where a perspective camera
+// has to stand to see all points.
 struct Slanted {
   double left = -std::numeric_limits<double>::infinity(), right = left, lower = left, upper = left;
   double nearest = left;
@@ -159,7 +159,7 @@ Direction usual_direction(const Subject& subject) {
   const bool flat = extent.y < 0.2 * std::max(extent.x, extent.z);
   const bool upright = extent.z < 0.05 * std::max(extent.x, extent.y);  // a picture, a sheet
   const Direction usual{upright ? 20.0 : 32.0, flat ? 38.0 : 18.0};
-  // Where there is nothing but back faces: from behind, from below, from both.
+  // Where only back faces are visible: from behind, from below, from both.
   const double opposite = usual.azimuth + 180;
   Direction best = usual;
   double most = 0;

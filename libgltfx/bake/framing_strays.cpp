@@ -29,7 +29,7 @@ void keep_faces(Subject& subject, const Keep& keep) {
   subject.points.resize(3 * kept);
 }
 
-// Along one axis: from where to where points belong to the subject.
+// The range of points of the subject along one axis.
 std::pair<double, double> limits_along(const std::vector<Float3>& points, std::size_t axis) {
   std::vector<float> values;
   values.reserve(points.size());
@@ -44,8 +44,8 @@ std::pair<double, double> limits_along(const std::vector<Float3>& points, std::s
   return {low, high};
 }
 
-// A plane has no extent along one axis, so what is far away is told by the longest. Triangles go as
-// a whole: half of one would be cut off by the edge of the picture.
+// A plane has no extent along one axis, so distances are relative to the longest one. Triangles are
+// removed as a whole: the edge of the picture would cut through the others.
 void drop_far_corners(Subject& subject) {
   std::array<std::pair<double, double>, 3> core;
   double longest = 0;
@@ -84,7 +84,7 @@ struct Box {
   }
 };
 
-/// Cells of the box around all points, and which of them hang together by triangles and neighbours.
+/// Connected components of the cells of a grid, by triangles and neighbours.
 class Cells {
  public:
   explicit Cells(const Subject& subject) : filled_(kCells, 0), above_(kCells) {
@@ -106,7 +106,7 @@ class Cells {
     join_neighbours();
   }
 
-  /// One cell that stands for all that it hangs together with.
+  /// The cell that represents the component of a cell.
   std::size_t root_of(const Float3& point) { return root(cell_of(point)); }
   static constexpr std::size_t kAlong = 32;
   static constexpr std::size_t kCells = kAlong * kAlong * kAlong;
@@ -163,7 +163,7 @@ double area_of(const Subject& subject, std::size_t face) {
   return length(cross(to_vec(corners[1]) - first, to_vec(corners[2]) - first)) / 2;
 }
 
-// By cells. Empty where all hangs together.
+// By cells. Empty if there is one component.
 std::vector<std::pair<std::size_t, Island>> islands_of(const Subject& subject, Cells& cells) {
   std::vector<Island> by_cell(Cells::kCells);
   for (std::size_t i = 0; i < subject.faces.size(); ++i) {
@@ -178,7 +178,7 @@ std::vector<std::pair<std::size_t, Island>> islands_of(const Subject& subject, C
   return islands;
 }
 
-// True when something was left out: what is left may have finer parts.
+// True if triangles were removed: the rest may have finer parts.
 bool drop_islands(Subject& subject) {
   constexpr double kSmall = 1.0 / 8;
   constexpr double kApart = 1.0 / 4;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Triangles that a picture of the rest is not to make room for.
+/// Outliers among triangles, which framing ignores.
 #pragma once
 
 #include "bake/framing.hpp"
 
 namespace gltfx::bake {
 
-/// Leaves out triangles with a corner far outside of where all but a hundredth of the corners are
-/// along an axis, and small parts that lie apart: of less than an eighth of the size and together
-/// not a hundredth of the area of the part with the most area, and further from it than a quarter
-/// of its size.
+/// Removes triangles with a corner far outside of the range of 99 % of the corners along an axis,
+/// and small parts that lie apart: of less than an eighth of the size of the part with the most
+/// area, further from it than a quarter of its size, and all together of less than a hundredth of
+/// its area.
 void drop_strays(Subject& subject);
 
 }  // namespace gltfx::bake

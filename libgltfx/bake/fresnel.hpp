@@ -51,7 +51,7 @@ struct Fresnel {
 
 /// The surface of a dielectric: F0 by ior, scaled by specular colour and factor.
 Fresnel dielectric_fresnel(const Material& material, double eta, ShaderMode mode);
-/// That of a metal.
+/// The surface of a metal.
 Fresnel metal_fresnel(const Material& material, ShaderMode mode);
 
 /// KHR_materials_dispersion: indices of refraction of red, green and blue.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Albedo of a graph of nodes by quadrature.
 ///
-/// Each kind of light is summed over directions as the lobes of that kind take them, weighted
-/// against the density of all these lobes together. At one azimuth a lobe's directions run along a
-/// curve that the horizon cuts; between the cuts the integrand is smooth, and Gauss's nodes do.
+/// Each kind of light is integrated over the directions that the lobes of its kind sample, weighted
+/// against the density of all these lobes together. At one azimuth the directions of a lobe lie on
+/// a curve that the horizon cuts; between the cuts the integrand is smooth, and Gauss's nodes
+/// suffice.
 #pragma once
 
 #include "bake/material.hpp"

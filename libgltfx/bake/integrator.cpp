@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/integrator.hpp"
 
+#include <algorithm>
 #include <optional>
 
+#include "bake/background.hpp"
 #include "bake/coverage.hpp"
-#include "bake/path.hpp"
+#include "bake/radiance.hpp"
 #include "bake/storage.hpp"
 
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kLayers = 4;  // of alpha, before the camera
-constexpr double kLeast = 1.0 / 512;  // of a layer
+constexpr std::uint32_t kLayers = 4;        // of alpha, before the camera
+constexpr double kLeastWeight = 1.0 / 512;  // weight of a layer
 
-// With dispersion each colour is a picture of its own.
+// With dispersion each colour has a path of its own.
 std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
   const Material& factors = material_of(scene, scene.meshes[hit.mesh]).factors;
   return factors.dispersion > 0 && factors.transmission > 0 ? 3 : 1;
 }
 
-// What is partly transparent by alpha is not left to chance where it is seen directly: each layer
-// is a path of its own, and counts for what it covers of what is left.
+// Layers of alpha before the camera are not sampled at random: each has a path of its own, whose
+// weight is its coverage times what the layers before it let through.
 template <class Trace>
-PathSample through_layers(const PathSetting& setting, const Ray& ray, const SampleStream& random,
+PathSample through_layers(const TraceContext& context, const Ray& ray, const SampleStream& random,
                           const Trace& trace) {
   PathSample sum;
   Ray rest = ray;
@@ -30,59 +32,70 @@ PathSample through_layers(const PathSetting& setting, const Ray& ray, const Samp
   for (std::uint32_t layer = 0;; ++layer) {
     const bool last = layer + 1 == kLayers;
     const auto hit =
-        last ? setting.bvh.intersect(rest, random.key()) : setting.bvh.first_layer(rest);
-    const double covered = hit && !last ? static_cast<double>(setting.bvh.coverage(*hit)) : 1.0;
+        last ? context.bvh.intersect(rest, random.key()) : context.bvh.first_layer(rest);
+    const double covered = hit && !last ? static_cast<double>(context.bvh.coverage(*hit)) : 1.0;
     ++sum.rays;
-    trace(sum, rest, hit, layer, left * covered);
+    trace(rest, hit, layer, left * covered, sum);
     left *= 1 - covered;
-    if (left < kLeast) return sum;
+    if (left < kLeastWeight) return sum;
     const Vec3d behind = rest.origin + rest.direction * hit->distance;
-    rest.origin = beside(behind, rest.direction, setting.size);
+    rest.origin = beside(behind, rest.direction, context.scene_size);
   }
 }
 
 }  // namespace
 
-void PathSample::add(const PathSample& path, double part) {
-  scattered += path.scattered * part;
-  reflected += path.reflected * part;
-  direct += path.direct * part;
-  const double seen = luminance(path.behind) * part;
+void PathSample::add(const PathSample& sample, double weight) {
+  scattered += sample.scattered * weight;
+  reflected += sample.reflected * weight;
+  emitted += sample.emitted * weight;
+  const double seen = luminance(sample.background) * weight;
   if (seen > 0) {
-    const double before = luminance(behind);
-    shadow = (shadow * before + path.shadow * seen) / (before + seen);
-    behind += path.behind * part;
+    const double before = luminance(background);
+    shadow = (shadow * before + sample.shadow * seen) / (before + seen);
+    background += sample.background * weight;
   }
-  alpha += path.alpha * part;
-  albedo += path.albedo * part;
-  mirror += path.mirror * part;
-  normal += path.normal * part;
-  depth += path.depth * part;
-  if (material == kNone) material = path.material;
-  clear = clear || path.clear;
-  rays += path.rays;
+  alpha += sample.alpha * weight;
+  features.add(sample.features, weight);
+  rays += sample.rays;
 }
 
-PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
+PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2& point,
                       const SampleStream& random) {
-  const auto trace = [&](PathSample& sum, const Ray& rest, const std::optional<Hit>& hit,
-                         std::uint32_t layer, double share) {
-    const std::uint32_t colors = hit ? colors_at(setting.scene, *hit) : 1;
+  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t layer,
+                         double weight, PathSample& sum) {
+    const std::uint32_t colors = hit ? colors_at(context.scene, *hit) : 1;
+    const PathSampler sampler(random, layer);
     for (std::uint32_t i = 0; i < colors; ++i) {
-      const PathSample path = follow_path(setting, rest, point, random, {hit, layer, {i, colors}});
-      sum.add(path, share / colors);
+      const Path path{rest, sampler.split(i, colors)};
+      PathSample sample = incident_radiance(context, path, {}, hit, point);
+      sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);
+      sum.add(sample, weight / colors);
     }
   };
-  return through_layers(setting, ray, random, trace);
+  return through_layers(context, ray, random, trace);
 }
 
-PathSample look_along(const PathSetting& setting, const Ray& ray, const Float2& point,
-                      const SampleStream& random) {
-  const auto look = [&](PathSample& sum, const Ray& rest, const std::optional<Hit>& hit,
-                        std::uint32_t layer, double share) {
-    sum.add(look_at_start(setting, rest, point, random, {hit, layer, {}}), share);
+PathSample sample_features(const TraceContext& context, const Ray& ray, const Float2& point,
+                           const SampleStream& random) {
+  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t /*layer*/,
+                         double weight, PathSample& sum) {
+    PathSample sample;
+    if (hit) {
+      const Surface surface = surface_at(context.scene, *hit, rest);
+      FeatureRecorder recorder;
+      recorder.record_first(context.scene, *hit, surface);
+      recorder.record(Path{rest, {random, 0}}, *hit, surface);
+      sample.features = recorder.features();
+      sample.features.clear = may_be_clear(surface.material);
+      sample.emitted = emitted(surface.material, surface.frame.to_local(-rest.direction));
+      sample.alpha = 1;
+    } else {
+      sample.background = background(context, rest.direction, point);
+    }
+    sum.add(sample, weight);
   };
-  return through_layers(setting, ray, random, look);
+  return through_layers(context, ray, random, trace);
 }
 
 }  // namespace gltfx::bake

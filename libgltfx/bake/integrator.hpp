@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Light along paths: from the camera over surfaces and through media to lights.
+/// Path tracing, from the camera over surfaces and through media to lights.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -9,57 +9,64 @@
 #include "bake/bvh.hpp"
 #include "bake/sampler.hpp"
 #include "bake/scene.hpp"
-#include "bake/setting.hpp"
 #include "bake/view.hpp"
+#include "bake/world.hpp"
 
 namespace gltfx::bake {
 
-/// What one path brings back.
-struct PathSample {
-  Rgb reflected;      ///< by mirrors and gloss of the surface that is seen first
-  Rgb scattered;      ///< otherwise, by surfaces and media
-  Rgb direct;         ///< sent by what is seen first
-  Rgb behind;         ///< of the background, as far as it is seen, without shadow
-  double shadow = 0;  ///< part of that which shadow takes away
-  Rgb radiance() const { return reflected + scattered + direct + behind * (1 - shadow); }
-  double alpha = 0;  ///< 1 on the scene, 0 beside it, between them where it is seen through
-  // Of the first surface; 0 beside the scene.
-  Rgb albedo;  ///< of what it scatters
-  Rgb mirror;  ///< by what gloss is tinted, at right angles
+/// Features of the surface that is seen, for the denoiser and extra layers; 0 beside the scene.
+struct Features {
+  Rgb albedo;           ///< of what scatters light
+  Rgb specular_albedo;  ///< tint of mirrors and gloss, at normal incidence
   Vec3d normal;
   double depth = 0;  ///< along the ray
   std::uint32_t material = kNone;
-  bool clear = false;      ///< something is or may be seen straight through glass
-  std::uint32_t rays = 0;  ///< that were traced
+  bool clear = false;  ///< the surface is, or may be, seen straight through glass
 
-  /// Another one, as part of this one.
-  void add(const PathSample& path, double part);
+  /// Adds those of another sample, weighted.
+  void add(const Features& sample, double weight);
 };
 
-/// What all paths of a picture share. References must outlive it.
-struct PathSetting {
+/// Light and features along one camera ray.
+struct PathSample {
+  Rgb reflected;      ///< by mirrors and gloss of the first surface
+  Rgb scattered;      ///< otherwise, by surfaces and media
+  Rgb emitted;        ///< by the first surface
+  Rgb background;     ///< as far as it is visible, without shadow
+  double shadow = 0;  ///< part of the background that shadow takes away
+  double alpha = 0;   ///< 1 on the scene, 0 beside it, between them where both are visible
+  Features features;
+  std::uint32_t rays = 0;  ///< that were traced
+
+  Rgb radiance() const { return reflected + scattered + emitted + background * (1 - shadow); }
+  /// Adds light, of which the first surface reflects a part, by colour.
+  void add_light(const Rgb& light, const Rgb& reflected_share) {
+    reflected += light * reflected_share;
+    scattered += light * (Rgb(1) - reflected_share);
+  }
+  /// Adds another sample, weighted.
+  void add(const PathSample& sample, double weight);
+};
+
+/// What all paths of a picture have in common. References must outlive it.
+struct TraceContext {
   const Scene& scene;
   const Bvh& bvh;
-  const Setting& setting;
-  int bounces = 4;  ///< surfaces at most that scatter along a path
-  double size = 1;  ///< of the scene, for distances that count as none
+  const World& world;
+  int max_depth = 4;      ///< surfaces that scatter along a path
+  double scene_size = 1;  ///< for distances that count as zero
   ShaderMode mode = ShaderMode::conserving;
-  std::uint32_t tries = 4;  ///< for a light, where the camera looks: fewer do with many samples
+  std::uint32_t light_candidates = 4;  ///< at the first surface; many samples need fewer of them
 };
 
 /// Light that arrives along a ray that comes from a point of the picture (x and y from 0 to 1),
 /// with next event estimation, multiple importance sampling and Russian roulette.
-PathSample trace_path(const PathSetting& setting, const Ray& ray, const Float2& point,
+PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2& point,
                       const SampleStream& random);
 
-/// Only what is seen first, and what it and the background send by themselves: neither light on
-/// it, nor shadow, nor anything behind glass.
-PathSample look_along(const PathSetting& setting, const Ray& ray, const Float2& point,
-                      const SampleStream& random);
-
-/// Light along a ray by other means, as a test of the first: directions are taken evenly but on
-/// glass and mirrors, lights other than punctual ones are found by chance only, media are followed
-/// collision by collision in one colour, and no path is given up or split.
-Rgb trace_simply(const PathSetting& setting, const Ray& ray, const SampleStream& random);
+/// A feature sample: features and emission of the first surface, or the background. Without light
+/// on the surface, shadow, or anything behind glass.
+PathSample sample_features(const TraceContext& context, const Ray& ray, const Float2& point,
+                           const SampleStream& random);
 
 }  // namespace gltfx::bake

@@ -17,7 +17,7 @@ double range_window(double distance, double range) {
   return std::clamp(1 - ratio * ratio * ratio * ratio, 0.0, 1.0);
 }
 
-// Likewise between the cones of a spot.
+// The falloff between the cones of a spot light.
 double cone_window(const Light& light, const Vec3d& from_light) {
   const double outer = std::cos(static_cast<double>(light.outer_cone));
   const double inner = std::cos(static_cast<double>(light.inner_cone));
@@ -43,7 +43,7 @@ Illumination illuminate(const Light& light, const Vec3d& point) {
   return result;
 }
 
-// Twice over the lights instead of a table: there are few, and a table would be made by point.
+// Two loops instead of a table: lights are few, and each point would need its own table.
 LightChoice choose_light(std::span<const Light> lights, const Vec3d& point, const Float2& random) {
   constexpr std::size_t kMost = 64;
   const std::size_t count = std::min(lights.size(), kMost);

@@ -10,22 +10,22 @@
 
 namespace gltfx::bake {
 
-/// Follows a ray on through walls that let light in, from the one that it hit, whose surface is
-/// given. Calls emitter(hit, surface) for what shines on it from behind them, with distances from
-/// the start of the ray. True where the ray gets out of the scene.
+/// Continues a ray that has hit a wall through all walls that let light in. Calls emitter(hit,
+/// surface) for the surfaces behind them, with distances from the start of the ray. True if the ray
+/// leaves the scene.
 template <class Emitter>
-bool light_through(const PathSetting& setting, const Ray& ray, Hit hit, Surface surface,
+bool light_through(const TraceContext& context, const Ray& ray, Hit hit, Surface surface,
                    std::uint32_t key, const Emitter& emitter) {
   constexpr int kMostWalls = 1024;
   for (int i = 0; i < kMostWalls; ++i) {
-    if (!setting.bvh.lets_light_in(hit, ray.direction, setting.setting.eye)) return false;
-    const Vec3d start = beside(surface.position, -surface.flat_normal, setting.size);
+    if (!context.bvh.lets_light_in(hit, ray.direction, context.world.eye)) return false;
+    const Vec3d start = beside(surface.position, -surface.flat_normal, context.scene_size);
     const Ray rest{start, ray.direction};
-    const auto next = setting.bvh.intersect(rest, key, Backs::solid);
+    const auto next = context.bvh.intersect(rest, key, Backs::solid);
     if (!next) return true;
     hit = *next;
-    surface = surface_at(setting.scene, hit, rest);
-    if (is_unseen_back(setting.scene, hit, surface)) return false;
+    surface = surface_at(context.scene, hit, rest);
+    if (is_unseen_back(context.scene, hit, surface)) return false;
     hit.distance = length(surface.position - ray.origin);
     if (!surface.material.unlit) emitter(hit, surface);
   }

@@ -16,7 +16,7 @@ namespace {
 // Lux at which a white surface is white.
 constexpr double kFull = std::numbers::pi;
 
-// What lamps give to the subject: the mean over its middle and the corners of its box.
+// The illumination of the subject by its lights: the mean over the middle and corners of its box.
 double lux_on(const Subject& subject, const std::vector<Light>& lights) {
   double sum = 0;
   constexpr std::size_t kMost = 4096;
@@ -28,7 +28,7 @@ double lux_on(const Subject& subject, const std::vector<Light>& lights) {
                (corner & 4U) != 0 ? subject.least.z : subject.greatest.z};
     }
     for (std::size_t i = 0; i < std::min(lights.size(), kMost); ++i) {
-      // One that sits on a corner says nothing of the rest.
+      // A light at a corner does not represent the others.
       sum += std::min(luminance(illuminate(lights[i], point).irradiance), 1e6 * kFull);
     }
   }
@@ -49,7 +49,7 @@ std::vector<Light> brought_to_studio(const Scene& scene, const Subject& subject,
   return lights;
 }
 
-bool shines(const Scene& scene) {
+bool is_emissive(const Scene& scene) {
   if (!scene.lights.empty()) return true;
   return std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
     return max_value(material.factors.emissive) > 0 || material.factors.unlit;
@@ -58,33 +58,33 @@ bool shines(const Scene& scene) {
 
 }  // namespace
 
-Setting make_setting(const Scene& scene, const Subject& subject, const View& view,
-                     const LightingOptions& options) {
-  Setting setting;
+World make_world(const Scene& scene, const Subject& subject, const View& view,
+                 const LightingOptions& options) {
+  World world;
   const double exposure = std::exp2(options.exposure);
   const bool own = scene.environment.has_value();
-  const bool studio = !own && (options.lamps != Lamps::asset || !shines(scene));
+  const bool studio = !own && (options.lamps != Lamps::asset || !is_emissive(scene));
   if (own || studio) {
     EnvironmentImage image = own ? *scene.environment : studio_environment(view.backward);
     for (Float3& texel : image.radiance) scale(texel, exposure);
-    if (studio) setting.floor = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
-    setting.environment.emplace(image);
+    if (studio) world.shadow_catcher = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
+    world.environment.emplace(image);
   }
-  setting.emitters = Emitters(scene);
-  setting.lights = brought_to_studio(scene, subject, options.lamps);
-  for (Light& light : setting.lights) scale(light.intensity, exposure);
-  if (own) setting.background = Background::environment;
-  if (options.transparent) setting.background = Background::transparent;
-  return setting;
+  world.emitters = Emitters(scene);
+  world.lights = brought_to_studio(scene, subject, options.lamps);
+  for (Light& light : world.lights) scale(light.intensity, exposure);
+  if (own) world.background = Background::environment;
+  if (options.transparent) world.background = Background::transparent;
+  return world;
 }
 
 std::optional<Eye> eye_of(const View& view, const Bvh& bvh) {
-  constexpr int kLooks = 256;
-  constexpr int kWaysOut = kLooks / 16;
+  constexpr int kProbes = 256;
+  constexpr int kWaysOut = kProbes / 16;
   constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749979);
   int ways_out = 0;
-  for (int i = 0; i < kLooks && ways_out <= kWaysOut; ++i) {
-    const double y = 1 - (2 * i + 1.0) / kLooks;
+  for (int i = 0; i < kProbes && ways_out <= kWaysOut; ++i) {
+    const double y = 1 - (2 * i + 1.0) / kProbes;
     const double ring = std::sqrt(1 - y * y);
     const double turn = i * kGoldenAngle;
     const Ray look{view.origin, {ring * std::cos(turn), y, ring * std::sin(turn)}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What lights a scene for a picture of it.
+/// The lighting of a picture.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 #include "bake/bvh.hpp"
 #include "bake/framing.hpp"
 #include "bake/scene.hpp"
-#include "bake/setting.hpp"
 #include "bake/view.hpp"
+#include "bake/world.hpp"
 
 namespace gltfx::bake {
 
@@ -24,8 +24,8 @@ struct LightingOptions {
 /// follows the camera; lamps of the asset shine beside it, dimmed to its brightness where they
 /// would drown it, or alone, brought to that brightness: assets mean very different things by one
 /// candela.
-Setting make_setting(const Scene& scene, const Subject& subject, const View& view,
-                     const LightingOptions& options);
+World make_world(const Scene& scene, const Subject& subject, const View& view,
+                 const LightingOptions& options);
 
 /// The eye of a picture; nothing for a camera that stands in a closed room, where no wall turns its
 /// back to it: then light comes in through all walls.

@@ -2,8 +2,8 @@
 /// The leaves of the material: BRDFs and BTDFs, with the names of the specification.
 ///
 /// Each has eval (the value, without the cosine), sample (a direction) and pdf (the density of it);
-/// `power`, a guess at its albedo that mixtures choose by; `is_delta`, whether it is without width.
-/// `kKinds`: what kinds of light it makes.
+/// `power`, an estimate of its albedo by which mixtures choose; `is_delta`, whether it has no
+/// width; `kKinds`, the kinds of its light.
 #pragma once
 
 #include "bake/microfacet.hpp"
@@ -11,7 +11,7 @@
 
 namespace gltfx::bake {
 
-/// What all leaves share.
+/// Members of all leaves.
 struct Lobe {
   double power = 0;
   bool is_delta = false;
@@ -33,7 +33,7 @@ struct diffuse_brdf : Lobe {
   Proposal sample(const Vec3d&, const Random3& r) const { return {cosine_hemisphere(r.u, r.v)}; }
 };
 
-/// What the V-shaped cavities of a rough diffuse surface make of Lambert's law, for
+/// Lambert's law for a rough surface of V-shaped cavities, for
 /// KHR_materials_diffuse_roughness: EON, the model of OpenPBR, which the text names. It is Fujii's
 /// form of the model of Oren and Nayar, plus the light that bounces more than once: white loses
 /// nothing. (J. Portsmouth, P. Kutz and S. Hill, EON: A Practical Energy-Preserving Rough Diffuse
@@ -56,7 +56,7 @@ class Cavities {
   }
 
  private:
-  // What white facets do not let go at the first bounce: 1 less the albedo under a cosine.
+  // The part of light that does not leave white facets at the first bounce: 1 less the albedo.
   double kept(double cosine) const {
     const double sine = std::sqrt(std::fmax(0.0, 1 - square(cosine)));
     const double ends = cosine * (1 + sine + square(sine)) / (1 + sine);  // (1 - sine^3) / cosine
@@ -113,7 +113,7 @@ struct specular_brdf : Lobe {
   Rgb eval(const Directions& d, const Through& through) const {
     return Rgb(value(d) * through.specular);
   }
-  /// Without what is above it.
+  /// Without the layers above.
   double value(const Directions& d) const {
     if (is_delta) return hits(d, kSpecularReflect) ? 1 / d.v.z : 0;
     if (!d.reflects(kSpecularReflect, Measure::solid_angle)) return 0;
@@ -169,7 +169,7 @@ struct specular_btdf : Lobe {
 
  private:
   bool hits(const Directions& d, Lobes lobe) const;
-  /// Density of directions over that of normals.
+  /// Density of directions over density of normals.
   double jacobian(double v_h, double l_h) const;
 };
 
@@ -197,7 +197,7 @@ struct scatter_bsdf : Lobe {
   }
 };
 
-/// sheen_brdf: fibres that stand up. Reservoir uniformly over the hemisphere, as it is strongest at
+/// sheen_brdf: fibres that stand up. Sampled uniformly over the hemisphere, as it is strongest at
 /// grazing angles.
 struct sheen_brdf : Lobe {
   static constexpr int kKinds = kSpecularReflect;

@@ -8,10 +8,10 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr double kGrazing = 1e-7;     // cosine below which nothing can be told from the horizon
+constexpr double kGrazing = 1e-7;     // cosine below which directions count as the horizon
 constexpr double kInfiniteIor = 1e4;  // for ior 0, where light is refracted all the same
 
-// IOR behind the surface over that in front of it.
+// IOR behind the surface over IOR in front of it.
 double relative_ior(const Material& m, int channel) {
   if (m.ior == 0) return kInfiniteIor;
   const bool disperses = m.dispersion > 0 && channel >= 0 && channel < 3;

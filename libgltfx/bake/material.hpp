@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A material seen from one direction. What does not depend on the light is worked out once, so
-/// one object serves all light samples and the continuation of a path at a hit.
+/// A material seen from one direction. Values that do not depend on the light are computed once for
+/// all light samples and the BSDF sample at a hit.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -12,7 +12,7 @@
 
 namespace gltfx::bake {
 
-/// What the parameters of a surface come to, seen from v (v.z > 0). `eta`: IOR behind the surface
+/// The parameters of a surface, seen from v (v.z > 0). `eta`: IOR behind the surface
 /// over that on the viewer's side.
 struct Seen {
   Vec3d v;
@@ -30,7 +30,7 @@ struct Seen {
         held(held_below(ior, alpha, v, m, mode)) {}
 };
 
-/// The same of what extensions put on top.
+/// The parameters of layers that extensions add on top.
 struct SeenLayers {
   SheenScaling sheen;
   SeenCoat coat;
@@ -46,8 +46,8 @@ inline bool is_core(const Material& m) {
          max_value(m.sheen_color) <= 0 && m.clearcoat == 0;
 }
 
-/// The core material as a graph of nodes (Appendix B). They refer to `seen`. It is what is left of
-/// the one below where that has nothing to add, in a third of the time.
+/// The core material as a graph of nodes (Appendix B). They refer to `seen`. It equals
+/// the graph below where no extension is used, in a third of the time.
 // clang-format off
 inline auto core_graph(const Material& m, const Seen& seen) {
   const auto dielectric_brdf = fresnel_mix(
@@ -70,7 +70,7 @@ inline auto material_graph(const Material& m, const Seen& seen, const SeenLayers
   const double scatter_strength =
       m.scattering == Scattering::unified && !volume ? m.scatter_strength : 0;
 
-  // No text says how rough facets look from the dense side.
+  // No text defines rough facets seen from the dense side.
   const double diffuse_roughness = seen.ior.eta < 1 ? 0 : m.diffuse_roughness;
   const auto diffuse_bsdf = mix(
       rough_diffuse_brdf(m.base_color, diffuse_roughness, seen.v),
@@ -113,15 +113,15 @@ struct BsdfSample : MaterialSample {
   Rgb reflected;  ///< part of `weight` that is mirrored, glossy or sheen
 };
 
-/// Frame, units and options as in <gltfx/material.hpp>. Keeps no reference to the material. Not of
-/// use for unlit materials: they only emit.
+/// Frame, units and options as in <gltfx/material.hpp>. Keeps no reference to the material. Not for
+/// unlit materials, which only emit.
 class Bsdf {
  public:
   Bsdf(const Material& material, const Vec3d& v, const ShaderOptions& options = {});
   Bsdf(const Bsdf&) = delete;
   Bsdf& operator=(const Bsdf&) = delete;
 
-  /// Without delta lobes.
+  /// The value without delta lobes.
   Evaluation evaluate(const Vec3d& l) const;
   std::optional<BsdfSample> sample(const Random3& random) const;
   /// Below this, Random3::lobe leads to mirrors, gloss and sheen; from it on, to the rest.

@@ -31,7 +31,7 @@ class Reader {
     value *= Rgb(static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2]));
   }
 
-  // By one channel: the slot's own unless the use names another.
+  // Scales by one channel: that of the slot unless the use names another.
   void scale(double& value, Slot slot, std::uint32_t channel) const {
     if (!has(slot) || value == 0) return;
     const TextureUse& use = material_.use(slot);
@@ -57,8 +57,7 @@ class Reader {
   mutable Float2 uv_{};
 };
 
-// Multiplies what the slot scales of a surface. Where several numbers share its texels, these are
-// read once.
+// Multiplies the parameters of a slot. Where several share its texels, these are read once.
 void scale_by_slot(const Reader& reader, Slot slot, Material& m) {
   const auto& scales = reading(slot).scales;
   const Float4 texel = scales.size() > 1 ? reader.texel(slot) : Float4();
@@ -91,7 +90,7 @@ void read_thickness_of_film(const Reader& reader, const SceneMaterial& material,
   m.iridescence_thickness = least + (m.iridescence_thickness - least) * share;
 }
 
-// What else the material has stays.
+// Other parameters stay.
 void read_specular_glossiness(const Reader& reader, const SceneMaterial& material, Material& m) {
   Rgb specular = to_vec(material.f0);
   auto glossiness = static_cast<double>(material.glossiness);
@@ -115,7 +114,7 @@ Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& 
   Material m = material.factors;
   const Float4 tint = color_at(mesh, hit);
   m.base_color *= to_vec({tint[0], tint[1], tint[2]});
-  // How deep a volume is, the paths through it find out.
+  // The depth of a volume is that of the paths through it.
   for (std::size_t i = 0; i < kMaterialSlots; ++i) {
     const auto slot = static_cast<Slot>(i);
     if (slot == Slot::thickness || !reader.has(slot)) continue;

@@ -11,7 +11,8 @@
 
 namespace gltfx::bake {
 
-/// Everything but the normals. `mesh` and `hit` tell texture coordinates and vertex colour.
+/// All parameters but the normals. Texture coordinates and vertex colour are those of `mesh` at
+/// `hit`.
 Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& material,
                      const Hit& hit);
 

@@ -51,7 +51,8 @@ double MediaStack::ior_around(std::uint64_t body) const {
   return entry != nullptr ? entry->ior : 1.0;
 }
 
-MediumStep walk(const Medium& medium, const Rgb& throughput, double reach, const Float2& random) {
+DistanceSample sample_distance(const Medium& medium, const Rgb& throughput, double reach,
+                               const Float2& random) {
   if (!medium.scatters()) return {false, 0, medium.transmittance(reach)};
   const Rgb extinction = medium.extinction();
   const Rgb odds = color_odds(throughput);

@@ -12,8 +12,8 @@
 
 namespace gltfx::bake {
 
-/// A path enters and leaves closed meshes, each known by its Hit::body(). What is nested deeper
-/// than some levels counts as the medium around it.
+/// A path enters and leaves closed meshes, each known by its Hit::body(). A medium that is nested
+/// deeper than some levels counts as the medium around it.
 class MediaStack {
  public:
   bool empty() const { return entries_.empty(); }
@@ -25,7 +25,7 @@ class MediaStack {
   /// The medium outside of a surface of the body; null in the open. Valid until the next
   /// change.
   const Medium* around(std::uint64_t body) const;
-  /// Its index of refraction.
+  /// The index of refraction of that medium.
   double ior_around(std::uint64_t body) const;
 
  private:
@@ -39,16 +39,17 @@ class MediaStack {
   std::vector<Entry> entries_;  // most paths never have one
 };
 
-/// What becomes of a path inside of a medium.
-struct MediumStep {
+/// How far a path gets in a medium.
+struct DistanceSample {
   bool scattered = false;
-  double distance = 0;  ///< to where it is scattered
-  Rgb weight{1, 1, 1};  ///< of the path, from here on
+  double distance = 0;  ///< to the point where the path is scattered
+  Rgb weight{1, 1, 1};  ///< by which its throughput is multiplied
 };
 
-/// From a point of the medium on, `reach` metres before there is a surface. `throughput`: of the
-/// path so far; by it the colour is chosen that decides the distance, and all three are weighed by
-/// multiple importance sampling.
-MediumStep walk(const Medium& medium, const Rgb& throughput, double reach, const Float2& random);
+/// From a point of the medium, `reach` metres before a surface. The throughput of the path chooses
+/// the colour whose extinction decides the distance; the three are combined by multiple importance
+/// sampling.
+DistanceSample sample_distance(const Medium& medium, const Rgb& throughput, double reach,
+                               const Float2& random);
 
 }  // namespace gltfx::bake

@@ -13,12 +13,11 @@ struct Medium {
 
   Rgb extinction() const { return absorption + scattering; }
   bool scatters() const { return max_value(scattering) > 0; }
-  /// Part of the light that comes through `distance` metres without meeting anything; also where
-  /// the distance is infinite.
+  /// The part of light that `distance` metres, which may be infinite, neither absorb nor scatter.
   Rgb transmittance(double distance) const;
 };
 
-/// What is behind the surface of a volumetric material.
+/// The medium behind the surface of a volumetric material.
 Medium medium_of(const Material& material);
 
 /// -log(c) / d: absorption and extinction by attenuation, scattering by scatter colour. 0 when the
@@ -34,7 +33,7 @@ double single_scatter_albedo(double multi_scatter_albedo, double g = 0);
 /// away from the scattering point: v.l is -1 straight on.
 double henyey_greenstein(double g, double v_dot_l);
 
-/// A direction to go on in, for one that a path came along (-v). Its density is the phase function.
+/// The next direction of a path that came along `along` (-v). Its density is the phase function.
 Vec3d sample_phase(const Medium& medium, const Vec3d& along, double u, double v);
 
 }  // namespace gltfx::bake

@@ -8,8 +8,8 @@
 
 namespace gltfx::bake {
 
-/// Below this alpha (roughness 0.01) a lobe is narrower than what any picture shows: it is taken as
-/// a mirror, which Appendix B asks for at 0.
+/// Below this alpha (roughness 0.01) a lobe is narrower than a pixel of any picture, and counts as
+/// a mirror, which Appendix B requires at 0.
 inline constexpr double kSmoothAlpha = 1e-4;
 
 struct Microfacets {
@@ -35,7 +35,7 @@ struct Microfacets {
     return 1 / (pi * alpha_t * alpha_b * square(sum));
   }
 
-  /// Part of them, by area seen from above, that leans beyond an angle of that tangent.
+  /// The part of the facets, by area projected from above, whose slope is above `tangent`.
   double beyond(double tangent) const {
     return alpha_t * alpha_b / (alpha_t * alpha_b + square(tangent));
   }
@@ -74,7 +74,7 @@ struct Microfacets {
   }
 };
 
-/// Microfacets, and what is the same for all lights.
+/// Microfacets seen from v: values that are the same for all lights.
 struct SeenFacets : Microfacets {
   double v_stretched;
 

@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One path, from what a ray of the camera hits.
+/// The state of a path.
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <gltfx/material.hpp>
 
-#include "bake/integrator.hpp"
+#include "bake/media.hpp"
+#include "bake/path_sampler.hpp"
+#include "bake/ray.hpp"
 
 namespace gltfx::bake {
 
-/// One of several paths with the same beginning.
-struct Branch {
-  std::uint32_t number = 0, count = 1;
-  Branch part(std::uint32_t i, std::uint32_t parts) const {
-    return {number * parts + i, count * parts};
-  }
+/// Properties of all vertices of a path so far.
+struct PathPrefix {
+  bool specular = true;         ///< nothing but mirrors and clear glass
+  bool straight = true;         ///< nothing but sheets of clear glass
+  bool environment_in = false;  ///< the environment came in through a wall
 };
 
-struct PathStart {
-  std::optional<Hit> hit;   ///< nothing: beyond the scene
-  std::uint32_t layer = 0;  ///< of paths along one ray; each draws numbers of its own
-  Branch branch;
+/// A path up to one of its vertices, as a value: a path that splits is copied.
+struct Path {
+  Ray ray;
+  PathSampler sampler;
+  Rgb throughput{1, 1, 1};  ///< BSDFs, phase functions and cosines over densities
+  double pdf = 0;         ///< of the ray's direction; 0: light sampling does not find what it hits
+  int depth = 0;          ///< surfaces that scattered
+  int channel = -1;       ///< the only colour that it carries, after dispersion; -1: all
+  double weight = 1;      ///< of a branch in the throughput
+  Rgb reflected_share{};  ///< part of the throughput that the first surface reflects
+  PathPrefix prefix{};
+  MediaStack media{};
 };
-
-/// As trace_path(), without layers of alpha.
-PathSample follow_path(const PathSetting& setting, const Ray& ray, const Float2& point,
-                       const SampleStream& random, const PathStart& start);
-/// As look_along(), likewise.
-PathSample look_at_start(const PathSetting& setting, const Ray& ray, const Float2& point,
-                         const SampleStream& random, const PathStart& start);
 
 }  // namespace gltfx::bake

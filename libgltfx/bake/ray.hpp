@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rays and what they hit.
+/// Rays and their hits.
 #pragma once
 
 #include <gltfx/vec3.hpp>
@@ -27,14 +27,14 @@ struct Hit {
   std::uint32_t triangle = 0;  ///< index in Mesh::triangles
   float u = 0, v = 0;          ///< weights of the second and third vertex
 
-  /// A number that this mesh has in this place alone.
+  /// A number of this mesh in this instance.
   std::uint64_t body() const { return std::uint64_t{instance} << 32U | mesh; }
 };
 
-/// A start beside a surface, on the side that `normal` points to, so near that nothing fits
-/// between and so far that rounding does not lead back into it (C. Wächter and N. Binder, A Fast
-/// and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems 2019). `size`: of the scene,
-/// which stands for the metre of the original.
+/// The start of a ray beside a surface, on the side of `normal`, so far that rounding does not lead
+/// back into the surface (C. Wächter and N. Binder, A Fast and Robust Method for Avoiding
+/// Self-Intersection, Ray Tracing Gems 2019). `size`: of the scene, in place of the metre of the
+/// paper.
 inline Vec3d beside(const Vec3d& point, const Vec3d& normal, double size) {
   constexpr double kSteps = 256;      // of the last place of a float, in which rays are traced
   const double near = size * 0x1p-5;  // around the origin a fixed distance does it

@@ -9,16 +9,16 @@
 
 namespace gltfx::bake {
 
-/// Sums of the normal equations of one pixel: of the products of what is known of neighbours,
-/// and of these with the colours that are looked for.
+/// Sums of the normal equations of one pixel: products of the terms of neighbours, and of the terms
+/// with the values.
 template <std::size_t Terms>
 struct NormalEquations {
   static constexpr std::size_t kProducts = Terms * (Terms + 1) / 2;
   std::array<float, kProducts> products{};  ///< lower triangle, row by row
   std::array<std::array<float, Terms>, 3> colors{};
 
-  /// Colour at the pixel itself, where all terms but the first are 0. `ridge`: part of the weight
-  /// that holds slopes back, so that what hardly varies decides nothing. Of no weight: nothing.
+  /// The value at the pixel itself, where all terms but the first are 0. `ridge`: regularisation of
+  /// the slopes, relative to the weight. False, and no value, if the weight is 0.
   bool solve(float ridge, Float3& value) const {
     std::array<float, kProducts> root{};
     if (!factor(ridge, root)) return false;
@@ -31,7 +31,7 @@ struct NormalEquations {
   }
 
  private:
-  static constexpr float kFew = 0.05F;  // neighbours say little of slopes
+  static constexpr float kFew = 0.05F;  // regularises where there are few neighbours
 
   static constexpr std::size_t at(std::size_t row, std::size_t column) {
     return row * (row + 1) / 2 + column;

@@ -1,43 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A picture of a scene.
+/// Rendering of a scene to a framebuffer, in memory that does not grow with the samples.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-
-#include "bake/film.hpp"
-#include "bake/integrator.hpp"
-#include "bake/sample_map.hpp"
-#include "bake/view.hpp"
+#include "bake/framebuffer.hpp"
+#include "bake/render_rows.hpp"
 
 namespace gltfx::bake {
 
-/// Pixels that are worked on together, and have enough samples together.
-constexpr std::uint32_t kTileWidth = 16;
-constexpr std::uint32_t kTileHeight = 8;
-
-struct RenderOptions {
-  std::uint32_t width = 512, height = 512;
-  std::uint32_t samples = 64;  ///< of each pixel, at most; on average where an SampleMap says so
-  std::uint32_t looks = 0;     ///< more, only at what is seen first, where it may differ in a pixel
-  std::uint32_t seed = 0;
-  unsigned jobs = 1;
-  /// Seconds after which no more samples are begun; 0: no limit. What is rendered then depends on
-  /// the machine.
-  double seconds = 0;
-  /// Standard error, as part of the range of the finished picture, at which a tile of pixels has
-  /// enough; 0: all samples.
-  double noise = 0;
-  /// Called now and then with the part that is done, from 0 to 1, one call at a time.
-  std::function<void(double)> progress;
+struct PictureOptions {
+  RenderOptions render;  ///< progress is that of the whole picture
+  Layers layers;
+  bool denoise = false;
 };
 
-/// Renders rows that the film holds and that are new to it: the same numbers for any number of jobs
-/// and whichever tiles of rows come at a time, unless there is a limit of time.
-void render_rows(const PathSetting& setting, const View& view, const RenderOptions& options,
-                 const SampleMap& samples, const Rows& rows, Film& film);
-
-/// All rows.
-Film render(const PathSetting& setting, const View& view, const RenderOptions& options);
+/// Renders, resolves and denoises some rows after the others, so that the film holds few rows;
+/// with a time limit, which all rows share, it holds all. Without one the values are the same for
+/// any number of jobs.
+Framebuffer render(const TraceContext& context, const View& view, const PictureOptions& options);
 
 }  // namespace gltfx::bake

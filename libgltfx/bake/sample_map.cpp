@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bake/camera_sample.hpp"
-#include "bake/render.hpp"
+#include "bake/render_rows.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 #include "base/parallel.hpp"
@@ -13,68 +13,70 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kFewest = 16;  // of a pixel, for which it pays to find out
+constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
 constexpr std::uint32_t kRange = 4;    // times more or less than on average
-constexpr double kLoudest = 0.25;      // of the range from black to white: more counts as this
-constexpr double kDark = 0.02;         // colours below it say little of the light on them
+constexpr double kMostError = 0.25;    // of the range from black to white: more counts as this
+constexpr double kDark = 0.02;         // least albedo by which light is divided
 
-// Light of one part of the samples of a pixel, without what is known of the surfaces there.
-struct PartSpread {
-  double color = 0, light = 0, square = 0;
-
-  void add(const Rgb& sent, const Rgb& by) {
-    const double tint = luminance(by);
+// The variance of one part of the light of a pixel, which is divided by the albedo as the denoiser
+// does: variance of the albedo does not count.
+class PartVariance {
+ public:
+  void add(const Rgb& light, const Rgb& albedo) {
+    const double tint = luminance(albedo);
     if (!(tint > 0)) return;
-    const double value = luminance(sent) / std::max(tint, kDark);
-    color += tint;
-    light += value;
-    square += value * value;
+    const double value = luminance(light) / std::max(tint, kDark);
+    albedo_ += tint;
+    sum_ += value;
+    square_ += value * value;
   }
-  // Of what is sent.
-  double variance(double count) const {
-    const double scale = color / count;
-    const double sum = square - light * light / count;
+  double of_samples(double count) const {
+    const double scale = albedo_ / count;
+    const double sum = square_ - sum_ * sum_ / count;
     return std::max(sum, 0.0) / (count - 1) * scale * scale;
   }
+
+ private:
+  double albedo_ = 0, sum_ = 0, square_ = 0;
 };
 
-// Samples of a pixel, as the denoiser takes them.
-class Spread {
+class PixelVariance {
  public:
   void add(const PathSample& sample) {
     ++count_;
     radiance_ += luminance(sample.radiance());
-    scattered_.add(sample.scattered, sample.albedo);
-    reflected_.add(sample.reflected, sample.mirror);
-    shadow_.add(sample.behind * sample.shadow, Rgb(1));
-    steady_.add(sample.direct + sample.behind, Rgb(1));
-    clear_ = clear_ || sample.clear;
+    scattered_.add(sample.scattered, sample.features.albedo);
+    reflected_.add(sample.reflected, sample.features.specular_albedo);
+    shadow_.add(sample.background * sample.shadow, Rgb(1));
+    unlit_.add(sample.emitted + sample.background, Rgb(1));
+    clear_ = clear_ || sample.features.clear;
   }
 
-  /// Variance of a sample as it shows in the finished picture.
-  double visible() const {
-    constexpr double kShadow = 0.04;  // of its variance: denoised best, since it is smooth
-    const double error =
-        std::sqrt(scattered_.variance(count_) + reflected_.variance(count_) +
-                  shadow_.variance(count_) * kShadow + (clear_ ? steady_.variance(count_) : 0.0));
+  /// Variance of a sample in the tone mapped picture.
+  double tone_mapped() const {
+    constexpr double kShadow = 0.04;  // of its variance: smooth, so that it is denoised best
+    const double error = std::sqrt(scattered_.of_samples(count_) + reflected_.of_samples(count_) +
+                                   shadow_.of_samples(count_) * kShadow +
+                                   (clear_ ? unlit_.of_samples(count_) : 0.0));
     const double mean = radiance_ / count_;
     const double shown = shown_luminance(mean + error) - shown_luminance(mean);
-    return std::min(shown * shown, kLoudest * kLoudest);
+    return std::min(shown * shown, kMostError * kMostError);
   }
 
  private:
   double count_ = 0;
   double radiance_ = 0;
-  PartSpread scattered_, reflected_, shadow_;
-  PartSpread steady_;   // without noise, but for what is seen through glass
-  bool clear_ = false;  // there is such
+  PartVariance scattered_, reflected_, shadow_;
+  PartVariance unlit_;  // emission and background, which have noise behind glass only
+  bool clear_ = false;
 };
 
 // Pixels of part of a picture.
-struct Square {
+struct PixelBlock {
   std::uint32_t left, top, right, bottom;
 
-  Square(std::uint32_t column, std::uint32_t row, std::uint32_t side, const RenderOptions& options)
+  PixelBlock(std::uint32_t column, std::uint32_t row, std::uint32_t side,
+             const RenderOptions& options)
       : left(column * side),
         top(row * side),
         right(std::min(left + side, options.width)),
@@ -84,50 +86,50 @@ struct Square {
 
 }  // namespace
 
-SampleMap::SampleMap(const PathSetting& setting, const View& view, const RenderOptions& options)
+SampleMap::SampleMap(const TraceContext& context, const View& view, const RenderOptions& options)
     : SampleMap(options.samples) {
   if (options.samples < kFewest || options.seconds > 0 || options.noise > 0) return;
   columns_ = (options.width + kSide - 1) / kSide;
   rows_ = (options.height + kSide - 1) / kSide;
-  std::vector<float> noise = find_noise(setting, view, options);
-  blur(noise);
-  for (float& each : noise) each = std::sqrt(each);
-  share_out(noise, options);
+  std::vector<float> variances = estimate_variance(context, view, options);
+  blur(variances);
+  for (float& each : variances) each = std::sqrt(each);
+  allocate(variances, options);
 }
 
-std::vector<float> SampleMap::find_noise(const PathSetting& setting, const View& view,
-                                         const RenderOptions& options) const {
+std::vector<float> SampleMap::estimate_variance(const TraceContext& context, const View& view,
+                                                const RenderOptions& options) const {
   const std::uint32_t samples = std::clamp(options.samples / kFewest, 2U, 4U);
-  // Others than those of the picture: pixels that were lucky once must not be given more of it.
+  // Independent of those of the picture: else pixels with bright samples would get more of them.
   const std::uint32_t seed = mix_bits(options.seed, 1);
   const auto variance_at = [&](std::uint32_t x, std::uint32_t y) {
-    Spread spread;
+    PixelVariance variance;
     for (std::uint32_t i = 0; i < samples; ++i) {
       const auto [ray, point, random] =
           camera_sample(view, options.width, options.height, seed, x, y, i);
-      spread.add(trace_path(setting, ray, point, random));
+      variance.add(trace_path(context, ray, point, random));
     }
-    return spread.visible();
+    return variance.tone_mapped();
   };
-  const auto mean_of = [&](const Square& square) {
+  const auto mean_of = [&](const PixelBlock& block) {
     double sum = 0;
-    for (std::uint32_t y = square.top; y < square.bottom; ++y) {
-      for (std::uint32_t x = square.left; x < square.right; ++x) sum += variance_at(x, y);
+    for (std::uint32_t y = block.top; y < block.bottom; ++y) {
+      for (std::uint32_t x = block.left; x < block.right; ++x) sum += variance_at(x, y);
     }
-    return static_cast<float>(sum / square.pixels());
+    return static_cast<float>(sum / block.pixels());
   };
-  std::vector<float> noise(std::size_t{columns_} * rows_);
-  const auto row_of_squares = [&](std::size_t row) {
+  std::vector<float> variances(std::size_t{columns_} * rows_);
+  const auto row_of_blocks = [&](std::size_t row) {
     for (std::uint32_t column = 0; column < columns_; ++column) {
-      noise[row * columns_ + column] =
+      variances[row * columns_ + column] =
           mean_of({column, static_cast<std::uint32_t>(row), kSide, options});
     }
   };
-  parallel_ordered(rows_, options.jobs, row_of_squares, [](std::size_t) {});
-  return noise;
+  parallel_ordered(rows_, options.jobs, row_of_blocks, [](std::size_t) {});
+  return variances;
 }
 
-// Few samples tell little: each square takes part in what its neighbours found.
+// Few samples give a rough estimate: each block takes part in those of its neighbours.
 void SampleMap::blur(std::vector<float>& values) const {
   const std::vector<float> from = values;
   for (std::uint32_t y = 0; y < rows_; ++y) {
@@ -146,9 +148,9 @@ void SampleMap::blur(std::vector<float>& values) const {
   }
 }
 
-// What is left of a variance v by n samples is v / n. Its sum is least for n in proportion to the
-// root of v; what that has to be multiplied by is found by halving intervals.
-void SampleMap::share_out(const std::vector<float>& noise, const RenderOptions& options) {
+// The variance of a mean of n samples is v / n. The sum over the picture is least for n in
+// proportion to the root of v; bisection finds the factor.
+void SampleMap::allocate(const std::vector<float>& deviations, const RenderOptions& options) {
   const std::uint32_t least = (options.samples / kRange + 1) / 2 * 2;  // even, for the halves
   const auto count = [&](float each, double scale) {
     const double even = std::floor(scale * static_cast<double>(each) / 2) * 2;
@@ -159,8 +161,8 @@ void SampleMap::share_out(const std::vector<float>& noise, const RenderOptions& 
     double total = 0;
     for (std::uint32_t y = 0; y < rows_; ++y) {
       for (std::uint32_t x = 0; x < columns_; ++x) {
-        total += count(noise[std::size_t{y} * columns_ + x], scale) *
-                 Square(x, y, kSide, options).pixels();
+        total += count(deviations[std::size_t{y} * columns_ + x], scale) *
+                 PixelBlock(x, y, kSide, options).pixels();
       }
     }
     return total;
@@ -172,8 +174,9 @@ void SampleMap::share_out(const std::vector<float>& noise, const RenderOptions& 
     const double scale = (low + high) / 2;
     (sum(scale) <= all ? low : high) = scale;
   }
-  counts_.reserve(noise.size());
-  for (const float each : noise) counts_.push_back(static_cast<std::uint32_t>(count(each, low)));
+  counts_.reserve(deviations.size());
+  for (const float each : deviations)
+    counts_.push_back(static_cast<std::uint32_t>(count(each, low)));
   most_ = *std::max_element(counts_.begin(), counts_.end());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How many samples the pixels of a picture get: more where noise is.
+/// Adaptive sampling: how many samples the pixels of a picture get.
 #pragma once
 
 #include <cstddef>
@@ -13,35 +13,37 @@ namespace gltfx::bake {
 
 struct RenderOptions;
 
-/// Numbers of samples, by squares of pixels.
+/// Sample counts by blocks of pixels.
 class SampleMap {
  public:
-  /// The same number everywhere.
+  /// The same count everywhere.
   explicit SampleMap(std::uint32_t samples) : most_(samples) {}
-  /// Finds out with few samples besides where noise is, and shares out `options.samples` for each
-  /// pixel in proportion to it, which leaves the least of it as a whole: no pixel gets less than a
-  /// quarter of that or more than four times as much. The same for any number of jobs. Where there
-  /// are too few to find out, or an end by time or noise is wanted, all pixels get the same.
-  SampleMap(const PathSetting& setting, const View& view, const RenderOptions& options);
+  /// Estimates the variance from a few samples that do not count otherwise, and allocates
+  /// `options.samples` for each pixel in proportion to the standard deviation (Neyman allocation),
+  /// which leaves the least error in the whole picture. A pixel gets at least a quarter of
+  /// `options.samples` and at most four times as many. The same for any number of jobs. With too
+  /// few samples for an estimate, or where time or noise ends the rendering, all pixels get the
+  /// same count.
+  SampleMap(const TraceContext& context, const View& view, const RenderOptions& options);
 
   std::uint32_t samples(std::uint32_t x, std::uint32_t y) const {
     if (counts_.empty()) return most_;
     return counts_[std::size_t{y / kSide} * columns_ + x / kSide];
   }
-  /// Of any pixel.
+  /// The greatest count of all pixels.
   std::uint32_t most() const { return most_; }
 
  private:
-  static constexpr std::uint32_t kSide = 4;  // of a square, in pixels
+  static constexpr std::uint32_t kSide = 4;  // of a block, in pixels
 
-  // Variances of single samples, by square.
-  std::vector<float> find_noise(const PathSetting& setting, const View& view,
-                                const RenderOptions& options) const;
+  // Variances of single samples, by block.
+  std::vector<float> estimate_variance(const TraceContext& context, const View& view,
+                                       const RenderOptions& options) const;
   void blur(std::vector<float>& values) const;
-  void share_out(const std::vector<float>& noise, const RenderOptions& options);
+  void allocate(const std::vector<float>& deviations, const RenderOptions& options);
 
   std::uint32_t most_;
-  std::uint32_t columns_ = 0, rows_ = 0;  // of squares
+  std::uint32_t columns_ = 0, rows_ = 0;  // of blocks
   std::vector<std::uint32_t> counts_;     // row by row; empty: the same everywhere
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Low-discrepancy numbers by counter: what a sample of a pixel draws depends on the pixel, the
-/// number of the sample and the draw, not on who else draws or when.
+/// A low-discrepancy sampler without state: a number depends on the pixel, the index of the sample
+/// and the dimension only, not on the order of calls.
 ///
 /// Owen-scrambled Sobol' points in pairs of dimensions, each pair with its own shuffle of the
 /// samples: B. Burley, Practical Hash-based Owen Scrambling (JCGT 2020); hash by N. Vegdahl.
@@ -63,7 +63,7 @@ class SampleStream {
   /// A point in [0, 1) x [0, 1).
   Float2 pair(std::uint32_t dimension) const { return pair(dimension, 0, 1); }
 
-  /// One of several points of the dimension, which all together are spread as evenly.
+  /// One of several points of the dimension, which are stratified all together.
   Float2 pair(std::uint32_t dimension, std::uint32_t part, std::uint32_t parts) const {
     const std::uint32_t seed = mix_bits(key_ + 0x9e3779b9U * (dimension + 1));
     const std::uint32_t index = shuffled(sample_ * parts + part, seed);
@@ -79,7 +79,7 @@ class SampleStream {
     return unit_float(reverse_bits(scramble_reversed(index, mix_bits(seed + 1))));
   }
 
-  /// A number that tells this sample from all others, for decisions that need no even spread.
+  /// A hash of pixel and sample, for decisions that need no stratification.
   std::uint32_t key() const { return mix_bits(key_, sample_); }
 
  private:

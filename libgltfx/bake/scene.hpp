@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the renderer draws: plain data without a trace of where it came from. Whoever fills it has
-/// checked it; every index is in range. Right-handed, y up, metres, linear colours (Rec. 709).
+/// The scene: plain data, independent of the file format. Whoever fills it has checked it; every
+/// index is in range. Right-handed, y up, metres, linear colours (Rec. 709).
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -50,9 +50,9 @@ struct Texture {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// What a material reads from textures. The slot decides channels and colour space.
+/// Texture slots of a material. The slot decides channels and colour space.
 using Slot = MaterialSlot;
-/// What the texels of a slot are.
+/// Contents of the texels of a slot.
 constexpr const SlotReading& reading(Slot slot) {
   return material_table::kReadings[static_cast<std::size_t>(slot)];
 }
@@ -63,15 +63,16 @@ struct TextureUse {
   std::uint32_t uv_set = 0;       ///< TEXCOORD_n; one that the mesh lacks reads (0, 0)
   /// Rows of the affine transform of (u, v, 1) that KHR_texture_transform describes.
   std::array<Float3, 2> transform{{{1, 0, 0}, {0, 1, 0}}};
-  /// Of slots that read one channel: instead of the slot's own, 0 to 3; kNone: the slot's own.
+  /// The channel, 0 to 3, for slots that read one; kNone: that of the slot.
   std::uint32_t channel = kNone;
 };
 
-/// A material of the asset: its factors, and the textures that scale them.
+/// A material of the asset: its factors, and the textures that scale them. It has many members, as
+/// they are the properties of glTF that are not in Material.
 struct SceneMaterial {
   std::string name;
   /// Factors in the words of the specification. For specular-glossiness the base colour is the
-  /// diffuse factor. Of iridescence the thickness is the maximum.
+  /// diffuse factor. The thickness of iridescence is the maximum.
   Material factors;
   float alpha = 1;              ///< of the base colour factor
   float emissive_strength = 1;  ///< factors.emissive is multiplied by it already
@@ -81,14 +82,14 @@ struct SceneMaterial {
   float normal_scale = 1, clearcoat_normal_scale = 1;
   float iridescence_thickness_minimum = 100;  ///< nanometres
 
-  /// KHR_materials_pbrSpecularGlossiness: what these hold takes the place of metalness, roughness,
+  /// KHR_materials_pbrSpecularGlossiness: these members replace metalness, roughness,
   /// specular (whose slots have no texture then) and index of refraction.
   bool specular_glossiness = false;
   Float3 f0{1, 1, 1};
   float glossiness = 1;
 
   /// The first generation of KHR_materials_translucency: factors.diffuse_transmission is its
-  /// factor, and what passes is tinted by the base colour.
+  /// factor, and transmitted light is tinted by the base colour.
   bool tinted_by_base_color = false;
 
   std::array<TextureUse, kMaterialSlots> textures{};
@@ -96,14 +97,14 @@ struct SceneMaterial {
   const TextureUse& use(Slot slot) const { return textures[static_cast<std::size_t>(slot)]; }
 };
 
-/// Where a parameter stands: a member of that name.
+/// The member that holds a parameter, by name.
 using ParameterMember = std::variant<double Material::*, Rgb Material::*, float SceneMaterial::*,
                                      Float3 SceneMaterial::*>;
 inline constexpr auto kParameterMembers =
     material_members<ParameterMember, Material, SceneMaterial>();
 
 /// Triangles with one material, posed: skinned and morphed where the asset says so. Attributes are
-/// by vertex, and empty where there are none.
+/// by vertex, and empty where the asset has none.
 struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front
   std::vector<Float3> positions;
@@ -155,11 +156,11 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<SceneMaterial> materials;
   std::vector<Texture> textures;
-  std::vector<Instance> instances;  ///< what is visible
+  std::vector<Instance> instances;  ///< visible ones
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::optional<EnvironmentImage> environment;
-  /// What a user should know of what is drawn differently or not at all, one sentence each.
+  /// Warnings about parts that are rendered differently or not at all, one sentence each.
   std::vector<std::string> notes;
 };
 

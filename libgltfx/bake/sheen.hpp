@@ -10,7 +10,7 @@ namespace gltfx::bake {
 struct Fibres {
   double alpha;
 
-  /// The distribution is not defined at roughness 0; what is this smooth reflects nothing anyway.
+  /// The distribution is not defined at roughness 0; so smooth a sheen reflects no light.
   explicit Fibres(double sheen_roughness) : alpha(std::fmax(square(sheen_roughness), 1e-3)) {}
 
   double distribution(double n_h) const {

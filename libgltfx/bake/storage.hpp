@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the packed numbers of a scene to those that are calculated with.
+/// Conversion from the packed types of a scene to those of arithmetic.
 #pragma once
 
 #include <gltfx/vec3.hpp>
@@ -35,8 +35,8 @@ inline double determinant(const Matrix34& m) {
              cross(Vec3d(m[0][1], m[1][1], m[2][1]), Vec3d(m[0][2], m[1][2], m[2][2])));
 }
 
-/// Of normals, by the cofactors of the linear part: right for scales that differ by axis, for
-/// mirrors and for flattened objects. Results are not of unit length.
+/// The transform of normals by the cofactors of the linear part: right for scales that differ by
+/// axis, for mirrors and for flattened objects. Results are not of unit length.
 class NormalTransform {
  public:
   explicit NormalTransform(const Matrix34& m) {
@@ -48,7 +48,7 @@ class NormalTransform {
     z_ = cross(x, y);
     if (dot(x, x_) < 0) handedness_ = -1;
   }
-  /// To the side where the front of a triangle is, mirrored or not.
+  /// On the front side of a triangle, mirrored or not.
   Vec3d outward(const Vec3d& n) const { return (x_ * n.x + y_ * n.y + z_ * n.z) * handedness_; }
   double handedness() const { return handedness_; }
 

@@ -12,8 +12,8 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kWidth = 256;
-constexpr std::uint32_t kHeight = 128;
+constexpr std::uint32_t kStudioWidth = 256;
+constexpr std::uint32_t kStudioHeight = 128;
 constexpr double kDegree = std::numbers::pi / 180;
 
 // A lamp behind a screen: a rectangle of directions with soft edges.
@@ -35,8 +35,8 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Light that fills the room: bright above, and what the floor gives back below.
-Rgb room(double elevation) {
+// Ambient light: bright above, and reflected by the ground below.
+Rgb ambient(double elevation) {
   const double above = smooth_step(-8, 70, elevation);
   const double below = smooth_step(-2, -60, elevation);
   const Rgb horizon(0.50, 0.51, 0.53);
@@ -85,16 +85,16 @@ Rgb irradiance(const EnvironmentImage& image, const Vec3d& normal) {
 
 EnvironmentImage studio_environment(const Vec3d& backward) {
   EnvironmentImage image;
-  image.width = kWidth;
-  image.height = kHeight;
+  image.width = kStudioWidth;
+  image.height = kStudioHeight;
   const double own = std::atan2(backward.x, backward.z) / kDegree;
-  for (std::uint32_t y = 0; y < kHeight; ++y) {
-    for (std::uint32_t x = 0; x < kWidth; ++x) {
-      const Vec3d d = direction_of(
-          {(static_cast<float>(x) + 0.5F) / kWidth, (static_cast<float>(y) + 0.5F) / kHeight});
+  for (std::uint32_t y = 0; y < kStudioHeight; ++y) {
+    for (std::uint32_t x = 0; x < kStudioWidth; ++x) {
+      const Vec3d d = direction_of({(static_cast<float>(x) + 0.5F) / kStudioWidth,
+                                    (static_cast<float>(y) + 0.5F) / kStudioHeight});
       const double elevation = std::asin(std::clamp(d.y, -1.0, 1.0)) / kDegree;
       const double azimuth = std::remainder(std::atan2(d.x, d.z) / kDegree - own, 360.0);
-      Rgb radiance = room(elevation);
+      Rgb radiance = ambient(elevation);
       for (const SoftBox& box : kBoxes) {
         radiance += box.radiance * within(box, azimuth, elevation);
       }

@@ -13,10 +13,10 @@
 namespace gltfx::bake {
 namespace {
 
-// The triangle of a hit; what it tells is in the world.
-class Triangle {
+// The triangle of a hit. Results are in world space.
+class HitTriangle {
  public:
-  Triangle(const Scene& scene, const Hit& hit)
+  HitTriangle(const Scene& scene, const Hit& hit)
       : instance_(scene.instances[hit.instance]),
         mesh_(scene.meshes[hit.mesh]),
         corners_(mesh_.triangles[hit.triangle]),
@@ -27,7 +27,7 @@ class Triangle {
         along_2_(to_vec(mesh_.positions[corners_[2]]) - first_),
         normals_(instance_.to_world) {}
 
-  // From the weights: nearer to the triangle than the end of the ray.
+  // By the barycentric coordinates: more exact than the end of the ray.
   Vec3d position() const {
     return transform_point(instance_.to_world, first_ + along_1_ * u_ + along_2_ * v_);
   }
@@ -46,8 +46,8 @@ class Triangle {
     return norm > 0 && std::isfinite(norm) ? n / norm : flat;
   }
 
-  // Right-angled to the normal: the mesh's own, or else along u of the texture coordinates that the
-  // material looks at by tangents, or else any.
+  // The tangent is perpendicular to the normal: the mesh's own, or else along u of the texture
+  // coordinates of a slot that needs tangents, or else any.
   Frame frame(const Vec3d& normal, const SceneMaterial& material) const {
     Vec3d tangent;
     double sign = normals_.handedness();
@@ -79,8 +79,8 @@ class Triangle {
            material.use(Slot::clearcoat_normal).texture != kNone;
   }
 
-  // Where u grows on the triangle; `sign` becomes -1 where v grows downwards of it (in glTF v runs
-  // down the image, and the bitangent up).
+  // The direction in which u grows on the triangle; `sign` becomes -1 where the texture is mirrored
+  // (in glTF v runs down the image, and the bitangent up).
   Vec3d along_u(const SceneMaterial& material, const Vec3d& normal, double& sign) const {
     const TextureUse& use = material.use(Slot::normal).texture != kNone
                                 ? material.use(Slot::normal)
@@ -113,8 +113,7 @@ class Triangle {
   NormalTransform normals_;
 };
 
-// Where a shading normal leans so far that the viewer would see its back, it is bent until he just
-// does not.
+// A shading normal that faces away from the viewer is bent until it just does not.
 Vec3d facing(const Vec3d& normal, const Vec3d& viewer) {
   constexpr double kLeast = 1e-3;
   const double cosine = dot(normal, viewer);
@@ -150,7 +149,7 @@ bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface) 
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  const Triangle triangle(scene, hit);
+  const HitTriangle triangle(scene, hit);
   Surface surface{triangle.position(), triangle.flat_normal(), Frame(),
                   material_at(scene, mesh, material, hit)};
   const bool front = dot(surface.flat_normal, ray.direction) < 0;
@@ -160,7 +159,7 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
 
   const bool inside = surface.material.volumetric() && !front;
   const Vec3d viewer = -ray.direction;
-  // A normal on the side of the viewer, and from there to where the surface has its outside.
+  // First to the side of the viewer, from there to the outside of the surface.
   const double side = front ? 1 : -1;
   const double outward = inside ? -1 : 1;
   const auto oriented = [&](const Vec3d& normal) {

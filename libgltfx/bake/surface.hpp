@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is at a hit: where, which way round, and of which material.
+/// Surfaces at hits: position, orientation and material.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -19,27 +19,27 @@ struct Frame {
   Vec3d to_world(const Vec3d& v) const { return tangent * v.x + bitangent * v.y + normal * v.z; }
 };
 
-/// Some axes with that normal, which has unit length.
+/// Any axes with a normal of unit length.
 Frame frame_around(const Vec3d& normal);
 
 struct Surface {
   Vec3d position;
-  /// Of the flat triangle, on the side of `frame.normal`; unit length. Zero: it has no area, and
-  /// light is not reflected by it.
+  /// The normal of the flat triangle, on the side of `frame.normal`; unit length. Zero for a
+  /// triangle without area, which reflects no light.
   Vec3d flat_normal;
-  /// With the shading normal, normal map included. It is on the outside of a volume, and of all
-  /// other surfaces on the side that is seen.
+  /// The shading frame, normal map included. The normal is on the outside of a volume, and of all
+  /// other surfaces on the side of the viewer.
   Frame frame;
   Material material;
   bool front = true;  ///< the ray came from there
 };
 
-/// Whether what is behind it may be seen sharply.
+/// Whether objects behind a surface of the material may be seen sharply.
 inline bool may_be_clear(const Material& m) {
   return m.transmission > 0.05 && m.metallic < 0.5 && m.roughness < 0.25;
 }
 
-/// Of what it scatters to either side.
+/// The albedo of scattering to both sides.
 inline Rgb scattering_color(const Material& m) {
   return m.base_color * (1 - m.diffuse_transmission) +
          m.diffuse_transmission_color * m.diffuse_transmission;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From radiance to numbers of a display.
+/// Tone mapping and sRGB.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace gltfx::bake {
 
-/// Khronos PBR Neutral: base colours under a white light come out as they are, what is brighter is
+/// Khronos PBR Neutral: base colours under a white light stay as they are, brighter colours are
 /// compressed towards white. Linear Rec. 709 in and out; negative and non-finite input counts as 0.
 Float3 tone_map(Float3 radiance);
 
-/// What becomes of a luminance in the finished picture, from 0 to 1.
+/// A luminance in the tone mapped picture, from 0 to 1.
 double shown_luminance(double y);
 
 /// The sRGB transfer function (IEC 61966-2-1) of a number from 0 to 1, and its inverse.
 float srgb_encode(float linear);
 float srgb_decode(float encoded);
-/// That of a byte over 255.
+/// The inverse for a byte over 255.
 inline constexpr std::array<float, 256> kSrgbBytes = [] {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {

@@ -9,7 +9,7 @@
 namespace gltfx::bake {
 namespace {
 
-// Orthonormal axes from the columns of a transform, whatever became of them.
+// Orthonormal axes from the columns of any transform.
 void orient(const Matrix34& m, View& view) {
   const Vec3d back(m[0][2], m[1][2], m[2][2]);
   const Vec3d up(m[0][1], m[1][1], m[2][1]);

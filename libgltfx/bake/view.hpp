@@ -14,15 +14,15 @@ struct View {
   Vec3d origin{0, 0, 1};
   Vec3d right{1, 0, 0}, up{0, 1, 0}, backward{0, 0, 1};  ///< orthonormal
   bool perspective = true;
-  /// Half of what is seen across and upwards: at distance 1, or everywhere when not perspective.
+  /// Half the extent of the picture: at distance 1, or everywhere for an orthographic camera.
   double half_width = 0.5, half_height = 0.5;
 
   /// Through a point of the picture: x and y from 0 to 1, from the upper left.
   Ray ray(double x, double y) const;
 };
 
-/// That of a camera of the asset. `aspect`: width by height of the picture. What the camera would
-/// show is all there; a picture of another shape shows more of one direction.
+/// The view of a camera of the asset. `aspect`: width by height of the picture. A picture of
+/// another aspect than the camera's shows more, never less.
 View view_of(const Camera& camera, double aspect);
 
 }  // namespace gltfx::bake

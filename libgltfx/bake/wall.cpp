@@ -7,12 +7,12 @@
 namespace gltfx::bake {
 namespace {
 
-struct Plane {
+struct FacePlane {
   Vec3d point;
   Vec3d normal;  // out of the front, not of unit length
 };
 
-Plane plane_of(const Scene& scene, const Hit& hit) {
+FacePlane plane_of(const Scene& scene, const Hit& hit) {
   const Matrix34& to_world = scene.instances[hit.instance].to_world;
   const Mesh& mesh = scene.meshes[hit.mesh];
   const auto& corners = mesh.triangles[hit.triangle];
@@ -33,7 +33,7 @@ bool is_wall(const SceneMaterial& material) {
 
 bool turns_back(const Scene& scene, const Hit& hit, const std::optional<Eye>& eye) {
   if (!eye) return true;
-  const Plane plane = plane_of(scene, hit);
+  const FacePlane plane = plane_of(scene, hit);
   return eye->is_behind(plane.normal, plane.point);
 }
 

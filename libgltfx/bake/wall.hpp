@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Single-sided opaque surfaces: what the camera sees through from behind, and what lets light in.
+/// Walls: single-sided opaque surfaces, through which the camera sees and light comes from behind.
 ///
 /// The camera sees such a surface from its front only, so that it looks into a room through the
 /// walls that turn their backs to it. Light comes in the same way: a wall that turns its back to
-/// both the camera and the light is not there for that light. For all else walls are solid on both
-/// sides: one that faces the light throws a shadow.
+/// both the camera and the light does not occlude the light. All other rays hit walls from both
+/// sides: a wall that faces the light casts a shadow.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace gltfx::bake {
 
-/// From where a picture is taken: a point, or a direction of an orthographic camera.
+/// The position of the camera: a point, or the direction of an orthographic one.
 class Eye {
  public:
   explicit Eye(const View& view)
@@ -31,14 +31,14 @@ class Eye {
   double weight_;
 };
 
-/// Whether surfaces of the material are walls. What is clear or holds a volume lets light through
-/// by itself.
+/// Whether surfaces of the material are walls. Surfaces that are clear or bound a volume are
+/// not: they transmit light anyway.
 bool is_wall(const SceneMaterial& material);
 
-/// Whether what was hit turns its back to the eye, or there is none.
+/// Whether the surface of a hit turns its back to the eye, or there is no eye.
 bool turns_back(const Scene& scene, const Hit& hit, const std::optional<Eye>& eye);
 
-/// Whether light that comes against `direction` passes what was hit: a wall that turns its back to
+/// Whether light against `direction` passes the surface of a hit: a wall that turns its back to
 /// the light, and to the eye if there is one.
 bool lets_light_in(const Scene& scene, const Hit& hit, const Vec3d& direction,
                    const std::optional<Eye>& eye);

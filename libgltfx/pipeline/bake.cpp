@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "bake/develop.hpp"
 #include "bake/lighting.hpp"
+#include "bake/picture.hpp"
 #include "base/pages.hpp"
 #include "codec/client.hpp"
 #include "pipeline/bake_asset.hpp"
@@ -75,7 +75,7 @@ class Baker {
 
   bool draw_size(const BakeSize& size, const std::vector<bake::View>& views) {
     for (std::size_t i = 0; i < views.size(); ++i) {
-      const bake::Canvas drawn =
+      const bake::Framebuffer drawn =
           draw_picture(loaded_, views[i], size, options_, layers_of(options_), part());
       ++done_;
       std::string suffix;
@@ -94,18 +94,19 @@ class Baker {
     };
   }
 
-  bool take(const bake::Canvas& drawn, const std::string& suffix) {
+  bool take(const bake::Framebuffer& drawn, const std::string& suffix) {
     if (report_.pixels.bytes.empty()) {
-      bake::Picture shown = bake::develop(drawn, options_.transparent, bake::Numbers::bytes);
+      bake::Picture shown =
+          bake::tone_mapped_picture(drawn, options_.transparent, bake::PixelType::bytes);
       report_.pixels = {shown.width, shown.height, shown.channels, std::move(shown.bytes)};
     }
     if (options_.output.empty()) return true;
-    const auto numbers = holds_floats(format_) ? bake::Numbers::floats : bake::Numbers::bytes;
-    const bake::Picture picture = bake::develop(drawn, options_.transparent, numbers);
+    const auto numbers = holds_floats(format_) ? bake::PixelType::floats : bake::PixelType::bytes;
+    const bake::Picture picture = bake::tone_mapped_picture(drawn, options_.transparent, numbers);
     if (!write(picture, with_suffix(options_.output, suffix))) return false;
     for (const BakeLayer layer : options_.layers) {
       const bake::Picture seen =
-          bake::develop_layer(drawn, static_cast<bake::Layer>(layer), numbers);
+          bake::layer_picture(drawn, static_cast<bake::Layer>(layer), numbers);
       const std::string ending = fmt::format("{}-{}", suffix, bake_layer_name(layer));
       if (!write(seen, with_suffix(options_.output, ending))) return false;
     }

@@ -59,12 +59,12 @@ class Comparison {
       first_.report.error = views.error().message;
       return;
     }
-    const bake::Canvas a = draw(first_, views->front(), 0);
+    const bake::Framebuffer a = draw(first_, views->front(), 0);
     first_.subject->forget_faces();
     second_.subject = first_.subject;  // lit and framed alike
-    const bake::Canvas b = draw(second_, views->front(), 0.5);
-    const bake::Picture left = develop(a, first_.report);
-    const bake::Picture right = develop(b, second_.report);
+    const bake::Framebuffer b = draw(second_, views->front(), 0.5);
+    const bake::Picture left = to_picture(a, first_.report);
+    const bake::Picture right = to_picture(b, second_.report);
     const double difference = bake::mean_square_difference(left, right, a, b);
     psnr_ = difference > 0 ? 10 * std::log10(255.0 * 255.0 / difference)
                            : std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ class Comparison {
     if (trouble) error_ = std::move(trouble->message);
   }
 
-  bake::Canvas draw(const BakeScene& loaded, const bake::View& view, double before) const {
+  bake::Framebuffer draw(const BakeScene& loaded, const bake::View& view, double before) const {
     std::function<void(double)> progress;
     if (options_.progress) {
       progress = [this, before](double part) { options_.progress(before + part / 2); };
@@ -81,8 +81,9 @@ class Comparison {
     return draw_picture(loaded, view, options_.sizes.front(), options_, {.alpha = true}, progress);
   }
 
-  bake::Picture develop(const bake::Canvas& drawn, BakeReport& report) const {
-    bake::Picture picture = bake::develop(drawn, options_.transparent, bake::Numbers::bytes);
+  bake::Picture to_picture(const bake::Framebuffer& drawn, BakeReport& report) const {
+    bake::Picture picture =
+        bake::tone_mapped_picture(drawn, options_.transparent, bake::PixelType::bytes);
     report.pixels = {picture.width, picture.height, picture.channels, picture.bytes};
     return picture;
   }

@@ -4,21 +4,21 @@
 #include <algorithm>
 #include <utility>
 
-#include "bake/draw.hpp"
 #include "bake/lighting.hpp"
+#include "bake/render.hpp"
 
 namespace gltfx {
 namespace {
 
-constexpr std::uint32_t kLooks = 48;       // for edges, which are not smoothed
-constexpr std::uint32_t kFewSamples = 32;  // which have to be chosen with care
+constexpr std::uint32_t kFeatureSamples = 48;  // for edges, which are not denoised
+constexpr std::uint32_t kFewSamples = 32;      // which have to be chosen with care
 
 bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
   bake::RenderOptions result;
   result.width = size.width;
   result.height = size.height;
   result.samples = options.samples;
-  result.looks = options.denoise ? kLooks : 0;
+  result.feature_samples = options.denoise ? kFeatureSamples : 0;
   result.seed = options.seed;
   result.jobs = options.jobs;
   result.seconds = options.seconds;
@@ -37,25 +37,25 @@ bake::Layers layers_of(const BakeOptions& options) {
           wants(BakeLayer::material)};
 }
 
-bake::Canvas draw_picture(const BakeScene& loaded, const bake::View& view, const BakeSize& size,
-                          const BakeOptions& options, const bake::Layers& layers,
-                          std::function<void(double)> progress) {
+bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
+                               const BakeSize& size, const BakeOptions& options,
+                               const bake::Layers& layers, std::function<void(double)> progress) {
   bake::LightingOptions lighting;
   lighting.lamps = static_cast<bake::Lamps>(options.lights);
   lighting.transparent = options.transparent;
   lighting.exposure = options.exposure;
-  bake::Setting setting = bake::make_setting(*loaded.scene, *loaded.subject, view, lighting);
-  setting.eye = bake::eye_of(view, *loaded.bvh);
-  const bake::PathSetting paths{*loaded.scene,
-                                *loaded.bvh,
-                                setting,
-                                static_cast<int>(options.bounces),
-                                loaded.subject->size(),
-                                options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
-                                options.samples > kFewSamples ? 2U : 4U};
-  bake::DrawOptions drawing{render_options(size, options), layers, options.denoise};
+  bake::World world = bake::make_world(*loaded.scene, *loaded.subject, view, lighting);
+  world.eye = bake::eye_of(view, *loaded.bvh);
+  const bake::TraceContext paths{*loaded.scene,
+                                 *loaded.bvh,
+                                 world,
+                                 static_cast<int>(options.bounces),
+                                 loaded.subject->size(),
+                                 options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
+                                 options.samples > kFewSamples ? 2U : 4U};
+  bake::PictureOptions drawing{render_options(size, options), layers, options.denoise};
   drawing.render.progress = std::move(progress);
-  return bake::draw(paths, view, drawing);
+  return bake::render(paths, view, drawing);
 }
 
 }  // namespace gltfx

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "bake/canvas.hpp"
+#include "bake/framebuffer.hpp"
 #include "bake/view.hpp"
 #include "pipeline/bake_scene.hpp"
 
@@ -16,8 +16,8 @@ namespace gltfx {
 bake::Layers layers_of(const BakeOptions& options);
 
 /// Precondition: the scene is ready. `progress` may be empty.
-bake::Canvas draw_picture(const BakeScene& loaded, const bake::View& view, const BakeSize& size,
-                          const BakeOptions& options, const bake::Layers& layers,
-                          std::function<void(double)> progress);
+bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
+                               const BakeSize& size, const BakeOptions& options,
+                               const bake::Layers& layers, std::function<void(double)> progress);
 
 }  // namespace gltfx

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "bake/develop.hpp"
+#include "bake/picture.hpp"
 
 namespace gltfx {
 

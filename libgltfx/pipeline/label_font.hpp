@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bake/develop.hpp"
+#include "bake/picture.hpp"
 
 namespace gltfx {
 

@@ -94,8 +94,9 @@ bake::Picture PictureCheck::draw(const BakeScene& scene, const bake::View& view,
                                  std::uint32_t seed) const {
   BakeOptions options = options_;
   options.seed = seed;
-  return bake::develop(draw_picture(scene, view, options_.sizes.front(), options, {}, {}), false,
-                       bake::Numbers::bytes);
+  return bake::tone_mapped_picture(
+      draw_picture(scene, view, options_.sizes.front(), options, {}, {}), false,
+      bake::PixelType::bytes);
 }
 
 }  // namespace gltfx

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "bake/develop.hpp"
 #include "bake/framing.hpp"
+#include "bake/picture.hpp"
 #include "bake/view.hpp"
 #include "pipeline/bake_scene.hpp"
 #include "validate/validated_asset.hpp"

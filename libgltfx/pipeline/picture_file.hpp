@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "bake/develop.hpp"
+#include "bake/picture.hpp"
 #include "base/result.hpp"
 #include "codec/client.hpp"
 

@@ -77,8 +77,8 @@ Shot outdoors(Scene scene, int bounces = 4) {
   Shot shot{Stage(std::move(scene)), {}};
   shot.view.origin = {0, 0, 5};
   shot.view.half_width = shot.view.half_height = 0.3;
-  shot.stage.setting.environment.emplace(sky());
-  shot.stage.setting.background = Background::environment;
+  shot.stage.world.environment.emplace(sky());
+  shot.stage.world.background = Background::environment;
   shot.stage.bounces = bounces;
   return shot;
 }
@@ -90,7 +90,7 @@ Scene on_floor(const SceneMaterial& material, Mesh mesh = sphere(1, 12)) {
 }
 
 Shot with_lamp(Shot shot) {
-  shot.stage.setting.lights = {lamp(Light::Kind::point, {1, 2, 3}, {6, 5, 4})};
+  shot.stage.world.lights = {lamp(Light::Kind::point, {1, 2, 3}, {6, 5, 4})};
   return shot;
 }
 
@@ -160,7 +160,7 @@ Shot leaf() {
   Shot shot = outdoors(on_floor(material, square(1)));
   Light sun = lamp(Light::Kind::directional, {}, {3, 2.5F, 2});
   sun.direction = {0, 0.6F, 0.8F};  // from below
-  shot.stage.setting.lights = {sun};
+  shot.stage.world.lights = {sun};
   return shot;
 }
 
@@ -226,7 +226,7 @@ Shot veil() {
 
 Shot lamps() {
   Shot shot = outdoors(on_floor(plain({0.8, 0.7, 0.6}, 0.5)), 3);
-  shot.stage.setting.environment.reset();
+  shot.stage.world.environment.reset();
   Light near = lamp(Light::Kind::point, {1, -1, 1.5F}, {3, 2, 1});
   near.range = 4;
   Light spot = lamp(Light::Kind::spot, {-1, 1, 4}, {20, 30, 40});
@@ -234,7 +234,7 @@ Shot lamps() {
   spot.outer_cone = 0.4F;
   Light sun = lamp(Light::Kind::directional, {}, {0.5F, 0.4F, 0.3F});
   sun.direction = {0.6F, 0, -0.8F};
-  shot.stage.setting.lights = {near, spot, sun};
+  shot.stage.world.lights = {near, spot, sun};
   return shot;
 }
 
@@ -277,10 +277,10 @@ Shot pond() {
 Shot candle() {
   Shot shot = wax();
   shot.stage.bounces = 4;
-  shot.stage.setting.environment.reset();
-  shot.stage.setting.background = Background::transparent;
-  shot.stage.setting.lights = {lamp(Light::Kind::point, {0.2F, 0.1F, 0.3F}, {3, 4, 5}),
-                               lamp(Light::Kind::point, {1, 2, 3}, {6, 5, 4})};
+  shot.stage.world.environment.reset();
+  shot.stage.world.background = Background::transparent;
+  shot.stage.world.lights = {lamp(Light::Kind::point, {0.2F, 0.1F, 0.3F}, {3, 4, 5}),
+                             lamp(Light::Kind::point, {1, 2, 3}, {6, 5, 4})};
   return shot;
 }
 
@@ -291,7 +291,7 @@ Shot ball_in_glass() {
   Scene scene = on_floor(block, cube(1.1F));
   add(scene, sphere(0.5F, 12), plain({0.8, 0.5, 0.3}, 0.6), moved(-0.3F, 0, -0.4F));
   Shot shot = outdoors(std::move(scene), 5);
-  shot.stage.setting.lights = {lamp(Light::Kind::point, {0.3F, 0.2F, 0.4F}, {1, 1, 1})};
+  shot.stage.world.lights = {lamp(Light::Kind::point, {0.3F, 0.2F, 0.4F}, {1, 1, 1})};
   return shot;
 }
 
@@ -330,12 +330,12 @@ class Agreement : public testing::TestWithParam<Case> {};
 TEST_P(Agreement, IsWithinThreeStandardErrors) {
   Shot shot = GetParam().make();
   shot.stage.find_emitters();
-  const PathSetting setting = shot.stage.path_setting();
+  const TraceContext context = shot.stage.context();
   const Estimate fast = shot.stage.estimate(20000, 5, [&](const SampleStream& random) {
-    return trace_path(setting, shot.ray(random), {0.5F, 0.5F}, random).radiance();
+    return trace_path(context, shot.ray(random), {0.5F, 0.5F}, random).radiance();
   });
   const Estimate simple = shot.stage.estimate(60000, 6, [&](const SampleStream& random) {
-    return trace_simply(setting, shot.ray(random), random);
+    return trace_simply(context, shot.ray(random), random);
   });
   for (int c = 0; c < 3; ++c) {
     const double error = std::hypot(fast.error[c], simple.error[c]);

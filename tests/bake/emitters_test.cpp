@@ -104,7 +104,7 @@ TEST(Emitters, ManyTrianglesOfManyInstances) {
   stage.find_emitters();
   expect_near(stage.path({{5, 0.1, 4}, {0, 0, -1}}, 16), Rgb(3));
   const EmissiveTriangle shine =
-      stage.setting.emitters.sample(stage.path_setting().scene, {9, 0, 0}, {0.99F, 0.5F});
+      stage.world.emitters.sample(stage.context().scene, {9, 0, 0}, {0.99F, 0.5F});
   EXPECT_GT(shine.pdf, 0);
 }
 

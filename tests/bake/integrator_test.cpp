@@ -43,7 +43,7 @@ TEST(Integrator, ADirectionalLightOnAPlane) {
   light.kind = Light::Kind::directional;
   light.intensity = {3, 3, 3};
   light.direction = {0.6F, 0, -0.8F};
-  stage.setting.lights = {light};
+  stage.world.lights = {light};
   expect_near(stage.path(kDown, 10), Rgb(0.6, 0.4, 0.2) * (3 * 0.8 / kPi), 1e-5);
 }
 
@@ -52,7 +52,7 @@ TEST(Integrator, APointLightFallsOffWithTheSquare) {
   Light light;
   light.intensity = {10, 10, 10};
   light.position = {0.1F, 0.2F, 2};
-  stage.setting.lights = {light};
+  stage.world.lights = {light};
   expect_near(stage.path(kDown, 10), Rgb(0.5 * 10 / 4 / kPi), 1e-5);
 }
 
@@ -63,7 +63,7 @@ TEST(Integrator, LampsAreChosenByWhatTheyGive) {
     Light light;
     light.intensity = Float3{static_cast<float>(i), static_cast<float>(i), static_cast<float>(i)};
     light.position = {0.1F, 0.2F, static_cast<float>(i)};
-    stage.setting.lights.push_back(light);
+    stage.world.lights.push_back(light);
     expected += 0.5 * i / (i * i) / kPi;
   }
   expect_near(stage.path(kDown, 20000), Rgb(expected), 1e-5);
@@ -71,7 +71,7 @@ TEST(Integrator, LampsAreChosenByWhatTheyGive) {
 
 TEST(Integrator, AnEvenSkyOnAMatteSphere) {
   Stage stage(scene_of(sphere(), matte({0.9, 0.5, 0.1})));
-  stage.setting.environment.emplace(even_light(2));
+  stage.world.environment.emplace(even_light(2));
   expect_near(stage.path(kDown), Rgb(0.9, 0.5, 0.1) * 2, 0.01);
 }
 
@@ -86,8 +86,8 @@ TEST(Integrator, ASlabAbsorbs) {
   glass.factors.attenuation_distance = 0.5;
   glass.factors.attenuation_color = {0.8, 0.5, 0.25};
   Stage stage(scene_of(cube(), glass));
-  stage.setting.environment.emplace(even_light());
-  stage.setting.background = Background::environment;
+  stage.world.environment.emplace(even_light());
+  stage.world.background = Background::environment;
   const auto through = [](double color) { return std::pow(color, 2 / 0.5); };
   expect_near(stage.path(kDown, 200), {through(0.8), through(0.5), through(0.25)}, 1e-4);
 }
@@ -102,8 +102,8 @@ TEST(Integrator, GlassInAnEvenLightIsInvisible) {
   glass.factors.thickness = 1;
   Stage stage(scene_of(sphere(1, 32), glass));
   stage.bounces = 64;
-  stage.setting.environment.emplace(even_light());
-  stage.setting.background = Background::environment;
+  stage.world.environment.emplace(even_light());
+  stage.world.background = Background::environment;
   expect_near(stage.path({{0.4, 0.3, 3}, {0, 0, -1}}, 4000), Rgb(1), 0.01);
 }
 
@@ -112,7 +112,7 @@ TEST(Integrator, UnlitIsItsColour) {
   material.factors.base_color = {0.1, 0.2, 0.3};
   material.factors.unlit = true;
   Stage stage(scene_of(square(), material));
-  stage.setting.environment.emplace(even_light(5));
+  stage.world.environment.emplace(even_light(5));
   expect_near(stage.path(kDown, 4), {0.1, 0.2, 0.3});
 }
 
@@ -121,18 +121,18 @@ TEST(Integrator, AlphaIsWhatHidesTheBackground) {
   material.alpha_mode = AlphaMode::blend;
   material.alpha = 0.25F;
   Stage stage(scene_of(square(), material));
-  stage.setting.background = Background::transparent;
-  EXPECT_EQ(trace_path(stage.path_setting(), kDown, {0, 0}, {0, 0, 0}).alpha, 0.25);
-  EXPECT_EQ(trace_path(stage.path_setting(), {{5, 5, 5}, {0, 0, -1}}, {0, 0}, {0, 0, 0}).alpha, 0);
+  stage.world.background = Background::transparent;
+  EXPECT_EQ(trace_path(stage.context(), kDown, {0, 0}, {0, 0, 0}).alpha, 0.25);
+  EXPECT_EQ(trace_path(stage.context(), {{5, 5, 5}, {0, 0, -1}}, {0, 0}, {0, 0, 0}).alpha, 0);
 }
 
 TEST(Integrator, TheFirstSurfaceIsDescribed) {
   Stage stage(scene_of(square(), matte({0.6, 0.4, 0.2})));
-  const PathSample sample = trace_path(stage.path_setting(), kDown, {0, 0}, {0, 0, 0});
-  EXPECT_EQ(sample.albedo, Rgb(0.6, 0.4, 0.2));
-  EXPECT_NEAR(sample.normal.z, 1, 1e-6);
-  EXPECT_NEAR(sample.depth, 3, 1e-6);
-  EXPECT_EQ(sample.material, 0U);
+  const PathSample sample = trace_path(stage.context(), kDown, {0, 0}, {0, 0, 0});
+  EXPECT_EQ(sample.features.albedo, Rgb(0.6, 0.4, 0.2));
+  EXPECT_NEAR(sample.features.normal.z, 1, 1e-6);
+  EXPECT_NEAR(sample.features.depth, 3, 1e-6);
+  EXPECT_EQ(sample.features.material, 0U);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(Walk, WeighsAllColours) {
   Rgb scattered;
   constexpr std::uint32_t kSamples = 1U << 14U;
   for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const MediumStep step = walk(medium, {1, 0.5, 0.2}, 0.7, SampleStream(1, 1, i).pair(0));
+    const DistanceSample step = sample_distance(medium, {1, 0.5, 0.2}, 0.7, SampleStream(1, 1, i).pair(0));
     (step.scattered ? scattered : through) += step.weight;
     EXPECT_LT(step.distance, 0.7);
   }
@@ -65,7 +65,7 @@ TEST(Walk, WeighsAllColours) {
 TEST(Walk, OnlyDimsWhereNothingScatters) {
   Medium medium;
   medium.absorption = {1, 2, 0};
-  const MediumStep step = walk(medium, {1, 1, 1}, 0.5, {0.3F, 0.3F});
+  const DistanceSample step = sample_distance(medium, {1, 1, 1}, 0.5, {0.3F, 0.3F});
   EXPECT_FALSE(step.scattered);
   EXPECT_NEAR(step.weight.x, std::exp(-0.5), 1e-12);
   EXPECT_NEAR(step.weight.y, std::exp(-1.0), 1e-12);

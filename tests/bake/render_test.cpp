@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/develop.hpp"
-#include "bake/draw.hpp"
+#include "bake/picture.hpp"
+#include "bake/render_rows.hpp"
 #include "bake/studio.hpp"
 #include "rendering.hpp"
 #include "studio_stage.hpp"
@@ -27,8 +27,8 @@ Stage square_and_ball() {
   scene.meshes[1].material = 1;
   scene.instances.push_back({1, moved(1.2F, 0, 0)});
   Stage stage(std::move(scene));
-  stage.setting.environment.emplace(studio_environment({0, 0, 1}));
-  stage.setting.background = Background::transparent;
+  stage.world.environment.emplace(studio_environment({0, 0, 1}));
+  stage.world.background = Background::transparent;
   return stage;
 }
 
@@ -40,14 +40,20 @@ RenderOptions small(std::uint32_t samples) {
   return options;
 }
 
-Canvas plain(const Film& film) {
-  Canvas canvas(film.width(), film.height(), {.alpha = true});
-  resolve(film, film.held(), canvas);
-  return canvas;
+Film render_film(const TraceContext& context, const View& view, const RenderOptions& options) {
+  Film film(options.width, options.height);
+  render_rows(context, view, options, SampleMap(options.samples), film.held(), film);
+  return film;
 }
 
-DrawOptions denoised(std::uint32_t samples, unsigned jobs = 1) {
-  DrawOptions options;
+Framebuffer plain(const Film& film) {
+  Framebuffer buffer(film.width(), film.height(), {.alpha = true});
+  resolve(film, film.held(), buffer);
+  return buffer;
+}
+
+PictureOptions denoised(std::uint32_t samples, unsigned jobs = 1) {
+  PictureOptions options;
   options.render = small(samples);
   options.render.jobs = jobs;
   options.layers.alpha = true;
@@ -62,7 +68,7 @@ bool same(const Film& a, const Film& b) {
   return a.size() == b.size();
 }
 
-void expect_same(const Canvas& a, const Canvas& b) {
+void expect_same(const Framebuffer& a, const Framebuffer& b) {
   EXPECT_EQ(a.radiance, b.radiance);
   EXPECT_EQ(a.alpha, b.alpha);
   EXPECT_EQ(a.albedo, b.albedo);
@@ -71,26 +77,26 @@ void expect_same(const Canvas& a, const Canvas& b) {
   EXPECT_EQ(a.material, b.material);
 }
 
-// A picture of that size and those samples with all layers, of which few looks are taken.
-DrawOptions with_layers(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
-  DrawOptions options = denoised(samples);
+// A picture with all layers and few samples of the features.
+PictureOptions with_layers(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+  PictureOptions options = denoised(samples);
   options.render.width = width;
   options.render.height = height;
-  options.render.looks = 4;
+  options.render.feature_samples = 4;
   options.layers = {true, true, true, true, true};
   return options;
 }
 
 TEST(Render, ATriangleBecomesAPicture) {
   Stage stage(scene_of(square(), matte(Rgb(1))));
-  stage.setting.environment.emplace(even_light());
-  stage.setting.background = Background::transparent;
+  stage.world.environment.emplace(even_light());
+  stage.world.background = Background::transparent;
   View view;
   view.origin = {0, 0, 4};
-  const Film film = render(stage.path_setting(), view, small(4));
+  const Film film = render_film(stage.context(), view, small(4));
   EXPECT_NEAR(film.radiance(20 * 48 + 24).x, 1, 0.05);
-  EXPECT_EQ(film.feature_sums(20 * 48 + 24).alpha, 4);
-  EXPECT_EQ(film.feature_sums(0).alpha, 0);
+  EXPECT_EQ(film.features(20 * 48 + 24).alpha, 4);
+  EXPECT_EQ(film.features(0).alpha, 0);
   EXPECT_EQ(film.radiance(0), Rgb());
   EXPECT_EQ(film.at(20 * 48 + 24).material, 0U);
 }
@@ -98,54 +104,54 @@ TEST(Render, ATriangleBecomesAPicture) {
 TEST(Render, TheNumberOfThreadsDoesNotShow) {
   const Stage stage = studio_stage();
   RenderOptions options = small(8);
-  const Film one = render(stage.path_setting(), front(), options);
+  const Film one = render_film(stage.context(), front(), options);
   options.jobs = 2;
-  const Film two = render(stage.path_setting(), front(), options);
+  const Film two = render_film(stage.context(), front(), options);
   EXPECT_TRUE(same(one, two));
   options.seed = 1;
-  EXPECT_FALSE(same(one, render(stage.path_setting(), front(), options)));
+  EXPECT_FALSE(same(one, render_film(stage.context(), front(), options)));
 }
 
 // Which rows come at a time does not show either: fewer for two jobs than for eight.
 TEST(Draw, TheNumberOfThreadsDoesNotShow) {
   const Stage stage = studio_stage();
-  DrawOptions options = with_layers(20, 600, 16);
-  const Canvas one = draw(stage.path_setting(), front(), options);
+  PictureOptions options = with_layers(20, 600, 16);
+  const Framebuffer one = render(stage.context(), front(), options);
   options.render.jobs = 8;
-  expect_same(one, draw(stage.path_setting(), front(), options));
+  expect_same(one, render(stage.context(), front(), options));
 }
 
 // Of a wide picture fewer rows come at a time than the denoiser looks at around a pixel.
 TEST(Draw, RowsAtATimeDoNotShow) {
   const Stage stage = studio_stage();
-  DrawOptions options = with_layers(528, 44, 2);
-  const Canvas rows = draw(stage.path_setting(), front(), options);
+  PictureOptions options = with_layers(528, 44, 2);
+  const Framebuffer rows = render(stage.context(), front(), options);
   options.render.seconds = 1e6;  // all rows at once
-  expect_same(rows, draw(stage.path_setting(), front(), options));
+  expect_same(rows, render(stage.context(), front(), options));
 }
 
-// What looks find has its material, also where no sample found it.
+// What feature samples find has its material, also where no sample found it.
 TEST(Draw, WhatIsSeenHasAMaterial) {
   const Stage stage = square_and_ball();
-  DrawOptions options = denoised(16);
-  options.render.looks = 48;
+  PictureOptions options = denoised(16);
+  options.render.feature_samples = 48;
   options.layers.material = true;
-  const Canvas canvas = draw(stage.path_setting(), front(), options);
-  for (std::size_t i = 0; i < canvas.size(); ++i) {
-    EXPECT_EQ(canvas.alpha[i] > 0, canvas.material[i] != kNone) << i;
+  const Framebuffer buffer = render(stage.context(), front(), options);
+  for (std::size_t i = 0; i < buffer.size(); ++i) {
+    EXPECT_EQ(buffer.alpha[i] > 0, buffer.material[i] != kNone) << i;
   }
 }
 
 TEST(Draw, ProgressEndsAtTheEnd) {
   const Stage stage = studio_stage();
-  DrawOptions options = denoised(2);
+  PictureOptions options = denoised(2);
   options.render.height = 300;
   double last = 0;
   options.render.progress = [&last](double part) {
     EXPECT_GE(part, last);
     last = part;
   };
-  draw(stage.path_setting(), front(), options);
+  render(stage.context(), front(), options);
   EXPECT_DOUBLE_EQ(last, 1);
 }
 
@@ -153,16 +159,16 @@ TEST(Render, SamplesDoNotDependOnHowManyFollow) {
   const Stage stage = studio_stage();
   RenderOptions options = small(32);
   options.seconds = 1e6;  // in rounds
-  const Film rounds = render(stage.path_setting(), front(), options);
+  const Film rounds = render_film(stage.context(), front(), options);
   options.seconds = 0;
-  EXPECT_TRUE(same(rounds, render(stage.path_setting(), front(), options)));
+  EXPECT_TRUE(same(rounds, render_film(stage.context(), front(), options)));
 }
 
 TEST(Render, EnoughIsEnough) {
   const Stage stage = studio_stage();
   RenderOptions options = small(256);
   options.noise = 0.05;
-  const Film film = render(stage.path_setting(), front(), options);
+  const Film film = render_film(stage.context(), front(), options);
   EXPECT_LT(film.at(0).samples, 256U) << "a backdrop without noise";
   EXPECT_GE(film.at(0).samples, 16U);
 }
@@ -170,11 +176,11 @@ TEST(Render, EnoughIsEnough) {
 // Shadow on the floor is noise too.
 TEST(Render, ShadowHasNoise) {
   const Stage stage = studio_stage();
-  const Film film = render(stage.path_setting(), front(), small(16));
+  const Film film = render_film(stage.context(), front(), small(16));
   double worst = 0;
   for (std::size_t i = 0; i < film.size(); ++i) {
     const PixelSums& sums = film.at(i);
-    if (sums.feature_sums.alpha <= 0 && sums.shadow[0] + sums.shadow[1] > 0) {
+    if (sums.features.alpha <= 0 && sums.light.shadow[0] + sums.light.shadow[1] > 0) {
       worst = std::max(worst, film.error(i));
     }
   }
@@ -185,7 +191,7 @@ TEST(Render, TimeRunsOut) {
   const Stage stage = studio_stage();
   RenderOptions options = small(4000000);
   options.seconds = 0.02;
-  const Film film = render(stage.path_setting(), front(), options);
+  const Film film = render_film(stage.context(), front(), options);
   EXPECT_GT(film.at(0).samples, 0U);
   EXPECT_LT(film.at(0).samples, 4000000U);
 }
@@ -198,22 +204,22 @@ TEST(Render, ProgressEndsAtTheEnd) {
     EXPECT_GE(part, last);
     last = part;
   };
-  render(stage.path_setting(), front(), options);
+  render_film(stage.context(), front(), options);
   EXPECT_DOUBLE_EQ(last, 1);
 }
 
 // Nearer to the picture of many samples than the noise was.
 TEST(Denoise, ComesNearer) {
   const Stage stage = studio_stage();
-  const Canvas noisy = plain(render(stage.path_setting(), front(), small(16)));
+  const Framebuffer noisy = plain(render_film(stage.context(), front(), small(16)));
   RenderOptions many = small(512);
   many.seed = 9;
-  const Canvas wanted = plain(render(stage.path_setting(), front(), many));
-  const Canvas clean = draw(stage.path_setting(), front(), denoised(16));
-  const Picture reference = develop(wanted, false, Numbers::bytes);
-  const auto difference = [&](const Canvas& canvas) {
-    return mean_square_difference(develop(canvas, false, Numbers::bytes), reference, canvas,
-                                  wanted);
+  const Framebuffer wanted = plain(render_film(stage.context(), front(), many));
+  const Framebuffer clean = render(stage.context(), front(), denoised(16));
+  const Picture reference = tone_mapped_picture(wanted, false, PixelType::bytes);
+  const auto difference = [&](const Framebuffer& buffer) {
+    return mean_square_difference(tone_mapped_picture(buffer, false, PixelType::bytes), reference,
+                                  buffer, wanted);
   };
   EXPECT_LT(difference(clean), difference(noisy) * 0.5);
 }
@@ -222,12 +228,12 @@ TEST(Denoise, ComesNearer) {
 // looked for.
 TEST(Denoise, FewSamplesMissNoEdge) {
   const Stage stage = square_and_ball();
-  DrawOptions options = denoised(16);
-  options.render.looks = 48;
-  const Canvas few = draw(stage.path_setting(), front(), options);
+  PictureOptions options = denoised(16);
+  options.render.feature_samples = 48;
+  const Framebuffer few = render(stage.context(), front(), options);
   options.render.samples = 256;
   options.denoise = false;
-  const Canvas many = draw(stage.path_setting(), front(), options);
+  const Framebuffer many = render(stage.context(), front(), options);
   float worst = 0;
   for (std::size_t i = 0; i < few.size(); ++i) {
     worst = std::max(worst, std::fabs(few.alpha[i] - many.alpha[i]));
@@ -240,13 +246,13 @@ TEST(Denoise, WhatHasNoNoiseStays) {
   Light light;
   light.kind = Light::Kind::directional;
   light.intensity = {2, 2, 2};
-  stage.setting.lights = {light};
-  stage.setting.background = Background::transparent;
+  stage.world.lights = {light};
+  stage.world.background = Background::transparent;
   View view;
   view.origin = {0, 0, 4};
   view.half_width = view.half_height = 0.2;
-  const Canvas noisy = plain(render(stage.path_setting(), view, small(4)));
-  const Canvas clean = draw(stage.path_setting(), view, denoised(4));
+  const Framebuffer noisy = plain(render_film(stage.context(), view, small(4)));
+  const Framebuffer clean = render(stage.context(), view, denoised(4));
   for (std::size_t i = 0; i < noisy.size(); ++i) {
     EXPECT_NEAR(clean.radiance[i][0], noisy.radiance[i][0], 1e-3F);
   }

@@ -12,6 +12,7 @@
 #include "bake/integrator.hpp"
 #include "bake/storage.hpp"
 #include "shapes.hpp"
+#include "simple_integrator.hpp"
 
 namespace gltfx::bake {
 
@@ -35,14 +36,14 @@ class Stage {
   explicit Stage(Scene scene)
       : scene_(std::make_unique<const Scene>(std::move(scene))), bvh_(build(*scene_)) {}
 
-  Setting setting;
+  World world;
   int bounces = 8;
   ShaderMode mode = ShaderMode::conserving;
 
   /// Else they are found by chance.
-  void find_emitters() { setting.emitters = Emitters(*scene_); }
+  void find_emitters() { world.emitters = Emitters(*scene_); }
 
-  PathSetting path_setting() const { return {*scene_, bvh_, setting, bounces, 1, mode}; }
+  TraceContext context() const { return {*scene_, bvh_, world, bounces, 1, mode}; }
 
   template <class Trace>
   Estimate estimate(std::uint32_t samples, std::uint32_t seed, const Trace& trace) const {
@@ -62,14 +63,14 @@ class Stage {
   }
 
   Estimate path(const Ray& ray, std::uint32_t samples = 4000) const {
-    const PathSetting s = path_setting();
+    const TraceContext s = context();
     return estimate(samples, 1, [&](const SampleStream& random) {
       return trace_path(s, ray, {0.5F, 0.5F}, random).radiance();
     });
   }
 
   Estimate simply(const Ray& ray, std::uint32_t samples = 40000) const {
-    const PathSetting s = path_setting();
+    const TraceContext s = context();
     return estimate(samples, 2,
                     [&](const SampleStream& random) { return trace_simply(s, ray, random); });
   }

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/render.hpp"
+#include "bake/render_rows.hpp"
 #include "studio_stage.hpp"
 
 namespace gltfx::bake {
@@ -32,7 +32,7 @@ TEST(SampleMap, SharesOutWhatThereIs) {
   const Stage stage = studio_stage();
   for (const std::uint32_t samples : {16U, 20U, 33U, 64U}) {
     const RenderOptions options = small(samples);
-    const SampleMap shares(stage.path_setting(), front(), options);
+    const SampleMap shares(stage.context(), front(), options);
     double sum = 0;
     std::uint32_t least = samples;
     std::uint32_t most = samples;
@@ -55,7 +55,7 @@ TEST(SampleMap, SharesOutWhatThereIs) {
 TEST(SampleMap, NoiseGetsMore) {
   const Stage stage = studio_stage();
   const RenderOptions options = small(32);
-  const SampleMap shares(stage.path_setting(), front(), options);
+  const SampleMap shares(stage.context(), front(), options);
   EXPECT_EQ(shares.samples(1, 1), 8U) << "the backdrop, which has none";
   EXPECT_GT(shares.samples(25, 20), 16U) << "the ball";
 }
@@ -73,7 +73,7 @@ TEST(SampleMap, EdgesBehindGlassGetMore) {
     scene.instances.push_back({1, moved(0, 0, 1, 8)});
     const Stage stage(std::move(scene));
     const RenderOptions options = small(32);
-    return SampleMap(stage.path_setting(), front(), options).samples(16, 16);
+    return SampleMap(stage.context(), front(), options).samples(16, 16);
   };
   EXPECT_EQ(at_edge(0), 8U) << "nothing is seen through it";
   EXPECT_GT(at_edge(1), 32U);
@@ -82,9 +82,9 @@ TEST(SampleMap, EdgesBehindGlassGetMore) {
 TEST(SampleMap, TheNumberOfThreadsDoesNotShow) {
   const Stage stage = studio_stage();
   RenderOptions options = small(16);
-  const SampleMap one(stage.path_setting(), front(), options);
+  const SampleMap one(stage.context(), front(), options);
   options.jobs = 2;
-  const SampleMap two(stage.path_setting(), front(), options);
+  const SampleMap two(stage.context(), front(), options);
   for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
     ASSERT_EQ(one.samples(x, y), two.samples(x, y));
   });
@@ -97,14 +97,14 @@ TEST(SampleMap, WithoutNoiseFewAreEnough) {
   away.origin = {0, 0, 4};
   away.backward = {0, 0, -1};
   const RenderOptions options = small(16);
-  const SampleMap shares(stage.path_setting(), away, options);
+  const SampleMap shares(stage.context(), away, options);
   EXPECT_EQ(shares.most(), 4U);
 }
 
 TEST(SampleMap, FewSamplesOrAnEndOfTheirOwnAreTheSameEverywhere) {
   const Stage stage = studio_stage();
   const auto expect_even = [&stage](const RenderOptions& options) {
-    const SampleMap shares(stage.path_setting(), front(), options);
+    const SampleMap shares(stage.context(), front(), options);
     for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
       ASSERT_EQ(shares.samples(x, y), options.samples);
     });

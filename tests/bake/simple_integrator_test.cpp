@@ -68,11 +68,11 @@ Stage stage_of(const SceneMaterial& material) {
   sky.height = 2;
   sky.radiance.assign(8, {0.4F, 0.5F, 0.6F});
   sky.radiance[1] = {4, 3, 2};
-  stage.setting.environment.emplace(sky);
+  stage.world.environment.emplace(sky);
   Light light;
   light.position = {1, 2, 3};
   light.intensity = {6, 5, 4};
-  stage.setting.lights = {light};
+  stage.world.lights = {light};
   stage.bounces = 3;
   return stage;
 }
@@ -80,7 +80,7 @@ Stage stage_of(const SceneMaterial& material) {
 TEST(SimpleIntegrator, AgreesWithTheFastOne) {
   for (const Case& each : cases()) {
     const Stage stage = stage_of(each.material);
-    EXPECT_EQ(stage.setting.emitters.empty(), each.name != "lamp");
+    EXPECT_EQ(stage.world.emitters.empty(), each.name != "lamp");
     for (const Ray& ray :
          {Ray{{0.5, 0.4, 4}, {0, 0, -1}}, Ray{{3, 0, 3}, normalize(Vec3d(-0.55, 0, -1))}}) {
       const Estimate fast = stage.path(ray, 6000);

@@ -17,8 +17,8 @@ inline Stage studio_stage() {
   scene.instances.push_back({1, moved(1.2F, -0.5F, 0.8F)});
   scene.instances.push_back({1, moved(-1.2F, -0.5F, 0.8F)});
   Stage stage(std::move(scene));
-  stage.setting.environment.emplace(studio_environment({0, 0, 1}));
-  stage.setting.floor = Floor{-1, 3};
+  stage.world.environment.emplace(studio_environment({0, 0, 1}));
+  stage.world.shadow_catcher = ShadowCatcher{-1, 3};
   stage.bounces = 4;
   return stage;
 }

@@ -115,8 +115,8 @@ Scene room(const SceneMaterial& wall) {
 
 Stage lit(Scene scene, const std::optional<Vec3d>& eye) {
   Stage stage(std::move(scene));
-  stage.setting.environment.emplace(even_light());
-  if (eye) stage.setting.eye = eye_at(*eye);
+  stage.world.environment.emplace(even_light());
+  if (eye) stage.world.eye = eye_at(*eye);
   return stage;
 }
 
@@ -135,7 +135,7 @@ TEST(Wall, ARoomUnderEvenLightIsAFurnace) {
     expect_near(fast, simple.mean, 3.5 * simple.error.x);
     EXPECT_LE(fast.mean.x, albedo + 3.5 * fast.error.x + 1e-3);
     EXPECT_GT(fast.mean.x, albedo * 0.5) << "the light of what is open";
-    stage.setting.eye = eye_at({0, 0, 0});
+    stage.world.eye = eye_at({0, 0, 0});
     expect_near(stage.path({{0, 0, 0}, {0, 0, -1}}), Rgb(0));  // nothing is open
   }
 }
@@ -162,11 +162,11 @@ TEST(Wall, ASheetThrowsAShadowByTheSideThatFacesTheLamp) {
     const float up = shone_on ? 1.0F : -1.0F;
     scene.instances.push_back({1, {{{1, 0, 0, 0}, {0, up, 0, 0}, {0, 0, up, 1}}}});
     Stage stage(std::move(scene));
-    stage.setting.eye = eye_at({4, 0, 1.5});
+    stage.world.eye = eye_at({4, 0, 1.5});
     Light sun;
     sun.kind = Light::Kind::directional;
     sun.direction = {0, 0, -1};
-    stage.setting.lights = {sun};
+    stage.world.lights = {sun};
     stage.bounces = 1;
     const double expected = shone_on ? 0 : 0.5 / std::numbers::pi;
     expect_near(stage.path(look, 100), Rgb(expected), 1e-5);

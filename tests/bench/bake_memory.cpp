@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
   loaded.subject->forget_faces();
   give_back_memory();
-  const bake::Canvas drawn =
+  const bake::Framebuffer drawn =
       draw_picture(loaded, view, {size, size}, options, layers_of(options), {});
   std::printf("%zu %zu %zu\n", bytes_of(*loaded.scene), loading, peak() - idle);
   return 0;

@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
   if (!loaded.ready()) return 1;
   const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
   const double begin = seconds();
-  const bake::Canvas drawn =
+  const bake::Framebuffer drawn =
       draw_picture(loaded, view, {size, size}, options, layers_of(options), {});
   const double drawing = seconds() - begin;
   const std::uint64_t wanted = drawn.rays;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What surrounds a scene: its light, and what is seen where it is not.
+/// The world around a scene: lights and background.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@
 
 namespace gltfx::bake {
 
-/// What the picture shows behind the scene.
+/// The background of the picture.
 enum class Background : std::uint8_t { backdrop, environment, transparent };
 
-/// A level floor that nobody sees but for the shadow on it.
-struct Floor {
+/// A level floor that is invisible but for the shadow on it.
+struct ShadowCatcher {
   double height = 0;
-  double irradiance = 0;  ///< luminance of what the environment gives it with nothing in the way
+  double irradiance = 0;  ///< by the environment, unoccluded; luminance
 };
 
-struct Setting {
+struct World {
   std::optional<Environment> environment;
   std::vector<Light> lights;
-  Emitters emitters;  ///< of the scene; those not named are found by chance
+  Emitters emitters;  ///< of the scene; BSDF sampling finds the others
   Background background = Background::backdrop;
-  std::optional<Floor> floor;  ///< only with a backdrop
-  /// Which walls let light in. Nothing: all that turn their backs to it.
+  std::optional<ShadowCatcher> shadow_catcher;  ///< only with a backdrop
+  /// Decides which walls let light in. Nothing: all that turn their backs to the light.
   std::optional<Eye> eye;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/denoise_planes.hpp"
+#include "bake/denoise_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr int kWide = 6;  // how far around halves are compared
-constexpr int kNear = 1;  // how far around variances are made alike
+constexpr int kWide = 6;  // radius in which the halves are compared
+constexpr int kNear = 1;  // radius in which variances are averaged
 static_assert(kWide + kNear == kVarianceReach);
 
-// visit(number in the planes, number in the picture) for each pixel that is held.
+// visit(index in the planes, index in the picture) for each pixel that is held.
 template <class Visit>
 void for_pixels(const Film& film, unsigned jobs, const Visit& visit) {
   const std::uint32_t rows = film.held().last - film.held().first;
@@ -38,8 +38,8 @@ void blur_row(const float* from, float* to, std::size_t count, int radius) {
   }
 }
 
-// Means over squares of 2 * radius + 1 pixels, cut off at the edges. Downwards each sum is one of
-// its own, the same wherever the plane begins.
+// Means over squares of 2 * radius + 1 pixels, cut off at the edges. Columns are summed up anew for
+// each row, so that the result does not depend on where the plane begins.
 void blur(Plane& plane, std::size_t width, std::size_t height, int radius) {
   Plane rows(plane.size());
   for (std::size_t y = 0; y < height; ++y) {
@@ -74,26 +74,27 @@ float count_of(const PixelSums& sums, std::size_t half) {
   return static_cast<float>(std::max(count, 1U));
 }
 
-// What samples say of their spread is too much, since they are spread evenly on purpose: it is
-// scaled by how much the halves differ around.
-void settle_variance(DenoiseLayer& layer, Plane claimed, Plane apart) {
-  layer.variance = claimed;
-  blur(apart, layer.width, layer.height, kWide);
-  blur(claimed, layer.width, layer.height, kWide);
-  for (std::size_t i = 0; i < claimed.size(); ++i) {
-    layer.variance[i] *= claimed[i] > 0 ? std::min(apart[i] / claimed[i], 2.0F) : 1.0F;
+// The variance of the samples is too much, since they are stratified: it is scaled to the variance
+// between the two halves around a pixel.
+void calibrate_variance(DenoiseLayer& layer, Plane sample_variance, Plane half_variance) {
+  layer.variance = sample_variance;
+  blur(half_variance, layer.width, layer.height, kWide);
+  blur(sample_variance, layer.width, layer.height, kWide);
+  for (std::size_t i = 0; i < sample_variance.size(); ++i) {
+    layer.variance[i] *=
+        sample_variance[i] > 0 ? std::min(half_variance[i] / sample_variance[i], 2.0F) : 1.0F;
   }
   blur(layer.variance, layer.width, layer.height, kNear);
 }
 
-// Where a colour is next to black, what it would show is guessed by the others.
-Rgb light_on(const Rgb& sent, const Rgb& color) {
+// Where one channel of the albedo is almost black, its light is guessed from the other channels.
+Rgb demodulated(const Rgb& light, const Rgb& albedo) {
   constexpr double kBlack = 0.002;
-  const double mean = luminance(sent) / luminance(color);
-  return (sent + Rgb(kBlack * mean)) / (color + Rgb(kBlack));
+  const double mean = luminance(light) / luminance(albedo);
+  return (light + Rgb(kBlack * mean)) / (albedo + Rgb(kBlack));
 }
 
-// In parts of what lies between the nearest and the farthest; behind glass there may be more.
+// 0 at the nearest surface, 1 at the farthest; behind glass it may be more.
 float scaled_depth(float z, const DepthRange& depths) {
   constexpr float kBeyond = 2;
   const float span = depths.farthest - depths.nearest;
@@ -103,11 +104,11 @@ float scaled_depth(float z, const DepthRange& depths) {
 
 }  // namespace
 
-Features features_of(const Film& film, const DepthRange& depths, unsigned jobs) {
-  Features features;
+FeaturePlanes features_of(const Film& film, const DepthRange& depths, unsigned jobs) {
+  FeaturePlanes features;
   for (Plane& plane : features) plane.resize(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
-    const FeatureSums seen = film.feature_sums(pixel);
+    const FeatureSums seen = film.features(pixel);
     if (seen.alpha <= 0) return;
     for (std::size_t c = 0; c < 3; ++c) {
       features[c][i] = seen.normal[c] / seen.alpha;
@@ -118,60 +119,60 @@ Features features_of(const Film& film, const DepthRange& depths, unsigned jobs) 
   return features;
 }
 
-Rgb surface_color(const FeatureSums& seen, LightPart part) {
+Rgb albedo_of(const FeatureSums& seen, LightPart part) {
   const double count = std::max(seen.count, 1U);
-  return to_vec(part == LightPart::scattered ? seen.albedo : seen.mirror) / Rgb(count);
+  return to_vec(part == LightPart::scattered ? seen.albedo : seen.specular_albedo) / Rgb(count);
 }
 
 DenoiseLayer light_layer(const Film& film, LightPart part, unsigned jobs) {
   DenoiseLayer layer = empty_layer(film, 3);
-  Plane claimed(film.size());
-  Plane apart(film.size());
+  Plane sample_variance(film.size());
+  Plane half_variance(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const PixelSums& sums = film.at(pixel);
-    const Rgb color = surface_color(sums.feature_sums, part);
-    layer.weight[i] = sums.feature_sums.alpha / static_cast<float>(std::max(sums.samples, 1U));
-    if (!(max_value(color) > 0)) return;
-    const auto& halves = part == LightPart::scattered ? sums.scattered : sums.reflected;
+    const Rgb albedo = albedo_of(sums.features, part);
+    layer.weight[i] = sums.features.alpha / static_cast<float>(std::max(sums.samples, 1U));
+    if (!(max_value(albedo) > 0)) return;
+    const auto& halves = part == LightPart::scattered ? sums.light.scattered : sums.light.reflected;
     std::array<Rgb, 2> light;
     for (std::size_t half = 0; half < 2; ++half) {
-      light[half] = light_on(to_vec(halves[half]) / Rgb(count_of(sums, half)), color);
+      light[half] = demodulated(to_vec(halves[half]) / Rgb(count_of(sums, half)), albedo);
     }
     const Rgb mean = (light[0] + light[1]) / 2;
     const Float3 parts = to_float3(mean);
     for (std::size_t c = 0; c < 3; ++c) layer.values[c][i] = parts[c];
     layer.y[i] = static_cast<float>(luminance(mean));
     const double difference = luminance(light[0]) - luminance(light[1]);
-    apart[i] = static_cast<float>(difference * difference / 4) * layer.weight[i];
-    const double error = film.error(pixel, part) / luminance(color);
-    claimed[i] = static_cast<float>(error * error * static_cast<double>(layer.weight[i]));
+    half_variance[i] = static_cast<float>(difference * difference / 4) * layer.weight[i];
+    const double error = film.error(pixel, part) / luminance(albedo);
+    sample_variance[i] = static_cast<float>(error * error * static_cast<double>(layer.weight[i]));
   });
-  settle_variance(layer, std::move(claimed), std::move(apart));
+  calibrate_variance(layer, std::move(sample_variance), std::move(half_variance));
   return layer;
 }
 
 DenoiseLayer shadow_layer(const Film& film, unsigned jobs) {
   DenoiseLayer layer = empty_layer(film, 1);
-  Plane claimed(film.size());
-  Plane apart(film.size());
+  Plane sample_variance(film.size());
+  Plane half_variance(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
     const PixelSums& sums = film.at(pixel);
-    const auto seen = static_cast<float>(luminance(to_vec(sums.feature_sums.behind)));
-    const float alpha = sums.feature_sums.alpha / static_cast<float>(std::max(sums.samples, 1U));
+    const auto seen = static_cast<float>(luminance(to_vec(sums.features.background)));
+    const float alpha = sums.features.alpha / static_cast<float>(std::max(sums.samples, 1U));
     layer.weight[i] = std::max(1 - alpha, 0.0F);
     if (!(seen > 0)) return;
     std::array<float, 2> part{};
     for (std::size_t half = 0; half < 2; ++half) {
-      part[half] =
-          sums.shadow[half] * static_cast<float>(sums.samples) / (seen * count_of(sums, half));
+      part[half] = sums.light.shadow[half] * static_cast<float>(sums.samples) /
+                   (seen * count_of(sums, half));
     }
     const float mean = (part[0] + part[1]) / 2;
     layer.values[0][i] = layer.y[i] = mean;
-    apart[i] = (part[0] - part[1]) * (part[0] - part[1]) / 4 * layer.weight[i];
-    // As if each sample said yes or no.
-    claimed[i] = mean / static_cast<float>(sums.samples) * layer.weight[i];
+    half_variance[i] = (part[0] - part[1]) * (part[0] - part[1]) / 4 * layer.weight[i];
+    // As for a binary outcome of each sample.
+    sample_variance[i] = mean / static_cast<float>(sums.samples) * layer.weight[i];
   });
-  settle_variance(layer, std::move(claimed), std::move(apart));
+  calibrate_variance(layer, std::move(sample_variance), std::move(half_variance));
   return layer;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/develop.hpp"
+#include "bake/picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,22 +13,22 @@ using testing::ElementsAre;
 using testing::FloatEq;
 
 // Two pixels: half covered by something grey, and nothing.
-Canvas two_pixels() {
+Framebuffer two_pixels() {
   Film film(2, 1);
   PathSample there;
-  there.direct = Rgb(0.5);
+  there.emitted = Rgb(0.5);
   there.alpha = 1;
-  there.albedo = Rgb(0.25, 0.5, 1);
-  there.normal = {0, 0, 2};
-  there.depth = 4;
-  there.material = 3;
+  there.features.albedo = Rgb(0.25, 0.5, 1);
+  there.features.normal = {0, 0, 2};
+  there.features.depth = 4;
+  there.features.material = 3;
   film.add(0, there);
   film.add(0, PathSample());
   film.add(1, PathSample());
   film.add(1, PathSample());
-  Canvas canvas(2, 1, {true, true, true, true, true});
-  resolve(film, {0, 1}, canvas);
-  return canvas;
+  Framebuffer buffer(2, 1, {true, true, true, true, true});
+  resolve(film, {0, 1}, buffer);
+  return buffer;
 }
 
 TEST(Film, KeepsMeansAndErrors) {
@@ -54,67 +54,67 @@ TEST(Film, HoldsSomeRowsOnly) {
   Film film(1, 4, {0, 2});
   PathSample sample;
   sample.scattered = Rgb(1);
-  sample.albedo = Rgb(0.5);
+  sample.features.albedo = Rgb(0.5);
   film.add(1, sample);
   FeatureSums more;
-  bake::add(more, sample);
-  film.add_sights(0, more, 0);
-  film.add_sights(1, more, 3);
+  more.add(sample);
+  film.add_features(0, more, 0);
+  film.add_features(1, more, 3);
   film.hold({1, 4});
   EXPECT_EQ(film.size(), 3U);
   EXPECT_EQ(film.first_pixel(), 1U);
   EXPECT_EQ(film.radiance(1), Rgb(1));
-  EXPECT_EQ(film.feature_sums(1).count, 2U);
+  EXPECT_EQ(film.features(1).count, 2U);
   EXPECT_EQ(film.at(1).material, 3U);
   film.add(3, sample);
   EXPECT_EQ(film.at(2).samples, 0U);
-  EXPECT_EQ(film.feature_sums(3).count, 1U);
+  EXPECT_EQ(film.features(3).count, 1U);
   film.hold({2, 4});
   EXPECT_EQ(film.radiance(3), Rgb(1));
-  EXPECT_EQ(film.feature_sums(2).count, 0U);
+  EXPECT_EQ(film.features(2).count, 0U);
 }
 
-TEST(Canvas, HasTheLayersThatAreWanted) {
+TEST(Framebuffer, HasTheLayersThatAreWanted) {
   Film film(1, 1);
   film.add(0, PathSample());
-  Canvas canvas(1, 1, {.normal = true});
-  resolve(film, {0, 1}, canvas);
-  EXPECT_EQ(canvas.normal.size(), 1U);
-  EXPECT_TRUE(canvas.albedo.empty() && canvas.depth.empty() && canvas.material.empty());
+  Framebuffer buffer(1, 1, {.normal = true});
+  resolve(film, {0, 1}, buffer);
+  EXPECT_EQ(buffer.normal.size(), 1U);
+  EXPECT_TRUE(buffer.albedo.empty() && buffer.depth.empty() && buffer.material.empty());
 }
 
 TEST(Develop, AlphaIsNotMultipliedIn) {
-  const Canvas canvas = two_pixels();
-  const Picture picture = develop(canvas, true, Numbers::floats);
+  const Framebuffer buffer = two_pixels();
+  const Picture picture = tone_mapped_picture(buffer, true, PixelType::floats);
   EXPECT_EQ(picture.channels, 4U);
   EXPECT_THAT(picture.floats, ElementsAre(0.5F, 0.5F, 0.5F, 0.5F, 0, 0, 0, 0));
   EXPECT_TRUE(picture.bytes.empty());
 }
 
 TEST(Develop, BytesAreToneMapped) {
-  const Canvas canvas = two_pixels();
-  const Picture picture = develop(canvas, false, Numbers::bytes);
+  const Framebuffer buffer = two_pixels();
+  const Picture picture = tone_mapped_picture(buffer, false, PixelType::bytes);
   const auto expected = to_byte(srgb_encode(tone_map({0.25F, 0.25F, 0.25F})[0]));
   EXPECT_THAT(picture.bytes, ElementsAre(expected, expected, expected, 0, 0, 0));
 }
 
 TEST(Develop, Layers) {
-  const Canvas canvas = two_pixels();
-  EXPECT_THAT(develop_layer(canvas, Layer::albedo, Numbers::floats).floats,
+  const Framebuffer buffer = two_pixels();
+  EXPECT_THAT(layer_picture(buffer, Layer::albedo, PixelType::floats).floats,
               ElementsAre(0.125F, 0.25F, 0.5F, 0, 0, 0));
-  EXPECT_THAT(develop_layer(canvas, Layer::normal, Numbers::bytes).bytes,
+  EXPECT_THAT(layer_picture(buffer, Layer::normal, PixelType::bytes).bytes,
               ElementsAre(128, 128, 255, 0, 0, 0));
-  EXPECT_THAT(develop_layer(canvas, Layer::depth, Numbers::floats).floats,
+  EXPECT_THAT(layer_picture(buffer, Layer::depth, PixelType::floats).floats,
               ElementsAre(FloatEq(4), FloatEq(4), FloatEq(4), 0, 0, 0));
-  EXPECT_EQ(develop_layer(canvas, Layer::depth, Numbers::bytes).bytes[0], 255);
-  EXPECT_EQ(develop_layer(canvas, Layer::material, Numbers::floats).floats[0], 3);
+  EXPECT_EQ(layer_picture(buffer, Layer::depth, PixelType::bytes).bytes[0], 255);
+  EXPECT_EQ(layer_picture(buffer, Layer::material, PixelType::floats).floats[0], 3);
 }
 
 TEST(Develop, DifferencesCountWhereThereIsSomething) {
-  const Canvas canvas = two_pixels();
+  const Framebuffer buffer = two_pixels();
   const Picture a{2, 1, 3, {10, 20, 30, 0, 0, 0}, {}};
   const Picture b{2, 1, 3, {13, 20, 30, 99, 99, 99}, {}};
-  EXPECT_DOUBLE_EQ(mean_square_difference(a, b, canvas, canvas), 3);
+  EXPECT_DOUBLE_EQ(mean_square_difference(a, b, buffer, buffer), 3);
   EXPECT_THAT(difference(a, b).bytes, ElementsAre(116, 128, 128, 0, 0, 0));
 }
 

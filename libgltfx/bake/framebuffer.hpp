@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A picture in numbers, before it is made for a display.
+/// A picture in linear values.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,16 @@
 
 namespace gltfx::bake {
 
-/// What is wanted beside the light: of a surface that is seen first, and how much of a pixel shows
-/// any.
+/// The layers of a framebuffer beside the radiance: alpha, and features.
 struct Layers {
   bool alpha = false;
   bool albedo = false, normal = false, depth = false, material = false;
 };
 
-/// By pixel, rows from the top; layers that are not wanted are empty. What was seen first is
-/// averaged over the samples, and 0 where there is nothing.
-struct Canvas {
-  Canvas(std::uint32_t width, std::uint32_t height, const Layers& layers = {});
+/// Values by pixel, rows from the top; layers that are not wanted are empty. Features are means
+/// over the samples, and 0 beside the scene.
+struct Framebuffer {
+  Framebuffer(std::uint32_t width, std::uint32_t height, const Layers& layers = {});
 
   std::uint32_t width, height;
   std::vector<Float3> radiance;  ///< multiplied by alpha where the background is transparent
@@ -32,7 +31,7 @@ struct Canvas {
   std::size_t size() const { return radiance.size(); }
 };
 
-/// Rows of a film, which holds them, with their noise.
-void resolve(const Film& film, const Rows& rows, Canvas& canvas);
+/// Resolves rows that the film holds to means, with their noise.
+void resolve(const Film& film, const Rows& rows, Framebuffer& buffer);
 
 }  // namespace gltfx::bake

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "simple_integrator.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 
-#include "bake/integrator.hpp"
 #include "bake/light.hpp"
 #include "bake/light_through.hpp"
 #include "bake/media.hpp"
@@ -40,12 +41,12 @@ bool is_consistent(const Surface& surface, const Vec3d& direction, const Vec3d& 
 
 class SimplePath {
  public:
-  SimplePath(const PathSetting& setting, const Ray& ray, const SampleStream& random)
-      : s_(setting), ray_(ray), random_(random) {}
+  SimplePath(const TraceContext& context, const Ray& ray, const SampleStream& random)
+      : context_(context), ray_(ray), random_(random) {}
 
   Rgb run() {
     for (; step_ < kSteps; ++step_) {
-      const auto hit = s_.bvh.intersect(ray_, key(), viewing_ ? Backs::culled : Backs::solid);
+      const auto hit = context_.bvh.intersect(ray_, key(), viewing_ ? Backs::culled : Backs::solid);
       if (!media_.empty()) {
         const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
         const double distance = free_flight();
@@ -87,7 +88,7 @@ class SimplePath {
     const double albedo = medium.scattering[color_] / medium.extinction()[color_];
     if (static_cast<double>(pair(Draw::reach)[1]) >= albedo) return false;
     ray_.origin += ray_.direction * distance;
-    for (const Light& each : s_.setting.lights) {
+    for (const Light& each : context_.world.lights) {
       const Illumination lamp = illuminate(each, ray_.origin);
       const double phase =
           henyey_greenstein(medium.anisotropy, dot(-ray_.direction, lamp.direction));
@@ -102,31 +103,31 @@ class SimplePath {
   }
 
   void add_far_light() {
-    if (!s_.setting.environment || lit_through_) return;
-    result_ += throughput_ * s_.setting.environment->radiance(ray_.direction);
+    if (!context_.world.environment || lit_through_) return;
+    result_ += throughput_ * context_.world.environment->radiance(ray_.direction);
   }
 
   void look_through(const Hit& hit, const Surface& wall) {
     if (viewing_ || !media_.empty()) return;
     const bool open =
-        light_through(s_, ray_, hit, wall, key(), [this](const Hit&, const Surface& surface) {
+        light_through(context_, ray_, hit, wall, key(), [this](const Hit&, const Surface& surface) {
           const Vec3d v = surface.frame.to_local(-ray_.direction);
           result_ += throughput_ * emitted(surface.material, v);
         });
-    if (!open || !s_.setting.environment) return;
+    if (!open || !context_.world.environment) return;
     add_far_light();
     lit_through_ = true;
   }
 
   bool meet(const Hit& hit) {
-    Surface surface = surface_at(s_.scene, hit, ray_);
+    Surface surface = surface_at(context_.scene, hit, ray_);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
     look_through(hit, surface);
     const bool outshone = lit_through_ && surface.material.unlit;
-    if (!outshone && !is_unseen_back(s_.scene, hit, surface)) {
+    if (!outshone && !is_unseen_back(context_.scene, hit, surface)) {
       result_ += throughput_ * emitted(surface.material, v);
     }
-    if (surfaces_ == s_.bounces || surface.material.unlit) return false;
+    if (surfaces_ == context_.max_depth || surface.material.unlit) return false;
     ++surfaces_;
     surface.material.outside_ior = media_.ior_around(hit.body());
     if (surface.material.volumetric()) follow_one_color();
@@ -136,26 +137,27 @@ class SimplePath {
   }
 
   Vec3d start(const Surface& surface, bool outside) const {
-    return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal, s_.size);
+    return beside(surface.position, outside ? surface.flat_normal : -surface.flat_normal,
+                  context_.scene_size);
   }
 
   Rgb from_lamp(const Illumination& lamp, const Ray& towards, const Medium* medium) const {
     if (max_value(lamp.irradiance) <= 0) return {};
     const Rgb through = medium != nullptr ? medium->transmittance(lamp.distance) : Rgb(1);
     return through * lamp.irradiance *
-           static_cast<double>(s_.bvh.visibility(towards, s_.setting.eye));
+           static_cast<double>(context_.bvh.visibility(towards, context_.world.eye));
   }
 
   Rgb from_lamps(const Hit& hit, const Surface& surface, const Vec3d& v) const {
     const Medium behind = medium_of(surface.material);
     Rgb sum;
-    for (const Light& each : s_.setting.lights) {
+    for (const Light& each : context_.world.lights) {
       const Illumination lamp = illuminate(each, surface.position);
       const Vec3d l = surface.frame.to_local(lamp.direction);
       if (!is_consistent(surface, lamp.direction, l)) continue;
       const Medium* medium =
           l.z < 0 && surface.material.volumetric() ? &behind : media_.around(hit.body());
-      sum += evaluate(surface.material, v, l, {s_.mode, color_}) * std::fabs(l.z) *
+      sum += evaluate(surface.material, v, l, {context_.mode, color_}) * std::fabs(l.z) *
              from_lamp(lamp, {start(surface, l.z > 0), lamp.direction, lamp.distance}, medium);
     }
     return sum;
@@ -164,7 +166,7 @@ class SimplePath {
   // A local direction: any, where that has a chance.
   std::optional<Vec3d> onwards(const Surface& surface, const Vec3d& v) {
     const Material& material = surface.material;
-    const ShaderOptions options{s_.mode, color_};
+    const ShaderOptions options{context_.mode, color_};
     const Float2 point = pair(Draw::direction);
     if (is_narrow(material)) {
       const Random3 random{static_cast<double>(pair(Draw::lobe)[0]), static_cast<double>(point[0]),
@@ -195,7 +197,7 @@ class SimplePath {
     return true;
   }
 
-  const PathSetting& s_;
+  const TraceContext& context_;
   Ray ray_;
   const SampleStream& random_;
   Rgb result_, throughput_{1, 1, 1};
@@ -209,8 +211,8 @@ class SimplePath {
 
 }  // namespace
 
-Rgb trace_simply(const PathSetting& setting, const Ray& ray, const SampleStream& random) {
-  return SimplePath(setting, ray, random).run();
+Rgb trace_simply(const TraceContext& context, const Ray& ray, const SampleStream& random) {
+  return SimplePath(context, ray, random).run();
 }
 
 }  // namespace gltfx::bake

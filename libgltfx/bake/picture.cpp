@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/develop.hpp"
+#include "bake/picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,13 @@
 namespace gltfx::bake {
 namespace {
 
-Picture blank(const Canvas& canvas, std::uint32_t channels, Numbers numbers) {
+Picture blank(const Framebuffer& buffer, std::uint32_t channels, PixelType type) {
   Picture picture;
-  picture.width = canvas.width;
-  picture.height = canvas.height;
+  picture.width = buffer.width;
+  picture.height = buffer.height;
   picture.channels = channels;
-  const std::size_t count = canvas.size() * channels;
-  if (numbers == Numbers::bytes) {
+  const std::size_t count = buffer.size() * channels;
+  if (type == PixelType::bytes) {
     picture.bytes.reserve(count);
   } else {
     picture.floats.reserve(count);
@@ -25,11 +25,10 @@ Picture blank(const Canvas& canvas, std::uint32_t channels, Numbers numbers) {
   return picture;
 }
 
-// Colours that are no light: their bytes are those of a display too, but for the curve of bright
-// ones.
-void add_color(Picture& picture, const Float3& color, bool encoded, Numbers numbers) {
+// Adds a colour without tone mapping; `encoded`: it is not to be converted to sRGB.
+void add_color(Picture& picture, const Float3& color, bool encoded, PixelType type) {
   for (const float part : color) {
-    if (numbers == Numbers::floats) {
+    if (type == PixelType::floats) {
       picture.floats.push_back(part);
     } else {
       picture.bytes.push_back(to_byte(encoded ? part : srgb_encode(std::clamp(part, 0.0F, 1.0F))));
@@ -44,13 +43,13 @@ Float3 material_color(std::uint32_t material) {
           static_cast<float>((bits >> 16U) & 0xFFU) / 255.0F};
 }
 
-// Nearest and farthest distance of what is seen.
-std::pair<float, float> depth_range(const Canvas& canvas) {
+// Nearest and farthest distance of visible surfaces.
+std::pair<float, float> depth_range(const Framebuffer& buffer) {
   float nearest = 0;
   float farthest = 0;
-  for (std::size_t i = 0; i < canvas.depth.size(); ++i) {
-    const float z = canvas.depth[i];
-    if (canvas.alpha[i] <= 0) continue;
+  for (std::size_t i = 0; i < buffer.depth.size(); ++i) {
+    const float z = buffer.depth[i];
+    if (buffer.alpha[i] <= 0) continue;
     nearest = nearest == 0 ? z : std::min(nearest, z);
     farthest = std::max(farthest, z);
   }
@@ -59,42 +58,42 @@ std::pair<float, float> depth_range(const Canvas& canvas) {
 
 Float3 grey(float value) { return {value, value, value}; }
 
-Float3 layer_color(const Canvas& canvas, std::size_t i, Layer layer, Numbers numbers,
+Float3 layer_color(const Framebuffer& buffer, std::size_t i, Layer layer, PixelType type,
                    const std::pair<float, float>& range) {
-  if (canvas.alpha[i] <= 0) return {0, 0, 0};
+  if (buffer.alpha[i] <= 0) return {0, 0, 0};
   switch (layer) {
     case Layer::albedo:
-      return canvas.albedo[i];
+      return buffer.albedo[i];
     case Layer::normal: {
-      const Float3& n = canvas.normal[i];
-      if (numbers == Numbers::floats) return n;
+      const Float3& n = buffer.normal[i];
+      if (type == PixelType::floats) return n;
       return {n[0] / 2 + 0.5F, n[1] / 2 + 0.5F, n[2] / 2 + 0.5F};
     }
     case Layer::depth: {
-      const float z = canvas.depth[i];
-      if (numbers == Numbers::floats) return grey(z);
+      const float z = buffer.depth[i];
+      if (type == PixelType::floats) return grey(z);
       const float span = std::max(range.second - range.first, 1e-12F);
       return grey(1 - 0.9F * (z - range.first) / span);
     }
     case Layer::material:
       break;
   }
-  const std::uint32_t material = canvas.material[i];
-  return numbers == Numbers::floats ? grey(static_cast<float>(material)) : material_color(material);
+  const std::uint32_t material = buffer.material[i];
+  return type == PixelType::floats ? grey(static_cast<float>(material)) : material_color(material);
 }
 
 }  // namespace
 
-Picture develop(const Canvas& canvas, bool alpha, Numbers numbers) {
-  Picture picture = blank(canvas, alpha ? 4 : 3, numbers);
-  for (std::size_t i = 0; i < canvas.size(); ++i) {
-    const float covered = alpha ? canvas.alpha[i] : 1;
+Picture tone_mapped_picture(const Framebuffer& buffer, bool alpha, PixelType type) {
+  Picture picture = blank(buffer, alpha ? 4 : 3, type);
+  for (std::size_t i = 0; i < buffer.size(); ++i) {
+    const float covered = alpha ? buffer.alpha[i] : 1;
     const float scale = covered > 0 ? 1 / covered : 1;
-    const Float3& from = canvas.radiance[i];
+    const Float3& from = buffer.radiance[i];
     const Float3 light{from[0] * scale, from[1] * scale, from[2] * scale};
-    add_color(picture, numbers == Numbers::bytes ? tone_map(light) : light, false, numbers);
+    add_color(picture, type == PixelType::bytes ? tone_map(light) : light, false, type);
     if (!alpha) continue;
-    if (numbers == Numbers::bytes) {
+    if (type == PixelType::bytes) {
       picture.bytes.push_back(to_byte(covered));
     } else {
       picture.floats.push_back(covered);
@@ -103,22 +102,22 @@ Picture develop(const Canvas& canvas, bool alpha, Numbers numbers) {
   return picture;
 }
 
-Picture develop_layer(const Canvas& canvas, Layer layer, Numbers numbers) {
-  Picture picture = blank(canvas, 3, numbers);
-  const auto range = depth_range(canvas);
-  for (std::size_t i = 0; i < canvas.size(); ++i) {
-    const Float3 color = layer_color(canvas, i, layer, numbers, range);
-    add_color(picture, color, layer != Layer::albedo, numbers);
+Picture layer_picture(const Framebuffer& buffer, Layer layer, PixelType type) {
+  Picture picture = blank(buffer, 3, type);
+  const auto range = depth_range(buffer);
+  for (std::size_t i = 0; i < buffer.size(); ++i) {
+    const Float3 color = layer_color(buffer, i, layer, type, range);
+    add_color(picture, color, layer != Layer::albedo, type);
   }
   return picture;
 }
 
-double mean_square_difference(const Picture& a, const Picture& b, const Canvas& canvas_a,
-                              const Canvas& canvas_b) {
+double mean_square_difference(const Picture& a, const Picture& b, const Framebuffer& buffer_a,
+                              const Framebuffer& buffer_b) {
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < canvas_a.size(); ++i) {
-    if (canvas_a.alpha[i] <= 0 && canvas_b.alpha[i] <= 0) continue;
+  for (std::size_t i = 0; i < buffer_a.size(); ++i) {
+    if (buffer_a.alpha[i] <= 0 && buffer_b.alpha[i] <= 0) continue;
     for (std::size_t c = i * a.channels; c < (i + 1) * a.channels; ++c) {
       const double apart = static_cast<double>(a.bytes[c]) - static_cast<double>(b.bytes[c]);
       sum += apart * apart;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pictures in the pixel format of a file.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/framebuffer.hpp"
+
+namespace gltfx::bake {
+
+/// Rows from the top, packed; alpha not multiplied in. Either bytes or floats are set.
+struct Picture {
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t channels = 3;       ///< 3 or 4
+  std::vector<std::uint8_t> bytes;  ///< for a display: tone mapped, sRGB; alpha linear
+  std::vector<float> floats;        ///< linear
+};
+
+enum class PixelType : std::uint8_t { bytes, floats };
+
+/// The radiance, tone mapped if the pixels are bytes. With `alpha` there are four channels.
+/// Precondition: the buffer has alpha then.
+Picture tone_mapped_picture(const Framebuffer& buffer, bool alpha, PixelType type);
+
+enum class Layer : std::uint8_t { albedo, normal, depth, material };
+
+/// A feature layer. Precondition: the buffer has the layer, and alpha.
+Picture layer_picture(const Framebuffer& buffer, Layer layer, PixelType type);
+
+/// The mean square of the difference of bytes, over pixels in which either buffer shows something.
+/// Precondition: pictures and buffers of one size and number of channels; the buffers have alpha.
+double mean_square_difference(const Picture& a, const Picture& b, const Framebuffer& buffer_a,
+                              const Framebuffer& buffer_b);
+
+/// The difference by pixel: grey, plus four times the difference.
+Picture difference(const Picture& a, const Picture& b);
+
+}  // namespace gltfx::bake

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: Apache-2.0
+/// incident_radiance() at the end tells the whole; before it stand its steps, free functions. They
+/// change the Path that they are given, and add light to a PathSample, called L, which transport
+/// never reads.
+#include "bake/radiance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bake/background.hpp"
+#include "bake/direct_light.hpp"
+#include "bake/light_through.hpp"
+#include "bake/material.hpp"
+#include "bake/storage.hpp"
+#include "bake/surface.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr std::uint32_t kLightSamples = 2;      // at the first surface, with few samples a pixel
+constexpr std::uint32_t kRouletteFrom = 3;      // step
+constexpr double kSharp = 0.5;                  // roughness below which gloss shows a picture
+constexpr std::uint32_t kTransmittedPaths = 4;  // at the first surface
+
+// Where a path meets a surface.
+struct SurfaceVertex {
+  const Hit& hit;
+  Surface surface;
+  Vec3d v;  // to the start of the ray, in the frame of the surface
+};
+
+// The share of a part of light in all of it, by colour; from 0 to 1.
+Rgb share_of(const Rgb& part, const Rgb& all) {
+  const auto ratio = [](double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0.0; };
+  return {ratio(part.x, all.x), ratio(part.y, all.y), ratio(part.z, all.z)};
+}
+
+// The environment counts once along a path: through the first wall that lets it in, and not again
+// when that wall reflects it.
+const Environment* environment_of(const TraceContext& context, const Path& path) {
+  return context.world.environment && !path.prefix.environment_in ? &*context.world.environment
+                                                                  : nullptr;
+}
+
+// The weight of light that the BSDF or phase function found, beside light sampling.
+double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
+                  const Surface& surface) {
+  if (!(path.pdf > 0) || context.world.emitters.empty()) return 1;
+  const double cosine = std::fabs(dot(surface.flat_normal, path.ray.direction));
+  return power_heuristic(path.pdf, context.world.emitters.pdf(hit, cosine));
+}
+
+void add_environment(const Environment& environment, const Path& path, PathSample& L) {
+  const EnvironmentValue seen = environment.evaluate(path.ray.direction);
+  const double weight = path.pdf > 0 ? power_heuristic(path.pdf, seen.pdf) : 1.0;
+  L.add_light(path.throughput * seen.radiance * weight, path.reflected_share);
+}
+
+// Beyond the scene: straight on the backdrop, else the environment as a light.
+void add_infinite_light(const TraceContext& context, const Path& path, const Float2& point,
+                        FeatureRecorder& features, PathSample& L) {
+  if (path.prefix.straight) {
+    L.alpha = 1 - luminance(path.throughput);
+    L.background = path.throughput * background(context, path.ray.direction, point);
+    L.shadow = catcher_shadow(context, path.ray, path.sampler.pair(Dimension::environment), L.rays);
+  } else if (const Environment* environment = environment_of(context, path)) {
+    features.record(path, Rgb(1), -path.ray.direction, 0);
+    add_environment(*environment, path, L);
+  }
+}
+
+// A wall that lets light in is a window for the emitters and the environment behind it.
+void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, Path& path,
+                            PathSample& L) {
+  if (path.prefix.specular || !path.media.empty()) return;
+  const auto add_emitter = [&](const Hit& hit, const Surface& surface) {
+    const Rgb light = emitted(surface.material, surface.frame.to_local(-path.ray.direction));
+    L.add_light(path.throughput * light * mis_weight(context, path, hit, surface),
+                path.reflected_share);
+  };
+  const bool open =
+      light_through(context, path.ray, wall.hit, wall.surface, path.sampler.key(), add_emitter);
+  const Environment* environment = environment_of(context, path);
+  if (!open || environment == nullptr) return;
+  add_environment(*environment, path, L);
+  path.prefix.environment_in = true;
+}
+
+void add_emission(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
+                  PathSample& L) {
+  const Material& material = vertex.surface.material;
+  const bool outshone = path.prefix.environment_in && material.unlit;
+  if (outshone || is_unseen_back(context.scene, vertex.hit, vertex.surface)) return;
+  const Rgb light = path.throughput * emitted(material, vertex.v) *
+                    mis_weight(context, path, vertex.hit, vertex.surface);
+  if (path.prefix.straight) {
+    L.emitted += light;
+  } else {
+    L.add_light(light, path.reflected_share);
+  }
+}
+
+// Traces the shadow ray of a candidate.
+void add_unoccluded(const TraceContext& context, const Path& path, const Reservoir& chosen,
+                    const Rgb& reflected_share, PathSample& L) {
+  const auto& [candidate, scale] = chosen;
+  if (!(max_value(candidate.contribution) > 0)) return;
+  ++L.rays;
+  const auto visible =
+      static_cast<double>(context.bvh.visibility(candidate.shadow_ray, context.world.eye));
+  if (visible <= 0) return;
+  L.add_light(path.throughput * candidate.contribution * (scale * visible), reflected_share);
+}
+
+// A dispersive volume refracts each colour differently: from there on a path carries one of them.
+void choose_channel(const Material& material, Path& path) {
+  if (path.channel >= 0 || material.dispersion <= 0 || material.transmission <= 0) return;
+  if (!material.volumetric()) return;
+  path.channel = std::min(static_cast<int>(path.sampler.single(Dimension::color) * 3), 2);
+  Rgb carried;
+  (path.channel == 0 ? carried.x : path.channel == 1 ? carried.y : carried.z) = 3;
+  path.throughput *= carried;
+}
+
+// The distance at which the medium scatters, and the direction then; false if a surface comes
+// first, to which the medium only absorbs.
+bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, Path& path,
+                   FeatureRecorder& features, PathSample& L) {
+  const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
+  const DistanceSample step = sample_distance(path.media.top(), path.throughput, far,
+                                              path.sampler.pair(Dimension::free_flight));
+  path.throughput *= step.weight;
+  if (!step.scattered) return false;
+  features.record(path, Rgb(1), -path.ray.direction, step.distance);
+  path.ray.origin += path.ray.direction * step.distance;
+  const Candidate light =
+      sample_punctual(context, path.media.top(), path.ray, path.sampler.pair(Dimension::punctual));
+  if (light.weight > 0) add_unoccluded(context, path, {light, 1}, path.reflected_share, L);
+  const Float2 u = path.sampler.pair(Dimension::phase);
+  path.ray.direction = sample_phase(path.media.top(), path.ray.direction, static_cast<double>(u[0]),
+                                    static_cast<double>(u[1]));
+  path.prefix.specular = path.prefix.straight = false;
+  path.pdf = 0;
+  return true;
+}
+
+// Next event estimation: resamples one of some candidates for each kind of light. The first surface
+// gets more candidates, as its light is the most visible.
+void sample_direct_light(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
+                         const Bsdf& bsdf, PathSample& L) {
+  const DirectLight light(context, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
+  const bool first = path.depth == 1;
+  const std::uint32_t candidates = first ? context.light_candidates : 1;
+  const std::uint32_t samples = first && context.light_candidates > 2 ? kLightSamples : 1;
+  const auto choose = [&](const PathSampler& sampler, Dimension choice, Dimension point,
+                          const auto& propose) {
+    return resample(candidates, sampler.single(choice), [&](std::uint32_t i) {
+      return propose(sampler.split(i, candidates).pair(point));
+    });
+  };
+  const auto add = [&](const Reservoir& chosen) {
+    const Evaluation& bsdf_value = chosen.candidate.bsdf;
+    add_unoccluded(context, path, chosen,
+                   first ? share_of(bsdf_value.reflected, bsdf_value.f) : path.reflected_share, L);
+  };
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const PathSampler sampler = path.sampler.split(i, samples);
+    if (environment_of(context, path) != nullptr) {
+      Reservoir chosen = choose(sampler, Dimension::environment_choice, Dimension::environment,
+                                [&](const Float2& u) { return light.sample_environment(u); });
+      if (chosen.scale > 0) light.add_radiance(chosen.candidate);
+      add({chosen.candidate, chosen.scale / samples});
+    }
+    if (context.world.emitters.empty()) continue;
+    const Reservoir chosen = choose(sampler, Dimension::emitter_choice, Dimension::emitter,
+                                    [&](const Float2& u) { return light.sample_emitter(u); });
+    add({chosen.candidate, chosen.scale / samples});
+  }
+  if (!context.world.lights.empty())
+    add({light.sample_punctual(path.sampler.pair(Dimension::punctual)), 1});
+}
+
+Random3 bsdf_random(const PathSampler& sampler) {
+  const Float2 u = sampler.pair(Dimension::direction);
+  return {sampler.single(Dimension::lobe), static_cast<double>(u[0]), static_cast<double>(u[1])};
+}
+
+// The next direction. False where the path ends.
+bool sample_bsdf(const TraceContext& context, const SurfaceVertex& vertex, const Bsdf& bsdf,
+                 const Random3& random, Path& path, FeatureRecorder& features) {
+  constexpr double kNarrow = 2;  // per steradian: transmitted light shows a picture
+  const auto& [hit, surface, v] = vertex;
+  const auto next = bsdf.sample(random);
+  const bool transmitted = next && (next->l.z > 0) != (v.z > 0);
+  if (!transmitted || !(next->delta || next->pdf > kNarrow)) features.record(path, hit, surface);
+  if (!next) return false;
+  const Vec3d direction = normalize(surface.frame.to_world(next->l));
+  const bool outside = dot(direction, surface.flat_normal) > 0;
+  if (outside != (next->l.z > 0)) return false;  // by the shading normal only
+
+  path.throughput *= next->weight;
+  if (path.depth == 1) {
+    path.reflected_share = transmitted   ? Rgb(0)
+                           : next->delta ? Rgb(1)
+                                         : share_of(next->reflected, next->weight);
+  }
+  if (transmitted && surface.material.volumetric()) {
+    if (outside) {
+      path.media.leave(hit.body());
+    } else {
+      path.media.enter(surface.material, hit.body());
+    }
+  }
+  path.prefix.specular = path.prefix.specular && next->delta;
+  path.prefix.straight = path.prefix.straight && transmitted && next->delta &&
+                         dot(direction, path.ray.direction) > 0.99999;
+  const bool inwards = next->l.z < 0 && surface.material.volumetric();
+  path.pdf = next->delta || inwards ? 0 : next->pdf;
+  path.ray = {start_at(surface, outside, context.scene_size), direction};
+  features.go_on(path, hit.distance);
+  return true;
+}
+
+// Ends paths of low throughput with a probability by which the throughput of the others is divided.
+bool russian_roulette(Path& path) {
+  const double most = max_value(path.throughput) / path.weight;
+  if (!(most > 0)) return false;
+  if (path.sampler.step() < kRouletteFrom || most >= 1) return true;
+  if (path.sampler.single(Dimension::roulette) >= most) return false;
+  path.throughput *= 1 / most;
+  return true;
+}
+
+// Splits a path at the first surface (J. Arvo and D. Kirk, Particle Transport and Image Synthesis,
+// 1990). Mirrors and gloss get a branch of their own: reflections are sharp, but would get few
+// paths by their albedo. Light that is transmitted varies most, and gets several branches.
+void add_branches(const TraceContext& context, const Path& path, const FeatureRecorder& features,
+                  const SurfaceVertex& vertex, const Bsdf& bsdf, const Float2& point,
+                  PathSample& L) {
+  const Material& m = vertex.surface.material;
+  const double reflecting = bsdf.reflection_chance();
+  const bool transmits = m.transmission > 0 || m.diffuse_transmission > 0;
+  const double sharpest =
+      m.clearcoat > 0 ? std::min(m.roughness, m.clearcoat_roughness) : m.roughness;
+  const bool apart = reflecting > 0 && reflecting < 1 && sharpest < kSharp;
+  const std::uint32_t others = transmits && reflecting < 1 ? kTransmittedPaths : 1;
+  const std::uint32_t count = others + (apart ? 1 : 0);
+  L.alpha = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool mirrors = i == others;
+    Random3 random = bsdf_random(mirrors ? path.sampler : path.sampler.split(i, others));
+    const double from = apart && !mirrors ? reflecting : 0;  // of the number that chooses a lobe
+    const double to = apart && mirrors ? reflecting : 1;
+    random.lobe = from + random.lobe * (to - from);
+    Path branch = path;
+    branch.sampler = path.sampler.split(i, count);
+    branch.weight = (to - from) * count / (mirrors ? 1 : others);
+    branch.throughput *= branch.weight;
+    FeatureRecorder recorder = features.split(!mirrors);
+    PathSample sample;
+    if (sample_bsdf(context, vertex, bsdf, random, branch, recorder) && russian_roulette(branch)) {
+      branch.sampler.next_step();
+      sample = incident_radiance(context, std::move(branch), recorder, std::nullopt, point);
+    } else {
+      sample.alpha = 1;
+      sample.features = recorder.features();
+    }
+    L.add(sample, 1.0 / count);
+  }
+}
+
+}  // namespace
+
+PathSample incident_radiance(const TraceContext& context, Path path, FeatureRecorder features,
+                             std::optional<Hit> hit, const Float2& point) {
+  PathSample L;
+  L.alpha = 1;
+  for (; path.sampler.step() < kMaxSteps; path.sampler.next_step()) {
+    // Intersect the ray with the scene. The camera does not see the backs of walls.
+    if (path.sampler.step() > 0) {
+      const Backs backs = path.prefix.specular ? Backs::culled : Backs::solid;
+      hit = context.bvh.intersect(path.ray, path.sampler.key(), backs);
+      ++L.rays;
+    }
+
+    // In a medium, the path may scatter before it gets to the surface.
+    if (!path.media.empty() && sample_medium(context, hit, path, features, L)) {
+      if (!russian_roulette(path)) break;
+      continue;
+    }
+
+    // Beyond the scene, add the background or the environment.
+    if (!hit) {
+      add_infinite_light(context, path, point, features, L);
+      break;
+    }
+
+    // Evaluate the surface, and add the light that it and lights behind it send.
+    SurfaceVertex vertex{*hit, surface_at(context.scene, *hit, path.ray), {}};
+    Surface& surface = vertex.surface;
+    vertex.v = surface.frame.to_local(-path.ray.direction);
+    if (path.depth == 0) features.record_first(context.scene, *hit, surface);
+    add_light_through_wall(context, vertex, path, L);
+    add_emission(context, path, vertex, L);
+
+    // End the path where nothing is reflected, or at its greatest depth.
+    if (surface.material.unlit || path.depth >= context.max_depth ||
+        surface.flat_normal == Vec3d()) {
+      features.record(path, *hit, surface);
+      break;
+    }
+    ++path.depth;
+
+    // Evaluate the material for the direction that light leaves in.
+    surface.material.outside_ior = path.media.ior_around(hit->body());
+    choose_channel(surface.material, path);
+    const Bsdf bsdf(surface.material, vertex.v, {context.mode, path.channel});
+    if (!may_be_clear(surface.material)) features.record(path, *hit, surface);
+
+    // Add direct light.
+    if (!bsdf.is_delta()) sample_direct_light(context, path, vertex, bsdf, L);
+
+    // Sample the BSDF for the next ray; at the first surface, for the rays of several branches.
+    if (path.depth == 1) {
+      L.features = features.features();
+      add_branches(context, path, features, vertex, bsdf, point, L);
+      return L;
+    }
+    const Random3 random = bsdf_random(path.sampler);
+    if (!sample_bsdf(context, vertex, bsdf, random, path, features)) break;
+
+    // End paths that carry little.
+    if (!russian_roulette(path)) break;
+  }
+  L.features = features.features();
+  return L;
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Light along a path.
+#pragma once
+
+#include <optional>
+
+#include "bake/feature_recorder.hpp"
+#include "bake/path.hpp"
+
+namespace gltfx::bake {
+
+/// Radiance that arrives along the ray of a path, by unidirectional path tracing, with next event
+/// estimation, multiple importance sampling, splitting at the first surface, and Russian roulette.
+/// `hit`: of the camera ray; of later rays it is found here. `point`: of the picture, where the
+/// backdrop is seen.
+PathSample incident_radiance(const TraceContext& context, Path path, FeatureRecorder features,
+                             std::optional<Hit> hit, const Float2& point);
+
+}  // namespace gltfx::bake
