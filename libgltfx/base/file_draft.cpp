@@ -23,10 +23,10 @@ FileDraft::FileDraft(const fs::path& path, const std::optional<FileState>& seen)
     file_.emplace(target_);
     return;
   }
-  std::error_code fault;
-  target_ = fs::canonical(path, fault);
-  if (fault) {
-    trouble_ = file_error("look at", path, fault.value());
+  std::error_code error;
+  target_ = fs::canonical(path, error);
+  if (error) {
+    trouble_ = file_error("look at", path, error.value());
   } else if (trouble_ = check_replaceable(target_, *seen); !trouble_) {
     look_at(target_);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where phases leave what they find. Modules below `validate` know codes, not severities: those are
-/// decided by the rule registry and the user's options behind this interface.
+/// Where phases leave what they find. Modules below `validate` know codes, not severities: those
+/// are decided by the rule registry and the user's options behind this interface.
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
@@ -33,7 +33,7 @@ struct Finding {
   std::string help;     ///< what to do in this very case; may be empty
   Span span;            ///< bytes of the JSON text to mark; empty: no place in the text
   std::optional<Severity> severity;  ///< instead of the rule's default
-  std::uint64_t count = 1;           ///< faults of this kind that one finding stands for
+  std::uint64_t count = 1;           ///< errors of this kind that one finding stands for
   /// Tells findings of one code at one place apart, such as the member that an object lacks: those
   /// about different things are no repeats of each other.
   std::string about = {};

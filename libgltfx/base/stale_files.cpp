@@ -36,10 +36,10 @@ const std::string& process_space() {
   static const std::string space = [] {
     std::string boot;
     std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
-    std::error_code fault;
+    std::error_code error;
     HashParts parts;
     parts.add(boot);
-    parts.add(fs::read_symlink("/proc/self/ns/pid", fault).native());
+    parts.add(fs::read_symlink("/proc/self/ns/pid", error).native());
     return fmt::format("{:08x}", parts.finish().low & 0xFFFFFFFFU);
   }();
   return space;
@@ -55,17 +55,17 @@ long take_number(std::string_view& text, char mark) {
   const std::size_t at = text.rfind(mark);
   if (at == std::string_view::npos) return -1;
   long number = -1;
-  const auto [end, fault] =
+  const auto [end, error] =
       std::from_chars(text.data() + at + 1, text.data() + text.size(), number);
-  if (fault != std::errc() || end != text.data() + text.size()) return -1;
+  if (error != std::errc() || end != text.data() + text.size()) return -1;
   text = text.substr(0, at);
   return number;
 }
 
 bool is_older(const fs::path& file, fs::file_time_type time) {
-  std::error_code fault;
-  const auto written = fs::last_write_time(file, fault);
-  return !fault && written < time;
+  std::error_code error;
+  const auto written = fs::last_write_time(file, error);
+  return !error && written < time;
 }
 
 // A number of a process that is used again tells nothing; the time does.
@@ -77,8 +77,8 @@ bool is_stale(std::string_view space, long process, const fs::path& file) {
 
 std::vector<Leftover> leftovers_in(const fs::path& folder) {
   std::vector<Leftover> found;
-  std::error_code fault;
-  for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename();
     if (!name.ends_with(kEnding)) continue;
     std::string_view rest = std::string_view(name).substr(0, name.size() - kEnding.size());

@@ -43,15 +43,17 @@ constexpr std::uint64_t kEncoderMemoryPerByte = 8;
 
 std::atomic<std::uint64_t> chances = 0;
 
-Fault noted(const Fault& fault) {
-  const bool certain = fault.kind == FaultKind::malformed || fault.kind == FaultKind::too_large;
+DecodeError noted(const DecodeError& error) {
+  const bool certain = error.kind == ErrorKind::malformed || error.kind == ErrorKind::too_large;
   if (!certain) ++chances;
-  return fault;
+  return error;
 }
 
-Fault no_thread_here() { return {FaultKind::unavailable, "The system cannot wait for a decoder."}; }
+DecodeError no_thread_here() {
+  return {ErrorKind::unavailable, "The system cannot wait for a decoder."};
+}
 
-// What `work` gives. That memory is missing here is no fault of a payload.
+// What `work` gives. That memory is missing here is no error of a payload.
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {
@@ -64,11 +66,11 @@ auto guarded(Work&& work) -> decltype(work()) {
 }
 
 template <typename T>
-std::variant<T, Fault> result_of(Pool& pool, const Job& job, std::span<const std::byte> bytes,
-                                 const Origin& origin, bool with_memory) {
-  return guarded([&]() -> std::variant<T, Fault> {
+std::variant<T, DecodeError> result_of(Pool& pool, const Job& job, std::span<const std::byte> bytes,
+                                       const Origin& origin, bool with_memory) {
+  return guarded([&]() -> std::variant<T, DecodeError> {
     Reply reply = pool.ask(job, bytes, origin);
-    if (const auto* fault = std::get_if<Fault>(&reply.answer)) return noted(*fault);
+    if (const auto* error = std::get_if<DecodeError>(&reply.answer)) return noted(*error);
     T& result = *std::get_if<T>(&reply.answer);
     if (with_memory) result.owner = std::move(reply.memory.owner);
     return std::move(result);
@@ -77,7 +79,7 @@ std::variant<T, Fault> result_of(Pool& pool, const Job& job, std::span<const std
 
 }  // namespace
 
-std::uint64_t faults_by_chance() { return chances; }
+std::uint64_t errors_by_chance() { return chances; }
 
 struct Client::State {
   explicit State(Settings given)
@@ -122,7 +124,7 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
   job.encoded = request.format;
   job.quality = request.quality;
   if (!is_consistent(job)) {
-    return Fault{FaultKind::malformed, "The format does not support such images."};
+    return DecodeError{ErrorKind::malformed, "The format does not support such images."};
   }
   return result_of<EncodedImage>(state_->images, job, request.pixels, request.origin, true);
 }

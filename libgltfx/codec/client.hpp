@@ -17,26 +17,26 @@
 
 namespace gltfx::codec {
 
-enum class FaultKind : std::uint8_t {
+enum class ErrorKind : std::uint8_t {
   unavailable,    ///< no worker could be started: says nothing about the bytes
   malformed,      ///< the decoder refuses the bytes
   too_large,      ///< more pixels than asked for, found in the header before any are decoded
   out_of_memory,  ///< decoding takes more memory than bytes of that number may ask for
   timed_out,      ///< decoding takes more processor time than bytes of that number may take
   died,           ///< the worker crashed on the bytes, or answered nonsense
-  stalled,        ///< the worker neither worked nor answered: need not be the fault of the bytes
+  stalled,        ///< the worker neither worked nor answered: need not be the error of the bytes
 };
 
 /// Why there is no result.
-struct Fault {
-  FaultKind kind = FaultKind::malformed;
+struct DecodeError {
+  ErrorKind kind = ErrorKind::malformed;
   std::string message;  ///< one sentence; text of a decoder in it is not neutralised
 };
 /// Whether it took a limit of time or memory, or a process, to find it: callers with many payloads
 /// had better not ask for many of those.
-inline bool is_costly(const Fault& fault) {
-  return fault.kind == FaultKind::out_of_memory || fault.kind == FaultKind::timed_out ||
-         fault.kind == FaultKind::died || fault.kind == FaultKind::stalled;
+inline bool is_costly(const DecodeError& error) {
+  return error.kind == ErrorKind::out_of_memory || error.kind == ErrorKind::timed_out ||
+         error.kind == ErrorKind::died || error.kind == ErrorKind::stalled;
 }
 
 /// How the components of a decoded attribute are stored.
@@ -70,7 +70,7 @@ struct DracoMesh {
   std::vector<DracoAttribute> attributes;
   std::shared_ptr<const void> owner;  ///< of all bytes above
 };
-using DracoResult = std::variant<DracoMesh, Fault>;
+using DracoResult = std::variant<DracoMesh, DecodeError>;
 
 /// `radiance` and `openexr` hold floats.
 enum class ImageFormat : std::uint8_t { png, jpeg, webp, radiance, openexr };
@@ -137,7 +137,7 @@ struct Image {
     return statistics[channel].zeros + statistics[channel].fulls == texels();
   }
 };
-using ImageResult = std::variant<Image, Fault>;
+using ImageResult = std::variant<Image, DecodeError>;
 
 enum class EncodedFormat : std::uint8_t { png, jpeg, webp, exr };
 
@@ -168,7 +168,7 @@ struct EncodedImage {
   std::span<const std::byte> bytes;  ///< `size` of them
   std::shared_ptr<const void> owner;
 };
-using EncodeResult = std::variant<EncodedImage, Fault>;
+using EncodeResult = std::variant<EncodedImage, DecodeError>;
 
 struct Settings {
   /// Folder of the worker programs; empty: that of GLTFX_CODEC_WORKERS in the environment, or else
@@ -202,7 +202,7 @@ class Client {
   /// Decodes a Draco bitstream (version 2.2) that holds a triangle mesh.
   DracoResult decode_draco(std::span<const std::byte> bytes, const Origin& origin = {});
   ImageResult decode_image(const ImageRequest& request);
-  /// A Fault of kind `malformed` when the format cannot hold what is asked for.
+  /// A DecodeError of kind `malformed` when the format cannot hold what is asked for.
   EncodeResult encode_image(const EncodeRequest& request);
   /// Begins to load the decoders of images, without waiting for it: that takes longer than to
   /// decode most images.

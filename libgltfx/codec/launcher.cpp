@@ -42,8 +42,8 @@ Worker::~Worker() {
   }
 }
 
-Fault Launcher::not_started(const std::string& why) const {
-  return {FaultKind::unavailable,
+DecodeError Launcher::not_started(const std::string& why) const {
+  return {ErrorKind::unavailable,
           fmt::format("The decoder {} could not be started: {}.", program_, why)};
 }
 
@@ -97,7 +97,7 @@ std::optional<Control> Launcher::ask(const Control& control, std::span<const int
   return answer;
 }
 
-std::variant<std::unique_ptr<Worker>, Fault> Launcher::start(std::uint64_t memory_bytes) {
+std::variant<std::unique_ptr<Worker>, DecodeError> Launcher::start(std::uint64_t memory_bytes) {
   Ends ends = Ends::create();
   if (!ends.complete()) return not_started("no file descriptors left");
   const std::array<int, 2> descriptors{ends.worker_socket.get(), ends.worker_lifeline.get()};

@@ -32,8 +32,8 @@ class Launcher {
 
   /// Starts the program, without waiting for it, unless it runs.
   void prepare();
-  /// Faults are of kind `unavailable`.
-  std::variant<std::unique_ptr<Worker>, Fault> start(std::uint64_t memory_bytes);
+  /// Errors are of kind `unavailable`.
+  std::variant<std::unique_ptr<Worker>, DecodeError> start(std::uint64_t memory_bytes);
   /// Ends a worker, see Worker::end().
   int finish(pid_t worker);
 
@@ -44,7 +44,7 @@ class Launcher {
   Trouble greet();
   Trouble greet(Worker& worker);
   std::optional<Control> ask(const Control& control, std::span<const int> descriptors);
-  Fault not_started(const std::string& why) const;
+  DecodeError not_started(const std::string& why) const;
 
   const std::string program_;
   const std::chrono::milliseconds standstill_;

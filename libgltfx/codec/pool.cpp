@@ -22,10 +22,12 @@ constexpr std::uint64_t kWorkerMemory = std::uint64_t{4} << 30U;
 // A worker ends itself when its time is over. One that no longer does is ended a little later.
 constexpr milliseconds kGrace{1000};
 
-Reply fault(FaultKind kind, std::string message) { return {Fault{kind, std::move(message)}, {}}; }
+Reply error(ErrorKind kind, std::string message) {
+  return {DecodeError{kind, std::move(message)}, {}};
+}
 
 Reply overrun(const Job& job) {
-  return fault(FaultKind::timed_out,
+  return error(ErrorKind::timed_out,
                fmt::format("{} exceeds {} ms of processor time, the limit for {} bytes.",
                            job.task == Task::encode ? "Encoding" : "Decoding", job.milliseconds,
                            job.input_bytes));
@@ -35,13 +37,14 @@ Reply overrun(const Job& job) {
 Reply epitaph(Worker& worker, const Job& job) {
   const int signal = worker.end();
   if (signal == SIGPROF || signal == SIGXCPU) return overrun(job);
-  return fault(FaultKind::died, signal == 0
+  return error(ErrorKind::died, signal == 0
                                     ? std::string("The decoder exited without a result.")
                                     : fmt::format("The decoder crashed (signal {}).", signal));
 }
 
 bool is_wanted(const Answer& answer, const Job& job) {
-  if (const auto* fault = std::get_if<Fault>(&answer)) return fault->kind != FaultKind::unavailable;
+  if (const auto* error = std::get_if<DecodeError>(&answer))
+    return error->kind != ErrorKind::unavailable;
   if (job.task == Task::draco) return std::holds_alternative<DracoMesh>(answer);
   if (job.task == Task::encode) return std::holds_alternative<EncodedImage>(answer);
   const auto* image = std::get_if<Image>(&answer);
@@ -71,9 +74,9 @@ bool attach_memory(Reply& reply, const Job& job, int memory) {
 
 // Whether a worker is as good as new after an answer.
 bool is_fresh(const Answer& answer) {
-  const auto* fault = std::get_if<Fault>(&answer);
-  return fault == nullptr || fault->kind == FaultKind::malformed ||
-         fault->kind == FaultKind::too_large;
+  const auto* error = std::get_if<DecodeError>(&answer);
+  return error == nullptr || error->kind == ErrorKind::malformed ||
+         error->kind == ErrorKind::too_large;
 }
 
 }  // namespace
@@ -128,7 +131,7 @@ Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
   const UniqueFd payload = create_memory();
   const UniqueFd result = create_memory();
   if (!payload || !result || !fill_memory(payload.get(), bytes)) {
-    return fault(FaultKind::unavailable, "No memory to share with the decoder.");
+    return error(ErrorKind::unavailable, "No memory to share with the decoder.");
   }
   const int descriptors[] = {payload.get(), result.get()};
   const Frame frame = write_job(job);
@@ -136,7 +139,7 @@ Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
   if (worker && !send_packet(worker->socket(), frame, descriptors)) worker.reset();
   if (!worker) {
     auto started = launcher_.start(std::max(kWorkerMemory, std::bit_ceil(job.memory_bytes)));
-    if (auto* trouble = std::get_if<Fault>(&started)) return {std::move(*trouble), {}};
+    if (auto* trouble = std::get_if<DecodeError>(&started)) return {std::move(*trouble), {}};
     worker = std::move(*std::get_if<Kept>(&started));
     worker->origin = origin;
     if (!send_packet(worker->socket(), frame, descriptors))
@@ -151,13 +154,13 @@ Reply Pool::answer_of(Kept worker, const Job& job, int result, Kept& sound) cons
       watch(worker->socket(), worker->id(), {milliseconds(job.milliseconds) + kGrace, standstill_});
   if (watched == Watch::overrun) return overrun(job);
   if (watched == Watch::standstill) {
-    return fault(FaultKind::stalled, "The decoder stopped responding.");
+    return error(ErrorKind::stalled, "The decoder stopped responding.");
   }
   const auto packet = receive_packet(worker->socket());
   if (!packet) return epitaph(*worker, job);
   auto answer = read_answer(packet->bytes);
   const auto contradiction = [] {
-    return fault(FaultKind::died, "The result of the decoder is inconsistent.");
+    return error(ErrorKind::died, "The result of the decoder is inconsistent.");
   };
   if (!answer) return contradiction();
   Reply reply{*std::move(answer), {}};

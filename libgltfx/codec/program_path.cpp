@@ -73,8 +73,8 @@ std::string program_path(const std::string& folder, const std::string& name) {
   const char* named = std::getenv("GLTFX_CODEC_WORKERS");  // NOLINT(concurrency-mt-unsafe)
   if (named != nullptr && *named != '\0') return joined(named, name);
   if (std::string chosen = codec_folder(); !chosen.empty()) return joined(std::move(chosen), name);
-  std::error_code fault;
-  const std::string own = fs::read_symlink("/proc/self/exe", fault).parent_path().native();
+  std::error_code error;
+  const std::string own = fs::read_symlink("/proc/self/exe", error).parent_path().native();
   for (const char* way : {".", GLTFX_WORKERS_FROM_PROGRAMS}) {
     std::string path = joined(joined(own, way), name);
     if (is_program(path)) return path;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMagic = 0x33435847;  // "GXC3": the last character is the version
 
-enum class Kind : std::uint8_t { hello, job, mesh, image, encoded, fault };
+enum class Kind : std::uint8_t { hello, job, mesh, image, encoded, error };
 
 FieldWriter begin(Kind kind) {
   FieldWriter out;
@@ -24,7 +24,7 @@ FieldWriter begin(Kind kind) {
 // The kind of a frame whose beginning has been read.
 std::optional<Kind> read_kind(FieldReader& in) {
   const bool ours = in.number<std::uint32_t>() == kMagic;
-  const Kind kind = in.name(Kind::fault);
+  const Kind kind = in.name(Kind::error);
   return ours && in.sound() ? std::optional(kind) : std::nullopt;
 }
 
@@ -189,18 +189,18 @@ std::optional<std::uint64_t> size_of(const Raster& raster) {
                      std::uint64_t{raster.channels} * (raster.bits / 8));
 }
 
-Frame write_fault(const Fault& fault) {
-  FieldWriter out = begin(Kind::fault);
-  out.name(fault.kind);
-  out.text(std::string_view(fault.message).substr(0, kMostMessageBytes));
+Frame write_error(const DecodeError& error) {
+  FieldWriter out = begin(Kind::error);
+  out.name(error.kind);
+  out.text(std::string_view(error.message).substr(0, kMostMessageBytes));
   return out.take();
 }
 
-Fault read_fault(FieldReader& in) {
-  Fault fault;
-  fault.kind = in.name(FaultKind::died);
-  fault.message = in.text(kMostMessageBytes);
-  return fault;
+DecodeError read_error(FieldReader& in) {
+  DecodeError error;
+  error.kind = in.name(ErrorKind::died);
+  error.message = in.text(kMostMessageBytes);
+  return error;
 }
 
 template <typename T>
@@ -262,7 +262,7 @@ Frame write_answer(const Answer& answer) {
   if (const auto* mesh = std::get_if<DracoMesh>(&answer)) return write_mesh(*mesh);
   if (const auto* image = std::get_if<Image>(&answer)) return write_image(*image);
   if (const auto* encoded = std::get_if<EncodedImage>(&answer)) return write_encoded(*encoded);
-  return write_fault(*std::get_if<Fault>(&answer));
+  return write_error(*std::get_if<DecodeError>(&answer));
 }
 
 std::optional<Answer> read_answer(std::span<const std::byte> frame) {
@@ -271,7 +271,7 @@ std::optional<Answer> read_answer(std::span<const std::byte> frame) {
   if (kind == Kind::mesh) return whole(in, Answer(read_mesh(in)));
   if (kind == Kind::image) return whole(in, Answer(read_image(in)));
   if (kind == Kind::encoded) return whole(in, Answer(read_encoded(in)));
-  if (kind == Kind::fault) return whole(in, Answer(read_fault(in)));
+  if (kind == Kind::error) return whole(in, Answer(read_error(in)));
   return std::nullopt;
 }
 

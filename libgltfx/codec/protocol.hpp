@@ -49,7 +49,7 @@ struct Job {
 };
 
 /// Without spans and owner: those come with attach().
-using Answer = std::variant<DracoMesh, Image, EncodedImage, Fault>;
+using Answer = std::variant<DracoMesh, Image, EncodedImage, DecodeError>;
 
 Frame write_hello(const Hello& hello);
 Frame write_job(const Job& job);

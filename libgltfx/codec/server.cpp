@@ -23,15 +23,15 @@ constexpr std::uint64_t kMostResultBytes = std::uint64_t{8} << 30U;
 Answer decode_safely(const Decode& decode, const Job& job, const Packet& packet) {
   const Mapping input(packet.descriptors[0].get(), job.input_bytes, Mapping::Access::read);
   if (input.bytes().size() != job.input_bytes) {
-    return Fault{FaultKind::out_of_memory, "There is not enough memory for the payload."};
+    return DecodeError{ErrorKind::out_of_memory, "There is not enough memory for the payload."};
   }
   Output output(packet.descriptors[1].get());
   try {
     return decode(job, input.bytes(), output);
   } catch (const std::bad_alloc&) {
-    return Fault{FaultKind::out_of_memory, "Decoding exceeds the memory limit."};
-  } catch (const std::exception& fault) {
-    return Fault{FaultKind::malformed, fault.what()};
+    return DecodeError{ErrorKind::out_of_memory, "Decoding exceeds the memory limit."};
+  } catch (const std::exception& error) {
+    return DecodeError{ErrorKind::malformed, error.what()};
   }
 }
 

@@ -29,13 +29,13 @@ bool is_final(int error) { return error == ENOENT || error == ENOTDIR || error =
 }  // namespace
 
 File open_beneath(int root, const std::string& path, Confinement confinement) {
-  if (path.find('\0') != std::string::npos) return file_fault(ENOENT);
-  if (path.size() >= PATH_MAX) return file_fault(ENAMETOOLONG);
+  if (path.find('\0') != std::string::npos) return file_error(ENOENT);
+  if (path.size() >= PATH_MAX) return file_error(ENAMETOOLONG);
   const std::string named = path.empty() ? "." : path;
   if (confinement == Confinement::by_hand) return walk_beneath(root, named);
   UniqueFd fd = open_by_kernel(root, named.c_str());
   if (fd) return adopt_regular(std::move(fd));
-  return is_final(errno) ? file_fault(errno) : walk_beneath(root, named);
+  return is_final(errno) ? file_error(errno) : walk_beneath(root, named);
 }
 
 }  // namespace gltfx::container

@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::uint64_t kMaxJson = UINT32_MAX;  // positions in a text are 32 bits wide (Span)
 
-Error failure(const std::filesystem::path& path, ResolveFault fault, std::string_view problem) {
-  std::string sentence = describe(fault, path.native(), problem);
+Error failure(const std::filesystem::path& path, ResolveError error, std::string_view problem) {
+  std::string sentence = describe(error, path.native(), problem);
   sentence.pop_back();
-  return {fmt::format("{}; {}.", sentence, help(fault))};
+  return {fmt::format("{}; {}.", sentence, help(error))};
 }
 
 Error too_large(const std::filesystem::path& path, std::uint64_t size, std::uint64_t limit) {
-  return failure(path, ResolveFault::too_large,
+  return failure(path, ResolveError::too_large,
                  fmt::format("it has {} bytes, the limit is {}", size, limit));
 }
 
@@ -48,7 +48,7 @@ Container from_memory(SharedText text, std::string_view name) {
 
 Result<Container> copy_whole(const File& file, const std::filesystem::path& path) {
   Copied copy = copy_range(file.fd.get(), 0, file.size);
-  if (copy.fault != ResolveFault::none) return failure(path, copy.fault, copy.problem);
+  if (copy.error != ResolveError::none) return failure(path, copy.error, copy.problem);
   return from_memory(std::move(copy.text), path.native());
 }
 
@@ -57,11 +57,11 @@ Result<Container> open_mapped(const File& file, const std::filesystem::path& pat
   Container container;
   container.format = format;
   if (format == Format::glb) {
-    const auto fault = read_glb(Source(file.fd.get(), file.size), container);
-    if (fault) return failure(path, fault->fault, fault->problem);
+    const auto error = read_glb(Source(file.fd.get(), file.size), container);
+    if (error) return failure(path, error->error, error->problem);
   }
   Loaded mapping = map_file(file.fd.get(), file.size);
-  if (mapping.fault != ResolveFault::none) return failure(path, mapping.fault, mapping.problem);
+  if (mapping.error != ResolveError::none) return failure(path, mapping.error, mapping.problem);
   container.bytes = std::move(mapping.bytes);
   return container;
 }
@@ -74,12 +74,12 @@ Result<Container> open_file(const std::filesystem::path& path, const OpenLimits&
 
 Result<Container> open_file(const File& file, const std::filesystem::path& path,
                             const OpenLimits& limits) {
-  if (file.fault != ResolveFault::none) return failure(path, file.fault, file.problem);
+  if (file.error != ResolveError::none) return failure(path, file.error, file.problem);
   ++work_count.opened;
   if (file.size > limits.max_bytes) return too_large(path, file.size, limits.max_bytes);
   if (file.size <= kCopyBelow) return copy_whole(file, path);
   const Copied head = copy_range(file.fd.get(), 0, kSniffBytes);
-  if (head.fault != ResolveFault::none) return failure(path, head.fault, head.problem);
+  if (head.error != ResolveError::none) return failure(path, head.error, head.problem);
   const Format format = sniff(*head.text, file.size, path.native());
   if (format != Format::gltf) return open_mapped(file, path, format);
   if (file.size > kMaxJson) return too_large(path, file.size, kMaxJson);

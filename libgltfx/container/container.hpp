@@ -23,7 +23,7 @@
 namespace gltfx::container {
 
 /// What the bytes are. Their first bytes tell; only where these are nothing known (empty, neither
-/// JSON nor GLB nor a pointer) a name that ends in ".glb" makes it a GLB with a fault.
+/// JSON nor GLB nor a pointer) a name that ends in ".glb" makes it a GLB with a error.
 enum class Format : std::uint8_t {
   gltf,  ///< JSON text
   glb,   ///< binary container, version 2
@@ -32,8 +32,8 @@ enum class Format : std::uint8_t {
   unknown,
 };
 
-/// A fault of the container. `code` is a rule's code (Khronos names for GLB faults).
-struct ContainerFault {
+/// A error of the container. `code` is a rule's code (Khronos names for GLB errors).
+struct ContainerError {
   Code code;
   std::uint64_t offset = 0;  ///< byte in the file
   std::string message;
@@ -60,9 +60,9 @@ struct Container {
   std::uint64_t json_offset = 0;       ///< byte in the file where the JSON begins
   std::vector<Chunk> chunks;           ///< GLB only, in the order of the file
   std::optional<Chunk> bin;            ///< the BIN chunk that buffer 0 may refer to
-  std::vector<ContainerFault> faults;  ///< found before the JSON is read
-  std::vector<ContainerFault>
-      late_faults;  ///< end-of-file faults: reported behind those of the JSON
+  std::vector<ContainerError> errors;  ///< found before the JSON is read
+  std::vector<ContainerError>
+      late_errors;  ///< end-of-file errors: reported behind those of the JSON
   std::optional<std::uint32_t> glb_version;  ///< of a GLB header, also when it is not 2
   /// GLB: the file ends inside the header, a chunk header or a chunk. What the chunks hold is not
   /// to be judged then: resources that lie in them are missing because of the cut, not by mistake.

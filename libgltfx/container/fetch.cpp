@@ -20,14 +20,14 @@ Result<Bytes> decode(std::string_view uri) {
 
 }  // namespace
 
-Result<Bytes> fetch(const Resolver& resolver, std::string_view uri, ResolveFault* fault) {
+Result<Bytes> fetch(const Resolver& resolver, std::string_view uri, ResolveError* error) {
   const Uri reference = classify_uri(uri);
   if (reference.kind == UriKind::data) return decode(uri);
   if (reference.kind != UriKind::relative_path) return Error{"its URI is not a relative path"};
   Resolved file = resolver.open(reference.path);
-  if (fault != nullptr) *fault = file.fault;
-  if (file.fault != ResolveFault::none) {
-    return Error{describe(file.fault, reference.normalized, file.problem)};
+  if (error != nullptr) *error = file.error;
+  if (file.error != ResolveError::none) {
+    return Error{describe(file.error, reference.normalized, file.problem)};
   }
   if (file.git_lfs_pointer) {
     return Error{fmt::format("{} is a Git LFS pointer; run 'git lfs pull'", reference.normalized)};

@@ -34,33 +34,33 @@ ssize_t pread_again(int fd, char* to, std::size_t length, std::uint64_t offset) 
   return got;
 }
 
-Copied copy_fault(ResolveFault fault, std::string problem) {
-  return {fault, {}, std::move(problem)};
+Copied copy_error(ResolveError error, std::string problem) {
+  return {error, {}, std::move(problem)};
 }
 
 }  // namespace
 
-File file_fault(int error) {
+File file_error(int error) {
   File file;
-  file.fault = fault_of_errno(error);
-  const bool said_already = error == ENOENT || file.fault == ResolveFault::no_permission ||
-                            file.fault == ResolveFault::outside_root;
+  file.error = error_of_errno(error);
+  const bool said_already = error == ENOENT || file.error == ResolveError::no_permission ||
+                            file.error == ResolveError::outside_root;
   if (!said_already) file.problem = error == EISDIR ? "it is a folder" : errno_text(error);
   return file;
 }
 
 File open_regular(int folder, const char* path, int flags) {
   UniqueFd fd(::openat(folder, path, kOpenFlags | flags));
-  if (!fd) return file_fault(errno);
+  if (!fd) return file_error(errno);
   return adopt_regular(std::move(fd));
 }
 
 File adopt_regular(UniqueFd fd) {
   struct stat status {};
-  if (::fstat(fd.get(), &status) != 0) return file_fault(errno);
+  if (::fstat(fd.get(), &status) != 0) return file_error(errno);
   File file;
   if (!S_ISREG(status.st_mode)) {
-    file.fault = ResolveFault::not_regular;
+    file.error = ResolveError::not_regular;
     file.problem = kind_of(status.st_mode);
     return file;
   }
@@ -73,40 +73,40 @@ File adopt_regular(UniqueFd fd) {
 Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length) {
   TextRoom room(length);
   if (!room) {
-    return copy_fault(ResolveFault::too_large,
+    return copy_error(ResolveError::too_large,
                       fmt::format("there is not enough memory for {} bytes", length));
   }
   std::size_t done = 0;
   while (done < room.size()) {
     const ssize_t got = pread_again(fd, room.data() + done, room.size() - done, offset + done);
-    if (got < 0) return copy_fault(fault_of_errno(errno), errno_text(errno));
+    if (got < 0) return copy_error(error_of_errno(errno), errno_text(errno));
     if (got == 0) {
-      return copy_fault(ResolveFault::truncated, fmt::format("it ends at byte {}, expected {}",
+      return copy_error(ResolveError::truncated, fmt::format("it ends at byte {}, expected {}",
                                                              offset + done, offset + length));
     }
     done += static_cast<std::size_t>(got);
   }
-  return {ResolveFault::none, std::move(room).share(), {}};
+  return {ResolveError::none, std::move(room).share(), {}};
 }
 
 Loaded map_file(int fd, std::uint64_t size) {
   if (size == 0) return {};
   if (size > std::numeric_limits<std::size_t>::max()) {
-    return {ResolveFault::too_large, {}, "it does not fit in the address space"};
+    return {ResolveError::too_large, {}, "it does not fit in the address space"};
   }
   const std::size_t length = size;
   void* start = ::mmap(nullptr, length, PROT_READ, MAP_PRIVATE, fd, 0);
-  if (start == MAP_FAILED) return {fault_of_errno(errno), {}, errno_text(errno)};
-  return {ResolveFault::none,
+  if (start == MAP_FAILED) return {error_of_errno(errno), {}, errno_text(errno)};
+  return {ResolveError::none,
           {{static_cast<const std::byte*>(start), length}, own_mapping(start, length)},
           {}};
 }
 
 Loaded load_file(const File& file) {
-  if (file.fault != ResolveFault::none) return {file.fault, {}, file.problem};
+  if (file.error != ResolveError::none) return {file.error, {}, file.problem};
   if (file.size > kCopyBelow) return map_file(file.fd.get(), file.size);
   Copied copy = copy_range(file.fd.get(), 0, file.size);
-  return {copy.fault, Bytes::from_text(copy.text), std::move(copy.problem)};
+  return {copy.error, Bytes::from_text(copy.text), std::move(copy.problem)};
 }
 
 }  // namespace gltfx::container

@@ -9,7 +9,7 @@
 #include "base/file_state.hpp"
 #include "base/unique_fd.hpp"
 #include "container/bytes.hpp"
-#include "container/resolve_fault.hpp"
+#include "container/resolve_error.hpp"
 
 namespace gltfx::container {
 
@@ -18,31 +18,31 @@ struct File {
   UniqueFd fd;
   std::uint64_t size = 0;  ///< bytes when it was opened
   FileState state;         ///< when it was opened
-  ResolveFault fault = ResolveFault::none;
+  ResolveError error = ResolveError::none;
   std::string problem;
 };
 
 /// A File that says why there is none; the words are those of the system.
-File file_fault(int error);
+File file_error(int error);
 
 /// Opens `path` for reading, relative to `folder` (AT_FDCWD: the current one). `flags` are added
 /// to those every file is opened with. Neither a FIFO nor a device can make it wait.
 File open_regular(int folder, const char* path, int flags = 0);
 
-/// Takes over a descriptor opened by somebody else; a fault unless it is a regular file.
+/// Takes over a descriptor opened by somebody else; a error unless it is a regular file.
 File adopt_regular(UniqueFd fd);
 
 /// Bytes that were read, or why not.
 struct Loaded {
-  ResolveFault fault = ResolveFault::none;
+  ResolveError error = ResolveError::none;
   Bytes bytes;
   std::string problem;
 };
 
 /// Text that was read, or why not.
 struct Copied {
-  ResolveFault fault = ResolveFault::none;
-  SharedText text;  ///< not null when there is no fault
+  ResolveError error = ResolveError::none;
+  SharedText text;  ///< not null when there is no error
   std::string problem;
 };
 
@@ -53,7 +53,7 @@ Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length);
 /// Maps the whole file read-only and private. No byte is read now.
 Loaded map_file(int fd, std::uint64_t size);
 
-/// Files up to this size are copied: that costs less than a mapping and cannot fault later.
+/// Files up to this size are copied: that costs less than a mapping and cannot error later.
 inline constexpr std::uint64_t kCopyBelow = 16384;
 
 /// The whole file: a copy when it is small, else a mapping.

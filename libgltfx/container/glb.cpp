@@ -7,7 +7,7 @@
 
 #include "base/checked.hpp"
 #include "container/content.hpp"
-#include "container/glb_faults.hpp"
+#include "container/glb_errors.hpp"
 #include "container/sniff.hpp"
 
 namespace gltfx::container {
@@ -36,23 +36,23 @@ class GlbReader {
       if (!read_chunk()) return std::move(failure_);
     }
     out_.ends_in_empty_chunk = !out_.chunks.empty() && out_.chunks.back().length == 0;
-    if (at_ != declared_) late(glb_fault::length_mismatch(declared_, source_.size()));
+    if (at_ != declared_) late(glb_error::length_mismatch(declared_, source_.size()));
     return std::nullopt;
   }
 
  private:
-  void early(ContainerFault fault) { out_.faults.push_back(std::move(fault)); }
-  void late(ContainerFault fault) { out_.late_faults.push_back(std::move(fault)); }
+  void early(ContainerError error) { out_.errors.push_back(std::move(error)); }
+  void late(ContainerError error) { out_.late_errors.push_back(std::move(error)); }
 
-  bool stop_short(ContainerFault fault) {
+  bool stop_short(ContainerError error) {
     out_.cut_short = true;
-    late(std::move(fault));
+    late(std::move(error));
     return false;
   }
 
   bool copy(std::uint64_t offset, std::uint64_t length, SharedText& text) {
     Copied copied = source_.copy(offset, length);
-    if (copied.fault != ResolveFault::none) {
+    if (copied.error != ResolveError::none) {
       failure_ = std::move(copied);
       return false;
     }
@@ -61,7 +61,7 @@ class GlbReader {
   }
 
   bool read_header() {
-    if (source_.size() < kHeaderSize) return stop_short(glb_fault::end_of_header(source_.size()));
+    if (source_.size() < kHeaderSize) return stop_short(glb_error::end_of_header(source_.size()));
     SharedText header;
     if (!copy(0, kHeaderSize, header)) return false;
     const std::uint32_t magic = little_endian(*header, 0);
@@ -71,30 +71,30 @@ class GlbReader {
       SharedText head;
       if (!copy(0, std::min(source_.size(), std::uint64_t{kSniffBytes}), head)) return false;
       const Content found = name_content(*head);
-      early(glb_fault::invalid_magic(magic, found.image ? std::string_view() : found.name));
+      early(glb_error::invalid_magic(magic, found.image ? std::string_view() : found.name));
       return false;
     }
     out_.glb_version = version;
     if (version != 2) {
-      early(glb_fault::invalid_version(version));
+      early(glb_error::invalid_version(version));
       return false;
     }
-    if (declared_ <= kHeaderSize) early(glb_fault::length_too_small(declared_));
+    if (declared_ <= kHeaderSize) early(glb_error::length_too_small(declared_));
     return true;
   }
 
   bool read_chunk() {
     const std::uint64_t size = source_.size();
     if (at_ == declared_) {
-      early(glb_fault::extra_data(declared_, size));
+      early(glb_error::extra_data(declared_, size));
       return false;
     }
     if (out_.chunks.size() == kMaxChunks) {
-      early(glb_fault::too_many_chunks(at_, size));
+      early(glb_error::too_many_chunks(at_, size));
       return false;
     }
     if (!fits(at_, kChunkHeaderSize, size)) {
-      return stop_short(glb_fault::end_of_chunk_header(at_, size));
+      return stop_short(glb_error::end_of_chunk_header(at_, size));
     }
     SharedText header;
     if (!copy(at_, kChunkHeaderSize, header)) return false;
@@ -110,32 +110,32 @@ class GlbReader {
     check_chunk(chunk, length);
     const bool whole = chunk.length == length;
     if (!keep_chunk(chunk, whole)) return false;
-    if (!whole) return stop_short(glb_fault::end_of_chunk_data(chunk, length, source_.size()));
+    if (!whole) return stop_short(glb_error::end_of_chunk_data(chunk, length, source_.size()));
     at_ = chunk.offset + chunk.length;
     return true;
   }
 
   void check_chunk(const Chunk& chunk, std::uint32_t length) {
-    if (length % 4 != 0) early(glb_fault::chunk_unaligned(chunk, length));
+    if (length % 4 != 0) early(glb_error::chunk_unaligned(chunk, length));
     if (!fits(chunk.offset, length, declared_)) {
-      early(glb_fault::chunk_too_big(chunk, length, declared_));
+      early(glb_error::chunk_too_big(chunk, length, declared_));
     }
-    if (out_.chunks.empty() && chunk.type != kChunkJson) early(glb_fault::unexpected_first(chunk));
+    if (out_.chunks.empty() && chunk.type != kChunkJson) early(glb_error::unexpected_first(chunk));
     if (chunk.type == kChunkBin && !out_.bin && out_.chunks.size() > 1) {
-      early(glb_fault::unexpected_bin(chunk, out_.chunks.size() + 1));
+      early(glb_error::unexpected_bin(chunk, out_.chunks.size() + 1));
     }
     check_use(chunk, length);
   }
 
   void check_use(const Chunk& chunk, std::uint32_t length) {
     if (chunk.type == kChunkJson) {
-      if (length == 0) early(glb_fault::empty_json(chunk));
-      if (seen_json_) early(glb_fault::duplicate(chunk));
+      if (length == 0) early(glb_error::empty_json(chunk));
+      if (seen_json_) early(glb_error::duplicate(chunk));
     } else if (chunk.type == kChunkBin) {
-      if (length == 0) early(glb_fault::empty_bin(chunk));
-      if (out_.bin) early(glb_fault::duplicate(chunk));
+      if (length == 0) early(glb_error::empty_bin(chunk));
+      if (out_.bin) early(glb_error::duplicate(chunk));
     } else {
-      early(glb_fault::unknown_type(chunk));
+      early(glb_error::unknown_type(chunk));
     }
   }
 

@@ -47,17 +47,17 @@ class Walk {
 
   File run(std::string_view path) {
     struct stat status {};
-    if (::fstat(root_, &status) != 0) return file_fault(errno);
+    if (::fstat(root_, &status) != 0) return file_error(errno);
     root_identity_ = identity_of(status);
     push_components(path);
-    if (path.starts_with('/') && !start_at_slash()) return file_fault(EXDEV);
+    if (path.starts_with('/') && !start_at_slash()) return file_error(EXDEV);
     File file;
     while (!todo_.empty()) {
       const std::string name = std::move(todo_.back());
       todo_.pop_back();
-      if (step(name, file)) return outside_ ? file_fault(EXDEV) : std::move(file);
+      if (step(name, file)) return outside_ ? file_error(EXDEV) : std::move(file);
     }
-    return file_fault(outside_ ? EXDEV : EISDIR);
+    return file_error(outside_ ? EXDEV : EISDIR);
   }
 
  private:
@@ -81,12 +81,12 @@ class Walk {
     if (name == "..") return step_up(file);
     struct stat status {};
     if (::fstatat(here(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
-      return end(file, file_fault(errno));
+      return end(file, file_error(errno));
     }
     if (S_ISLNK(status.st_mode)) return follow(name, file);
-    if (outside_ && !leads_to_root(identity_of(status))) return end(file, file_fault(EXDEV));
+    if (outside_ && !leads_to_root(identity_of(status))) return end(file, file_error(EXDEV));
     if (S_ISDIR(status.st_mode)) return enter(name, file);
-    if (!todo_.empty()) return end(file, file_fault(ENOTDIR));
+    if (!todo_.empty()) return end(file, file_error(ENOTDIR));
     // A link that takes the name's place meanwhile is refused by O_NOFOLLOW.
     return end(file, open_regular(here(), name.c_str(), O_NOFOLLOW));
   }
@@ -102,7 +102,7 @@ class Walk {
   }
 
   bool step_up(File& file) {
-    if (!outside_ && folders_.empty()) return end(file, file_fault(EXDEV));
+    if (!outside_ && folders_.empty()) return end(file, file_error(EXDEV));
     if (folders_.size() > (outside_ ? 1U : 0U)) folders_.pop_back();  // "/.." is "/"
     return false;
   }
@@ -110,7 +110,7 @@ class Walk {
   bool enter(const std::string& name, File& file) {
     UniqueFd folder(::openat(here(), name.c_str(), kPass));
     struct stat status {};
-    if (!folder || ::fstat(folder.get(), &status) != 0) return end(file, file_fault(errno));
+    if (!folder || ::fstat(folder.get(), &status) != 0) return end(file, file_error(errno));
     keep(std::move(folder), identity_of(status));
     return false;
   }
@@ -125,13 +125,13 @@ class Walk {
   }
 
   bool follow(const std::string& link, File& file) {
-    if (++links_ > kLinkBudget) return end(file, file_fault(ELOOP));
+    if (++links_ > kLinkBudget) return end(file, file_error(ELOOP));
     std::string target(PATH_MAX, '\0');
     const ssize_t length = ::readlinkat(here(), link.c_str(), target.data(), target.size());
-    if (length < 0) return end(file, file_fault(errno));
+    if (length < 0) return end(file, file_error(errno));
     target.resize(static_cast<std::size_t>(length));
     push_components(target);
-    if (target.starts_with('/') && !start_at_slash()) return end(file, file_fault(EXDEV));
+    if (target.starts_with('/') && !start_at_slash()) return end(file, file_error(EXDEV));
     return false;
   }
 

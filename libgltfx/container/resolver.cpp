@@ -22,19 +22,19 @@ std::filesystem::path or_current(const std::filesystem::path& path) {
 
 /// `base` seen from `root`, both without links; empty when they are one folder.
 std::string relative_base(const std::filesystem::path& root, const std::filesystem::path& base,
-                          ResolveFault& fault) {
+                          ResolveError& error) {
   if (root == base) return {};
   std::error_code failure;
   const auto real_root = std::filesystem::canonical(root, failure);
   const auto real_base = failure ? base : std::filesystem::canonical(base, failure);
   if (failure) {
-    fault = fault_of_errno(failure.value());
+    error = error_of_errno(failure.value());
     return {};
   }
   const std::filesystem::path relative = real_base.lexically_relative(real_root);
   if (relative == ".") return {};
   if (relative.empty() || *relative.begin() == "..") {
-    fault = ResolveFault::outside_root;
+    error = ResolveError::outside_root;
     return {};
   }
   return relative.native() + '/';
@@ -85,11 +85,11 @@ std::string from_root(int root, const std::string& base, std::string_view path) 
 
 Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
                    Confinement confinement)
-    : unusable_(ResolveFault::none), confinement_(confinement) {
+    : unusable_(ResolveError::none), confinement_(confinement) {
   const std::filesystem::path folder = or_current(root);
   UniqueFd fd(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (!fd) {
-    unusable_ = fault_of_errno(errno);
+    unusable_ = error_of_errno(errno);
     problem_ = "the root folder cannot be opened: " + errno_text(errno);
     return;
   }
@@ -97,20 +97,20 @@ Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::pat
   if (::fstat(fd.get(), &status) == 0) origin_ = {status.st_dev, status.st_ino};
   root_ = std::make_shared<const UniqueFd>(std::move(fd));
   base_ = relative_base(folder, or_current(base), unusable_);
-  if (unusable_ != ResolveFault::none) problem_ = "the asset's folder is not inside the root";
+  if (unusable_ != ResolveError::none) problem_ = "the asset's folder is not inside the root";
 }
 
-ResolveFault Resolver::open_at(std::string_view path, File& file) const {
-  if (unusable_ != ResolveFault::none) {
-    file.fault = unusable_;
+ResolveError Resolver::open_at(std::string_view path, File& file) const {
+  if (unusable_ != ResolveError::none) {
+    file.error = unusable_;
     file.problem = problem_;
   } else if (path.starts_with('/')) {
-    file = file_fault(EXDEV);
+    file = file_error(EXDEV);
   } else {
     file = open_beneath(root_->get(), from_root(root_->get(), base_, path), confinement_);
   }
-  if (log_) log_->add({std::string(path), file.fault});
-  return file.fault;
+  if (log_) log_->add({std::string(path), file.error});
+  return file.error;
 }
 
 void LookupLog::add(Lookup lookup) {
@@ -124,14 +124,14 @@ void Resolver::add(const std::string& path, Bytes bytes) {
 
 Resolved Resolver::open(std::string_view path) const {
   const auto added = added_.find(path);
-  if (added != added_.end()) return {ResolveFault::none, added->second, false, {}, {}};
+  if (added != added_.end()) return {ResolveError::none, added->second, false, {}, {}};
   File file;
   Resolved resolved;
-  resolved.fault = open_at(path, file);
+  resolved.error = open_at(path, file);
   resolved.problem = std::move(file.problem);
-  if (resolved.fault != ResolveFault::none) return resolved;
+  if (resolved.error != ResolveError::none) return resolved;
   Loaded loaded = load_file(file);
-  resolved.fault = loaded.fault;
+  resolved.error = loaded.error;
   resolved.problem = std::move(loaded.problem);
   resolved.bytes = std::move(loaded.bytes);
   resolved.state = file.state;
@@ -139,15 +139,15 @@ Resolved Resolver::open(std::string_view path) const {
   return resolved;
 }
 
-ResolveFault Resolver::stat(std::string_view path, std::uint64_t& size) const {
+ResolveError Resolver::stat(std::string_view path, std::uint64_t& size) const {
   if (const auto added = added_.find(path); added != added_.end()) {
     size = added->second.size();
-    return ResolveFault::none;
+    return ResolveError::none;
   }
   File file;
-  const ResolveFault fault = open_at(path, file);
+  const ResolveError error = open_at(path, file);
   size = file.size;
-  return fault;
+  return error;
 }
 
 }  // namespace gltfx::container

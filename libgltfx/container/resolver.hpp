@@ -16,15 +16,15 @@
 #include "base/origin.hpp"
 #include "container/bytes.hpp"
 #include "container/confined_open.hpp"
-#include "container/resolve_fault.hpp"
+#include "container/resolve_error.hpp"
 
 namespace gltfx::container {
 
 struct Resolved {
-  ResolveFault fault = ResolveFault::none;
-  Bytes bytes;  ///< mapped; valid when fault is none
+  ResolveError error = ResolveError::none;
+  Bytes bytes;  ///< mapped; valid when error is none
   bool git_lfs_pointer = false;
-  std::string problem;  ///< printable detail of the fault
+  std::string problem;  ///< printable detail of the error
   FileState state;      ///< of a file on the disk
 };
 
@@ -33,7 +33,7 @@ class LookupLog {
  public:
   struct Lookup {
     std::string path;
-    ResolveFault fault = ResolveFault::none;
+    ResolveError error = ResolveError::none;
   };
   void add(Lookup lookup);
   /// In the order they were asked for; not while a Resolver may still add some.
@@ -68,14 +68,14 @@ class Resolver {
   /// own.
   const Origin& origin() const { return origin_; }
   /// Whether open() would find a file, without reading it. Size in bytes in `size`.
-  ResolveFault stat(std::string_view path, std::uint64_t& size) const;
+  ResolveError stat(std::string_view path, std::uint64_t& size) const;
 
  private:
-  ResolveFault open_at(std::string_view path, File& file) const;
+  ResolveError open_at(std::string_view path, File& file) const;
 
   std::shared_ptr<const UniqueFd> root_;  ///< null: no root, or it could not be opened
   std::string base_;  ///< of the base, relative to the root; empty or ends in '/'
-  ResolveFault unusable_ = ResolveFault::no_root;  ///< why every look-up fails, or none
+  ResolveError unusable_ = ResolveError::no_root;  ///< why every look-up fails, or none
   std::string problem_;
   Confinement confinement_ = Confinement::automatic;
   std::map<std::string, Bytes, std::less<>> added_;

@@ -22,7 +22,7 @@ class Source {
   /// has become shorter.
   Copied copy(std::uint64_t offset, std::uint64_t length) const {
     if (fd_ >= 0) return copy_range(fd_, offset, length);
-    return {ResolveFault::none, share_text(std::string(bytes_.text().substr(offset, length))), {}};
+    return {ResolveError::none, share_text(std::string(bytes_.text().substr(offset, length))), {}};
   }
 
  private:

@@ -11,7 +11,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "container/resolve_fault.hpp"
+#include "container/resolve_error.hpp"
 
 namespace gltfx::container {
 namespace {

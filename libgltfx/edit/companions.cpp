@@ -27,9 +27,9 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
                     quoted(path, 200))};
   }
   const container::Resolved resolved = resolver.open(path);
-  if (resolved.fault == container::ResolveFault::not_found) return std::nullopt;
-  if (resolved.fault != container::ResolveFault::none) {
-    return Error{container::describe(resolved.fault, path, resolved.problem)};
+  if (resolved.error == container::ResolveError::not_found) return std::nullopt;
+  if (resolved.error != container::ResolveError::none) {
+    return Error{container::describe(resolved.error, path, resolved.problem)};
   }
   const fs::path target = folder / path;
   if (auto trouble = make_folder(target.parent_path())) return trouble;
@@ -48,19 +48,19 @@ std::optional<Error> create(const fs::path& target, const container::Bytes& byte
 bool has_bytes(const fs::path& file, const container::Bytes& bytes) {
   const container::Loaded present =
       container::load_file(container::open_regular(AT_FDCWD, file.c_str()));
-  return present.fault == container::ResolveFault::none &&
+  return present.error == container::ResolveError::none &&
          container::same_bytes(present.bytes, bytes);
 }
 
 std::optional<Error> put_file(const fs::path& target, const container::Bytes& bytes) {
   remove_stale_files(target);
-  std::error_code fault;
+  std::error_code error;
   std::optional<Error> trouble;
-  if (!fs::exists(target, fault)) {
+  if (!fs::exists(target, error)) {
     trouble = create(target, bytes);
     if (!trouble) return std::nullopt;
   }
-  if (fs::exists(target, fault) && has_bytes(target, bytes)) return std::nullopt;
+  if (fs::exists(target, error) && has_bytes(target, bytes)) return std::nullopt;
   if (trouble) return trouble;
   return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
 }
@@ -87,10 +87,10 @@ std::set<std::string> referred_paths(const json::Document& document) {
 }
 
 std::optional<Error> make_folder(const fs::path& folder) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (!fault) return std::nullopt;
-  return Error{fmt::format("cannot create {}: {}", quoted(folder.native(), 200), fault.message())};
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return std::nullopt;
+  return Error{fmt::format("cannot create {}: {}", quoted(folder.native(), 200), error.message())};
 }
 
 std::optional<Error> copy_companions(const json::Document& document,

@@ -33,8 +33,8 @@ constexpr std::array<Code, 9> kHarmless{
     Code::GLB_EMPTY_BIN_CHUNK,        Code::GLB_EXTRA_DATA,           Code::GLB_LENGTH_MISMATCH,
     Code::GLB_LENGTH_TOO_SMALL,       Code::GLB_UNEXPECTED_BIN_CHUNK, Code::GLB_UNKNOWN_CHUNK_TYPE};
 
-bool is_harmless(const container::ContainerFault& fault) {
-  return std::find(kHarmless.begin(), kHarmless.end(), fault.code) != kHarmless.end();
+bool is_harmless(const container::ContainerError& error) {
+  return std::find(kHarmless.begin(), kHarmless.end(), error.code) != kHarmless.end();
 }
 
 std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
@@ -88,9 +88,9 @@ Rest rest_of(const container::Container& container, bool bin_changes) {
 }  // namespace
 
 std::optional<std::string> find_glb_obstacle(const container::Container& container) {
-  for (const auto* faults : {&container.faults, &container.late_faults}) {
-    for (const container::ContainerFault& fault : *faults) {
-      if (container.cut_short || !is_harmless(fault)) return fault.message;
+  for (const auto* errors : {&container.errors, &container.late_errors}) {
+    for (const container::ContainerError& error : *errors) {
+      if (container.cut_short || !is_harmless(error)) return error.message;
     }
   }
   return std::nullopt;

@@ -26,7 +26,7 @@ struct BinChange {
   bool empty() const { return more.empty() && cut.empty(); }
 };
 
-/// What fault of a GLB leaves open where its chunks lie, or nothing: the file can be rewritten,
+/// What error of a GLB leaves open where its chunks lie, or nothing: the file can be rewritten,
 /// also when its lengths are wrong. A sentence.
 std::optional<std::string> find_glb_obstacle(const container::Container& container);
 

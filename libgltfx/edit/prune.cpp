@@ -134,8 +134,8 @@ class Pruner {
       if (use.steps[0] != array) continue;
       std::uint64_t index = 0;
       const std::string& step = use.steps[1];
-      const auto [end, fault] = std::from_chars(step.data(), step.data() + step.size(), index);
-      if (fault != std::errc() || end != step.data() + step.size()) continue;
+      const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+      if (error != std::errc() || end != step.data() + step.size()) continue;
       std::string pointer;
       for (std::size_t i = 0; i < use.steps.size(); ++i) {
         append_pointer_step(pointer, i == 1 ? std::to_string(shift.of(index)) : use.steps[i]);

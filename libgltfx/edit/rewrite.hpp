@@ -22,7 +22,7 @@ Result<std::vector<container::Bytes>> rewrite(const container::Container& contai
                                               const BinChange& bin = {});
 
 /// The container that these bytes make, under the name `path`. Where the BIN chunk stays nothing
-/// but the text is made anew: `bytes` and the faults are the old ones.
+/// but the text is made anew: `bytes` and the errors are the old ones.
 Result<container::Container> rewritten(const container::Container& container,
                                        std::span<const json::Edit> edits, const BinChange& bin,
                                        const std::string& path);

@@ -28,8 +28,8 @@ class Writer {
       : old_(old), to_(to), bytes_(bytes), check_(check) {}
 
   Failure run() const {
-    std::error_code fault;
-    const bool in_place = to_.in_place || fs::equivalent(to_.output, old_.path, fault);
+    std::error_code error;
+    const bool in_place = to_.in_place || fs::equivalent(to_.output, old_.path, error);
     return in_place ? write_in_place() : write_elsewhere();
   }
 
@@ -96,8 +96,8 @@ class Writer {
 
   Trouble copy_others(const fs::path& folder) const {
     const fs::path own = fs::path(old_.path).parent_path();
-    std::error_code fault;
-    if (fs::equivalent(folder, own.empty() ? fs::path(".") : own, fault)) return std::nullopt;
+    std::error_code error;
+    if (fs::equivalent(folder, own.empty() ? fs::path(".") : own, error)) return std::nullopt;
     return copy_companions(old_.document, old_.resolver, folder);
   }
 

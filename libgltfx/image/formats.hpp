@@ -13,9 +13,9 @@ HeaderResult read_png(std::span<const std::byte> bytes);
 HeaderResult read_jpeg(std::span<const std::byte> bytes);
 HeaderResult read_webp(std::span<const std::byte> bytes);
 
-inline HeaderFault unexpected_end() { return {HeaderFault::Kind::unexpected_end, {}}; }
-inline HeaderFault invalid(std::string problem) {
-  return {HeaderFault::Kind::invalid, std::move(problem)};
+inline HeaderError unexpected_end() { return {HeaderError::Kind::unexpected_end, {}}; }
+inline HeaderError invalid(std::string problem) {
+  return {HeaderError::Kind::invalid, std::move(problem)};
 }
 
 /// Keeps the first problem that makes readers refuse an image.

@@ -41,7 +41,7 @@ Sniffed sniff(std::span<const std::byte> bytes) {
 
 HeaderResult read_header(std::span<const std::byte> bytes) {
   const Sniffed found = sniff(bytes);
-  if (!found.known) return HeaderFault{};
+  if (!found.known) return HeaderError{};
   switch (found.format) {
     case Format::png:
       return read_png(bytes);
@@ -52,7 +52,7 @@ HeaderResult read_header(std::span<const std::byte> bytes) {
     case Format::ktx2:
       break;
   }
-  return HeaderFault{};
+  return HeaderError{};
 }
 
 }  // namespace gltfx::image

@@ -64,7 +64,7 @@ struct Header {
 };
 
 /// Why there is no header.
-struct HeaderFault {
+struct HeaderError {
   enum class Kind : std::uint8_t {
     unrecognized,    ///< the bytes are of no format known here
     unexpected_end,  ///< the image ends before its header does
@@ -88,7 +88,7 @@ struct Sniffed {
 };
 Sniffed sniff(std::span<const std::byte> bytes);
 
-using HeaderResult = std::variant<Header, HeaderFault>;
+using HeaderResult = std::variant<Header, HeaderError>;
 
 /// Whether a texel of the image can have an alpha other than 1.
 constexpr bool can_be_transparent(const Header& header) {

@@ -153,8 +153,8 @@ void read_components(Cursor at, std::uint8_t count, std::uint16_t length, Jpeg& 
   }
 }
 
-// A fault where nothing can be said of the image.
-std::optional<HeaderFault> read_frame_header(Segment segment, Jpeg& jpeg) {
+// A error where nothing can be said of the image.
+std::optional<HeaderError> read_frame_header(Segment segment, Jpeg& jpeg) {
   Header& header = jpeg.header;
   Cursor& at = segment.content;
   if (segment.length < 8) return invalid("The JPEG frame header is too short.");
@@ -277,7 +277,7 @@ HeaderResult read_jpeg(std::span<const std::byte> bytes) {
     if (is_frame_header(segment->marker)) {
       if (framed) jpeg.refuse("The JPEG has two frame headers.");
       if (framed) continue;
-      if (auto fault = read_frame_header(*segment, jpeg)) return *fault;
+      if (auto error = read_frame_header(*segment, jpeg)) return *error;
     } else {
       read_segment(*segment, jpeg);
     }

@@ -34,7 +34,7 @@ void read_fields(Cursor& at, Ktx2& file) {
 void check_fields(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   const auto bad = [&](std::string problem) {
-    reading.fault(Code::KTX2_HEADER_INVALID, std::move(problem));
+    reading.error(Code::KTX2_HEADER_INVALID, std::move(problem));
   };
   if (file.width == 0) bad("pixelWidth is 0.");
   if (file.depth != 0 && file.height == 0) bad("pixelDepth is not 0, but pixelHeight is 0.");
@@ -60,7 +60,7 @@ void check_fields(Ktx2Reading& reading) {
 Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
                std::uint64_t alignment) {
   const auto bad = [&](std::string problem) {
-    reading.fault(Code::KTX2_INDEX_INVALID, std::string(name) + std::move(problem));
+    reading.error(Code::KTX2_INDEX_INVALID, std::string(name) + std::move(problem));
     return Ktx2Range();
   };
   if (range.length == 0)
@@ -75,12 +75,12 @@ Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
 }
 
 // The descriptor is padded on neither side, the global data to 8 bytes. Readers that go by the
-// index do not notice. After other faults nobody knows where the parts begin.
+// index do not notice. After other errors nobody knows where the parts begin.
 void check_gaps(Ktx2Reading& reading, std::uint64_t index_end) {
   const auto bad = [&](std::string problem) {
-    reading.tolerated_fault(Code::KTX2_INDEX_INVALID, std::move(problem));
+    reading.tolerated_error(Code::KTX2_INDEX_INVALID, std::move(problem));
   };
-  if (reading.descriptor.length == 0 || !reading.file.faults.empty()) return;
+  if (reading.descriptor.length == 0 || !reading.file.errors.empty()) return;
   if (reading.descriptor.offset != index_end) {
     bad("The data format descriptor is not directly after the level index.");
   }
@@ -102,7 +102,7 @@ void check_order(Ktx2Reading& reading, std::uint64_t index_end) {
   for (const Ktx2Range& range : {reading.descriptor, reading.metadata, reading.global}) {
     if (range.length == 0) continue;
     if (range.offset < end) {
-      reading.fault(Code::KTX2_INDEX_INVALID, "Parts of the file overlap or are out of order.");
+      reading.error(Code::KTX2_INDEX_INVALID, "Parts of the file overlap or are out of order.");
       return;
     }
     end = range.end();
@@ -154,8 +154,8 @@ std::uint32_t Ktx2::full_pyramid() const {
 }
 
 bool Ktx2::is_sound() const {
-  return described && std::all_of(faults.begin(), faults.end(),
-                                  [](const Ktx2Fault& fault) { return fault.tolerated; });
+  return described && std::all_of(errors.begin(), errors.end(),
+                                  [](const Ktx2Error& error) { return error.tolerated; });
 }
 
 Ktx2 read_ktx2(std::span<const std::byte> bytes) {
@@ -164,7 +164,7 @@ Ktx2 read_ktx2(std::span<const std::byte> bytes) {
   Cursor at(bytes);
   at.skip(kIdentifierBytes);
   if (bytes.size() < kKtx2HeaderBytes) {
-    reading.fault(
+    reading.error(
         Code::IMAGE_UNEXPECTED_EOS,
         "The image ends after " + std::to_string(bytes.size()) + " bytes, inside its header.");
     return file;
@@ -173,7 +173,7 @@ Ktx2 read_ktx2(std::span<const std::byte> bytes) {
   check_fields(reading);
   read_index(at, reading);
   if (!read_levels(at, file)) {
-    reading.fault(Code::IMAGE_UNEXPECTED_EOS, "The image ends inside its level index.");
+    reading.error(Code::IMAGE_UNEXPECTED_EOS, "The image ends inside its level index.");
     return file;
   }
   check_order(reading, kKtx2HeaderBytes + kKtx2LevelBytes * file.levels.size());

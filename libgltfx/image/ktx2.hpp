@@ -45,7 +45,7 @@ struct Ktx2Level {
   std::uint64_t offset = 0, length = 0, uncompressed = 0;
 };
 
-struct Ktx2Fault {
+struct Ktx2Error {
   Code code;
   std::string problem;     ///< one sentence
   bool tolerated = false;  ///< readers show the image all the same, though not always as meant
@@ -69,12 +69,12 @@ struct Ktx2 {
   std::optional<Channels> contents;                 ///< what ETC1S and UASTC samples hold
   std::optional<std::string> orientation, swizzle;  ///< metadata, without the closing NUL
 
-  std::vector<Ktx2Fault> faults;  ///< in the order of the file
+  std::vector<Ktx2Error> errors;  ///< in the order of the file
 
   /// Whether the image is flat, one layer of one face (specification section 4.1).
   bool is_2d() const { return height != 0 && depth == 0 && layers == 0 && faces == 1; }
   std::uint32_t full_pyramid() const;  ///< levels down to one texel
-  /// Whether readers can show it: there is a descriptor, and no fault but tolerated ones.
+  /// Whether readers can show it: there is a descriptor, and no error but tolerated ones.
   bool is_sound() const;
 };
 
@@ -82,7 +82,7 @@ inline constexpr std::uint8_t kKtx2PrimariesBt709 = 1;
 inline constexpr std::uint8_t kKtx2TransferLinear = 1;
 inline constexpr std::uint8_t kKtx2TransferSrgb = 2;
 
-/// Reads any bytes; what cannot be read is missing and named in `faults`. Takes time linear in the
+/// Reads any bytes; what cannot be read is missing and named in `errors`. Takes time linear in the
 /// metadata and in the images of all levels, both bounded by the bytes that are there.
 Ktx2 read_ktx2(std::span<const std::byte> bytes);
 

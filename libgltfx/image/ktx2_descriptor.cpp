@@ -91,13 +91,13 @@ void check_universal_blocks(Ktx2Reading& reading) {
   const bool etc1s = file.model == Ktx2Model::etc1s;
   if (!etc1s && file.model != Ktx2Model::uastc) return;
   if (file.block != std::array<std::uint8_t, 4>{3, 3, 0, 0}) {
-    reading.fault(Code::KTX2_DESCRIPTOR_INVALID, "The texel blocks are not 4x4.");
+    reading.error(Code::KTX2_DESCRIPTOR_INVALID, "The texel blocks are not 4x4.");
   }
   const std::uint32_t bytes = etc1s ? 8 : 16;
   std::uint32_t offset = 0;
   for (const Ktx2Sample& sample : reading.samples) {
     if (sample.offset != offset || sample.bits != bytes * 8) {
-      return reading.tolerated_fault(
+      return reading.tolerated_error(
           Code::KTX2_DESCRIPTOR_INVALID,
           fmt::format("The samples are not {} contiguous bits each.", bytes * 8));
     }
@@ -105,7 +105,7 @@ void check_universal_blocks(Ktx2Reading& reading) {
   }
   const std::uint32_t plane = reading.plane_bytes[0];
   if (plane != bytes && (plane != 0 || reading.has_scheme(Ktx2Scheme::none))) {
-    reading.tolerated_fault(
+    reading.tolerated_error(
         Code::KTX2_DESCRIPTOR_INVALID,
         fmt::format("bytesPlane0 is {}; it must be {}, the size of a texel block.", plane, bytes));
   }
@@ -131,11 +131,11 @@ void check_value(std::string_view key, std::string_view value, Ktx2Reading& read
   const bool mapping =
       key == "KTXglFormat" || key == "KTXdxgiFormat__" || key == "KTXmetalPixelFormat";
   if (mapping && reading.file.vk_format != 0) {
-    reading.tolerated_fault(Code::KTX2_METADATA_INVALID,
+    reading.tolerated_error(Code::KTX2_METADATA_INVALID,
                             fmt::format("{} is only allowed if vkFormat is 0.", key));
   }
   if (key == "KTXastcDecodeMode" && value != "rgb9e5" && value != "unorm8") {
-    reading.tolerated_fault(Code::KTX2_METADATA_INVALID,
+    reading.tolerated_error(Code::KTX2_METADATA_INVALID,
                             "KTXastcDecodeMode is neither rgb9e5 nor unorm8.");
   }
 }
@@ -144,14 +144,14 @@ void check_value(std::string_view key, std::string_view value, Ktx2Reading& read
 
 void read_ktx2_descriptor(Ktx2Reading& reading) {
   const auto bad = [&](std::string problem) {
-    reading.fault(Code::KTX2_DESCRIPTOR_INVALID, std::move(problem));
+    reading.error(Code::KTX2_DESCRIPTOR_INVALID, std::move(problem));
   };
   Ktx2& file = reading.file;
   const Ktx2Range range = reading.descriptor;
   if (range.length == 0) {
     // An index that was wrong has been reported.
-    const bool told = std::any_of(file.faults.begin(), file.faults.end(), [](const auto& fault) {
-      return fault.code == Code::KTX2_INDEX_INVALID;
+    const bool told = std::any_of(file.errors.begin(), file.errors.end(), [](const auto& error) {
+      return error.code == Code::KTX2_INDEX_INVALID;
     });
     if (!told) bad("The image has no data format descriptor.");
     return;
@@ -180,7 +180,7 @@ void read_ktx2_descriptor(Ktx2Reading& reading) {
 
 void read_ktx2_metadata(Ktx2Reading& reading) {
   const auto bad = [&](std::string problem) {
-    reading.fault(Code::KTX2_METADATA_INVALID, std::move(problem));
+    reading.error(Code::KTX2_METADATA_INVALID, std::move(problem));
   };
   Cursor at = reading.within(reading.metadata);
   std::string_view before;
@@ -203,7 +203,7 @@ void read_ktx2_metadata(Ktx2Reading& reading) {
     at.skip(std::min<std::uint64_t>((4 - length % 4) % 4, at.left()));
   }
   if (reading.metadata.length % 4 != 0) {
-    reading.tolerated_fault(Code::KTX2_METADATA_INVALID,
+    reading.tolerated_error(Code::KTX2_METADATA_INVALID,
                             "The metadata does not end with the padding of its last entry.");
   }
 }

@@ -163,7 +163,7 @@ class FormatCheck {
   void check() {
     const Ktx2& file = reading_.file;
     if (const std::uint32_t size = type_size(format_); file.type_size != size) {
-      reading_.fault(Code::KTX2_HEADER_INVALID, fmt::format("typeSize is {}; for {} it must be {}.",
+      reading_.error(Code::KTX2_HEADER_INVALID, fmt::format("typeSize is {}; for {} it must be {}.",
                                                             file.type_size, format_.name(), size));
     }
     const Blocks blocks = blocks_of(format_);
@@ -182,7 +182,7 @@ class FormatCheck {
                        problem);
   }
   void bad(std::string_view problem) {
-    reading_.fault(Code::KTX2_FORMAT_MISMATCH, sentence(problem));
+    reading_.error(Code::KTX2_FORMAT_MISMATCH, sentence(problem));
   }
 
   // Former editions wrote no bytes where data are supercompressed.
@@ -235,14 +235,14 @@ class FormatCheck {
     if (format_.is_srgb() && !declared) {
       bad(fmt::format("the transfer function of the descriptor is {}, not sRGB", file.transfer));
     } else if (declared && !format_.is_srgb() && format_.has_srgb_variant) {
-      reading_.tolerated_fault(
+      reading_.tolerated_error(
           Code::KTX2_FORMAT_MISMATCH,
           sentence(
               "the transfer function of the descriptor is sRGB, which has a different vkFormat"));
     }
     const bool plain = format_.type.ends_with("INT") || is_depth_or_stencil(format_);
     if (plain && (file.transfer != 0 || file.primaries != 0)) {
-      reading_.tolerated_fault(Code::KTX2_FORMAT_MISMATCH,
+      reading_.tolerated_error(Code::KTX2_FORMAT_MISMATCH,
                                sentence("the descriptor declares a color space"));
     }
   }
@@ -260,14 +260,14 @@ std::string named(std::uint32_t value) {
 void check_universal(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (file.vk_format != 0) {
-    reading.fault(Code::KTX2_FORMAT_MISMATCH,
+    reading.error(Code::KTX2_FORMAT_MISMATCH,
                   fmt::format("vkFormat is {}; for colorModel {} it must be 0.",
                               named(file.vk_format), model_text(reading)));
   }
   const bool vendor = file.scheme > static_cast<std::uint32_t>(Ktx2Scheme::zlib);
   const bool etc1s = file.model == Ktx2Model::etc1s;
   if (etc1s && !vendor && !reading.has_scheme(Ktx2Scheme::basis_lz)) {
-    reading.fault(Code::KTX2_HEADER_INVALID,
+    reading.error(Code::KTX2_HEADER_INVALID,
                   fmt::format("supercompressionScheme is {}; for ETC1S it must be 1 (BasisLZ).",
                               file.scheme));
   }
@@ -278,13 +278,13 @@ void check_universal(Ktx2Reading& reading) {
 void check_ktx2_format(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (is_prohibited_vk_format(file.vk_format)) {
-    return reading.fault(
+    return reading.error(
         Code::KTX2_HEADER_INVALID,
         fmt::format("vkFormat is {}, which KTX2 prohibits.", named(file.vk_format)));
   }
   if (!file.described) return;
   if (reading.has_scheme(Ktx2Scheme::basis_lz) && file.model != Ktx2Model::etc1s) {
-    reading.fault(Code::KTX2_HEADER_INVALID,
+    reading.error(Code::KTX2_HEADER_INVALID,
                   "supercompressionScheme is 1 (BasisLZ), but colorModel is not ETC1S.");
   }
   if (file.model == Ktx2Model::etc1s || file.model == Ktx2Model::uastc) {
@@ -293,7 +293,7 @@ void check_ktx2_format(Ktx2Reading& reading) {
   const auto format = vk_format(file.vk_format);
   if (format) return FormatCheck(reading, *format).check();
   if (file.vk_format == 0 && is_known_to_vulkan(reading.color_model)) {
-    reading.fault(
+    reading.error(
         Code::KTX2_FORMAT_MISMATCH,
         fmt::format("vkFormat is 0, but colorModel {} has a Vulkan format.", model_text(reading)));
   }

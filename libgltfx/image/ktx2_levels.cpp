@@ -77,7 +77,7 @@ class LevelCheck {
   }
 
   void bad(std::size_t index, std::string problem) {
-    reading_.fault(Code::KTX2_LEVEL_INVALID, "Level " + std::to_string(index) + ' ' + problem);
+    reading_.error(Code::KTX2_LEVEL_INVALID, "Level " + std::to_string(index) + ' ' + problem);
   }
 
   // Only bytes that are not supercompressed are aligned, to texel blocks and to 4.
@@ -160,13 +160,13 @@ void check_images(Ktx2Reading& reading, Cursor at) {
     for (std::uint64_t i = 0; i < images; ++i) {
       const std::uint32_t flags = at.le32();
       if ((flags & ~kInterFrame) != 0 || (flags != 0 && i == 0)) {
-        return reading.tolerated_fault(Code::KTX2_GLOBAL_DATA_INVALID,
+        return reading.tolerated_error(Code::KTX2_GLOBAL_DATA_INVALID,
                                        "The flags of image " + std::to_string(i) + " of level " +
                                            std::to_string(index) + " are " + std::to_string(flags) +
                                            ", which is invalid.");
       }
       if (is_image_sound(at, file.levels[index], alpha)) continue;
-      reading.fault(Code::KTX2_GLOBAL_DATA_INVALID,
+      reading.error(Code::KTX2_GLOBAL_DATA_INVALID,
                     "The slices of level " + std::to_string(index) + " are not inside it.");
       return;
     }
@@ -178,11 +178,11 @@ void check_images(Ktx2Reading& reading, Cursor at) {
 void check_ktx2_levels(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (file.level_count == 0 && is_block_model(reading)) {
-    reading.fault(Code::KTX2_HEADER_INVALID,
+    reading.error(Code::KTX2_HEADER_INVALID,
                   "levelCount is 0, but mipmaps cannot be generated for block-compressed data.");
   }
   if (file.height == 0 && is_block_model(reading)) {
-    reading.fault(Code::KTX2_HEADER_INVALID,
+    reading.error(Code::KTX2_HEADER_INVALID,
                   "pixelHeight is 0, which is not allowed for block-compressed data.");
   }
   LevelCheck check(reading);
@@ -191,7 +191,7 @@ void check_ktx2_levels(Ktx2Reading& reading) {
 
 void check_ktx2_global(Ktx2Reading& reading) {
   const auto bad = [&](std::string problem) {
-    reading.fault(Code::KTX2_GLOBAL_DATA_INVALID, std::move(problem));
+    reading.error(Code::KTX2_GLOBAL_DATA_INVALID, std::move(problem));
   };
   const Ktx2& file = reading.file;
   if (!reading.has_scheme(Ktx2Scheme::basis_lz)) {

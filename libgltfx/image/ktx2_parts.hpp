@@ -39,11 +39,11 @@ struct Ktx2Reading {
   std::array<std::uint8_t, 2> plane_bytes{};  ///< of a texel block in the first two planes
   std::vector<Ktx2Sample> samples;
 
-  void fault(Code code, std::string problem) {
-    file.faults.push_back({code, std::move(problem), false});
+  void error(Code code, std::string problem) {
+    file.errors.push_back({code, std::move(problem), false});
   }
-  void tolerated_fault(Code code, std::string problem) {
-    file.faults.push_back({code, std::move(problem), true});
+  void tolerated_error(Code code, std::string problem) {
+    file.errors.push_back({code, std::move(problem), true});
   }
   bool has_scheme(Ktx2Scheme scheme) const {
     return file.scheme == static_cast<std::uint32_t>(scheme);

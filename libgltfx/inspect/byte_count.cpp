@@ -99,7 +99,7 @@ class Counter {
     const auto [entry, fresh] = by_path_.try_emplace(uri.path);
     if (!fresh) return entry->second;
     std::uint64_t size = 0;
-    if (resolver_.stat(uri.path, size) != container::ResolveFault::none) return std::nullopt;
+    if (resolver_.stat(uri.path, size) != container::ResolveError::none) return std::nullopt;
     count_.files.push_back({uri.normalized, size});
     stores_.push_back({size, {}});
     entry->second = stores_.size() - 1;

@@ -85,11 +85,11 @@ class Serialization {
 };
 
 std::optional<Error> put(const fs::path& target, std::string_view bytes) {
-  std::error_code fault;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), fault);
-  if (!fault) return write_file(target, bytes);
+  std::error_code error;
+  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
+  if (!error) return write_file(target, bytes);
   return Error{fmt::format("cannot create the folder of {}: {}", quoted(target.native(), 200),
-                           fault.message())};
+                           error.message())};
 }
 
 void write_all(const MemoryAsset& asset, const std::string& path, TinygltfReport& report) {

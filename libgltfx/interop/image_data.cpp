@@ -79,23 +79,23 @@ class Decoding {
   }
 
  private:
-  static codec::Fault fault(std::string why) {
-    return {codec::FaultKind::too_large, std::move(why)};
+  static codec::DecodeError error(std::string why) {
+    return {codec::ErrorKind::too_large, std::move(why)};
   }
 
   // What memory there may be is settled here, image by image, whatever the number of threads.
   codec::ImageResult plan(std::size_t index, model::MemoryBudget& budget) const {
     const model::ImageData& data = resources_.images[index];
-    if (!data.format || !model::codec_format(*data.format)) return fault("is not decoded here");
-    if (!data.header) return fault("has no header that can be read");
+    if (!data.format || !model::codec_format(*data.format)) return error("is not decoded here");
+    if (!data.header) return error("has no header that can be read");
     const Checked texels = checked_mul(data.header->width, data.header->height);
     const std::uint64_t each = kChannels * (data.header->bits == 16 ? 2 : 1);
-    if (!texels || !budget.take(checked_mul(*texels, each))) return fault("has too many pixels");
+    if (!texels || !budget.take(checked_mul(*texels, each))) return error("has too many pixels");
     return codec::Image();
   }
 
   void decode(std::size_t index) {
-    if (std::holds_alternative<codec::Fault>(results_[index])) return;
+    if (std::holds_alternative<codec::DecodeError>(results_[index])) return;
     const model::ImageData& data = resources_.images[index];
     codec::ImageRequest request;
     request.bytes = data.bytes->view();
@@ -109,11 +109,11 @@ class Decoding {
   void finish(std::size_t index) {
     codec::ImageResult result = std::exchange(results_[index], codec::Image());
     tinygltf::Image& image = model_.images[index];
-    if (const auto* fault = std::get_if<codec::Fault>(&result)) {
-      if (codec::is_costly(*fault)) stop_after_another();
+    if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+      if (codec::is_costly(*error)) stop_after_another();
       set_file(resources_.images[index], image);
       notes_.changed(fmt::format("/images/{}", index),
-                     fmt::format("stays encoded: {}", printable(fault->message)));
+                     fmt::format("stays encoded: {}", printable(error->message)));
       return;
     }
     set_pixels(std::get<codec::Image>(result), image);
@@ -121,7 +121,7 @@ class Decoding {
 
   void stop_after_another() {
     if (++costly_ < kMostCostly) return;
-    for (codec::ImageResult& each : results_) each = fault("others took too long");
+    for (codec::ImageResult& each : results_) each = error("others took too long");
   }
 
   const model::ResourceData& resources_;
@@ -188,8 +188,8 @@ std::optional<ImageFile> image_file(const tinygltf::Image& image, const Path& pa
       static_cast<std::uint32_t>(image.component), static_cast<std::uint32_t>(image.bits)};
   request.pixels = std::as_bytes(std::span(image.image));
   const auto result = codec::Client::shared().encode_image(request);
-  if (const auto* fault = std::get_if<codec::Fault>(&result)) {
-    notes.fail(fmt::format("{} cannot be encoded: {}", path.pointer(), printable(fault->message)));
+  if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+    notes.fail(fmt::format("{} cannot be encoded: {}", path.pointer(), printable(error->message)));
     return std::nullopt;
   }
   const auto& encoded = std::get<codec::EncodedImage>(result);

@@ -37,7 +37,7 @@ std::vector<Edit> chain_edits(std::string_view text, std::span<const Edit> first
 
 /// Collects changes to members and elements of one document and turns them into edits. New text
 /// follows the indentation, line ends and spacing of what stands around it. The
-/// document may have recoverable faults; those in the text of removed and replaced values go with
+/// document may have recoverable errors; those in the text of removed and replaced values go with
 /// it, all others stay. Keeps a reference to it.
 class Editor {
  public:

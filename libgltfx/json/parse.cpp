@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The parser's entrance, and all of it that a text without faults hardly ever reaches.
+/// The parser's entrance, and all of it that a text without errors hardly ever reaches.
 #include "json/parse.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool is_closing(char c) { return c == ']' || c == '}'; }
 
 }  // namespace
 
-bool is_recoverable(Fault fault) { return fault >= Fault::byte_order_mark; }
+bool is_recoverable(SyntaxError error) { return error >= SyntaxError::byte_order_mark; }
 
 Parsed parse(SharedText text, const Limits& limits) {
   ++work_count.parsed;
@@ -39,18 +39,18 @@ Parsed Parser::run() {
   // Memory that was reserved and never written costs nothing but addresses: little of it is left.
   if (nodes_.size() < nodes_.capacity() / 8) nodes_.shrink_to_fit();
   // Repeated names are noticed only when their object ends.
-  std::stable_sort(faults_.begin(), faults_.end(), [](const ParseFault& a, const ParseFault& b) {
+  std::stable_sort(errors_.begin(), errors_.end(), [](const ParseError& a, const ParseError& b) {
     return a.span.begin < b.span.begin;
   });
   parsed.document = std::move(document_);
-  parsed.faults = std::move(faults_);
-  parsed.unrecorded_faults = unrecorded_;
+  parsed.errors = std::move(errors_);
+  parsed.unrecorded_errors = unrecorded_;
   return parsed;
 }
 
 bool Parser::read() {
   if (text().size() > limits_.bytes) {
-    fail({Fault::too_large, {limits_.bytes - 1, limits_.bytes}, "the text is too long", {}});
+    fail({SyntaxError::too_large, {limits_.bytes - 1, limits_.bytes}, "the text is too long", {}});
     return false;
   }
   if (!is_utf8(text())) {
@@ -72,14 +72,14 @@ void Parser::reserve_more(const char* p) {
 
 const char* Parser::byte_order_mark(const char* p) {
   if (text().substr(0, 3) != "\xEF\xBB\xBF") return p;
-  warn(Fault::byte_order_mark, {0, 3},
+  warn(SyntaxError::byte_order_mark, {0, 3},
        "the text starts with a byte order mark; it must be UTF-8 without one");
   return p + 3;
 }
 
 void Parser::warn_if_infinite(Span number) {
   if (!std::isinf(number_value(number.in(text())))) return;
-  warn(Fault::number_out_of_range, number, "the number is out of range of a double");
+  warn(SyntaxError::number_out_of_range, number, "the number is out of range of a double");
 }
 
 const char* Parser::string_with_escapes(const char* quote, const char* p) {
@@ -88,7 +88,7 @@ const char* Parser::string_with_escapes(const char* quote, const char* p) {
     if (escape.size == 0) break;
     const char* const behind = p + escape.size;
     if (escape.lone_surrogate) {
-      warn(Fault::lone_surrogate, span(p, behind), "unpaired surrogate");
+      warn(SyntaxError::lone_surrogate, span(p, behind), "unpaired surrogate");
     }
     p = skip_plain_string(behind, end_);
   }
@@ -116,7 +116,7 @@ void Parser::find_duplicates(NodeId object) {
       stamp = {object, key};
       continue;
     }
-    warn(Fault::duplicate_key, document_.span(key), "duplicate key; the last value is used",
+    warn(SyntaxError::duplicate_key, document_.span(key), "duplicate key; the last value is used",
          document_.span(stamp.key));
   }
 }
@@ -132,23 +132,25 @@ const char* Parser::unexpected(const char* p, Expected expected) {
 }
 
 const char* Parser::too_deep(const char* bracket) {
-  return fail({Fault::too_deep, span(bracket, bracket + 1), "the JSON is nested too deeply", {}});
+  return fail(
+      {SyntaxError::too_deep, span(bracket, bracket + 1), "the JSON is nested too deeply", {}});
 }
 
-const char* Parser::fail(ParseFault fault) {
-  const bool wrong_bracket = fault.fault == Fault::syntax && is_closing(text()[fault.span.begin]);
-  const bool unclosed = fault.fault == Fault::unexpected_end && fault.other.empty();
+const char* Parser::fail(ParseError error) {
+  const bool wrong_bracket =
+      error.error == SyntaxError::syntax && is_closing(text()[error.span.begin]);
+  const bool unclosed = error.error == SyntaxError::unexpected_end && error.other.empty();
   if ((unclosed || wrong_bracket) && !frames_.empty()) {
     const std::uint32_t bracket = nodes_[frames_.back().node].begin;
-    fault.other = {bracket, bracket + 1};
+    error.other = {bracket, bracket + 1};
   }
-  faults_.push_back(std::move(fault));
+  errors_.push_back(std::move(error));
   return nullptr;
 }
 
-void Parser::warn(Fault fault, Span span, std::string_view detail, Span other) {
-  if (faults_.size() < limits_.recorded_faults) {
-    faults_.push_back({fault, span, std::string(detail), other});
+void Parser::warn(SyntaxError error, Span span, std::string_view detail, Span other) {
+  if (errors_.size() < limits_.recorded_errors) {
+    errors_.push_back({error, span, std::string(detail), other});
   } else {
     ++unrecorded_;
   }

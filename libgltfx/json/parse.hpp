@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// JSON (RFC 8259) into a flat `Document`: one pass, iterative, every fault with its place.
+/// JSON (RFC 8259) into a flat `Document`: one pass, iterative, every error with its place.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace gltfx::json {
 
 /// What can be wrong with a JSON text.
-enum class Fault : std::uint8_t {
+enum class SyntaxError : std::uint8_t {
   // The text could not be read to its end: there is no document.
   syntax,             ///< something else than the grammar allows here
   unexpected_end,     ///< the text ends inside a value
@@ -35,11 +35,11 @@ enum class Fault : std::uint8_t {
   number_out_of_range,  ///< beyond a double, read as an infinity
 };
 
-/// Whether parsing went on behind the fault.
-bool is_recoverable(Fault fault);
+/// Whether parsing went on behind the error.
+bool is_recoverable(SyntaxError error);
 
-struct ParseFault {
-  Fault fault;
+struct ParseError {
+  SyntaxError error;
   Span span;           ///< bytes of the text to mark; never empty but at the end of the text
   std::string detail;  ///< what was found and expected, printable; may be empty
   Span other;          ///< duplicate_key: the first key; unclosed bracket: where it was opened
@@ -47,15 +47,15 @@ struct ParseFault {
 
 struct Limits {
   std::uint32_t depth = 1024;          ///< containers inside one another
-  std::uint32_t recorded_faults = 64;  ///< recoverable faults kept; the others are only counted
+  std::uint32_t recorded_errors = 64;  ///< recoverable errors kept; the others are only counted
   std::uint32_t bytes = UINT32_MAX;    ///< length of the text
 };
 
 struct Parsed {
-  Document document;               ///< empty when a fault was not recoverable
-  std::vector<ParseFault> faults;  ///< in the order of the text
-  std::uint64_t unrecorded_faults = 0;
-  bool ok() const { return faults.empty(); }
+  Document document;               ///< empty when a error was not recoverable
+  std::vector<ParseError> errors;  ///< in the order of the text
+  std::uint64_t unrecorded_errors = 0;
+  bool ok() const { return errors.empty(); }
 };
 
 /// Parses `text`, which the document keeps. Time and memory are linear in its length.

@@ -91,7 +91,7 @@ const char* Parser::separator(const char* p, char closing) {
     const char* const comma = p;
     p = skip_space(p + 1, end_);
     if (*p == closing) {
-      warn(Fault::trailing_comma, span(comma, comma + 1), "trailing comma");
+      warn(SyntaxError::trailing_comma, span(comma, comma + 1), "trailing comma");
     } else if (closing == '}' && *p != '"') {
       return unexpected(p, Expected::name);
     }
@@ -104,7 +104,7 @@ const char* Parser::separator(const char* p, char closing) {
   if (!can_follow_without_comma(p)) {
     return unexpected(p, closing == '}' ? Expected::comma_or_brace : Expected::comma_or_bracket);
   }
-  warn(Fault::missing_comma, token_at(text(), offset(p)), "missing ',' before this item");
+  warn(SyntaxError::missing_comma, token_at(text(), offset(p)), "missing ',' before this item");
   return p;
 }
 
@@ -213,10 +213,10 @@ const char* Parser::number_array(NodeId array, const char* p) {
         continue;
       }
       if (*next != ']') break;
-      warn(Fault::trailing_comma, span(comma, comma + 1), "trailing comma");
+      warn(SyntaxError::trailing_comma, span(comma, comma + 1), "trailing comma");
       p = next;
     } else if (starts_number(*p)) {
-      warn(Fault::missing_comma, token_at(text(), offset(p)), "missing ',' before this item");
+      warn(SyntaxError::missing_comma, token_at(text(), offset(p)), "missing ',' before this item");
       continue;
     }
     if (*p != ']') break;

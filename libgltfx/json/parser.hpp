@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "json/faults.hpp"
 #include "json/parse.hpp"
+#include "json/syntax_errors.hpp"
 
 namespace gltfx::json {
 
 /// Reads one text, once. Every reading function takes the place where its token begins and returns
-/// the place behind it, or null after a fault that ends the parse.
+/// the place behind it, or null after a error that ends the parse.
 class Parser {
  public:
   Parser(SharedText text, const Limits& limits);
@@ -61,9 +61,9 @@ class Parser {
   bool is_fresh() const { return nodes_.size() == frames_.back().node + std::size_t{1}; }
   const char* bad_value(const char* p);
   const char* unexpected(const char* p, Expected expected);
-  const char* fail(ParseFault fault);
+  const char* fail(ParseError error);
   const char* too_deep(const char* bracket);
-  void warn(Fault fault, Span span, std::string_view detail, Span other = {});
+  void warn(SyntaxError error, Span span, std::string_view detail, Span other = {});
   void find_duplicates(NodeId object);
   void warn_if_infinite(Span number);
 
@@ -80,7 +80,7 @@ class Parser {
   std::vector<Frame> frames_;
   std::vector<KeyId> next_keys_;  ///< by Frame::slot: the name that came there the last time
   std::vector<Stamp> stamps_;     ///< by KeyId
-  std::vector<ParseFault> faults_;
+  std::vector<ParseError> errors_;
   std::uint64_t unrecorded_ = 0;
 };
 

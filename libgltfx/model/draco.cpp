@@ -40,7 +40,7 @@ ElementType element_of(std::uint32_t components) {
 
 DracoMeshes::Decoded decoded(codec::DracoResult&& result) {
   if (auto* mesh = std::get_if<codec::DracoMesh>(&result)) return std::move(*mesh);
-  return std::get<codec::Fault>(std::move(result));
+  return std::get<codec::DecodeError>(std::move(result));
 }
 
 }  // namespace
@@ -106,9 +106,9 @@ void DracoMeshes::decode(codec::Client& client, unsigned jobs) {
       [&](std::size_t i) {
         Decoded& decoded = payloads_[i].decoded;
         if (stopped) decoded = NotLookedAt{};
-        const auto* fault = std::get_if<codec::Fault>(&decoded);
+        const auto* error = std::get_if<codec::DecodeError>(&decoded);
         const auto* mesh = std::get_if<codec::DracoMesh>(&decoded);
-        if (fault != nullptr && codec::is_costly(*fault) && ++costly == kMostCostly) stopped = true;
+        if (error != nullptr && codec::is_costly(*error) && ++costly == kMostCostly) stopped = true;
         if (mesh == nullptr) return;
         const std::uint64_t size = size_of(*mesh);
         if (size > left) {

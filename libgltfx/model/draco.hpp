@@ -44,7 +44,7 @@ const codec::DracoAttribute* find_attribute(const codec::DracoMesh& mesh, std::u
 class DracoMeshes {
  public:
   struct NotLookedAt {};
-  using Decoded = std::variant<NotLookedAt, codec::DracoMesh, codec::Fault>;
+  using Decoded = std::variant<NotLookedAt, codec::DracoMesh, codec::DecodeError>;
 
   /// Notes a buffer view to decode; its bytes are looked up here.
   void add(const Asset& asset, const Views& views, const ResourceData& resources,

@@ -37,12 +37,12 @@ class GeometryReader {
   GeometryReader(const PrimitiveData& data, const GeometryRequest& request, Geometry& geometry)
       : data_(data), request_(request), geometry_(geometry) {}
 
-  GeometryFault read(MemoryBudget& budget) {
+  GeometryError read(MemoryBudget& budget) {
     const auto positions = data_.open(SemanticKind::position);
-    if (!positions || positions->components() != 3) return GeometryFault::no_positions;
-    if (positions->count() >= kNoRestart) return GeometryFault::too_large;
+    if (!positions || positions->components() != 3) return GeometryError::no_positions;
+    if (positions->count() >= kNoRestart) return GeometryError::too_large;
     count_ = static_cast<std::size_t>(positions->count());
-    if (!budget.take(size())) return GeometryFault::too_large;
+    if (!budget.take(size())) return GeometryError::too_large;
     geometry_.positions.resize(count_);
     read_elements(*positions, geometry_.positions);
     read_attributes();
@@ -50,7 +50,7 @@ class GeometryReader {
     morph(data_, request_.weights, request_.tex_coords, geometry_);
     if (!request_.joints.empty()) skin(data_, request_.joints, geometry_);
     finish();
-    return geometry_.triangles.empty() ? GeometryFault::empty : GeometryFault::none;
+    return geometry_.triangles.empty() ? GeometryError::empty : GeometryError::none;
   }
 
  private:
@@ -199,7 +199,7 @@ std::optional<AccessorData> PrimitiveData::open(
                             source_.views.accessors[*accessor], Malformed::unusable);
 }
 
-std::string_view fault_text(GeometryFault fault) {
+std::string_view error_text(GeometryError error) {
   static constexpr std::array<std::string_view, 6> kTexts{
       "can be drawn",
       "has points or lines only, which are not drawn",
@@ -207,17 +207,17 @@ std::string_view fault_text(GeometryFault fault) {
       "is compressed and could not be decoded",
       "asks for more memory than its bytes can be worth",
       "has no triangle with an area"};
-  return kTexts[static_cast<std::size_t>(fault)];
+  return kTexts[static_cast<std::size_t>(error)];
 }
 
-GeometryFault read_geometry(const GeometrySource& source, const Primitive& primitive,
+GeometryError read_geometry(const GeometrySource& source, const Primitive& primitive,
                             const GeometryRequest& request, MemoryBudget& budget,
                             Geometry& geometry) {
-  if (!primitive.mode || !draws_triangles(*primitive.mode)) return GeometryFault::no_triangles;
+  if (!primitive.mode || !draws_triangles(*primitive.mode)) return GeometryError::no_triangles;
   const PrimitiveData data(source, primitive);
-  const GeometryFault fault = GeometryReader(data, request, geometry).read(budget);
+  const GeometryError error = GeometryReader(data, request, geometry).read(budget);
   const bool undecoded = data.packed() == nullptr && read_draco(source.asset, primitive);
-  return fault == GeometryFault::no_positions && undecoded ? GeometryFault::packed : fault;
+  return error == GeometryError::no_positions && undecoded ? GeometryError::packed : error;
 }
 
 }  // namespace gltfx::model

@@ -68,7 +68,7 @@ struct Geometry {
   std::vector<Triangle> triangles;     ///< every corner exists and is finite
 };
 
-enum class GeometryFault : std::uint8_t {
+enum class GeometryError : std::uint8_t {
   none,
   no_triangles,  ///< points or lines
   no_positions,  ///< no bytes, or none that can be read
@@ -77,10 +77,10 @@ enum class GeometryFault : std::uint8_t {
   empty,         ///< nothing is left that has an area
 };
 /// Why there is nothing to draw, as the end of "primitive 3 ...": "has points or lines only".
-std::string_view fault_text(GeometryFault fault);
+std::string_view error_text(GeometryError error);
 
 /// Fills `geometry`. Takes memory only for what the budget allows.
-GeometryFault read_geometry(const GeometrySource& source, const Primitive& primitive,
+GeometryError read_geometry(const GeometrySource& source, const Primitive& primitive,
                             const GeometryRequest& request, MemoryBudget& budget,
                             Geometry& geometry);
 

@@ -67,25 +67,25 @@ bool Layout::sound() const {
 
 std::optional<std::uint64_t> Layout::decoded_size() const { return checked_mul(count, stride); }
 
-Fault check_size(std::span<const std::byte> stream, const Layout& layout) {
-  if (stream.empty()) return Fault::too_short;
+DecodeError check_size(std::span<const std::byte> stream, const Layout& layout) {
+  if (stream.empty()) return DecodeError::too_short;
   const auto first = std::to_integer<unsigned>(stream.front());
   const Header header = header_of(layout);
-  if ((first & 0xf0U) != header.kind) return Fault::header;
+  if ((first & 0xf0U) != header.kind) return DecodeError::header;
   const unsigned version = first & 0x0fU;
-  if (version < header.oldest || version > header.newest) return Fault::version;
+  if (version < header.oldest || version > header.newest) return DecodeError::version;
   const Checked least = least_size(layout, version);
-  return least && *least <= stream.size() ? Fault::none : Fault::too_short;
+  return least && *least <= stream.size() ? DecodeError::none : DecodeError::too_short;
 }
 
-Fault decode(std::span<const std::byte> stream, const Layout& layout,
-             std::span<std::byte> elements) {
-  const Fault fault = check_size(stream, layout);
-  if (fault != Fault::none) return fault;
+DecodeError decode(std::span<const std::byte> stream, const Layout& layout,
+                   std::span<std::byte> elements) {
+  const DecodeError error = check_size(stream, layout);
+  if (error != DecodeError::none) return error;
   if (layout.mode == Mode::triangles) return decode_triangles(stream, layout, elements);
   if (layout.mode == Mode::indices) return decode_indices(stream, layout, elements);
   // What the library refuses is decoded once more, to learn why.
-  if (library_decodes(stream, layout, elements)) return Fault::none;
+  if (library_decodes(stream, layout, elements)) return DecodeError::none;
   return decode_attributes(stream, layout, elements);
 }
 

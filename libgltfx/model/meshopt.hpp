@@ -28,7 +28,7 @@ struct Layout {
   std::optional<std::uint64_t> decoded_size() const;
 };
 
-enum class Fault : std::uint8_t {
+enum class DecodeError : std::uint8_t {
   none,
   header,     ///< the first byte is not that of the mode
   version,    ///< the first byte is that of the mode, in a version that is not allowed
@@ -43,12 +43,12 @@ enum class Fault : std::uint8_t {
 
 /// Whether the first byte is right, and whether the bytes can be enough. Costs nothing: to be
 /// asked before memory is taken for what is decoded. Gives none, header, version or too_short.
-Fault check_size(std::span<const std::byte> stream, const Layout& layout);
+DecodeError check_size(std::span<const std::byte> stream, const Layout& layout);
 
 /// Decodes into `elements`, which has decoded_size() bytes, without applying the filter.
-/// Little-endian numbers, as in the asset. On a fault the elements are of any value.
-Fault decode(std::span<const std::byte> stream, const Layout& layout,
-             std::span<std::byte> elements);
+/// Little-endian numbers, as in the asset. On a error the elements are of any value.
+DecodeError decode(std::span<const std::byte> stream, const Layout& layout,
+                   std::span<std::byte> elements);
 
 /// Elements that a filter cannot take, for they say nothing sensible of their precision.
 struct Misfits {

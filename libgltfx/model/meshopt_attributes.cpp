@@ -169,16 +169,16 @@ class AttributeDecoder {
     }
   }
 
-  Fault run(std::uint64_t count, std::byte* to) {
+  DecodeError run(std::uint64_t count, std::byte* to) {
     for (std::size_t i = 0; i < stride_ / kChannel; ++i) {
-      if (modes_[i] > 1 && (modes_[i] & 0x0fU) != 2) return Fault::channel;
+      if (modes_[i] > 1 && (modes_[i] & 0x0fU) != 2) return DecodeError::channel;
     }
     const std::uint64_t most = block_elements(stride_);
     for (std::uint64_t first = 0; first < count; first += most) {
       const auto elements = static_cast<std::size_t>(std::min(most, count - first));
-      if (!decode_block(elements, to + first * stride_)) return Fault::cut;
+      if (!decode_block(elements, to + first * stride_)) return DecodeError::cut;
     }
-    return reader_.left() == 0 ? Fault::none : Fault::trailing;
+    return reader_.left() == 0 ? DecodeError::none : DecodeError::trailing;
   }
 
  private:
@@ -218,8 +218,8 @@ class AttributeDecoder {
 
 }  // namespace
 
-Fault decode_attributes(std::span<const std::byte> stream, const Layout& layout,
-                        std::span<std::byte> elements) {
+DecodeError decode_attributes(std::span<const std::byte> stream, const Layout& layout,
+                              std::span<std::byte> elements) {
   return AttributeDecoder(stream, layout).run(layout.count, elements.data());
 }
 

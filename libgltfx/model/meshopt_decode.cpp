@@ -10,7 +10,7 @@
 namespace gltfx::model {
 namespace {
 
-using meshopt::Fault;
+using meshopt::DecodeError;
 
 // What may be decoded of one asset: all of one of a usual size, and what streams of usual data
 // hold. A stream of nothing but zeros holds a thousand times its size, and views may share it.
@@ -27,8 +27,8 @@ void decode(DecodedStream& job) {
   const auto size = static_cast<std::size_t>(*layout.decoded_size());
   const auto memory = std::make_shared_for_overwrite<std::byte[]>(size);
   const std::span<std::byte> elements(memory.get(), size);
-  job.fault = meshopt::decode(job.stream.view(), layout, elements);
-  if (job.fault != Fault::none) return;
+  job.error = meshopt::decode(job.stream.view(), layout, elements);
+  if (job.error != DecodeError::none) return;
   job.misfits = meshopt::find_misfits(layout, elements);
   if (job.misfits.count != 0) return;
   meshopt::apply_filter(layout, elements);
@@ -55,10 +55,10 @@ std::vector<DecodedStream> collect(const Asset& asset, const Views& views,
     if (!stream) continue;
     DecodedStream job{i, *view, *std::move(stream), {}};
     if (host.byte_length) job.plain = resources.part(asset.document(), host, 0, *host.byte_length);
-    job.fault = meshopt::check_size(job.stream.view(), view->layout);
+    job.error = meshopt::check_size(job.stream.view(), view->layout);
     const auto size = view->layout.decoded_size();
     job.affordable = size && *size <= left;
-    if (job.affordable && job.fault == Fault::none) left -= *size;
+    if (job.affordable && job.error == DecodeError::none) left -= *size;
     jobs.push_back(std::move(job));
   }
   return jobs;
@@ -67,7 +67,7 @@ std::vector<DecodedStream> collect(const Asset& asset, const Views& views,
 }  // namespace
 
 std::string DecodedStream::problem() const {
-  if (fault != Fault::none) return "has a stream that cannot be decoded";
+  if (error != DecodeError::none) return "has a stream that cannot be decoded";
   if (!affordable) return "has a stream of more elements than may be decoded";
   return misfits.count != 0 ? "has elements that its filter cannot take" : "";
 }
@@ -78,7 +78,7 @@ std::vector<DecodedStream> decode_streams(const Asset& asset, const Views& views
   parallel_ordered(
       streams.size(), jobs,
       [&](std::size_t i) {
-        if (streams[i].fault == Fault::none && streams[i].affordable) decode(streams[i]);
+        if (streams[i].error == DecodeError::none && streams[i].affordable) decode(streams[i]);
       },
       [](std::size_t) {});
   return streams;

@@ -19,7 +19,7 @@ struct DecodedStream {
   container::Bytes stream;
   std::optional<container::Bytes> plain;  ///< the copy for readers without the extension
   bool affordable = false;                ///< within what may be decoded, all views together
-  meshopt::Fault fault = meshopt::Fault::none;
+  meshopt::DecodeError error = meshopt::DecodeError::none;
   meshopt::Misfits misfits{};
   bool differs = false;         ///< `plain` has other bytes than the stream
   container::Bytes elements{};  ///< where all is well and there is no plain copy

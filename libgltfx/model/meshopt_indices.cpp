@@ -9,7 +9,7 @@
 namespace gltfx::model::meshopt {
 namespace {
 
-// The bytes between the codes and the tail, with the first fault that was met: numbers behind it
+// The bytes between the codes and the tail, with the first error that was met: numbers behind it
 // are zeros.
 class Data {
  public:
@@ -17,7 +17,7 @@ class Data {
 
   unsigned byte() {
     if (at_ < bytes_.size()) return std::to_integer<unsigned>(bytes_[at_++]);
-    set(Fault::cut);
+    set(DecodeError::cut);
     return 0;
   }
 
@@ -29,23 +29,23 @@ class Data {
       value |= (group & 0x7fU) << shift;
       if (group < 0x80U) return value;
     }
-    set(Fault::number);
+    set(DecodeError::number);
     return 0;
   }
 
-  void set(Fault fault) {
-    if (fault_ == Fault::none) fault_ = fault;
+  void set(DecodeError error) {
+    if (error_ == DecodeError::none) error_ = error;
   }
-  Fault fault() const { return fault_; }
-  Fault finish() const {
-    if (fault_ != Fault::none) return fault_;
-    return at_ == bytes_.size() ? Fault::none : Fault::trailing;
+  DecodeError error() const { return error_; }
+  DecodeError finish() const {
+    if (error_ != DecodeError::none) return error_;
+    return at_ == bytes_.size() ? DecodeError::none : DecodeError::trailing;
   }
 
  private:
   std::span<const std::byte> bytes_;
   std::size_t at_ = 0;
-  Fault fault_ = Fault::none;
+  DecodeError error_ = DecodeError::none;
 };
 
 std::uint32_t unzigzag(std::uint32_t value) {
@@ -62,10 +62,10 @@ template <typename T>
 class Recent {
  public:
   void push(T value) { values_[count_++ % values_.size()] = value; }
-  /// The one that was pushed `back` pushes before the last one, or a fault.
+  /// The one that was pushed `back` pushes before the last one, or a error.
   T at(unsigned back, Data& data) const {
     if (back < count_) return values_[(count_ - 1 - back) % values_.size()];
-    data.set(Fault::unwritten);
+    data.set(DecodeError::unwritten);
     return {};
   }
 
@@ -166,17 +166,17 @@ bool is_sound(std::span<const std::byte> table) {
 
 }  // namespace
 
-Fault decode_triangles(std::span<const std::byte> stream, const Layout& layout,
-                       std::span<std::byte> elements) {
+DecodeError decode_triangles(std::span<const std::byte> stream, const Layout& layout,
+                             std::span<std::byte> elements) {
   const auto codes = static_cast<std::size_t>(layout.count / 3);
   const auto table = stream.last(kTable);
-  if (!is_sound(table)) return Fault::table;
+  if (!is_sound(table)) return DecodeError::table;
   Data data(stream.subspan(1 + codes, stream.size() - 1 - codes - kTable));
   TriangleDecoder decoder(data, table);
   std::byte* to = elements.data();
   for (const std::byte code : stream.subspan(1, codes)) {
     const Triangle triangle = decoder.next(std::to_integer<unsigned>(code));
-    if (data.fault() != Fault::none) return data.fault();
+    if (data.error() != DecodeError::none) return data.error();
     for (const std::uint32_t index : {triangle.a, triangle.b, triangle.c}) {
       store(to, layout.stride, index);
       to += layout.stride;
@@ -185,14 +185,14 @@ Fault decode_triangles(std::span<const std::byte> stream, const Layout& layout,
   return data.finish();
 }
 
-Fault decode_indices(std::span<const std::byte> stream, const Layout& layout,
-                     std::span<std::byte> elements) {
+DecodeError decode_indices(std::span<const std::byte> stream, const Layout& layout,
+                           std::span<std::byte> elements) {
   constexpr std::size_t kPadding = 4;
   Data data(stream.subspan(1, stream.size() - 1 - kPadding));
   std::array<std::uint32_t, 2> last{};
   for (std::uint64_t i = 0; i < layout.count; ++i) {
     const std::uint32_t value = data.number();
-    if (data.fault() != Fault::none) return data.fault();
+    if (data.error() != DecodeError::none) return data.error();
     std::uint32_t& index = last[value & 1U];
     index += unzigzag(value >> 1U);
     store(elements.data() + i * layout.stride, layout.stride, index);

@@ -21,11 +21,11 @@ constexpr std::uint64_t tail_size(std::uint64_t stride, unsigned version) {
 }
 
 /// Attribute streams of both versions. Precondition of all three: check_size() has found nothing.
-Fault decode_attributes(std::span<const std::byte> stream, const Layout& layout,
-                        std::span<std::byte> elements);
-Fault decode_triangles(std::span<const std::byte> stream, const Layout& layout,
-                       std::span<std::byte> elements);
-Fault decode_indices(std::span<const std::byte> stream, const Layout& layout,
-                     std::span<std::byte> elements);
+DecodeError decode_attributes(std::span<const std::byte> stream, const Layout& layout,
+                              std::span<std::byte> elements);
+DecodeError decode_triangles(std::span<const std::byte> stream, const Layout& layout,
+                             std::span<std::byte> elements);
+DecodeError decode_indices(std::span<const std::byte> stream, const Layout& layout,
+                           std::span<std::byte> elements);
 
 }  // namespace gltfx::model::meshopt

@@ -85,10 +85,10 @@ struct ObjectModel::Walk {
   void suggest(const std::vector<std::string_view>& candidates) {
     const std::string_view word = nearest(step(), candidates);
     if (word.empty() || word == step()) return;
-    std::string mended = pointer(at);
-    append_pointer_step(mended, word);
-    for (std::size_t i = at + 1; i < steps.size(); ++i) append_pointer_step(mended, steps[i]);
-    target.nearest = printable(mended);
+    std::string fixed = pointer(at);
+    append_pointer_step(fixed, word);
+    for (std::size_t i = at + 1; i < steps.size(); ++i) append_pointer_step(fixed, steps[i]);
+    target.nearest = printable(fixed);
   }
 };
 
@@ -249,10 +249,10 @@ bool ObjectModel::into_extension(Walk& walk) {
   const schema::ExtensionId id = schemas_.find_extension(name);
   schema::ShapeId home = schema::kNone;
   if (id != schema::kNone) {
-    home = schemas_.extensions()[id].home(walk.owner);
+    home = schemas_.extensions()[id].shape_on(walk.owner);
     const schema::TypeId origin = schemas_.type(walk.owner).origin;
     if (home == schema::kNone && origin != schema::kNone) {
-      home = schemas_.extensions()[id].home(origin);
+      home = schemas_.extensions()[id].shape_on(origin);
     }
   }
   walk.node = object;

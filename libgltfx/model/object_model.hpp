@@ -56,7 +56,7 @@ struct PropertyTarget {
   double animated_minimum = -std::numeric_limits<double>::infinity();  ///< of what is written
   /// Why not, as a clause: "/materials/0 has no property 'roughnessFactor'". Empty when found.
   std::string reason;
-  std::string nearest;  ///< the pointer with its wrong step mended, or empty
+  std::string nearest;  ///< the pointer with its wrong step fixed, or empty
 };
 
 /// Resolves pointers against one asset. Keeps what it learned of large arrays and objects, so that

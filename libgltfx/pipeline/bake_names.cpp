@@ -30,8 +30,8 @@ std::string listed(const std::vector<std::string>& names) {
 template <class Number>
 bool parse_all(std::string_view text, Number& number) {
   const char* end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, number);
-  return fault == std::errc() && stop == end;
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end;
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ bool CacheEntry::companions_of(const std::vector<std::string>& names,
                                std::vector<Companion>& companions) const {
   for (const std::string& name : names) {
     const container::Resolved file = resolver.open(name);
-    if (file.fault != container::ResolveFault::none) return false;
+    if (file.error != container::ResolveError::none) return false;
     content.add(name);
     content.add(store_.hash(file.bytes.text()));
     companions.push_back({name, file.state});
@@ -151,7 +151,7 @@ void CacheEntry::keep(std::string_view result, const container::Resolver& resolv
   if (!state_) return;
   std::set<std::string> unique;
   for (const auto& lookup : lookups.lookups()) {
-    if (lookup.fault != container::ResolveFault::none) return;
+    if (lookup.error != container::ResolveError::none) return;
     unique.insert(lookup.path);
   }
   const std::vector<std::string> names(unique.begin(), unique.end());

@@ -41,9 +41,9 @@ typename Verb::Report cached(const std::string& path, ResultCache& cache, const 
   opened->record(lookups);
   // A report that a missing or interrupted decoder shaped may differ in the next run, even where
   // no finding says so.
-  const std::uint64_t chances = codec::faults_by_chance();
+  const std::uint64_t chances = codec::errors_by_chance();
   auto report = verb.run(*std::move(opened));
-  if (codec::faults_by_chance() != chances) return report;
+  if (codec::errors_by_chance() != chances) return report;
   if (const auto packed = verb.pack(report)) kept.keep(*packed, resolver, *lookups);
   return report;
 }

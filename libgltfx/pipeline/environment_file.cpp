@@ -81,8 +81,8 @@ Result<bake::EnvironmentImage> read_environment(const std::string& path) {
   request.pixels = true;
   request.origin = new_origin();
   const auto decoded = codec::Client::shared().decode_image(request);
-  if (const auto* fault = std::get_if<codec::Fault>(&decoded)) {
-    return Error{fmt::format("the environment {} cannot be read: {}", name, fault->message)};
+  if (const auto* error = std::get_if<codec::DecodeError>(&decoded)) {
+    return Error{fmt::format("the environment {} cannot be read: {}", name, error->message)};
   }
   return shrunk(*std::get_if<codec::Image>(&decoded));
 }

@@ -33,7 +33,7 @@ std::shared_ptr<const schema::Set> leaf_schemas() {
   return compiled.set;
 }
 
-// The ending of the name decides what some faults are.
+// The ending of the name decides what some errors are.
 std::string name_for(std::string_view code, std::string_view bytes) {
   const bool wrong_name = code == "FILE_EXTENSION_MISMATCH";
   const bool glb = code.substr(0, 4) == "GLB_" || bytes.substr(0, 4) == "glTF";

@@ -51,8 +51,8 @@ Result<codec::EncodedImage> encode_picture(const bake::Picture& picture, Encoded
   request.pixels = holds_floats(format) ? std::as_bytes(std::span(picture.floats))
                                         : std::as_bytes(std::span(picture.bytes));
   auto result = codec::Client::shared().encode_image(request);
-  if (auto* fault = std::get_if<codec::Fault>(&result)) {
-    return Error{"the picture cannot be encoded: " + fault->message};
+  if (auto* error = std::get_if<codec::DecodeError>(&result)) {
+    return Error{"the picture cannot be encoded: " + error->message};
   }
   return std::get<codec::EncodedImage>(std::move(result));
 }

@@ -44,14 +44,14 @@ bool is_lossless(const std::vector<UpgradeAction>& actions) {
 bool is_free(const OpenedAsset& asset, const std::string& output, const std::string& path,
              std::string_view content) {
   const container::Resolved here = asset.resolver().open(path);
-  if (here.fault == container::ResolveFault::none
+  if (here.error == container::ResolveError::none
           ? here.bytes.text() != content
-          : here.fault != container::ResolveFault::not_found) {
+          : here.error != container::ResolveError::not_found) {
     return false;
   }
   const fs::path there = edit::target_folder(asset.name(), output) / path;
-  std::error_code fault;
-  return !fs::exists(fs::symlink_status(there, fault)) ||
+  std::error_code error;
+  return !fs::exists(fs::symlink_status(there, error)) ||
          edit::has_bytes(there, {std::as_bytes(std::span(content)), nullptr});
 }
 

@@ -59,7 +59,7 @@ ProposedFix fix_of(const upgrade::Plan& plan, std::string_view text) {
 }
 
 bool is_sound(const container::Container& container, const json::Parsed& parsed) {
-  return parsed.ok() && container.faults.empty() && container.late_faults.empty() &&
+  return parsed.ok() && container.errors.empty() && container.late_errors.empty() &&
          container.format == container::Format::gltf;
 }
 
@@ -76,9 +76,9 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   const auto finding = first_mended(validated.report(), asset.document(), plan);
   if (!finding || plan.edits.empty()) return;
   const std::string_view text = *asset.container().json;
-  container::Container mended = container::open_bytes(
+  container::Container fixed = container::open_bytes(
       container::Bytes::from_string(json::apply_edits(text, plan.edits)), asset.name());
-  const validate::ValidatedAsset after({asset.name(), std::move(mended), asset.resolver()},
+  const validate::ValidatedAsset after({asset.name(), std::move(fixed), asset.resolver()},
                                        default_judgement(schemas));
   if (!new_findings(validated, after, schemas).error.empty()) return;
   validated.propose(*finding, std::make_shared<const ProposedFix>(fix_of(plan, text)));

@@ -9,7 +9,7 @@
 namespace gltfx {
 
 /// Gives the first finding about an extension that was replaced the edits that bring all objects to
-/// their successors for which that is safe. Nothing where the text has faults, the new text would
+/// their successors for which that is safe. Nothing where the text has errors, the new text would
 /// have an error that the old one has not, or the asset is binary.
 void propose_fix(validate::ValidatedAsset& asset, const ValidateOptions& options);
 

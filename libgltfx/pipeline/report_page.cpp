@@ -34,7 +34,7 @@ BakeOptions bake_options(const ValidateOptions& options, const ThumbnailOptions&
   bake.sizes = {{thumbnails.size, thumbnails.size}};
   bake.samples = kSamples;
   bake.bounces = kBounces;
-  bake.force = true;  // who looks for a fault wants to see it
+  bake.force = true;  // who looks for a error wants to see it
   bake.root = options.root;
   bake.schemas = options.schemas;
   bake.jobs = jobs;
@@ -52,8 +52,8 @@ PagePicture picture_of(const BakeReport& baked) {
   request.quality = kQuality;
   request.pixels = std::as_bytes(std::span(pixels.bytes));
   const auto encoded = codec::Client::shared().encode_image(request);
-  if (const auto* fault = std::get_if<codec::Fault>(&encoded)) {
-    picture.problem = "the picture cannot be encoded: " + fault->message;
+  if (const auto* error = std::get_if<codec::DecodeError>(&encoded)) {
+    picture.problem = "the picture cannot be encoded: " + error->message;
     return picture;
   }
   const auto& file = std::get<codec::EncodedImage>(encoded);

@@ -36,8 +36,8 @@ std::shared_ptr<ResultCache> ResultCache::open_with(const std::string& folder,
     problem = store.error().message;
     return nullptr;
   }
-  std::error_code fault;
-  std::string here = std::filesystem::current_path(fault).native();
+  std::error_code error;
+  std::string here = std::filesystem::current_path(error).native();
   return std::shared_ptr<ResultCache>(new ResultCache(*std::move(store), std::move(here)));
 }
 

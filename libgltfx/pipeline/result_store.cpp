@@ -122,9 +122,9 @@ Hash128 ResultStore::hash(std::string_view bytes) const { return hash_.of(bytes)
 
 Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::string& folder,
                                                        std::string_view secret, Owner owner) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault) return file_error("create the cache", folder, fault.value());
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return file_error("create the cache", folder, error.value());
   std::unique_ptr<ResultStore> store(new ResultStore(folder, secret, owner));
   if (auto problem = store->load()) return *std::move(problem);
   return store;
@@ -137,9 +137,9 @@ ResultStore::~ResultStore() {
 }
 
 std::optional<Error> ResultStore::load() {
-  std::error_code fault;
-  for (fs::directory_iterator at(folder_, fault); !fault && at != fs::directory_iterator();
-       at.increment(fault)) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder_, error); !error && at != fs::directory_iterator();
+       at.increment(error)) {
     const std::string& path = at->path().native();
     if (!path.ends_with(kEnding)) continue;
     Segment segment;
@@ -156,7 +156,7 @@ std::optional<Error> ResultStore::load() {
     foreign_files_ += segment.foreign ? 1U : 0U;
     segments_.push_back(std::move(segment));
   }
-  if (fault) return file_error("list the cache", folder_, fault.value());
+  if (error) return file_error("list the cache", folder_, error.value());
   drop_oldest();
   std::sort(segments_.begin(), segments_.end(),
             [](const Segment& a, const Segment& b) { return a.path < b.path; });

@@ -25,7 +25,7 @@ struct SceneOptions {
   std::uint64_t free_pixel_bytes = std::uint64_t{1} << 30U;
 };
 
-/// Reads, decodes and poses what is visible. What is at fault is left out, and named in the notes
+/// Reads, decodes and poses what is visible. What is invalid is left out, and named in the notes
 /// of the scene, as is all else that is not drawn. Nothing outside of the resolver's root is
 /// opened; images and Draco bitstreams are decoded by worker processes. Keeps no reference.
 /// Precondition: the asset has a document.

@@ -123,10 +123,10 @@ void SceneMeshes::draw(const model::Primitive& primitive, const Key& key, std::u
   request.weights = weights;
   if (model::joint_sets(primitive) > 0) request.joints = joints(skin);
   model::Geometry geometry;
-  const model::GeometryFault fault =
+  const model::GeometryError error =
       model::read_geometry(source_, primitive, request, budget_, geometry);
-  if (fault != model::GeometryFault::none) {
-    notes_.add(place_of(mesh, index), std::string(model::fault_text(fault)));
+  if (error != model::GeometryError::none) {
+    notes_.add(place_of(mesh, index), std::string(model::error_text(error)));
     return;
   }
   add_tangents(needs, geometry);

@@ -69,7 +69,8 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
   for (const model::Texture& texture : textures_) {
     for (const std::uint32_t image : texture.images) {
       if (!obstacle(image).empty() || job_of_.count(image) > 0) continue;
-      Job job{image, codec::Fault{codec::FaultKind::too_large, "its pixels need too much memory"}};
+      Job job{image,
+              codec::DecodeError{codec::ErrorKind::too_large, "its pixels need too much memory"}};
       const image::Header& header = *resources_.images[image].header;
       if (budget.take(decoded_size(header))) job.result = codec::Image();
       pixels_ = saturating_add(pixels_, texels_of(header));
@@ -89,7 +90,7 @@ void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBu
       jobs_.size(), std::min(jobs == 0 ? default_jobs() : jobs, 1 + worth),
       [&](std::size_t i) {
         Job& job = jobs_[i];
-        if (stopped || std::holds_alternative<codec::Fault>(job.result)) return;
+        if (stopped || std::holds_alternative<codec::DecodeError>(job.result)) return;
         const model::ImageData& data = resources_.images[job.image];
         codec::ImageRequest request;
         request.bytes = data.bytes->view();
@@ -101,9 +102,10 @@ void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBu
       },
       [&](std::size_t i) {
         codec::ImageResult& result = jobs_[i].result;
-        if (stopped) result = codec::Fault{codec::FaultKind::timed_out, "others took too long"};
-        const auto* fault = std::get_if<codec::Fault>(&result);
-        if (fault != nullptr && codec::is_costly(*fault) && ++costly == kMostCostly) stopped = true;
+        if (stopped)
+          result = codec::DecodeError{codec::ErrorKind::timed_out, "others took too long"};
+        const auto* error = std::get_if<codec::DecodeError>(&result);
+        if (error != nullptr && codec::is_costly(*error) && ++costly == kMostCostly) stopped = true;
       });
   for (std::uint32_t i = 0; i < used_.size(); ++i) finish(i);
 }
@@ -117,8 +119,8 @@ void SceneTextures::finish(std::uint32_t index) {
       continue;
     }
     const codec::ImageResult& result = jobs_[job->second].result;
-    if (const auto* fault = std::get_if<codec::Fault>(&result)) {
-      why = fmt::format("has an image that cannot be decoded ({})", printable(fault->message));
+    if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+      why = fmt::format("has an image that cannot be decoded ({})", printable(error->message));
       continue;
     }
     const auto& decoded = std::get<codec::Image>(result);

@@ -39,7 +39,7 @@ fs::path state_folder() {
 // Nothing when there is no such file yet.
 Result<std::string> read_secret(const fs::path& path) {
   const container::File file = container::open_regular(AT_FDCWD, path.c_str(), O_NOFOLLOW);
-  if (!file.fd && file.fault == container::ResolveFault::not_found) return std::string();
+  if (!file.fd && file.error == container::ResolveError::not_found) return std::string();
   struct stat status {};
   if (!file.fd || ::fstat(file.fd.get(), &status) != 0) {
     return Error{"cannot read the key " + quoted(path.native(), 200) + ": " + file.problem};
@@ -52,7 +52,7 @@ Result<std::string> read_secret(const fs::path& path) {
   constexpr std::uint64_t kMost = 4096;
   const container::Copied copy =
       container::copy_range(file.fd.get(), 0, std::min(file.size, kMost));
-  if (copy.fault == container::ResolveFault::none && copy.text->size() >= kShortestSecret) {
+  if (copy.error == container::ResolveError::none && copy.text->size() >= kShortestSecret) {
     return std::string(*copy.text);
   }
   return Error{"the key " + quoted(path.native(), 200) + " is too short; delete it for a new one"};
@@ -76,12 +76,12 @@ std::string new_secret() {
 
 // Fails where another process was first.
 std::optional<Error> make_secret(const fs::path& path) {
-  std::error_code fault;
-  fs::create_directories(path.parent_path().parent_path(), fault);
-  if (!fault && ::mkdir(path.parent_path().c_str(), S_IRWXU) != 0 && errno != EEXIST) {
+  std::error_code error;
+  fs::create_directories(path.parent_path().parent_path(), error);
+  if (!error && ::mkdir(path.parent_path().c_str(), S_IRWXU) != 0 && errno != EEXIST) {
     return file_error("create", path.parent_path(), errno);
   }
-  if (fault) return file_error("create", path.parent_path().parent_path(), fault.value());
+  if (error) return file_error("create", path.parent_path().parent_path(), error.value());
   TemporaryFile file(path, S_IRUSR | S_IWUSR);
   if (auto problem = file.write(new_secret())) return problem;
   if (auto problem = file.make_durable()) return problem;

@@ -107,7 +107,7 @@ class Judge {
   }
 
   /// Why `after` may not take the place of the old asset, or nothing.
-  std::optional<std::string> find_fault(const ValidatedAsset& after, UpgradeReport& report) const {
+  std::optional<std::string> find_error(const ValidatedAsset& after, UpgradeReport& report) const {
     NewFindings found = new_findings(before_, after, schemas_);
     report.new_warnings = std::move(found.warnings);
     if (!found.error.empty()) {
@@ -147,8 +147,8 @@ Rehearsal try_out(const ValidatedAsset& before, PlannedUpgrade planned, const Sc
   }
   const Judge judge(before, schemas, options, report.actions);
   ValidatedAsset after(upgraded(asset, planned, *std::move(changed)), default_judgement(schemas));
-  if (auto fault = judge.find_fault(after, report)) {
-    return {failed(std::move(report), UpgradeProblem::refused, *std::move(fault)), {}};
+  if (auto error = judge.find_error(after, report)) {
+    return {failed(std::move(report), UpgradeProblem::refused, *std::move(error)), {}};
   }
   return {std::move(report), std::move(after)};
 }
@@ -191,7 +191,7 @@ UpgradeReport write(const ValidatedAsset& before, const FileState& state, Planne
   const Judge judge(before, schemas, options, planned.report.actions);
   const auto check = [&](const container::Container& on_disk) {
     const ValidatedAsset after(upgraded(asset, planned, on_disk), default_judgement(schemas));
-    return judge.find_fault(after, planned.report);
+    return judge.find_error(after, planned.report);
   };
   const auto failure = edit::write_asset(old_asset(asset, state), destination_of(options),
                                          {*pieces, planned.files}, check);

@@ -27,7 +27,7 @@ class Reader {
   Reader(const json::Document& document, std::span<const RuleDescription> rules)
       : document_(document), rules_(rules) {}
 
-  const std::string& fault() const { return fault_; }
+  const std::string& error() const { return error_; }
 
   RunHead head(NodeId line);
   FileReport file(NodeId entry);
@@ -35,7 +35,7 @@ class Reader {
  private:
   NodeId find(NodeId object, std::string_view name) const { return document_.find(object, name); }
   void blame(std::string_view name) {
-    if (fault_.empty()) fault_ = fmt::format("'{}' is missing or not as it should be", name);
+    if (error_.empty()) error_ = fmt::format("'{}' is missing or not as it should be", name);
   }
   void text(NodeId object, std::string_view name, std::string& value);
   void bytes(NodeId object, std::string_view name, std::string& value);
@@ -45,7 +45,7 @@ class Reader {
   template <class Read>
   void list(NodeId object, std::string_view name, const Read& read);
   void texts(NodeId object, std::string_view name, std::vector<std::string>& values);
-  /// kNoNode when there is none; the fault is noted when it is no object.
+  /// kNoNode when there is none; the error is noted when it is no object.
   NodeId object(NodeId parent, std::string_view name);
 
   Counts counts(NodeId node);
@@ -59,7 +59,7 @@ class Reader {
 
   const json::Document& document_;
   std::span<const RuleDescription> rules_;
-  std::string fault_;
+  std::string error_;
 };
 
 void Reader::text(NodeId object, std::string_view name, std::string& value) {
@@ -318,7 +318,7 @@ Result<ReportLine> read_line(std::string_view line, std::span<const RuleDescript
   } else {
     return Error{"it is no line of a report that --format jsonl wrote"};
   }
-  if (!reader.fault().empty()) return Error{reader.fault()};
+  if (!reader.error().empty()) return Error{reader.error()};
   return read;
 }
 

@@ -15,10 +15,10 @@ namespace gltfx::schema {
 
 /// State of one compilation. Stages run in the order: vocabulary, shapes, extensions, references.
 struct Build {
-  Build(const std::vector<Source>& files, FaultList& list) : sources(files), faults(list) {}
+  Build(const std::vector<Source>& files, ErrorList& list) : sources(files), errors(list) {}
 
   const std::vector<Source>& sources;
-  FaultList& faults;
+  ErrorList& errors;
   SetParts set;
   std::unordered_map<std::string_view, SourceId> by_id;
   std::vector<std::unordered_map<std::string_view, json::NodeId>> defs;  ///< `$defs` by SourceId
@@ -36,9 +36,9 @@ struct Build {
 
   /// The shape made for a node, behind its $refs; kNone when it accepts everything.
   ShapeId shape_of(Site at) const;
-  /// What a `$ref` names, or a site that does not exist, with a fault.
+  /// What a `$ref` names, or a site that does not exist, with a error.
   Site resolve(Site reference);
-  /// Whether so many bytes of what was built may be copied once more; a fault at `at` where copies
+  /// Whether so many bytes of what was built may be copied once more; a error at `at` where copies
   /// are too large together.
   bool may_copy(std::uint64_t bytes, Site at);
 
@@ -51,7 +51,7 @@ struct Build {
 /// `$ref`s that lead to nothing but another `$ref`, in a row.
 inline constexpr int kLongestChain = 40;
 
-/// Sets up `by_id` and the extensions' ids; faults for `$id`s that occur twice.
+/// Sets up `by_id` and the extensions' ids; errors for `$id`s that occur twice.
 void register_sources(Build& build);
 /// Makes shapes and types of all files.
 void build_shapes(Build& build);

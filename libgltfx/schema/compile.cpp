@@ -23,17 +23,17 @@ bool Build::may_copy(std::uint64_t bytes, Site at) {
   constexpr std::uint64_t kMost = std::uint64_t{64} << 20U;
   copied_ += bytes;
   if (copied_ <= kMost) return true;
-  faults.add(at, "the repeated schemas are too large in total");
+  errors.add(at, "the repeated schemas are too large in total");
   return false;
 }
 
 template <class Map>
 Site Build::unresolved(Site reference, std::string message, std::string_view word,
                        const Map& known) {
-  if (faults.is_full()) return {};
+  if (errors.is_full()) return {};
   std::vector<std::string_view> names;
   for (const auto& entry : known) names.push_back(entry.first);
-  faults.add(reference, std::move(message) + did_you_mean(word, names));
+  errors.add(reference, std::move(message) + did_you_mean(word, names));
   return {};
 }
 
@@ -77,7 +77,7 @@ void register_sources(Build& build) {
     const Source& source = build.sources[id];
     const auto [first, is_new] = build.by_id.emplace(source.id, id);
     if (!is_new) {
-      build.faults.add(
+      build.errors.add(
           build.member({id, source.document.root()}, "$id"),
           "this $id is already used by " + quoted(build.sources[first->second].name, 200));
     }
@@ -92,17 +92,17 @@ void register_sources(Build& build) {
 
 Compiled compile(const std::vector<SourceFile>& files) {
   Compiled result;
-  const std::vector<Source> sources = load_sources(files, result.faults);
-  FaultList faults(sources);
-  check_vocabulary(sources, faults);
-  Build build(sources, faults);
+  const std::vector<Source> sources = load_sources(files, result.errors);
+  ErrorList errors(sources);
+  check_vocabulary(sources, errors);
+  Build build(sources, errors);
   // Each stage relies on the one before.
   for (const auto stage : {register_sources, build_shapes, build_extensions, check_references}) {
-    if (!faults.empty() || !result.faults.empty()) break;
+    if (!errors.empty() || !result.errors.empty()) break;
     stage(build);
   }
-  for (SchemaFault& fault : faults.take()) result.faults.push_back(std::move(fault));
-  if (!result.faults.empty()) return result;
+  for (SchemaError& error : errors.take()) result.errors.push_back(std::move(error));
+  if (!result.errors.empty()) return result;
   drop_common_members(build.set);
   HashParts texts;
   for (const SourceFile& file : files) texts.add(file.text);

@@ -20,13 +20,13 @@ namespace gltfx::schema {
 inline constexpr std::size_t kLongestFile = 256U << 10U;
 
 struct SourceFile {
-  std::string name;  ///< shown in faults
+  std::string name;  ///< shown in errors
   std::string text;
   bool from_user = false;
 };
 
 /// A mistake in a schema file.
-struct SchemaFault {
+struct SchemaError {
   std::string file;
   std::uint32_t line = 0;    ///< 1-based
   std::uint32_t column = 0;  ///< 1-based, in code points
@@ -38,8 +38,8 @@ struct SchemaFault {
 };
 
 struct Compiled {
-  std::shared_ptr<const Set> set;  ///< null when there are faults
-  std::vector<SchemaFault> faults;
+  std::shared_ptr<const Set> set;  ///< null when there are errors
+  std::vector<SchemaError> errors;
 };
 
 /// Compiles all files together. A later file with the same `$id` replaces an earlier one.

@@ -10,7 +10,7 @@ namespace gltfx::schema {
 struct Deviations {
   // --- What counts as there ---
 
-  /// Khronos: a member whose value is at fault counts as absent, with the array around it, and so
+  /// Khronos: a member whose value is invalid counts as absent, with the array around it, and so
   /// does an index that leads nowhere. Rules that need the member are silent; rules that miss it
   /// are not. Specification: silent. Seen: its source reads such members as null.
   bool broken_values_are_absent = false;
@@ -33,7 +33,7 @@ struct Deviations {
   bool invalid_indices_stay_in_maps = false;
 
   /// Khronos: a number beyond the range of a double is VALUE_NOT_IN_RANGE. Specification ("JSON
-  /// Encoding"): leaves the range to JSON; elsewhere it is a fault of the text. Seen: its source
+  /// Encoding"): leaves the range to JSON; elsewhere it is a error of the text. Seen: its source
   /// asks whether numbers are infinite.
   bool infinite_numbers_are_out_of_range = false;
 
@@ -43,9 +43,9 @@ struct Deviations {
   /// Specification: has most of them as requirements. Seen: its list of codes.
   bool no_additional_rules = false;
 
-  /// Khronos: one finding for each element, pair or use at fault. Specification: silent; elsewhere
+  /// Khronos: one finding for each element, pair or use invalid. Specification: silent; elsewhere
   /// the first of a kind has their number. Seen: reports with a finding for each vertex.
-  bool each_fault_is_listed = false;
+  bool each_finding_is_listed = false;
 
   /// Khronos: a member under a draft's name is unexpected. Specification: has no such member;
   /// elsewhere the finding says what it is called now. Seen: UNEXPECTED_PROPERTY.
@@ -79,7 +79,7 @@ inline constexpr Deviations kKhronosValidator{.broken_values_are_absent = true,
                                               .invalid_indices_stay_in_maps = true,
                                               .infinite_numbers_are_out_of_range = true,
                                               .no_additional_rules = true,
-                                              .each_fault_is_listed = true,
+                                              .each_finding_is_listed = true,
                                               .draft_names_are_unexpected = true,
                                               .root_extension_is_a_dependency = true,
                                               .extension_names_are_judged_alone = true,

@@ -32,7 +32,7 @@ class ExtensionBuilder {
     Extension extension;
     extension.name = text(word("extension"));
     if (extension.name != build_.sources[source_].short_name()) {
-      build_.faults.add(
+      build_.errors.add(
           word("extension"),
           "the $id of this file is for a different extension than " + quoted(extension.name));
     }
@@ -142,7 +142,7 @@ class ExtensionBuilder {
     const json::Document& document = build_.document(on);
     if (document.kind(on.node) == json::Kind::array) {
       for (const json::NodeId home : document.elements(on.node)) {
-        add_home(extension, document.string(home), home, root_);
+        add_attachment_point(extension, document.string(home), home, root_);
       }
       return;
     }
@@ -150,24 +150,27 @@ class ExtensionBuilder {
       const std::string place = document.string(member.value);
       const Site schema = place == "#" ? root_ : build_.resolve({source_, member.value});
       if (schema.exists()) {
-        add_home(extension, std::string(document.key(member.key_id)), member.key, schema);
+        add_attachment_point(extension, std::string(document.key(member.key_id)), member.key,
+                             schema);
       }
     }
   }
 
-  void add_home(Extension& extension, const std::string& home, json::NodeId at, Site schema) {
+  void add_attachment_point(Extension& extension, const std::string& home, json::NodeId at,
+                            Site schema) {
     const TypeId host = build_.set.find_type(home);
-    if (host == kNone) return unknown_home(home, at);
+    if (host == kNone) return unknown_attachment_point(home, at);
     const ShapeId definition = build_.shape_of(schema);
     if (!build_.may_copy(object_size(definition), {source_, at})) return;
-    extension.homes.emplace_back(host, object_at(definition, home + "." + extension.name));
+    extension.attachment_points.emplace_back(host,
+                                             object_at(definition, home + "." + extension.name));
   }
 
-  void unknown_home(const std::string& home, json::NodeId at) {
-    if (build_.faults.is_full()) return;
+  void unknown_attachment_point(const std::string& home, json::NodeId at) {
+    if (build_.errors.is_full()) return;
     std::vector<std::string_view> known;
     for (const ObjectType& type : build_.set.types) known.push_back(type.name);
-    build_.faults.add({source_, at},
+    build_.errors.add({source_, at},
                       quoted(home) + " is not an object type" + did_you_mean(home, known));
   }
 

@@ -157,8 +157,8 @@ std::optional<Flaw> FormCheck::flaw(Form form, json::NodeId node) const {
       return map_of(Form::literals, node);
     case Form::enum_names:
       return enum_names(node);
-    case Form::homes:
-      return homes(node);
+    case Form::attachment_points:
+      return attachment_points(node);
     default:
       return scalar(form, node);
   }
@@ -269,7 +269,7 @@ std::optional<Flaw> FormCheck::channel_factors(json::NodeId node) const {
   return std::nullopt;
 }
 
-std::optional<Flaw> FormCheck::homes(json::NodeId node) const {
+std::optional<Flaw> FormCheck::attachment_points(json::NodeId node) const {
   if (document_.is_array(node)) return list_of(Form::text, node, true);
   if (!document_.is_object(node))
     return Flaw{node, "must be a list of types, or an object of types"};

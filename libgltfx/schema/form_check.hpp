@@ -34,7 +34,7 @@ class FormCheck {
   Maybe map_of(Form value, json::NodeId node) const;
   Maybe enum_names(json::NodeId node) const;
   Maybe channel_factors(json::NodeId node) const;
-  Maybe homes(json::NodeId node) const;
+  Maybe attachment_points(json::NodeId node) const;
   Maybe one_of(Form form, json::NodeId node) const;
   const json::Document& document_;
 };

@@ -135,7 +135,8 @@ class Reader {
   bool short_ = false;
 };
 
-// Names of types that are not the types' own: those of definitions that stand at several homes.
+// Names of types that are not the types' own: those of definitions that stand at several
+// attachment_points.
 using Names = std::vector<std::pair<std::string, std::uint32_t>>;
 
 template <class Map>

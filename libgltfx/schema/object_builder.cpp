@@ -42,7 +42,7 @@ void ShapeBuilder::finish_members(ShapeId id, Site schema, const Where& where, S
   type.open = members.additional.exists() ? !closed : where.branch || !members.properties.exists();
   type.strict = closed;
   type.extension = build_.extension_of[schema.source];
-  if (!type.open) fault_misspelt_required(members, type);
+  if (!type.open) error_misspelt_required(members, type);
   shape.type = static_cast<TypeId>(build_.set.types.size());
   type.origin = shape.type;
   if (!where.branch) build_.set.type_ids.emplace(type.name, shape.type);
@@ -103,7 +103,7 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
 }
 
 // A required member that the object does not know can never be there rightly.
-void ShapeBuilder::fault_misspelt_required(const Members& members, const ObjectType& type) {
+void ShapeBuilder::error_misspelt_required(const Members& members, const ObjectType& type) {
   if (!members.required.exists() || !members.properties.exists()) return;
   const json::Document& document = build_.document(members.required);
   std::vector<std::string_view> known;
@@ -114,8 +114,8 @@ void ShapeBuilder::fault_misspelt_required(const Members& members, const ObjectT
   const std::unordered_set<std::string_view> names(known.begin(), known.end());
   for (const json::NodeId name : document.elements(members.required.node)) {
     const std::string text = document.string(name);
-    if (is_common_member(text) || names.count(text) != 0 || build_.faults.is_full()) continue;
-    build_.faults.add({members.required.source, name},
+    if (is_common_member(text) || names.count(text) != 0 || build_.errors.is_full()) continue;
+    build_.errors.add({members.required.source, name},
                       quoted(text) + " is required, but not a property of " + quoted(type.name) +
                           did_you_mean(text, known));
   }

@@ -29,10 +29,10 @@ class ReferenceCheck {
       if (!build_.sources[id].is_extension()) continue;
       strength(id);
       generations(id);
-      const std::size_t faults = build_.faults.size();
+      const std::size_t errors = build_.errors.size();
       upgrade(id);
-      if (build_.faults.size() > faults && is_outdated(id)) {
-        build_.faults.keep(faults);
+      if (build_.errors.size() > errors && is_outdated(id)) {
+        build_.errors.keep(errors);
         set_.extensions[build_.extension_of[id]].upgrade = {};
       }
     }
@@ -67,7 +67,7 @@ class ReferenceCheck {
       if (!step(place, target.steps, i, at)) return;
     }
     if (which == "ref" && !is_array(place.shape)) {
-      build_.faults.add(at, quoted(target.text) + " is not an array");
+      build_.errors.add(at, quoted(target.text) + " is not an array");
     }
   }
 
@@ -99,7 +99,7 @@ class ReferenceCheck {
   bool element(Place& place, Site at) {
     const ShapeId items = place.shape == kNone ? kNone : set_.shapes[place.shape].items;
     if (items == kNone) {
-      build_.faults.add(at, "'*' requires an array");
+      build_.errors.add(at, "'*' requires an array");
       return false;
     }
     return enter(place, items);
@@ -108,16 +108,16 @@ class ReferenceCheck {
   bool extension(Place& place, const std::string& name, Site at) {
     const ExtensionId id = set_.find_extension(name);
     if (id == kNone) return unknown(at, name, "not a known extension", extension_names()), false;
-    const ShapeId object = set_.extensions[id].home(place.type);
+    const ShapeId object = set_.extensions[id].shape_on(place.type);
     if (object != kNone) return enter(place, object);
-    build_.faults.add(at, quoted(name) + " has no object at this place");
+    build_.errors.add(at, quoted(name) + " has no object at this place");
     return false;
   }
 
   void unknown(Site at, std::string_view name, std::string_view what,
                const std::vector<std::string_view>& known) {
-    if (build_.faults.is_full()) return;
-    build_.faults.add(at, quoted(name) + " is " + std::string(what) + did_you_mean(name, known));
+    if (build_.errors.is_full()) return;
+    build_.errors.add(at, quoted(name) + " is " + std::string(what) + did_you_mean(name, known));
   }
 
   std::vector<std::string_view> member_names(TypeId type) const {
@@ -165,7 +165,7 @@ class ReferenceCheck {
 
   void strength(SourceId id) {
     const Extension& extension = set_.extensions[build_.extension_of[id]];
-    if (extension.strength.empty() || extension.homes.empty()) return;
+    if (extension.strength.empty() || extension.attachment_points.empty()) return;
     const Site root{id, build_.sources[id].document.root()};
     has_member(object_type(extension), extension.strength,
                build_.member(build_.member(root, "x-gltfx"), "strength"));
@@ -174,8 +174,8 @@ class ReferenceCheck {
   // Members that generations speak of have to exist on the extension's object.
   void generations(SourceId id) {
     const Extension& extension = set_.extensions[build_.extension_of[id]];
-    if (extension.homes.empty()) return;
-    const TypeId type = set_.shapes[extension.homes.front().second].type;
+    if (extension.attachment_points.empty()) return;
+    const TypeId type = set_.shapes[extension.attachment_points.front().second].type;
     const Source& source = build_.sources[id];
     const Site list =
         build_.member(build_.member({id, source.document.root()}, "x-gltfx"), "generations");
@@ -201,7 +201,7 @@ class ReferenceCheck {
   }
 
   TypeId object_type(const Extension& extension) const {
-    return set_.shapes[extension.homes.front().second].type;
+    return set_.shapes[extension.attachment_points.front().second].type;
   }
 
   // An upgrade of ours may lead to an extension that a file of the user describes otherwise: then
@@ -217,13 +217,13 @@ class ReferenceCheck {
     const Extension& extension = set_.extensions[build_.extension_of[id]];
     const Site root{id, build_.sources[id].document.root()};
     const Site at = build_.member(build_.member(root, "x-gltfx"), "upgrade");
-    if (!at.exists() || extension.homes.empty()) return;
+    if (!at.exists() || extension.attachment_points.empty()) return;
     const Upgrade& upgrade = extension.upgrade;
     for (const UpgradeStay& stay : upgrade.stays) {
       known_generations(extension, stay.generations, build_.member(at, "stays"));
     }
     if (upgrade.to.empty()) {
-      if (upgrade.stays.empty()) build_.faults.add(at, "'to' is missing");
+      if (upgrade.stays.empty()) build_.errors.add(at, "'to' is missing");
       return;
     }
     const Extension* successor = described(upgrade.to, build_.member(at, "to"));
@@ -240,7 +240,8 @@ class ReferenceCheck {
 
   const Extension* described(const std::string& name, Site at) {
     const auto found = set_.extension_ids.find(name);
-    if (found != set_.extension_ids.end() && !set_.extensions[found->second].homes.empty()) {
+    if (found != set_.extension_ids.end() &&
+        !set_.extensions[found->second].attachment_points.empty()) {
       return &set_.extensions[found->second];
     }
     unknown(at, name, "not a known extension", extension_names());
@@ -255,13 +256,13 @@ class ReferenceCheck {
       const Site at{list.source, element};
       const bool place = step.kind == UpgradeStep::Kind::place;
       if (step.from.empty() && (!place || step.otherwise.empty())) {
-        build_.faults.add(at, "'from' is missing");
+        build_.errors.add(at, "'from' is missing");
       }
       if (step.kind != UpgradeStep::Kind::copy && !step.from.empty()) {
         has_member(own, step.from, build_.member(at, "from"));
       }
       if (place) {
-        has_place(extension.homes.front().first, step.to, build_.member(at, "to"));
+        has_place(extension.attachment_points.front().first, step.to, build_.member(at, "to"));
       } else {
         has_member(new_type, step.to, build_.member(at, "to"));
       }
@@ -331,7 +332,7 @@ class ReferenceCheck {
       if (depth[id] == 0) {
         depth[id] = -1;
         for (const ShapeId next : inside) {
-          if (depth[next] == -1) return fault_at(id, "this schema contains itself");
+          if (depth[next] == -1) return error_at(id, "this schema contains itself");
           if (depth[next] == 0) stack.push_back(next);
         }
         continue;
@@ -340,30 +341,30 @@ class ReferenceCheck {
       if (depth[id] != -1) continue;
       depth[id] = 1;
       for (const ShapeId next : inside) depth[id] = std::max(depth[id], depth[next] + 1);
-      if (depth[id] == kDeepestNesting) fault_at(id, "combinators are nested too deeply");
+      if (depth[id] == kDeepestNesting) error_at(id, "combinators are nested too deeply");
       work[id] = work_of(id, inside, work);
     }
   }
 
-  // Told once: what holds such a schema is not told again.
+  // Told once: what holds such a schema is not reported again.
   std::uint32_t work_of(ShapeId id, const std::vector<ShapeId>& inside,
                         const std::vector<std::uint32_t>& work) {
-    bool told = false;
+    bool reported = false;
     std::uint64_t sum = 1;
     for (const ShapeId next : inside) {
       sum += work[next];
-      told = told || work[next] > kMostShapes;
+      reported = reported || work[next] > kMostShapes;
     }
-    if (sum > kMostShapes && !told) {
-      fault_at(id, "combinators check one value against more than " + std::to_string(kMostShapes) +
+    if (sum > kMostShapes && !reported) {
+      error_at(id, "combinators check one value against more than " + std::to_string(kMostShapes) +
                        " schemas here");
     }
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, kMostShapes + 1));
   }
 
-  void fault_at(ShapeId shape, std::string message) {
+  void error_at(ShapeId shape, std::string message) {
     const Site site = build_.shape_sites[shape];
-    if (site.exists()) build_.faults.add(site, std::move(message));
+    if (site.exists()) build_.errors.add(site, std::move(message));
   }
 
   Build& build_;

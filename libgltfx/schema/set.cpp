@@ -29,10 +29,10 @@ std::string_view status_name(Status status) {
   return listed_values(Form::status)[static_cast<std::size_t>(status)];
 }
 
-ShapeId Extension::home(TypeId type) const {
-  const auto found = std::find_if(homes.begin(), homes.end(),
+ShapeId Extension::shape_on(TypeId type) const {
+  const auto found = std::find_if(attachment_points.begin(), attachment_points.end(),
                                   [type](const auto& home) { return home.first == type; });
-  return found == homes.end() ? kNone : found->second;
+  return found == attachment_points.end() ? kNone : found->second;
 }
 
 TypeId Set::find_type(std::string_view name) const { return find_id(type_ids_, std::string(name)); }

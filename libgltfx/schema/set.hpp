@@ -131,8 +131,8 @@ struct ObjectType {
   bool open = false;                 ///< unknown members are welcome
   bool strict = false;  ///< unknown members break the schema (`additionalProperties: false`)
   ExtensionId extension = kNone;  ///< the extension it belongs to
-  TypeId origin = kNone;          ///< the type this is a copy of (one definition at several homes),
-                                  ///< otherwise its own id
+  TypeId origin = kNone;          ///< the type this is a copy of (one definition at several
+                          ///< attachment_points), otherwise its own id
 };
 
 /// What is said about another extension on the same object.
@@ -207,7 +207,8 @@ struct Upgrade {
 struct Extension {
   std::string name, title, description, spec;
   Status status = Status::vendor;
-  std::vector<std::pair<TypeId, ShapeId>> homes;  ///< object type it sits on, shape of its object
+  std::vector<std::pair<TypeId, ShapeId>>
+      attachment_points;  ///< object type it sits on, shape of its object
   std::vector<Relation> excludes, requires_, overridden_by;
   std::string strength;  ///< member that turns the effect off when it is 0; empty: none
   bool standalone = false;
@@ -225,7 +226,7 @@ struct Extension {
   bool from_user = false;  ///< given at run time
 
   /// The shape of its object on a type, or kNone when it is not at home there.
-  ShapeId home(TypeId type) const;
+  ShapeId shape_on(TypeId type) const;
 };
 
 class Pattern;

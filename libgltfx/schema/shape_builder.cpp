@@ -64,7 +64,7 @@ ShapeId ShapeBuilder::request(Site schema, const Where& where) {
 
 ShapeId ShapeBuilder::add(Site schema, const Where& where) {
   if (where.type_name.size() > kLongestName || where.label.size() > kLongestName) {
-    build_.faults.add(
+    build_.errors.add(
         schema, "the path of this schema has more than " + std::to_string(kLongestName) + " bytes");
     return kNone;
   }
@@ -100,7 +100,7 @@ Site ShapeBuilder::behind_references(Site schema) {
   const Site start = schema;
   for (int steps = 0; schema.exists() && is_bare_reference(schema); ++steps) {
     if (steps == kLongestChain) {
-      build_.faults.add(build_.member(start, "$ref"), "this $ref starts a chain of more than " +
+      build_.errors.add(build_.member(start, "$ref"), "this $ref starts a chain of more than " +
                                                           std::to_string(kLongestChain) + " $refs");
       return {};
     }
@@ -190,7 +190,7 @@ void ShapeBuilder::settle_derived() {
       if (base == waiting.end()) {
         if (std::any_of(chain.begin(), chain.end(),
                         [&](std::size_t link) { return derived_[link].shape == bases_[at]; })) {
-          build_.faults.add(build_.member(derived_[at].schema, "$ref"), "this $ref is circular");
+          build_.errors.add(build_.member(derived_[at].schema, "$ref"), "this $ref is circular");
           bases_[at] = kNone;
         }
         break;

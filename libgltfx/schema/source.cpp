@@ -12,53 +12,53 @@
 namespace gltfx::schema {
 namespace {
 
-std::string_view fault_text(json::Fault fault) {
-  using json::Fault;
-  switch (fault) {
-    case Fault::unexpected_end:
+std::string_view error_text(json::SyntaxError error) {
+  using json::SyntaxError;
+  switch (error) {
+    case SyntaxError::unexpected_end:
       return "the text ends inside a value";
-    case Fault::invalid_utf8:
+    case SyntaxError::invalid_utf8:
       return "invalid UTF-8";
-    case Fault::control_character:
+    case SyntaxError::control_character:
       return "a raw control character in a string";
-    case Fault::bad_escape:
+    case SyntaxError::bad_escape:
       return "an invalid escape";
-    case Fault::bad_number:
+    case SyntaxError::bad_number:
       return "not a JSON number";
-    case Fault::bad_literal:
+    case SyntaxError::bad_literal:
       return "not a JSON value";
-    case Fault::too_deep:
+    case SyntaxError::too_deep:
       return "nested too deeply";
-    case Fault::too_large:
+    case SyntaxError::too_large:
       return "the text is too large";
-    case Fault::trailing_data:
+    case SyntaxError::trailing_data:
       return "data after the value";
-    case Fault::byte_order_mark:
+    case SyntaxError::byte_order_mark:
       return "a byte order mark before the text";
-    case Fault::trailing_comma:
+    case SyntaxError::trailing_comma:
       return "a comma before a closing bracket";
-    case Fault::missing_comma:
+    case SyntaxError::missing_comma:
       return "a comma is missing";
-    case Fault::duplicate_key:
+    case SyntaxError::duplicate_key:
       return "a duplicate key";
-    case Fault::lone_surrogate:
+    case SyntaxError::lone_surrogate:
       return "an unpaired surrogate";
-    case Fault::number_out_of_range:
+    case SyntaxError::number_out_of_range:
       return "a number out of range of a double";
     default:
       return "JSON does not allow this here";
   }
 }
 
-// Every fault of a file's JSON, recoverable or not: schema files have to be clean.
-void add_json_faults(const SourceFile& file, const json::Parsed& parsed,
-                     std::vector<SchemaFault>& faults) {
+// Every error of a file's JSON, recoverable or not: schema files have to be clean.
+void add_json_errors(const SourceFile& file, const json::Parsed& parsed,
+                     std::vector<SchemaError>& errors) {
   const json::LineIndex lines(file.text);
-  for (const json::ParseFault& fault : parsed.faults) {
-    const Location at = lines.locate(fault.span);
-    std::string message(fault_text(fault.fault));
-    if (!fault.detail.empty()) message += ": " + fault.detail;
-    faults.push_back({file.name, at.line, at.column, "", std::move(message)});
+  for (const json::ParseError& error : parsed.errors) {
+    const Location at = lines.locate(error.span);
+    std::string message(error_text(error.error));
+    if (!error.detail.empty()) message += ": " + error.detail;
+    errors.push_back({file.name, at.line, at.column, "", std::move(message)});
   }
 }
 
@@ -86,41 +86,41 @@ std::string_view Source::short_name() const {
   return slash == std::string::npos ? std::string_view() : std::string_view(id).substr(slash + 1);
 }
 
-void FaultList::add(Site at, std::string message) {
+void ErrorList::add(Site at, std::string message) {
   if (is_full()) return;
   const Source& source = (*sources_)[at.source];
   const json::Document& document = source.document;
   const bool is_key = document.kind(at.node) == json::Kind::key;
   const Span span = document.span(at.node);
   const Location place = json::LineIndex(document.text()).locate(span);
-  faults_.push_back({at.source,
+  errors_.push_back({at.source,
                      span.begin,
                      {source.name, place.line, place.column,
                       document.pointer_of(is_key ? at.node + 1 : at.node), std::move(message)}});
 }
 
-std::vector<SchemaFault> FaultList::take() {
-  std::stable_sort(faults_.begin(), faults_.end(), [](const Entry& a, const Entry& b) {
+std::vector<SchemaError> ErrorList::take() {
+  std::stable_sort(errors_.begin(), errors_.end(), [](const Entry& a, const Entry& b) {
     return a.source != b.source ? a.source < b.source : a.begin < b.begin;
   });
-  std::vector<SchemaFault> faults;
-  for (Entry& entry : faults_) faults.push_back(std::move(entry.fault));
-  faults_.clear();
-  return faults;
+  std::vector<SchemaError> errors;
+  for (Entry& entry : errors_) errors.push_back(std::move(entry.error));
+  errors_.clear();
+  return errors;
 }
 
 std::vector<Source> load_sources(const std::vector<SourceFile>& files,
-                                 std::vector<SchemaFault>& faults) {
+                                 std::vector<SchemaError>& errors) {
   std::vector<Source> sources;
   std::unordered_map<std::string, std::size_t> by_id;
   sources.reserve(files.size());
   for (const SourceFile& file : files) {
     if (file.from_user && file.text.size() > kLongestFile) {
-      faults.push_back({file.name, 1, 1, "", too_long(file.text.size())});
+      errors.push_back({file.name, 1, 1, "", too_long(file.text.size())});
       continue;
     }
     json::Parsed parsed = json::parse(file.text);
-    if (!parsed.ok()) add_json_faults(file, parsed, faults);
+    if (!parsed.ok()) add_json_errors(file, parsed, errors);
     if (parsed.document.empty()) continue;
     Source source{file.name, file.from_user, std::move(parsed.document), {}, {}};
     source.id = id_of(source.document);
@@ -140,7 +140,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
   return near.empty() ? std::string() : "; did you mean " + quoted(near) + "?";
 }
 
-std::string SchemaFault::text() const {
+std::string SchemaError::text() const {
   std::string place = file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
   return place + (pointer.empty() ? message : pointer + ": " + message);
 }

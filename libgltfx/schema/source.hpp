@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Schema files while they are compiled: parsed texts, and the faults found in them.
+/// Schema files while they are compiled: parsed texts, and the errors found in them.
 #pragma once
 
 #include <cstdint>
@@ -39,43 +39,43 @@ struct Site {
   friend bool operator==(const Site&, const Site&) = default;
 };
 
-/// Collects faults with their places.
-class FaultList {
+/// Collects errors with their places.
+class ErrorList {
  public:
-  explicit FaultList(const std::vector<Source>& sources) : sources_(&sources) {}
+  explicit ErrorList(const std::vector<Source>& sources) : sources_(&sources) {}
 
-  /// A fault at a value or key.
+  /// A error at a value or key.
   void add(Site at, std::string message);
   /// At the key of a member's value.
   void add_at_key(Site value, std::string message) {
     add({value.source, value.node - 1}, std::move(message));
   }
-  bool empty() const { return faults_.empty(); }
-  /// Whether further faults are left out, so that none has to be worded.
-  bool is_full() const { return faults_.size() >= kMost; }
-  std::size_t size() const { return faults_.size(); }
-  /// Takes back all faults but the first `count`.
+  bool empty() const { return errors_.empty(); }
+  /// Whether further errors are left out, so that none has to be worded.
+  bool is_full() const { return errors_.size() >= kMost; }
+  std::size_t size() const { return errors_.size(); }
+  /// Takes back all errors but the first `count`.
   void keep(std::size_t count) {
-    faults_.erase(faults_.begin() + static_cast<std::ptrdiff_t>(count), faults_.end());
+    errors_.erase(errors_.begin() + static_cast<std::ptrdiff_t>(count), errors_.end());
   }
-  /// All faults, by file and place.
-  std::vector<SchemaFault> take();
+  /// All errors, by file and place.
+  std::vector<SchemaError> take();
 
  private:
   static constexpr std::size_t kMost = 200;  // each one costs a pass over its text
   struct Entry {
     SourceId source;
     std::uint32_t begin;
-    SchemaFault fault;
+    SchemaError error;
   };
   const std::vector<Source>* sources_;
-  std::vector<Entry> faults_;
+  std::vector<Entry> errors_;
 };
 
 /// Parses the files; a user's file takes the place of an earlier one with the same `$id`. What
-/// cannot be parsed goes to `faults` directly.
+/// cannot be parsed goes to `errors` directly.
 std::vector<Source> load_sources(const std::vector<SourceFile>& files,
-                                 std::vector<SchemaFault>& faults);
+                                 std::vector<SchemaError>& errors);
 
 /// " Did you mean 'x'?" or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);

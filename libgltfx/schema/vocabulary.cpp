@@ -83,7 +83,7 @@ constexpr std::array kWord{
 
 constexpr std::array kExtension{
     Word{"extension", F::extension_name, K::none, true},
-    Word{"on", F::homes, K::none, true},
+    Word{"on", F::attachment_points, K::none, true},
     Word{"status", F::status, K::none, true},
     Word{"spec", F::url},
     Word{"excludes", F::relations},

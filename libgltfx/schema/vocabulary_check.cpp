@@ -17,8 +17,8 @@ namespace {
 // Checks one file with a list of objects still to look at.
 class FileCheck {
  public:
-  FileCheck(const Source& source, SourceId id, FaultList& faults)
-      : source_(source), document_(source.document), forms_(document_), id_(id), faults_(faults) {}
+  FileCheck(const Source& source, SourceId id, ErrorList& errors)
+      : source_(source), document_(source.document), forms_(document_), id_(id), errors_(errors) {}
 
   void run() {
     open_.push_back({document_.root(), Context::file});
@@ -35,15 +35,15 @@ class FileCheck {
     Context context;
   };
 
-  void fault(json::NodeId node, std::string message) {
-    faults_.add({id_, node}, std::move(message));
+  void error(json::NodeId node, std::string message) {
+    errors_.add({id_, node}, std::move(message));
   }
 
   void object(const Open& at) {
     const bool may_be_flag = at.context == Context::schema;
     if (may_be_flag && document_.is_boolean(at.node)) return;
     if (!document_.is_object(at.node)) {
-      return fault(at.node, std::string(context_name(at.context)) + " must be an object" +
+      return error(at.node, std::string(context_name(at.context)) + " must be an object" +
                                 (may_be_flag ? ", true or false" : ""));
     }
     for (const auto& member : document_.members(at.node)) {
@@ -56,13 +56,13 @@ class FileCheck {
     }
     for (const Word& word : words(at.context)) {
       if (word.required && document_.find(at.node, word.name) == json::kNoNode) {
-        fault(at.node,
+        error(at.node,
               quoted(word.name) + " is missing in " + std::string(context_name(at.context)));
       }
     }
     if (at.context == Context::file && source_.is_extension() &&
         document_.find(at.node, "x-gltfx") == json::kNoNode) {
-      fault(at.node, "'x-gltfx' is missing");
+      error(at.node, "'x-gltfx' is missing");
     }
     if (at.context == Context::file || at.context == Context::schema) limits(at.node);
   }
@@ -75,12 +75,12 @@ class FileCheck {
   }
 
   void unknown(Context context, std::string_view name, json::NodeId key) {
-    if (faults_.is_full()) return;
+    if (errors_.is_full()) return;
     std::vector<std::string_view> known;
     for (const Word& word : words(context)) known.push_back(word.name);
     std::string hint = did_you_mean(name, known);
     if (hint.empty()) hint = fmt::format(" Allowed: {}.", fmt::join(known, ", "));
-    fault(key, quoted(name) + " is not a member of " + std::string(context_name(context)) + hint);
+    error(key, quoted(name) + " is not a member of " + std::string(context_name(context)) + hint);
   }
 
   // Simple forms are judged at once; objects of the vocabulary are put on the list.
@@ -122,7 +122,7 @@ class FileCheck {
         return each_member(node, word, Context::attribute);
       default:
         if (const auto flaw = forms_.flaw(word.form, node)) {
-          fault(flaw->node, quoted(word.name) + " " + flaw->message);
+          error(flaw->node, quoted(word.name) + " " + flaw->message);
         }
     }
   }
@@ -133,13 +133,13 @@ class FileCheck {
 
   void each_element(json::NodeId node, const Word& word, Context context) {
     if (document_.kind(node) != json::Kind::array || document_.array_size(node) == 0) {
-      return fault(node, quoted(word.name) + " must be a list with at least one element");
+      return error(node, quoted(word.name) + " must be a list with at least one element");
     }
     for (const json::NodeId element : document_.elements(node)) open_.push_back({element, context});
   }
 
   void each_member(json::NodeId node, const Word& word, Context context) {
-    if (!document_.is_object(node)) return fault(node, quoted(word.name) + " must be an object");
+    if (!document_.is_object(node)) return error(node, quoted(word.name) + " must be an object");
     for (const auto& member : document_.members(node)) open_.push_back({member.value, context});
   }
 
@@ -147,7 +147,7 @@ class FileCheck {
     each_member(node, word, Context::schema);
     if (!document_.is_object(node)) return;
     for (const auto& member : document_.members(node)) {
-      if (const auto flaw = pattern_flaw(document_.key(member.key_id))) fault(member.key, *flaw);
+      if (const auto flaw = pattern_flaw(document_.key(member.key_id))) error(member.key, *flaw);
     }
   }
 
@@ -170,7 +170,7 @@ class FileCheck {
       const double most = document_.number(to).value;
       const bool open = low.substr(0, 2) == "ex" || high.substr(0, 2) == "ex";
       if (least > most || (open && least == most)) {
-        faults_.add_at_key({id_, to}, quoted(high) + " (" + number_text(most) + ") contradicts " +
+        errors_.add_at_key({id_, to}, quoted(high) + " (" + number_text(most) + ") contradicts " +
                                           quoted(low) + " (" + number_text(least) + ")");
       }
     }
@@ -180,14 +180,14 @@ class FileCheck {
   const json::Document& document_;
   FormCheck forms_;
   SourceId id_;
-  FaultList& faults_;
+  ErrorList& errors_;
   std::vector<Open> open_;
 };
 
 }  // namespace
 
-void check_vocabulary(const std::vector<Source>& sources, FaultList& faults) {
-  for (SourceId id = 0; id < sources.size(); ++id) FileCheck(sources[id], id, faults).run();
+void check_vocabulary(const std::vector<Source>& sources, ErrorList& errors) {
+  for (SourceId id = 0; id < sources.size(); ++id) FileCheck(sources[id], id, errors).run();
 }
 
 }  // namespace gltfx::schema

@@ -76,7 +76,7 @@ void Walker::push(ShapeId shape, json::NodeId node, const Path& path, Mode mode,
   frame->pending = static_cast<std::uint32_t>(pending_.size());
   frame->mode = mode;
   frame->stage = Stage::enter;
-  frame->told = 0;
+  frame->reported = 0;
   frame->further = further;
   frame->again = further || (top_ != nullptr && top_->again);
   frame->unset = false;
@@ -97,7 +97,7 @@ bool Walker::walk(ShapeId shape, json::NodeId node, Step step, Mode mode) {
 }
 
 void Walker::pop() {
-  if (top_->unset && !top_->further) lose(*top_);
+  if (top_->unset && !top_->further) discard(*top_);
   members_.resize(top_->scratch);
   pending_.resize(top_->pending);
   top_ = top_->parent;
@@ -130,7 +130,7 @@ void Walker::drop(json::NodeId value) {
 }
 
 // A container that counts as absent takes the array around it along.
-void Walker::lose(const Frame& frame) {
+void Walker::discard(const Frame& frame) {
   if (frame.parent == nullptr) return;
   if (frame.parent->mode == Mode::array) {
     frame.parent->unset = true;

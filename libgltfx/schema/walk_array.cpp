@@ -172,7 +172,7 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
   const bool simple = items != kNone && tables_.shapes[items].plan == Plan::number;
   SeenNumbers seen;
   std::uint64_t index = 0;
-  bool told = false;
+  bool reported = false;
   for (json::NumberCursor at(document_, node); at.valid(); at.advance(), ++index) {
     const double number = at.number().value;
     const Value value{node, &at.number()};
@@ -181,7 +181,7 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
       if (!(number >= plan.low && number <= plan.high && std::isfinite(number)))
         judge(items, value, {path, index});
     } else if (items != kNone) {
-      if (bad_element(items, value, path, index, told)) continue;
+      if (bad_element(items, value, path, index, reported)) continue;
       judge(items, value, {path, index});
     }
     if (shape.unique_items && !seen.insert(number)) {
@@ -223,18 +223,18 @@ void Walker::array_step(Frame& frame) {
       }
     }
     if (shape.unique_items) unique_items(frame);
-    if (elements_at_fault(frame)) frame.at = document_.next(frame.node);
+    if (invalid_elements(frame)) frame.at = document_.next(frame.node);
     frame.unset = unset_;
   }
   const json::NodeId end = document_.next(frame.node);
-  bool told = false;
+  bool reported = false;
   while (shape.items != kNone && frame.at < end) {
     const json::NodeId element = frame.at;
     const std::uint64_t index = frame.index++;
     frame.at = document_.next(element);
     const bool plain =
         tables_.shapes[shape.items].plan == Plan::object && document_.is_object(element);
-    const bool bad = !plain && bad_element(shape.items, {element}, frame.path, index, told);
+    const bool bad = !plain && bad_element(shape.items, {element}, frame.path, index, reported);
     const bool pushed = !bad && value(shape.items, element, {Step::Kind::element, index});
     frame.unset = frame.unset || unset_;
     if (pushed) return;
@@ -248,20 +248,20 @@ void Walker::array_step(Frame& frame) {
 
 // A list of described objects in which something is no object is not looked into any further by the
 // Khronos validator.
-bool Walker::elements_at_fault(Frame& frame) {
+bool Walker::invalid_elements(Frame& frame) {
   if (!deviations().broken_values_are_absent) return false;
   const ShapeId items = set_.shape(frame.shape).items;
   const bool in_root = frame.parent != nullptr && frame.parent->parent == nullptr;
   if (items == kNone || in_root || tables_.shapes[items].plan != Plan::object) return false;
   if (tables_.shapes[items].type == kNone) return false;
-  bool fault = false, told = false;
+  bool error = false, reported = false;
   std::uint64_t index = 0;
   for (const json::NodeId element : document_.elements(frame.node)) {
     const std::uint64_t at = index++;
     if (document_.is_object(element)) continue;
-    fault = bad_element(items, {element}, frame.path, at, told) || fault;
+    error = bad_element(items, {element}, frame.path, at, reported) || error;
   }
-  return fault;
+  return error;
 }
 
 // Elements, as far as they have to be counted to know whether there are too few or too many.
@@ -275,7 +275,7 @@ std::uint64_t Walker::count_elements(const Shape& shape, json::NodeId node) cons
 }
 
 // Elements that are equal as text: strings with escapes are compared unescaped. Those of a wrong
-// type are told as such.
+// type are reported as such.
 void Walker::unique_items(const Frame& frame) {
   const ShapeId items = set_.shape(frame.shape).items;
   json::KeyTable seen;
@@ -304,16 +304,16 @@ bool Walker::bad_index(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (!shape.ref || shape.types != kInteger) return false;
   if (values_.has_type(value, kInteger) && values_.number(value).value >= 0) return false;
-  lose_reference(id);
+  discard_reference(id);
   report(path, Code::INVALID_INDEX, values_.span(value),
          name_of(path) + " is " + shown(values_, value) + "; it must be a non-negative integer.");
   return true;
 }
 
-// An element of the wrong type, told in the way of its kind of array: numbers, flags and objects at
-// the array, where one is enough; indices, strings and arrays at the element.
+// An element of the wrong type, reported in the way of its kind of array: numbers, flags and
+// objects at the array, where one is enough; indices, strings and arrays at the element.
 bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index,
-                         bool& told) {
+                         bool& reported) {
   if (bad_index(items, value, {array, index})) return true;
   const Shape& shape = set_.shape(items);
   if (values_.has_type(value, shape.types)) return false;
@@ -328,8 +328,8 @@ bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uin
   } else if (at_element) {
     unset_ = true;
     report({array, index}, Code::ARRAY_TYPE_MISMATCH, values_.span(value), message, help);
-  } else if (deviations().each_fault_is_listed || !told) {
-    told = unset_ = true;
+  } else if (deviations().each_finding_is_listed || !reported) {
+    reported = unset_ = true;
     report(array, Code::ARRAY_TYPE_MISMATCH, values_.span(value), message, help);
   }
   return true;

@@ -80,7 +80,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
     report(path, Code::TYPE_MISMATCH, document_.span(node),
            quoted(name) + " is " + shown(values_, {node}) + "; an extension must be an object.",
            "write { }");
-    // For the Khronos validator it has no members, which may be another fault.
+    // For the Khronos validator it has no members, which may be another error.
     if (options_.shown == nullptr) return false;
     options_.shown->strip(node);
   }
@@ -90,7 +90,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
            quoted(name) + " is used, but not declared.", undeclared_help(id, name));
   }
   if (!looks_into(id, name)) return false;
-  const ShapeId shape = home(frame, id, path, node);
+  const ShapeId shape = shape_on(frame, id, path, node);
   if (shape == kNone) {
     drop(node);
     return false;
@@ -102,18 +102,20 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
 }
 
 // The shape of the extension's object on its host, or kNone with a finding.
-ShapeId Walker::home(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
+ShapeId Walker::shape_on(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
   const TypeId host = set_.type(frame.type).origin;
-  for (const auto& [type, shape] : tables_.extensions[id].homes) {
+  for (const auto& [type, shape] : tables_.extensions[id].attachment_points) {
     if (type == host) return shape;
   }
   const Extension& extension = set_.extensions()[id];
-  std::vector<std::string> homes;
-  for (const auto& entry : extension.homes) homes.push_back(set_.type(entry.first).name);
+  std::vector<std::string> attachment_points;
+  for (const auto& entry : extension.attachment_points)
+    attachment_points.push_back(set_.type(entry.first).name);
   report(path, Code::UNEXPECTED_EXTENSION_OBJECT, document_.span(node - 1),
          quoted(extension.name) + " is not allowed on " + quoted(set_.type(frame.type).name) + ".",
-         homes.empty() ? "remove the object, and only list the extension in \"extensionsUsed\""
-                       : "move it to " + join_or(homes));
+         attachment_points.empty()
+             ? "remove the object, and only list the extension in \"extensionsUsed\""
+             : "move it to " + join_or(attachment_points));
   return kNone;
 }
 
@@ -143,7 +145,7 @@ bool Walker::excludes(ExtensionId one, ExtensionId other) const {
                      [other](const RelationPlan& r) { return r.other == other; });
 }
 
-// A pair is told once: where the first of the two stands that says so.
+// A pair is reported once: where the first of the two stands that says so.
 void Walker::exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
   const auto position = [&](ExtensionId sought) {
     return std::find(frame.siblings.begin(), frame.siblings.end(), sought);
@@ -187,7 +189,7 @@ bool Walker::has_effect(const Frame& frame, const RelationPlan& relation) const 
   if (object == json::kNoNode || relation.other == kNone) return object != json::kNoNode;
   const TypeId host = set_.type(frame.type).origin;
   TypeId type = kNone;
-  for (const auto& [home, shape] : tables_.extensions[relation.other].homes) {
+  for (const auto& [home, shape] : tables_.extensions[relation.other].attachment_points) {
     if (home == host) type = set_.shape(shape).type;
   }
   for (const auto& member : document_.members(object)) {
@@ -208,9 +210,9 @@ void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, js
   for (json::NodeId at = frame.node + 1; at < end; at = document_.next(at + 1)) {
     const json::KeyId key = document_.node(at).next;
     const ExtensionId other = names_.extension(key);
-    const bool told = !deviations().no_additional_rules && other != kNone &&
-                      (excludes(id, other) || excludes(other, id));
-    if (other != id && !told) others.push_back(quoted(document_.key(key)));
+    const bool reported = !deviations().no_additional_rules && other != kNone &&
+                          (excludes(id, other) || excludes(other, id));
+    if (other != id && !reported) others.push_back(quoted(document_.key(key)));
   }
   if (others.empty()) return;
   report(path, Code::MULTIPLE_EXTENSIONS, document_.span(node - 1),

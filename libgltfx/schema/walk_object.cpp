@@ -48,7 +48,7 @@ void Walker::object_step(Frame& frame) {
 void Walker::enter_object(Frame& frame) {
   const Shape& shape = set_.shape(frame.shape);
   if (shape.min_properties != 0 || shape.max_properties != UINT64_MAX) {
-    if (!count_members(frame) && !frame.further) lose(frame);
+    if (!count_members(frame) && !frame.further) discard(frame);
   }
   gather(frame);
   if (shape.property_names != kNone) member_names(frame);
@@ -56,7 +56,7 @@ void Walker::enter_object(Frame& frame) {
   if (!has_others) frame.at = document_.next(frame.node);  // nothing to do in that stage
 }
 
-// Lays the members out by property. Names that the type does not know are told at once.
+// Lays the members out by property. Names that the type does not know are reported at once.
 void Walker::gather(Frame& frame) {
   const bool typed = frame.type != kNone;
   const TypePlan& plan = typed ? tables_.types[frame.type] : no_type();
@@ -192,8 +192,8 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
 void Walker::behind(Frame& frame) {
   if (options_.members == nullptr || frame.type == kNone || frame.further) return;
   const ObjectType& type = set_.type(frame.type);
-  for (; frame.told < frame.index; ++frame.told) {
-    options_.members->behind(type, type.properties[frame.told].name, frame.node, frame.path);
+  for (; frame.reported < frame.index; ++frame.reported) {
+    options_.members->behind(type, type.properties[frame.reported].name, frame.node, frame.path);
   }
 }
 
@@ -209,7 +209,7 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
   const Property& property = type.properties[index];
   // Of a further shape the property may be described by the object's own type.
   const Property* described = &property;
-  // For the Khronos validator null lacks a value, while another broken one has been told.
+  // For the Khronos validator null lacks a value, while another broken one has been reported.
   const json::NodeId hidden = document_.find_in_text(frame.node, property.name);
   if (frame.further && hidden != json::kNoNode && document_.kind(hidden) != json::Kind::null)
     return;

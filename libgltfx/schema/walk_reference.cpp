@@ -32,7 +32,7 @@ bool Walker::lacks_root_extension(const Target& target) const {
 
 // Nobody knows which element a broken reference means: then none is called unused. Returns whether
 // what it points into is something else than an array, of which enough has been said.
-bool Walker::lose_reference(ShapeId shape) {
+bool Walker::discard_reference(ShapeId shape) {
   if (deviations().broken_values_are_absent || tables_.shapes[shape].target == kNone) return false;
   const std::uint32_t target = tables_.shapes[shape].target;
   const TargetPlan& plan = tables_.targets[target];
@@ -63,7 +63,7 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
       lacks_root_extension(*plan.target)) {
     return;
   }
-  if (lose_reference(shape)) return;
+  if (discard_reference(shape)) return;
   const std::string& name = plan.target->steps.back();
   std::string message =
       name_of(path) + " refers to " + printable(name) + "[" + std::to_string(index) + "], but ";

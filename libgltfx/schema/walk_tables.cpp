@@ -31,7 +31,8 @@ class Maker {
     for (const ObjectType& type : set_.types()) tables_->types.push_back(object_type(type));
     for (const Extension& extension : set_.extensions()) {
       tables_->extensions.push_back({relations(extension.excludes), relations(extension.requires_),
-                                     relations(extension.overridden_by), homes(extension)});
+                                     relations(extension.overridden_by),
+                                     attachment_points(extension)});
       additions(extension);
     }
     return tables_;
@@ -190,10 +191,10 @@ class Maker {
     return plans;
   }
 
-  std::vector<std::pair<TypeId, ShapeId>> homes(const Extension& extension) const {
-    auto homes = extension.homes;
-    for (auto& home : homes) home.first = set_.type(home.first).origin;
-    return homes;
+  std::vector<std::pair<TypeId, ShapeId>> attachment_points(const Extension& extension) const {
+    auto attachment_points = extension.attachment_points;
+    for (auto& home : attachment_points) home.first = set_.type(home.first).origin;
+    return attachment_points;
   }
 
   // A value as the list that it is added to has them: numbers are kept as their text.

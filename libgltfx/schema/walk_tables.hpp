@@ -98,7 +98,8 @@ struct RelationPlan {
 
 struct ExtensionPlan {
   std::vector<RelationPlan> excludes, requires_, overridden_by;
-  std::vector<std::pair<TypeId, ShapeId>> homes;  ///< origin of the host type, shape of the object
+  std::vector<std::pair<TypeId, ShapeId>>
+      attachment_points;  ///< origin of the host type, shape of the object
 };
 
 /// Arrays that references may point into.

@@ -144,7 +144,7 @@ void Walker::judge(ShapeId id, Value value, const Path& path) {
 bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (values_.has_type(value, shape.types)) return true;
-  if (shape.ref) lose_reference(id);
+  if (shape.ref) discard_reference(id);
   unset_ = true;
   report(path, Code::TYPE_MISMATCH, values_.span(value),
          name_of(path) + " is " + shown(values_, value) + "; it must be " +
@@ -204,7 +204,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   const double number = values_.number(value).value;
   const bool is_reference = shape.ref.has_value() && values_.has_type(value, kInteger);
   if (is_reference && number < 0) {
-    lose_reference(id);
+    discard_reference(id);
     unset_ = true;
     report(path, Code::INVALID_INDEX, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a non-negative integer.");

@@ -42,10 +42,10 @@ class Walker {
     json::NodeId extras = json::kNoNode;
     ShapeId shape = kNone;
     TypeId type = kNone;
-    std::uint32_t index = 0;    ///< of the next property or element
-    std::uint32_t scratch = 0;  ///< where its members begin in members_
-    std::uint32_t pending = 0;  ///< size of pending_ when it was entered
-    std::uint32_t told = 0;     ///< properties that MemberVisitor::behind() was called for
+    std::uint32_t index = 0;     ///< of the next property or element
+    std::uint32_t scratch = 0;   ///< where its members begin in members_
+    std::uint32_t pending = 0;   ///< size of pending_ when it was entered
+    std::uint32_t reported = 0;  ///< properties that MemberVisitor::behind() was called for
     Mode mode = Mode::object;
     Stage stage = Stage::enter;
     bool further = false;  ///< another shape for a value that has been walked already
@@ -121,11 +121,12 @@ class Walker {
   void count_items(const Shape& shape, std::uint64_t size, Value value, const Path& path);
   void unique_items(const Frame& frame);
   bool bad_index(ShapeId shape, Value value, const Path& path);
-  bool bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index, bool& told);
-  bool elements_at_fault(Frame& frame);
+  bool bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index,
+                   bool& reported);
+  bool invalid_elements(Frame& frame);
 
   // walk_reference.cpp
-  bool lose_reference(ShapeId shape);
+  bool discard_reference(ShapeId shape);
   void refer(ShapeId shape, std::uint64_t index, Value value, const Path& path);
   void refer_name(ShapeId shape, std::string_view name, Value value, const Path& path);
   Targets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
@@ -148,7 +149,7 @@ class Walker {
   void extensions_step(Frame& frame);
   bool extension_member(Frame& frame, json::KeyId key, json::NodeId value);
   std::string undeclared_help(ExtensionId id, std::string_view name);
-  ShapeId home(const Frame& host, ExtensionId extension, const Path& path, json::NodeId value);
+  ShapeId shape_on(const Frame& host, ExtensionId extension, const Path& path, json::NodeId value);
   void neighbours(Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
   void exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
   void companions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId value);
@@ -170,7 +171,7 @@ class Walker {
   const Deviations& deviations() const { return options_.deviations; }
   bool is_hidden(json::NodeId value) const { return document_.is_hidden(value); }
   void drop(json::NodeId value);
-  void lose(const Frame& frame);
+  void discard(const Frame& frame);
   void report(const Path& path, Code code, Span span, std::string message, std::string help = {},
               std::optional<Severity> severity = {});
   /// A value outside a list.

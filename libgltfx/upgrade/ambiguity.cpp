@@ -28,14 +28,14 @@ class Touched {
     }
   }
 
-  bool is_ambiguous(const json::ParseFault& fault) const {
-    switch (fault.fault) {
-      case json::Fault::missing_comma:
-        return place_of(fault.span).in_host;
-      case json::Fault::lone_surrogate:
-        return is_edited(fault.span);
-      case json::Fault::duplicate_key:
-        return is_doubtful_name(fault);
+  bool is_ambiguous(const json::ParseError& error) const {
+    switch (error.error) {
+      case json::SyntaxError::missing_comma:
+        return place_of(error.span).in_host;
+      case json::SyntaxError::lone_surrogate:
+        return is_edited(error.span);
+      case json::SyntaxError::duplicate_key:
+        return is_doubtful_name(error);
       default:
         return false;
     }
@@ -80,12 +80,12 @@ class Touched {
   }
 
   // Readers disagree about which of two members of one name counts.
-  bool is_doubtful_name(const json::ParseFault& fault) const {
-    const Place place = place_of(fault.span);
+  bool is_doubtful_name(const json::ParseError& error) const {
+    const Place place = place_of(error.span);
     const bool apart = std::find(kApart.begin(), kApart.end(), place.root) != kApart.end();
     const bool other_material = place.root == "materials" && !place.is_root;
     if (place.in_host || !(apart || other_material)) return true;
-    return holds_edit(fault.span) || holds_edit(fault.other);
+    return holds_edit(error.span) || holds_edit(error.other);
   }
 
   // Whether the member with that name holds an edited place.
@@ -109,16 +109,16 @@ class Touched {
 
 std::optional<std::string> find_ambiguity(const json::Parsed& parsed, const Plan& plan) {
   if (plan.edits.empty() || parsed.ok()) return std::nullopt;
-  if (parsed.unrecorded_faults > 0) {
+  if (parsed.unrecorded_errors > 0) {
     return fmt::format("its JSON has {} errors; fix them first",
-                       parsed.faults.size() + parsed.unrecorded_faults);
+                       parsed.errors.size() + parsed.unrecorded_errors);
   }
   const Touched touched(parsed.document, plan);
-  for (const json::ParseFault& fault : parsed.faults) {
-    if (!touched.is_ambiguous(fault)) continue;
-    const Location at = json::LineIndex(parsed.document.text()).locate(fault.span);
+  for (const json::ParseError& error : parsed.errors) {
+    if (!touched.is_ambiguous(error)) continue;
+    const Location at = json::LineIndex(parsed.document.text()).locate(error.span);
     return fmt::format("its JSON is ambiguous at line {}, column {}: {}; fix that first", at.line,
-                       at.column, fault.detail);
+                       at.column, error.detail);
   }
   return std::nullopt;
 }

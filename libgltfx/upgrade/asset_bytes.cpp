@@ -20,10 +20,10 @@ using model::RootArray;
 constexpr std::uint64_t kNoBuffer = UINT64_MAX;
 
 // Whether it says nothing of the asset: another run may be luckier.
-bool may_pass(container::ResolveFault fault) {
-  using container::ResolveFault;
-  return fault == ResolveFault::no_permission || fault == ResolveFault::io_error ||
-         fault == ResolveFault::truncated;
+bool may_pass(container::ResolveError error) {
+  using container::ResolveError;
+  return error == ResolveError::no_permission || error == ResolveError::io_error ||
+         error == ResolveError::truncated;
 }
 
 Storage storage_of(const std::string& uri) {
@@ -38,9 +38,9 @@ json::NodeId AssetBytes::element(RootArray array, std::uint64_t index) const {
 }
 
 Result<Bytes> AssetBytes::fetch(const std::string& uri) {
-  container::ResolveFault fault = container::ResolveFault::none;
-  auto bytes = container::fetch(resolver_, uri, &fault);
-  if (trouble_.empty() && may_pass(fault)) trouble_ = bytes.error().message;
+  container::ResolveError error = container::ResolveError::none;
+  auto bytes = container::fetch(resolver_, uri, &error);
+  if (trouble_.empty() && may_pass(error)) trouble_ = bytes.error().message;
   return bytes;
 }
 

@@ -42,7 +42,7 @@ class Search {
  private:
   bool is_home(schema::TypeId type) const {
     return type != schema::kNone &&
-           std::any_of(extension_.homes.begin(), extension_.homes.end(),
+           std::any_of(extension_.attachment_points.begin(), extension_.attachment_points.end(),
                        [type](const auto& home) { return home.first == type; });
   }
 

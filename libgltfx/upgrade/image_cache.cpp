@@ -50,10 +50,10 @@ Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes, cons
     request.max_pixels = std::min(request.max_pixels, image::texels_of(*found));
   }
   codec::ImageResult result = codec::Client::shared().decode_image(request);
-  if (const auto* fault = std::get_if<codec::Fault>(&result)) {
-    Decoded none = unreadable(fmt::format("it cannot be decoded: {}", printable(fault->message)));
+  if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+    Decoded none = unreadable(fmt::format("it cannot be decoded: {}", printable(error->message)));
     none.may_pass =
-        fault->kind != codec::FaultKind::malformed && fault->kind != codec::FaultKind::too_large;
+        error->kind != codec::ErrorKind::malformed && error->kind != codec::ErrorKind::too_large;
     return none;
   }
   auto image = std::make_shared<codec::Image>(std::move(*std::get_if<codec::Image>(&result)));

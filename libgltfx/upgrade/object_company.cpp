@@ -28,7 +28,7 @@ ObjectPlan::Problem ObjectPlan::blocker() const {
 }
 
 schema::TypeId ObjectPlan::own_type() const {
-  const schema::ShapeId shape = extension_.home(carrier_.type);
+  const schema::ShapeId shape = extension_.shape_on(carrier_.type);
   return shape == schema::kNone ? schema::kNone : context_.set.shape(shape).type;
 }
 

@@ -61,7 +61,7 @@ UpgradeAction ObjectPlan::judge_duplicate(const schema::Extension& other) {
   const bool is_new = given != context_.given.end();
   const json::NodeId object =
       is_new ? given->second : document_.find(carrier_.extensions, other.name);
-  if (!is_new && !context_.holds(other.home(carrier_.type), {object})) {
+  if (!is_new && !context_.holds(other.shape_on(carrier_.type), {object})) {
     return refuse(
         fmt::format("the object also has {}, but it is invalid; see 'gltfx validate'", other.name));
   }
@@ -101,7 +101,7 @@ void ObjectPlan::note_difference(const schema::UpgradeStep& step, json::NodeId o
   const bool both = from != json::kNoNode && to != json::kNoNode;
   if (both && !step.swizzle.empty()) return;
   const auto usual = [&](const schema::Extension& extension, const std::string& name) {
-    const schema::ShapeId shape = extension.home(carrier_.type);
+    const schema::ShapeId shape = extension.shape_on(carrier_.type);
     if (shape == schema::kNone) return std::string();
     const schema::Property* property =
         context_.set.find_property(context_.set.shape(shape).type, name);

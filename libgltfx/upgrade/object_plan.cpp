@@ -144,7 +144,7 @@ void ObjectPlan::note_overwritten() {
 }
 
 ObjectPlan::Problem ObjectPlan::check_value(const std::string& name, json::NodeId value) {
-  const schema::TypeId type = context_.set.shape(extension_.homes.front().second).type;
+  const schema::TypeId type = context_.set.shape(extension_.attachment_points.front().second).type;
   const schema::Property* property =
       type == schema::kNone ? nullptr : context_.set.find_property(type, name);
   if (property == nullptr) return std::nullopt;
@@ -199,7 +199,7 @@ ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
 // The new text of what is copied; none where it is the default.
 ObjectPlan::Problem ObjectPlan::fill_copy(Found& found, const std::vector<std::string>& path) {
   const schema::UpgradeStep& step = *found.step;
-  const schema::TypeId type = context_.set.shape(successor_.homes.front().second).type;
+  const schema::TypeId type = context_.set.shape(successor_.attachment_points.front().second).type;
   const schema::ShapeId shape = context_.set.find_property(type, step.to)->shape;
   const std::string problem = fmt::format("{} is invalid; see 'gltfx validate'", step.from);
   if (step.take == 0) {
@@ -224,7 +224,7 @@ ObjectPlan::Problem ObjectPlan::fill_copy(Found& found, const std::vector<std::s
 
 bool ObjectPlan::is_default(const std::string& property,
                             const std::vector<json::Number>& numbers) const {
-  const schema::TypeId type = context_.set.shape(successor_.homes.front().second).type;
+  const schema::TypeId type = context_.set.shape(successor_.attachment_points.front().second).type;
   const schema::Property* described = context_.set.find_property(type, property);
   if (described == nullptr || described->default_json.empty()) return false;
   const json::Parsed fallback = json::parse(described->default_json);

@@ -18,7 +18,7 @@ json::NodeId ObjectPlan::texture_index(const Found& found) const {
 
 // The member that the texels of a step are multiplied by; empty: none.
 std::string ObjectPlan::factor_of(const schema::UpgradeStep& step) const {
-  const schema::TypeId type = context_.set.shape(extension_.homes.front().second).type;
+  const schema::TypeId type = context_.set.shape(extension_.attachment_points.front().second).type;
   const schema::Property* property =
       type == schema::kNone ? nullptr : context_.set.find_property(type, step.from);
   if (property == nullptr || property->shape == schema::kNone) return {};

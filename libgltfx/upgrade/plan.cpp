@@ -203,7 +203,7 @@ class ExtensionPlan {
     const bool past = status == Status::legacy || status == Status::archived;
     const bool wanted =
         choice_.selection == Selection::yes || (choice_.selection == Selection::offered && past);
-    if (!wanted || extension_.homes.empty() || count_occurrences() > 0) return;
+    if (!wanted || extension_.attachment_points.empty() || count_occurrences() > 0) return;
     for (edit::NameList* list : {&used, &required}) {
       for (std::string& place : list->places(extension_.name)) {
         UpgradeAction action;

@@ -32,7 +32,7 @@ struct Plan {
 /// has an upgrade, or is of glTF 1.0.
 bool names_legacy(const json::Document& document, const schema::Set& set);
 
-/// Plans for a document that was read to its end; where it has faults, find_ambiguity() says
+/// Plans for a document that was read to its end; where it has errors, find_ambiguity() says
 /// whether the plan can be trusted. Time is linear in its size but for the number of extensions.
 /// `generation`, `only`, `to`, `ior`, `unsafe` and `pack` of the options are looked at. `pictures`
 /// are the document's images; without them what needs pixels is left alone. `bytes` are those of

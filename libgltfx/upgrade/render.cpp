@@ -135,8 +135,8 @@ Result<std::shared_ptr<const std::string>> render(const ImageJob& job, Pictures&
   request.pixels = texels.bytes;
   request.origin = origin;
   const codec::EncodeResult result = codec::Client::shared().encode_image(request);
-  if (const auto* fault = std::get_if<codec::Fault>(&result)) {
-    return Error{fmt::format("the new image cannot be encoded: {}", printable(fault->message))};
+  if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+    return Error{fmt::format("the new image cannot be encoded: {}", printable(error->message))};
   }
   const auto& bytes = std::get_if<codec::EncodedImage>(&result)->bytes;
   auto file = std::make_shared<const std::string>(reinterpret_cast<const char*>(bytes.data()),

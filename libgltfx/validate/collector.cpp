@@ -73,7 +73,7 @@ bool accepts(const ValidateOptions& options, Code code, Severity severity) {
          options.select.contains(rule.code);
 }
 
-bool is_heard(const ValidateOptions& options, Code code) {
+bool is_enabled(const ValidateOptions& options, Code code) {
   const RuleDescription& rule = description(code);
   const auto wanted = options.severity.find(rule.code);
   return accepts(options, code, wanted != options.severity.end() ? wanted->second : rule.severity);
@@ -106,7 +106,7 @@ Severity Collector::severity_of(const Finding& finding) const {
 
 // Takes the text of the finding when it returns true.
 bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& finding) {
-  if (deviations_.each_fault_is_listed) return false;
+  if (deviations_.each_finding_is_listed) return false;
   PhaseFindings& findings = phases_[static_cast<std::size_t>(phase)];
   const std::uint64_t key = fold_key(path, finding, severity);
   const auto listed = findings.listed.find(key);
@@ -177,7 +177,7 @@ Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding fin
   // What is wrong between objects seldom tells what to do by itself; a wrong value does.
   const bool between_objects = phase == Phase::reference || phase == Phase::resources;
   const bool loud = severity == Severity::error || severity == Severity::warning;
-  if (finding.help.empty() && between_objects && loud && !deviations_.each_fault_is_listed) {
+  if (finding.help.empty() && between_objects && loud && !deviations_.each_finding_is_listed) {
     finding.help = as_help(description(finding.code).help);
   }
   Entry entry;
@@ -205,7 +205,7 @@ void Collector::finish(FileReport& report, const json::Document& document,
       report.truncated = true;
     }
     // Do not look a million lines and names up.
-    if (!deviations_.each_fault_is_listed && !entries.empty()) {
+    if (!deviations_.each_finding_is_listed && !entries.empty()) {
       locate(entries, document, json_offset);
     }
     move_to(report, entries);

@@ -36,11 +36,11 @@ bool accepts(const ValidateOptions& options, Code code, Severity severity);
 
 /// Whether a rule would be heard as loud as its table says, or as the options say instead: what
 /// nobody hears need not be computed.
-bool is_heard(const ValidateOptions& options, Code code);
+bool is_enabled(const ValidateOptions& options, Code code);
 
 /// Findings of one asset. One about how objects go together that has no help of its own gets the
 /// rule's help. A repeat of a code at the same place, but for array indices, is folded
-/// into the first (unless Deviations::each_fault_is_listed), so a million faults cost a counter;
+/// into the first (unless Deviations::each_finding_is_listed), so a million errors cost a counter;
 /// the first thousands of repeats are kept beside it, unless max_issues asks for less. So are those
 /// of one code at ever new places, once very many have been listed: nobody reads on there.
 class Collector {

@@ -22,7 +22,7 @@ namespace gltfx::validate {
 namespace {
 
 using image::Header;
-using image::HeaderFault;
+using image::HeaderError;
 using MediaTypes = std::vector<std::string_view>;
 using namespace std::literals;
 
@@ -62,8 +62,8 @@ class ImageCheck {
 
   void check(model::ImageData& data) const {
     const auto result = image::read_header(data.bytes->view());
-    if (const auto* fault = std::get_if<HeaderFault>(&result)) {
-      check_unread(data, *fault);
+    if (const auto* error = std::get_if<HeaderError>(&result)) {
+      check_unread(data, *error);
       return;
     }
     data.header = std::get<Header>(result);
@@ -76,9 +76,9 @@ class ImageCheck {
  private:
   const Deviations& deviations() const { return resource_.context.deviations; }
 
-  void check_unread(model::ImageData& data, const HeaderFault& fault) const {
+  void check_unread(model::ImageData& data, const HeaderError& error) const {
     const image::Sniffed sniffed = image::sniff(data.bytes->view());
-    const bool other = sniffed.known && fault.kind == HeaderFault::Kind::unrecognized;
+    const bool other = sniffed.known && error.kind == HeaderError::Kind::unrecognized;
     if (other && !deviations().few_image_formats) {
       data.format = sniffed.format;
       resource_.info.mime_type = image::media_type(sniffed.format);
@@ -86,17 +86,17 @@ class ImageCheck {
       check_ktx2(data);
       return;
     }
-    switch (fault.kind) {
-      case HeaderFault::Kind::unrecognized:
+    switch (error.kind) {
+      case HeaderError::Kind::unrecognized:
         report_unrecognized(*data.bytes);
         break;
-      case HeaderFault::Kind::unexpected_end:
+      case HeaderError::Kind::unexpected_end:
         resource_.find(
             Code::IMAGE_UNEXPECTED_EOS, "",
             fmt::format("The image ends after {} bytes, inside its header.", data.bytes->size()));
         break;
-      case HeaderFault::Kind::invalid:
-        resource_.find(Code::IMAGE_DATA_INVALID, "", fault.problem);
+      case HeaderError::Kind::invalid:
+        resource_.find(Code::IMAGE_DATA_INVALID, "", error.problem);
         break;
     }
   }
@@ -104,9 +104,9 @@ class ImageCheck {
   // The one format that read_header() leaves to a reader of its own.
   void check_ktx2(model::ImageData& data) const {
     data.ktx2 = image::read_ktx2(data.bytes->view());
-    for (const image::Ktx2Fault& fault : data.ktx2->faults) {
-      resource_.find(fault.code, "", fault.problem, {},
-                     fault.tolerated ? std::optional(Severity::warning) : std::nullopt);
+    for (const image::Ktx2Error& error : data.ktx2->errors) {
+      resource_.find(error.code, "", error.problem, {},
+                     error.tolerated ? std::optional(Severity::warning) : std::nullopt);
     }
     if (!data.ktx2->is_sound()) return;
     data.header = image::header_of(*data.ktx2);
@@ -284,7 +284,7 @@ struct TextureCheck {
     if (!source) return;
     const std::string type = image_type(context, data, *source);
     if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
-    // A format that no extension brings is a fault of the image, and has been reported there.
+    // A format that no extension brings is a error of the image, and has been reported there.
     if (!contains(enabled, type) && !context.deviations.consequences_are_reported) return;
     report_member(
         sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,

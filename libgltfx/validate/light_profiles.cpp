@@ -53,7 +53,7 @@ bool skip_tilt(std::string_view& text) {
 }
 
 // What is wrong with a profile, one sentence; empty: nothing that its head tells.
-std::string fault_of(std::string_view text) {
+std::string error_of(std::string_view text) {
   const std::string_view version = first_line(text);
   if (std::find(kVersions.begin(), kVersions.end(), version) == kVersions.end()) {
     return "The profile does not start with the header of LM-63-1995, LM-63-2002 or LM-63-2019.";
@@ -94,8 +94,8 @@ void check_light_profiles(const Context& context, const model::ResourceData& res
     const auto bytes = fetch_uri_or_view(resource, resources);
     if (!bytes) continue;
     const std::span<const std::byte> view = bytes->view();
-    std::string fault = fault_of({reinterpret_cast<const char*>(view.data()), view.size()});
-    if (!fault.empty()) resource.find(Code::IES_PROFILE_INVALID, "", std::move(fault));
+    std::string error = error_of({reinterpret_cast<const char*>(view.data()), view.size()});
+    if (!error.empty()) resource.find(Code::IES_PROFILE_INVALID, "", std::move(error));
   }
 }
 

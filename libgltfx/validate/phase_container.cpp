@@ -24,10 +24,10 @@ Finding make(Code code, std::string message, std::string help = {}) {
   return finding;
 }
 
-void report_faults(const std::vector<container::ContainerFault>& faults, Phase phase,
+void report_errors(const std::vector<container::ContainerError>& errors, Phase phase,
                    Collector& collector) {
-  for (const container::ContainerFault& fault : faults) {
-    collector.report_offset(phase, fault.offset, make(fault.code, fault.message, fault.help));
+  for (const container::ContainerError& error : errors) {
+    collector.report_offset(phase, error.offset, make(error.code, error.message, error.help));
   }
 }
 
@@ -50,8 +50,8 @@ bool check_promised_glb(const container::Container& container, Collector& collec
 
 bool check_container(const container::Container& container, const std::string& name,
                      FileReport& report, Collector& collector) {
-  report_faults(container.faults, Phase::container, collector);
-  report_faults(container.late_faults, Phase::container_end, collector);
+  report_errors(container.errors, Phase::container, collector);
+  report_errors(container.late_errors, Phase::container_end, collector);
   if (container.format == container::Format::git_lfs_pointer) {
     report.unverified = 1;
     collector.report_file(

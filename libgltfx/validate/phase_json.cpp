@@ -9,59 +9,59 @@
 namespace gltfx::validate {
 namespace {
 
-Code code_of(json::Fault fault) {
-  switch (fault) {
-    case json::Fault::invalid_utf8:
+Code code_of(json::SyntaxError error) {
+  switch (error) {
+    case json::SyntaxError::invalid_utf8:
       return Code::JSON_INVALID_UTF8;
-    case json::Fault::too_deep:
+    case json::SyntaxError::too_deep:
       return Code::JSON_TOO_DEEP;
-    case json::Fault::trailing_data:
+    case json::SyntaxError::trailing_data:
       return Code::JSON_TRAILING_DATA;
-    case json::Fault::byte_order_mark:
+    case json::SyntaxError::byte_order_mark:
       return Code::JSON_BYTE_ORDER_MARK;
-    case json::Fault::trailing_comma:
+    case json::SyntaxError::trailing_comma:
       return Code::JSON_TRAILING_COMMA;
-    case json::Fault::missing_comma:
+    case json::SyntaxError::missing_comma:
       return Code::JSON_MISSING_COMMA;
-    case json::Fault::duplicate_key:
+    case json::SyntaxError::duplicate_key:
       return Code::JSON_DUPLICATE_KEY;
-    case json::Fault::lone_surrogate:
+    case json::SyntaxError::lone_surrogate:
       return Code::JSON_LONE_SURROGATE;
-    case json::Fault::number_out_of_range:
+    case json::SyntaxError::number_out_of_range:
       return Code::JSON_NUMBER_OUT_OF_RANGE;
-    case json::Fault::syntax:
-    case json::Fault::unexpected_end:
-    case json::Fault::control_character:
-    case json::Fault::bad_escape:
-    case json::Fault::bad_number:
-    case json::Fault::bad_literal:
-    case json::Fault::too_large:
+    case json::SyntaxError::syntax:
+    case json::SyntaxError::unexpected_end:
+    case json::SyntaxError::control_character:
+    case json::SyntaxError::bad_escape:
+    case json::SyntaxError::bad_number:
+    case json::SyntaxError::bad_literal:
+    case json::SyntaxError::too_large:
       break;
   }
   return Code::INVALID_JSON;
 }
 
-std::string default_message(json::Fault fault) {
-  switch (fault) {
-    case json::Fault::byte_order_mark:
+std::string default_message(json::SyntaxError error) {
+  switch (error) {
+    case json::SyntaxError::byte_order_mark:
       return "The text starts with a byte order mark.";
-    case json::Fault::trailing_comma:
+    case json::SyntaxError::trailing_comma:
       return "Trailing comma.";
-    case json::Fault::missing_comma:
+    case json::SyntaxError::missing_comma:
       return "Missing comma.";
-    case json::Fault::duplicate_key:
+    case json::SyntaxError::duplicate_key:
       return "Duplicate key.";
-    case json::Fault::lone_surrogate:
+    case json::SyntaxError::lone_surrogate:
       return "Unpaired surrogate.";
-    case json::Fault::number_out_of_range:
+    case json::SyntaxError::number_out_of_range:
       return "The number is out of range of a double.";
-    case json::Fault::trailing_data:
+    case json::SyntaxError::trailing_data:
       return "There is text after the JSON value.";
-    case json::Fault::too_deep:
+    case json::SyntaxError::too_deep:
       return "The JSON is nested too deeply.";
-    case json::Fault::too_large:
+    case json::SyntaxError::too_large:
       return "The JSON text is larger than 4 GiB.";
-    case json::Fault::invalid_utf8:
+    case json::SyntaxError::invalid_utf8:
       return "The text is not valid UTF-8.";
     default:
       return "The text is not valid JSON.";
@@ -80,57 +80,57 @@ std::string sentence(std::string text) {
 }
 
 // Where the comma belongs: behind the item before, which mostly ends on another line.
-std::string comma_help(const json::ParseFault& fault, std::string_view text,
+std::string comma_help(const json::ParseError& error, std::string_view text,
                        const json::LineIndex& lines) {
-  const std::size_t before = text.find_last_not_of(" \t\r\n", fault.span.begin - 1);
+  const std::size_t before = text.find_last_not_of(" \t\r\n", error.span.begin - 1);
   const auto at = static_cast<std::uint32_t>(before);
   const Location end = lines.locate({at, at + 1});
-  if (end.line == lines.locate(fault.span).line) return "add a ',' between the two items";
+  if (end.line == lines.locate(error.span).line) return "add a ',' between the two items";
   return fmt::format("add a ',' after line {}, column {}", end.line, end.column);
 }
 
-std::string opening_help(const json::ParseFault& fault, std::string_view text,
+std::string opening_help(const json::ParseError& error, std::string_view text,
                          const json::LineIndex& lines) {
-  if (fault.other.empty()) return {};
-  const Location at = lines.locate(fault.other);
+  if (error.other.empty()) return {};
+  const Location at = lines.locate(error.other);
   return fmt::format("close the {} that opens at line {}, column {}",
-                     gltfx::quoted(fault.other.in(text)), at.line, at.column);
+                     gltfx::quoted(error.other.in(text)), at.line, at.column);
 }
 
-std::string help_for(const json::ParseFault& fault, std::string_view text,
+std::string help_for(const json::ParseError& error, std::string_view text,
                      const json::LineIndex& lines) {
-  switch (fault.fault) {
-    case json::Fault::trailing_comma:
+  switch (error.error) {
+    case json::SyntaxError::trailing_comma:
       return "remove the comma";
-    case json::Fault::missing_comma:
-      return comma_help(fault, text, lines);
-    case json::Fault::duplicate_key: {
-      const Location first = lines.locate(fault.other);
+    case json::SyntaxError::missing_comma:
+      return comma_help(error, text, lines);
+    case json::SyntaxError::duplicate_key: {
+      const Location first = lines.locate(error.other);
       return fmt::format("remove this one or the first one at line {}, column {}", first.line,
                          first.column);
     }
-    case json::Fault::byte_order_mark:
+    case json::SyntaxError::byte_order_mark:
       return "save the file as UTF-8 without a byte order mark";
-    case json::Fault::bad_escape:
+    case json::SyntaxError::bad_escape:
       return "use '/' instead of a backslash in the path of a URI";
-    case json::Fault::syntax:
-    case json::Fault::unexpected_end:
-      return opening_help(fault, text, lines);
+    case json::SyntaxError::syntax:
+    case json::SyntaxError::unexpected_end:
+      return opening_help(error, text, lines);
     default:
       return {};
   }
 }
 
-void report_fault(const json::ParseFault& fault, std::string_view text,
+void report_error(const json::ParseError& error, std::string_view text,
                   const json::LineIndex& lines, bool syntax, Collector& collector) {
-  Finding finding(syntax ? Code::INVALID_JSON : code_of(fault.fault));
-  finding.message = sentence(fault.detail.empty() ? default_message(fault.fault) : fault.detail);
-  finding.help = help_for(fault, text, lines);
-  finding.span = fault.span;
+  Finding finding(syntax ? Code::INVALID_JSON : code_of(error.error));
+  finding.message = sentence(error.detail.empty() ? default_message(error.error) : error.detail);
+  finding.help = help_for(error, text, lines);
+  finding.span = error.span;
   collector.report_file(Phase::json, std::move(finding));
 }
 
-// A text with thousands of equal faults is told once that there are more.
+// A text with thousands of equal errors is told once that there are more.
 void report_unlisted(std::uint64_t count, Collector& collector) {
   if (count == 0) return;
   Finding finding(Code::INVALID_JSON);
@@ -139,17 +139,17 @@ void report_unlisted(std::uint64_t count, Collector& collector) {
 }
 
 // Syntax, or a byte order mark, which does not end the report.
-bool is_syntax(json::Fault fault) {
-  return fault != json::Fault::duplicate_key && fault != json::Fault::lone_surrogate &&
-         fault != json::Fault::number_out_of_range;
+bool is_syntax(json::SyntaxError error) {
+  return error != json::SyntaxError::duplicate_key && error != json::SyntaxError::lone_surrogate &&
+         error != json::SyntaxError::number_out_of_range;
 }
 
 bool report_syntax(const json::Parsed& parsed, std::string_view text, const json::LineIndex& lines,
                    Collector& collector) {
-  for (const json::ParseFault& fault : parsed.faults) {
-    if (!is_syntax(fault.fault)) continue;
-    report_fault(fault, text, lines, true, collector);
-    if (fault.fault != json::Fault::byte_order_mark) return false;
+  for (const json::ParseError& error : parsed.errors) {
+    if (!is_syntax(error.error)) continue;
+    report_error(error, text, lines, true, collector);
+    if (error.error != json::SyntaxError::byte_order_mark) return false;
   }
   return true;
 }
@@ -160,15 +160,15 @@ bool check_text(const SharedText& text, const json::Parsed& parsed, const Valida
                 Collector& collector) {
   collector.keep_text(text);
   bool readable = true;
-  if (!parsed.faults.empty()) {
+  if (!parsed.errors.empty()) {
     const json::LineIndex lines(*text);
-    if (deviations_of(options.profile).syntax_faults_end_the_report) {
+    if (deviations_of(options.profile).syntax_errors_end_the_report) {
       readable = report_syntax(parsed, *text, lines, collector);
     } else {
-      for (const json::ParseFault& fault : parsed.faults) {
-        report_fault(fault, *text, lines, false, collector);
+      for (const json::ParseError& error : parsed.errors) {
+        report_error(error, *text, lines, false, collector);
       }
-      report_unlisted(parsed.unrecorded_faults, collector);
+      report_unlisted(parsed.unrecorded_errors, collector);
     }
   }
   return readable && !parsed.document.empty();

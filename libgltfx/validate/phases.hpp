@@ -21,8 +21,8 @@ bool check_container(const container::Container& container, const std::string& n
                      FileReport& report, Collector& collector);
 
 /// Phase 2: what is wrong with the JSON text. True when there is a document to look at. A text with
-/// faults that leave no doubt of what was meant has one, unless
-/// Deviations::syntax_faults_end_the_report.
+/// errors that leave no doubt of what was meant has one, unless
+/// Deviations::syntax_errors_end_the_report.
 bool check_text(const SharedText& text, const json::Parsed& parsed, const ValidateOptions& options,
                 Collector& collector);
 
@@ -37,7 +37,7 @@ struct Resources {
 };
 
 /// Phase 5: opens what buffers and images refer to, once. Reports what is not there, outside the
-/// root, too short, a Git-LFS pointer, and images whose header is at fault.
+/// root, too short, a Git-LFS pointer, and images whose header is invalid.
 Resources load_resources(const Context& context, Sink& sink, FileReport& report);
 
 /// Files that became shorter while phases read them; to be called behind those.

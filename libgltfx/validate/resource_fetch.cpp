@@ -8,22 +8,22 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
-#include "container/resolve_fault.hpp"
+#include "container/resolve_error.hpp"
 #include "container/uri.hpp"
 #include "image/header.hpp"
 
 namespace gltfx::validate {
 namespace {
 
-using container::ResolveFault;
+using container::ResolveError;
 
-Code code_of(ResolveFault fault) {
-  switch (fault) {
-    case ResolveFault::outside_root:
+Code code_of(ResolveError error) {
+  switch (error) {
+    case ResolveError::outside_root:
       return Code::URI_OUTSIDE_ROOT;
-    case ResolveFault::not_regular:
+    case ResolveError::not_regular:
       return Code::RESOURCE_NOT_A_FILE;
-    case ResolveFault::no_root:
+    case ResolveError::no_root:
       return Code::RESOURCE_NOT_CHECKED;
     default:
       return Code::IO_ERROR;
@@ -42,11 +42,11 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
   resource.info.storage = "external";
   resource.info.uri = uri.normalized;
   container::Resolved resolved = resource.context.resolver.open(uri.path);
-  if (resolved.fault != ResolveFault::none) {
+  if (resolved.error != ResolveError::none) {
     const bool same = resource.context.deviations.refused_files_have_no_code;
-    resource.find(same ? Code::IO_ERROR : code_of(resolved.fault), "uri",
-                  container::describe(resolved.fault, uri.normalized, resolved.problem),
-                  std::string(container::help(resolved.fault)));
+    resource.find(same ? Code::IO_ERROR : code_of(resolved.error), "uri",
+                  container::describe(resolved.error, uri.normalized, resolved.problem),
+                  std::string(container::help(resolved.error)));
     return std::nullopt;
   }
   if (resolved.git_lfs_pointer && !resource.context.deviations.lfs_pointers_are_data) {

@@ -209,7 +209,7 @@ void Suppressions::report_entry(const Entry& entry, const ValidateOptions& optio
         fmt::format("The suppression of {} has no reason.", code_name(*entry.code)),
         "add a 'reason'");
   }
-  if (entry.total() == 0 && is_heard(options, *entry.code) &&
+  if (entry.total() == 0 && is_enabled(options, *entry.code) &&
       !may_be_silent(*entry.code, options)) {
     say(Code::SUPPRESSION_UNUSED,
         fmt::format("The suppression of {} has no effect: there is no such finding here.",

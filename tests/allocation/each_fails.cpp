@@ -76,15 +76,15 @@ void let_each_fail(const std::function<std::string()>& work, const fs::path& fol
   const std::string sound = call(work, 0);
   const long all = allocations;
   const long step = all < kFew ? 1 : stride();
-  std::set<std::string> faults;
+  std::set<std::string> errors;
   for (long number = 1; number <= all; number += step) {
     if (!folder.empty()) fs::remove_all(folder / "out");
     const std::string said = call(work, number);
     if (said == sound || said.find("not enough memory") != std::string::npos) continue;
-    faults.insert(std::to_string(number) + (said.empty() ? " throws" : " says " + said));
-    if (faults.size() > 5) break;
+    errors.insert(std::to_string(number) + (said.empty() ? " throws" : " says " + said));
+    if (errors.size() > 5) break;
   }
-  EXPECT_THAT(faults, testing::IsEmpty()) << all << " allocations";
+  EXPECT_THAT(errors, testing::IsEmpty()) << all << " allocations";
   testing::Test::RecordProperty("allocations", std::to_string(all));
 }
 

@@ -125,7 +125,7 @@ TEST(Bvh, LeavesThreadsToThoseWhoTrace) {
   EXPECT_TRUE(test::two_run_at_once());
 }
 
-TEST(Bvh, NothingToHitIsNoFault) {
+TEST(Bvh, NothingToHitIsNoError) {
   const Scene scene;
   const Bvh bvh = bvh_of(scene);
   EXPECT_FALSE(bvh.intersect(kTowards, 0));

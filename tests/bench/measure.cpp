@@ -57,10 +57,10 @@ bool run(Program& program) {
   posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
   const auto start = std::chrono::steady_clock::now();
   pid_t child = 0;
-  const int fault =
+  const int error =
       posix_spawnp(&child, program.words[0], &files, nullptr, program.words.data(), environ);
   posix_spawn_file_actions_destroy(&files);
-  if (fault != 0) return false;
+  if (error != 0) return false;
   int status = 0;
   struct rusage usage {};
   if (wait4(child, &status, 0, &usage) != child) return false;

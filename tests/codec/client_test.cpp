@@ -96,55 +96,55 @@ class Clients : public ::testing::Test {
   DracoResult ask(const std::string& what, const Origin& origin = {}) {
     return client_.decode_draco(bytes_of(what), origin);
   }
-  Fault fault(const std::string& what) {
+  DecodeError error(const std::string& what) {
     const DracoResult result = ask(what);
-    const auto* found = std::get_if<Fault>(&result);
-    return found != nullptr ? *found : Fault{FaultKind::unavailable, "decoded"};
+    const auto* found = std::get_if<DecodeError>(&result);
+    return found != nullptr ? *found : DecodeError{ErrorKind::unavailable, "decoded"};
   }
   bool decodes() { return std::holds_alternative<DracoMesh>(ask("triangle")); }
   // The process that serves an origin.
   std::string process(const Origin& origin = {}) {
-    return std::get<Fault>(ask("process", origin)).message;
+    return std::get<DecodeError>(ask("process", origin)).message;
   }
 
   Client client_{test_settings()};
 };
 
 TEST_F(Clients, AWorkerIsKept) {
-  const std::string first = fault("process").message;
+  const std::string first = error("process").message;
   EXPECT_TRUE(decodes());
-  EXPECT_EQ(fault("process").message, first);
+  EXPECT_EQ(error("process").message, first);
 }
 
 TEST_F(Clients, AWorkerThatCrashesIsReplaced) {
-  const std::string first = fault("process").message;
-  const Fault crash = fault("crash");
-  EXPECT_EQ(crash.kind, FaultKind::died);
+  const std::string first = error("process").message;
+  const DecodeError crash = error("crash");
+  EXPECT_EQ(crash.kind, ErrorKind::died);
   EXPECT_TRUE(decodes());
-  EXPECT_NE(fault("process").message, first);
+  EXPECT_NE(error("process").message, first);
   EXPECT_THAT(crash.message, HasSubstr(std::to_string(SIGSEGV)));
-  EXPECT_THAT(fault("abort").message, HasSubstr(std::to_string(SIGABRT)));
-  EXPECT_EQ(fault("exit").kind, FaultKind::died);
+  EXPECT_THAT(error("abort").message, HasSubstr(std::to_string(SIGABRT)));
+  EXPECT_EQ(error("exit").kind, ErrorKind::died);
   EXPECT_TRUE(decodes());
 }
 
 TEST_F(Clients, AWorkerThatIsKilledBetweenRequestsIsReplaced) {
-  const pid_t id = std::stoi(fault("process").message);
+  const pid_t id = std::stoi(error("process").message);
   ::kill(id, SIGKILL);
   wait_for_end(id);
   EXPECT_TRUE(decodes());
 }
 
-TEST(Client, AWorkerThatIsKilledAmidDecodingIsOneFault) {
+TEST(Client, AWorkerThatIsKilledAmidDecodingIsOneError) {
   Settings settings = test_settings();
   settings.seconds = 3600;
   Client client(settings);
   const auto ask_it = [&](std::string_view what) {
-    return std::get<Fault>(client.decode_draco(bytes_of(what)));
+    return std::get<DecodeError>(client.decode_draco(bytes_of(what)));
   };
   const pid_t id = std::stoi(ask_it("process").message);
   std::thread killer([id] { kill_at_work(id, id); });
-  EXPECT_EQ(ask_it("spin").kind, FaultKind::died);
+  EXPECT_EQ(ask_it("spin").kind, ErrorKind::died);
   killer.join();
   EXPECT_NE(ask_it("process").message, std::to_string(id));
 }
@@ -156,7 +156,7 @@ TEST(Client, EndlessWorkRunsOutOfProcessorTime) {
   Client client(settings);
   for (const char* work : {"spin", "disarm"}) {
     const DracoResult result = client.decode_draco(bytes_of(work));
-    EXPECT_EQ(std::get<Fault>(result).kind, FaultKind::timed_out) << work;
+    EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::timed_out) << work;
     const DracoResult next = client.decode_draco(bytes_of("triangle"));
     EXPECT_TRUE(std::holds_alternative<DracoMesh>(next)) << work;
   }
@@ -167,62 +167,62 @@ TEST(Client, AWorkerThatStandsStillIsEnded) {
   Settings settings = test_settings();
   settings.standstill_seconds = 10;
   Client client(settings);
-  const std::string id = std::get<Fault>(client.decode_draco(bytes_of("process"))).message;
-  const Fault fault = std::get<Fault>(client.decode_draco(bytes_of("sleep")));
-  EXPECT_EQ(fault.kind, FaultKind::stalled);
-  EXPECT_TRUE(is_costly(fault));
+  const std::string id = std::get<DecodeError>(client.decode_draco(bytes_of("process"))).message;
+  const DecodeError error = std::get<DecodeError>(client.decode_draco(bytes_of("sleep")));
+  EXPECT_EQ(error.kind, ErrorKind::stalled);
+  EXPECT_TRUE(is_costly(error));
   wait_for_end(std::stoi(id));
   EXPECT_TRUE(std::holds_alternative<DracoMesh>(client.decode_draco(bytes_of("triangle"))));
 }
 
 #ifndef GLTFX_ADDRESS_SANITIZER
 TEST_F(Clients, MemoryRunsOutAtTheLimit) {
-  EXPECT_EQ(fault("memory").kind, FaultKind::out_of_memory);
+  EXPECT_EQ(error("memory").kind, ErrorKind::out_of_memory);
   EXPECT_TRUE(decodes());
 }
 
 TEST_F(Clients, LimitsOnlyGoDown) {
   for (const char* limit : {"more memory", "more files"}) {
-    EXPECT_EQ(fault(limit).message, std::to_string(EPERM)) << limit;
+    EXPECT_EQ(error(limit).message, std::to_string(EPERM)) << limit;
   }
 }
 #endif
 
 TEST_F(Clients, AResultOfAnySizeIsNotGiven) {
-  const Fault huge = fault("file");
-  EXPECT_TRUE(huge.kind == FaultKind::died || huge.message == "refused") << huge.message;
+  const DecodeError huge = error("file");
+  EXPECT_TRUE(huge.kind == ErrorKind::died || huge.message == "refused") << huge.message;
   EXPECT_TRUE(decodes());
 }
 
 TEST_F(Clients, AnswersThatLieAreRefused) {
   for (const char* lie : {"garbage", "no result", "wrong index", "image"}) {
-    EXPECT_EQ(fault(lie).kind, FaultKind::died) << lie;
+    EXPECT_EQ(error(lie).kind, ErrorKind::died) << lie;
     EXPECT_TRUE(decodes()) << lie;
   }
 }
 
 TEST_F(Clients, AWorkerHasNothingOpenButItsEnds) {
   // Standard input and outputs, the two ends, payload and result.
-  EXPECT_EQ(fault("descriptors").message, "0 1 2 3 4 5 6 ");
+  EXPECT_EQ(error("descriptors").message, "0 1 2 3 4 5 6 ");
 }
 
 #if defined(__x86_64__) || defined(__aarch64__)
 TEST_F(Clients, AWorkerCanReachNothing) {
   for (const char* call :
        {"open", "stat", "socket", "kill", "signal", "limit", "exec", "fork", "code"}) {
-    EXPECT_EQ(fault(call).message, std::to_string(EPERM)) << call;
+    EXPECT_EQ(error(call).message, std::to_string(EPERM)) << call;
   }
 }
 
 TEST_F(Clients, AWorkerReachesItselfOnly) {
-  EXPECT_EQ(fault("signal itself").message, "0");
-  EXPECT_EQ(fault("limit by its id").message, std::to_string(EPERM)) << "0 is what libraries say";
+  EXPECT_EQ(error("signal itself").message, "0");
+  EXPECT_EQ(error("limit by its id").message, std::to_string(EPERM)) << "0 is what libraries say";
 }
 #endif
 
 TEST_F(Clients, AWorkerHasNoEnvironment) {
   ASSERT_NE(environ[0], nullptr);
-  EXPECT_EQ(fault("environment").message, "empty");
+  EXPECT_EQ(error("environment").message, "empty");
 }
 
 TEST_F(Clients, AWorkerServesOneOrigin) {
@@ -242,7 +242,7 @@ TEST(Client, WorkersOfOtherOriginsEnd) {
   settings.workers = 1;
   Client client(settings);
   const auto process = [&](const Origin& origin) {
-    return std::get<Fault>(client.decode_draco(bytes_of("process"), origin)).message;
+    return std::get<DecodeError>(client.decode_draco(bytes_of("process"), origin)).message;
   };
   const std::string first = process({1, 1});
   const std::string second = process({1, 2});
@@ -255,10 +255,10 @@ TEST(Client, WithoutAWorkerNothingIsSaidOfTheBytes) {
   settings.folder = "/nonexistent";
   Client client(settings);
   const DracoResult result = client.decode_draco({});
-  ASSERT_TRUE(std::holds_alternative<Fault>(result));
-  EXPECT_EQ(std::get<Fault>(result).kind, FaultKind::unavailable);
-  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("/nonexistent/gltfx-codec-draco"));
-  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("No such file"));
+  ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
+  EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::unavailable);
+  EXPECT_THAT(std::get<DecodeError>(result).message, HasSubstr("/nonexistent/gltfx-codec-draco"));
+  EXPECT_THAT(std::get<DecodeError>(result).message, HasSubstr("No such file"));
 }
 
 TEST(Client, AFileThatMayNotBeRunIsNamedAsThat) {
@@ -268,8 +268,8 @@ TEST(Client, AFileThatMayNotBeRunIsNamedAsThat) {
   settings.folder = folder.path().native();
   Client client(settings);
   const DracoResult result = client.decode_draco({});
-  ASSERT_TRUE(std::holds_alternative<Fault>(result));
-  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("Permission denied"));
+  ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
+  EXPECT_THAT(std::get<DecodeError>(result).message, HasSubstr("Permission denied"));
 }
 
 TEST(Client, AProgramThatIsNoWorkerIsNotOne) {
@@ -279,15 +279,15 @@ TEST(Client, AProgramThatIsNoWorkerIsNotOne) {
   folder.link("gltfx-codec-draco", "/bin/true");
   Client client(settings);
   const DracoResult result = client.decode_draco({});
-  ASSERT_TRUE(std::holds_alternative<Fault>(result));
-  EXPECT_EQ(std::get<Fault>(result).kind, FaultKind::unavailable);
-  EXPECT_THAT(std::get<Fault>(result).message, HasSubstr("exited with code 0"));
+  ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
+  EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::unavailable);
+  EXPECT_THAT(std::get<DecodeError>(result).message, HasSubstr("exited with code 0"));
 }
 
 /// A decoder that the name of its folder makes misbehave.
 class Decoders : public ::testing::Test {
  protected:
-  Fault ask(const std::string& kind) {
+  DecodeError ask(const std::string& kind) {
     const auto folder = folder_.path() / kind;
     if (!std::filesystem::exists(folder)) {
       folder_.link(kind + "/gltfx-codec-draco", GLTFX_TEST_WORKERS "/gltfx-codec-draco");
@@ -298,35 +298,35 @@ class Decoders : public ::testing::Test {
     Client client(settings);
     for (int i = 0; i < 2; ++i) static_cast<void>(client.decode_draco(bytes_of("triangle")));
     const DracoResult result = client.decode_draco(bytes_of("triangle"));
-    const auto* fault = std::get_if<Fault>(&result);
-    return fault != nullptr ? *fault : Fault{FaultKind::malformed, "decoded"};
+    const auto* error = std::get_if<DecodeError>(&result);
+    return error != nullptr ? *error : DecodeError{ErrorKind::malformed, "decoded"};
   }
 
   container::test::TempFolder folder_;
 };
 
 TEST_F(Decoders, OneThatEndsIsNamedWithItsExitCode) {
-  const Fault fault = ask("gone");
-  EXPECT_EQ(fault.kind, FaultKind::unavailable);
-  EXPECT_THAT(fault.message, HasSubstr("exited with code 3"));
+  const DecodeError error = ask("gone");
+  EXPECT_EQ(error.kind, ErrorKind::unavailable);
+  EXPECT_THAT(error.message, HasSubstr("exited with code 3"));
 }
 
 TEST_F(Decoders, OneThatGreetsWronglyIsNamed) {
-  const Fault fault = ask("rude");
-  EXPECT_EQ(fault.kind, FaultKind::unavailable);
-  EXPECT_THAT(fault.message, HasSubstr("different protocol version"));
+  const DecodeError error = ask("rude");
+  EXPECT_EQ(error.kind, ErrorKind::unavailable);
+  EXPECT_THAT(error.message, HasSubstr("different protocol version"));
 }
 
 TEST_F(Decoders, SilenceIsWaitedForOnce) {
-  const Fault fault = ask("mute");
-  EXPECT_EQ(fault.kind, FaultKind::unavailable);
-  EXPECT_THAT(fault.message, HasSubstr("does not respond"));
+  const DecodeError error = ask("mute");
+  EXPECT_EQ(error.kind, ErrorKind::unavailable);
+  EXPECT_THAT(error.message, HasSubstr("does not respond"));
   EXPECT_EQ(std::filesystem::file_size(folder_.path() / "mute/starts"), 1U);
 }
 
 TEST_F(Decoders, OneWithoutAFilterIsRefusedUnlessPermitted) {
-  const Fault refused = ask("unfiltered");
-  EXPECT_EQ(refused.kind, FaultKind::unavailable);
+  const DecodeError refused = ask("unfiltered");
+  EXPECT_EQ(refused.kind, ErrorKind::unavailable);
   EXPECT_THAT(refused.message, HasSubstr("--unsandboxed-decoders"));
   permit_unsandboxed_decoders(true);
   EXPECT_EQ(ask("unfiltered").message, "decoded");
@@ -342,7 +342,7 @@ TEST(Client, WorkersEndWithTheProcess) {
     Settings settings = test_settings();
     settings.seconds = 3600;
     Client client(settings);
-    const std::string id = std::get<Fault>(client.decode_draco(bytes_of("process"))).message;
+    const std::string id = std::get<DecodeError>(client.decode_draco(bytes_of("process"))).message;
     if (::write(ends[1], id.data(), id.size()) < 0) ::_exit(1);
     static_cast<void>(client.decode_draco(bytes_of("spin")));
     ::_exit(0);

@@ -33,24 +33,24 @@ DracoResult decode(const std::string& bytes) {
 // The mesh, or an empty one and a failed test that says why.
 DracoMesh mesh_of(const std::string& bytes) {
   DracoResult result = decode(bytes);
-  if (const auto* fault = std::get_if<Fault>(&result)) {
-    ADD_FAILURE() << fault->message;
+  if (const auto* error = std::get_if<DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
     return {};
   }
   return std::get<DracoMesh>(std::move(result));
 }
 
-Fault fault_of(const std::string& bytes) {
+DecodeError error_of(const std::string& bytes) {
   DracoResult result = decode(bytes);
-  if (const auto* fault = std::get_if<Fault>(&result)) return *fault;
+  if (const auto* error = std::get_if<DecodeError>(&result)) return *error;
   ADD_FAILURE() << "decoded";
   return {};
 }
 
 // Whether a worker had the bytes, whatever became of it.
 bool was_asked(const DracoResult& result) {
-  const auto* fault = std::get_if<Fault>(&result);
-  return fault == nullptr || fault->kind != FaultKind::unavailable;
+  const auto* error = std::get_if<DecodeError>(&result);
+  return error == nullptr || error->kind != ErrorKind::unavailable;
 }
 
 template <typename T>
@@ -135,15 +135,15 @@ TEST(Draco, BothEncodingsHoldTheSameTriangles) {
 }
 
 TEST(Draco, WhatIsNoMeshIsRefused) {
-  EXPECT_EQ(fault_of("").kind, FaultKind::malformed);
-  EXPECT_EQ(fault_of("DRACO").kind, FaultKind::malformed);
-  EXPECT_EQ(fault_of(std::string(1000, 'x')).kind, FaultKind::malformed);
-  const Fault cloud = fault_of(test::draco_cloud_bytes(test::draco_square()));
-  EXPECT_EQ(cloud.kind, FaultKind::malformed);
+  EXPECT_EQ(error_of("").kind, ErrorKind::malformed);
+  EXPECT_EQ(error_of("DRACO").kind, ErrorKind::malformed);
+  EXPECT_EQ(error_of(std::string(1000, 'x')).kind, ErrorKind::malformed);
+  const DecodeError cloud = error_of(test::draco_cloud_bytes(test::draco_square()));
+  EXPECT_EQ(cloud.kind, ErrorKind::malformed);
   EXPECT_THAT(cloud.message, HasSubstr("point cloud"));
 }
 
-TEST(Draco, EveryCutIsAFaultOrAMesh) {
+TEST(Draco, EveryCutIsAErrorOrAMesh) {
   const std::string whole = draco_bytes(test::draco_square());
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const DracoResult result = decode(whole.substr(0, size));

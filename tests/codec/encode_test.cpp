@@ -34,7 +34,7 @@ EncodeResult encode(EncodedFormat format, const Raster& raster,
 }
 
 std::span<const std::byte> bytes_of(const EncodeResult& result) {
-  if (const auto* fault = std::get_if<Fault>(&result)) ADD_FAILURE() << fault->message;
+  if (const auto* error = std::get_if<DecodeError>(&result)) ADD_FAILURE() << error->message;
   const auto* image = std::get_if<EncodedImage>(&result);
   return image == nullptr ? std::span<const std::byte>() : image->bytes;
 }
@@ -45,8 +45,8 @@ Image decode(std::span<const std::byte> file, ImageFormat format) {
   request.format = format;
   request.pixels = true;
   ImageResult result = Client::shared().decode_image(request);
-  if (const auto* fault = std::get_if<Fault>(&result)) {
-    ADD_FAILURE() << fault->message;
+  if (const auto* error = std::get_if<DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
     return {};
   }
   return std::get<Image>(std::move(result));
@@ -122,8 +122,8 @@ TEST(Encode, ExrHoldsFloats) {
 TEST(Encode, WhatAFormatDoesNotHoldIsRefused) {
   const auto refused = [](EncodedFormat format, const Raster& raster, std::size_t size) {
     const EncodeResult result = encode(format, raster, std::vector<std::byte>(size));
-    const auto* fault = std::get_if<Fault>(&result);
-    return fault != nullptr && fault->kind == FaultKind::malformed;
+    const auto* error = std::get_if<DecodeError>(&result);
+    return error != nullptr && error->kind == ErrorKind::malformed;
   };
   EXPECT_TRUE(refused(EncodedFormat::png, {1, 1, 4, 32}, 16));
   EXPECT_TRUE(refused(EncodedFormat::png, {1, 1, 4, 8}, 5));

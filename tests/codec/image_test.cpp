@@ -50,16 +50,16 @@ ImageResult decode(const std::string& bytes, const Wanted& wanted = {}) {
 // The image, or an empty one and a failed test that says why.
 Image image_of(const std::string& bytes, const Wanted& wanted = {}) {
   ImageResult result = decode(bytes, wanted);
-  if (const auto* fault = std::get_if<Fault>(&result)) {
-    ADD_FAILURE() << fault->message;
+  if (const auto* error = std::get_if<DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
     return {};
   }
   return std::get<Image>(std::move(result));
 }
 
-Fault fault_of(const std::string& bytes, const Wanted& wanted = {}) {
+DecodeError error_of(const std::string& bytes, const Wanted& wanted = {}) {
   ImageResult result = decode(bytes, wanted);
-  if (const auto* fault = std::get_if<Fault>(&result)) return *fault;
+  if (const auto* error = std::get_if<DecodeError>(&result)) return *error;
   ADD_FAILURE() << "decoded";
   return {};
 }
@@ -154,21 +154,21 @@ TEST(Images, GreyTexelsOfANormalMapAreNoNormals) {
 
 TEST(Images, TheFormatIsTheDeclaredOne) {
   const std::string png = encode_png({1, 1, PngColor::rgb, 8, "\1\2\3", {}});
-  EXPECT_EQ(fault_of(png, {ImageFormat::jpeg}).kind, FaultKind::malformed);
-  EXPECT_EQ(fault_of(png, {ImageFormat::webp}).kind, FaultKind::malformed);
-  EXPECT_EQ(fault_of(decoded(test::kJpegBase64)).kind, FaultKind::malformed);
+  EXPECT_EQ(error_of(png, {ImageFormat::jpeg}).kind, ErrorKind::malformed);
+  EXPECT_EQ(error_of(png, {ImageFormat::webp}).kind, ErrorKind::malformed);
+  EXPECT_EQ(error_of(decoded(test::kJpegBase64)).kind, ErrorKind::malformed);
 }
 
 TEST(Images, TooManyTexelsAreNotDecoded) {
   // A header that promises 65535 x 65535 texels.
   const PngImage bomb{65535, 65535, PngColor::rgba, 8, {}, {}};
-  EXPECT_EQ(fault_of(encode_png(PngImage{bomb}), {}).kind, FaultKind::too_large);
+  EXPECT_EQ(error_of(encode_png(PngImage{bomb}), {}).kind, ErrorKind::too_large);
   Wanted small;
   small.max_pixels = 3;
-  EXPECT_EQ(fault_of(decoded(kWebp), {ImageFormat::webp, true, false, 3}).kind,
-            FaultKind::too_large);
-  EXPECT_EQ(fault_of(encode_png({2, 2, PngColor::grey, 8, "1234", {}}), small).kind,
-            FaultKind::too_large);
+  EXPECT_EQ(error_of(decoded(kWebp), {ImageFormat::webp, true, false, 3}).kind,
+            ErrorKind::too_large);
+  EXPECT_EQ(error_of(encode_png({2, 2, PngColor::grey, 8, "1234", {}}), small).kind,
+            ErrorKind::too_large);
 }
 
 TEST(Images, AnImageThatTakesTooMuchMemoryOrTimeIsRefused) {
@@ -177,12 +177,12 @@ TEST(Images, AnImageThatTakesTooMuchMemoryOrTimeIsRefused) {
   Wanted wanted;
   wanted.pixels = false;
   // Whichever limit it meets first: a slow machine needs longer for the memory.
-  EXPECT_THAT(fault_of(encode_png(bomb), wanted).kind,
-              testing::AnyOf(FaultKind::out_of_memory, FaultKind::timed_out));
+  EXPECT_THAT(error_of(encode_png(bomb), wanted).kind,
+              testing::AnyOf(ErrorKind::out_of_memory, ErrorKind::timed_out));
 }
 
 // What a cut image still shows must be all of it, or be doubted.
-TEST(Images, EveryCutIsAFaultOrDoubtedOrLosesNoPixel) {
+TEST(Images, EveryCutIsAErrorOrDoubtedOrLosesNoPixel) {
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::webp}) {
     const std::string whole =
         format == ImageFormat::png
@@ -191,8 +191,8 @@ TEST(Images, EveryCutIsAFaultOrDoubtedOrLosesNoPixel) {
     const std::string pixels = text(image_of(whole, {format}).pixels);
     for (std::size_t size = 0; size < whole.size(); size += size < 60 ? 1 : 7) {
       const ImageResult result = decode(whole.substr(0, size), {format});
-      if (const auto* fault = std::get_if<Fault>(&result)) {
-        EXPECT_EQ(fault->kind, FaultKind::malformed) << size << ": " << fault->message;
+      if (const auto* error = std::get_if<DecodeError>(&result)) {
+        EXPECT_EQ(error->kind, ErrorKind::malformed) << size << ": " << error->message;
         continue;
       }
       const Image& image = std::get<Image>(result);

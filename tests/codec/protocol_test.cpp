@@ -92,16 +92,16 @@ TEST(Protocol, AnImageArrivesAsItWas) {
   EXPECT_EQ(image.normals.steepest, 1);
 }
 
-TEST(Protocol, AFaultArrivesAsItWasButForItsLength) {
+TEST(Protocol, AErrorArrivesAsItWasButForItsLength) {
   const auto answer =
-      read_answer(write_answer(Fault{FaultKind::malformed, std::string(9000, 'x')}));
-  ASSERT_TRUE(answer && std::holds_alternative<Fault>(*answer));
-  EXPECT_EQ(std::get<Fault>(*answer).message.size(), kMostMessageBytes);
+      read_answer(write_answer(DecodeError{ErrorKind::malformed, std::string(9000, 'x')}));
+  ASSERT_TRUE(answer && std::holds_alternative<DecodeError>(*answer));
+  EXPECT_EQ(std::get<DecodeError>(*answer).message.size(), kMostMessageBytes);
 }
 
 TEST(Protocol, EveryCutAndEveryTailIsRefused) {
   const std::vector<Frame> frames{write_job(some_job()), write_hello({}), write_answer(some_mesh()),
-                                  write_answer(some_image()), write_answer(Fault{})};
+                                  write_answer(some_image()), write_answer(DecodeError{})};
   for (const Frame& frame : frames) {
     for (std::size_t size = 0; size < frame.size(); ++size) {
       const Frame cut(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));

@@ -29,8 +29,8 @@ std::string picture(const std::string& size, const std::string& texels) {
 
 std::vector<float> values_of(const std::string& bytes) {
   const ImageResult result = decode(bytes);
-  if (const auto* fault = std::get_if<Fault>(&result)) {
-    ADD_FAILURE() << fault->message;
+  if (const auto* error = std::get_if<DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
     return {};
   }
   const Image& image = std::get<Image>(result);
@@ -43,10 +43,10 @@ std::vector<float> values_of(const std::string& bytes) {
 
 std::string message_of(const std::string& bytes) {
   const ImageResult result = decode(bytes);
-  const auto* fault = std::get_if<Fault>(&result);
-  if (fault == nullptr) return "decoded";
-  EXPECT_EQ(fault->kind, FaultKind::malformed);
-  return fault->message;
+  const auto* error = std::get_if<DecodeError>(&result);
+  if (error == nullptr) return "decoded";
+  EXPECT_EQ(error->kind, ErrorKind::malformed);
+  return error->message;
 }
 
 TEST(Radiance, MantissasHaveACommonExponent) {

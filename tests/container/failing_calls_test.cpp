@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whichever system call fails, a file is read whole or there is a fault.
+// Whichever system call fails, a file is read whole or there is a error.
 #include "base/support/failing_calls.hpp"
 
 #include <cerrno>
@@ -22,13 +22,13 @@ using gltfx::test::Call;
 using gltfx::test::fail_each_call;
 using gltfx::test::FailingCall;
 
-void expect_read_or_fault(const Resolver& resolver, const std::string& path,
+void expect_read_or_error(const Resolver& resolver, const std::string& path,
                           const std::string& content) {
   fail_each_call([&](Call call, int number) {
     FailingCall failing(call, number, EIO);
     const Resolved resolved = resolver.open(path);
     const bool failed = failing.stop();
-    if (resolved.fault == ResolveFault::none) {
+    if (resolved.error == ResolveError::none) {
       EXPECT_TRUE(resolved.bytes.text() == content);
     } else {
       EXPECT_TRUE(failed);
@@ -38,7 +38,7 @@ void expect_read_or_fault(const Resolver& resolver, const std::string& path,
   });
 }
 
-TEST(FailingCalls, FilesOfAnAssetAreWholeOrFaults) {
+TEST(FailingCalls, FilesOfAnAssetAreWholeOrErrors) {
   const TempFolder folder;
   const std::string large(kCopyBelow + 1, 'x');
   folder.write("sub/small.bin", "content");
@@ -48,9 +48,9 @@ TEST(FailingCalls, FilesOfAnAssetAreWholeOrFaults) {
   for (const Confinement confinement : {Confinement::automatic, Confinement::by_hand}) {
     const Resolver resolver(folder.path(), folder.path(), confinement);
     for (const char* path : {"sub/small.bin", "relative", "absolute"}) {
-      expect_read_or_fault(resolver, path, "content");
+      expect_read_or_error(resolver, path, "content");
     }
-    expect_read_or_fault(resolver, "sub/large.bin", large);
+    expect_read_or_error(resolver, "sub/large.bin", large);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(FailingCalls, WhatMayNotBeReadIsSaidSo) {
     FailingCall failing(Call::openat, 1, error);
     const Resolved resolved = resolver.open("a.bin");
     EXPECT_TRUE(failing.stop());
-    EXPECT_EQ(resolved.fault, ResolveFault::no_permission);
+    EXPECT_EQ(resolved.error, ResolveError::no_permission);
     EXPECT_EQ(resolved.problem, "");
   }
 }
@@ -88,9 +88,9 @@ TEST(FailingCalls, AnAbsolutePathIsOutsideWhenTheWayBackIsBarred) {
   const TempFolder folder;
   const auto path = folder.write("a.bin", "content");
   const UniqueFd root(::open(folder.path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-  EXPECT_EQ(walk_beneath(root.get(), path).fault, ResolveFault::none);
+  EXPECT_EQ(walk_beneath(root.get(), path).error, ResolveError::none);
   FailingCall failing(Call::open, 1, EIO);
-  EXPECT_EQ(walk_beneath(root.get(), path).fault, ResolveFault::outside_root);
+  EXPECT_EQ(walk_beneath(root.get(), path).error, ResolveError::outside_root);
   EXPECT_TRUE(failing.stop());
 }
 

@@ -24,9 +24,9 @@ TEST(Fetch, DataIsDecodedAndFilesAreOpened) {
   const auto file = fetch(resolver, "a%20b.bin");
   ASSERT_TRUE(file);
   EXPECT_EQ(file->text(), "bytes");
-  ResolveFault fault = ResolveFault::none;
-  EXPECT_FALSE(fetch(resolver, "away.bin", &fault));
-  EXPECT_EQ(fault, ResolveFault::not_found);
+  ResolveError error = ResolveError::none;
+  EXPECT_FALSE(fetch(resolver, "away.bin", &error));
+  EXPECT_EQ(error, ResolveError::not_found);
 }
 
 TEST(Fetch, WhatCannotBeHadIsNamed) {

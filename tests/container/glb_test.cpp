@@ -16,23 +16,23 @@ using testing::IsEmpty;
 
 constexpr std::uint32_t kJsonEnd = 12 + 8 + 28;  // of header and the usual JSON chunk
 
-std::vector<std::string> codes(const std::vector<ContainerFault>& faults) {
+std::vector<std::string> codes(const std::vector<ContainerError>& errors) {
   std::vector<std::string> out;
-  for (const ContainerFault& fault : faults) {
-    out.push_back(std::string(code_name(fault.code)) + "@" + std::to_string(fault.offset));
+  for (const ContainerError& error : errors) {
+    out.push_back(std::string(code_name(error.code)) + "@" + std::to_string(error.offset));
   }
   return out;
 }
 
-/// Early and late faults with a bar between them.
+/// Early and late errors with a bar between them.
 std::vector<std::string> all_codes(const Container& container) {
-  std::vector<std::string> out = codes(container.faults);
+  std::vector<std::string> out = codes(container.errors);
   out.emplace_back("|");
-  for (std::string& code : codes(container.late_faults)) out.push_back(std::move(code));
+  for (std::string& code : codes(container.late_errors)) out.push_back(std::move(code));
   return out;
 }
 
-TEST(Glb, AWellFormedFileHasNoFaults) {
+TEST(Glb, AWellFormedFileHasNoErrors) {
   const Container container = open_glb(glb(json_chunk() + bin_chunk()));
   EXPECT_EQ(container.format, Format::glb);
   EXPECT_THAT(all_codes(container), ElementsAre("|"));
@@ -53,18 +53,18 @@ TEST(Glb, BinMayBeLeftOut) {
   EXPECT_FALSE(container.bin);
 }
 
-TEST(Glb, AWrongMagicIsTheOnlyFault) {
+TEST(Glb, AWrongMagicIsTheOnlyError) {
   GlbHeader header;
   header.magic = 0x00444342;
   header.version = 9;
   const Container container = open_glb(glb(json_chunk(), header));
   EXPECT_THAT(all_codes(container), ElementsAre("GLB_INVALID_MAGIC@0", "|"));
-  EXPECT_THAT(container.faults[0].message, HasSubstr("0x00444342 ('BCD')"));
+  EXPECT_THAT(container.errors[0].message, HasSubstr("0x00444342 ('BCD')"));
   EXPECT_FALSE(container.glb_version);
   EXPECT_EQ(container.json, nullptr);
 }
 
-TEST(Glb, AnotherVersionIsTheOnlyFaultAndIsKept) {
+TEST(Glb, AnotherVersionIsTheOnlyErrorAndIsKept) {
   for (const std::uint32_t version : {0U, 1U, 3U}) {
     GlbHeader header;
     header.version = version;
@@ -79,7 +79,7 @@ TEST(Glb, AnotherVersionIsTheOnlyFaultAndIsKept) {
 TEST(Glb, TheHelpForVersionOneNamesGltfOne) {
   GlbHeader header;
   header.version = 1;
-  EXPECT_THAT(open_glb(glb("", header)).faults[0].help, HasSubstr("glTF 1.0"));
+  EXPECT_THAT(open_glb(glb("", header)).errors[0].help, HasSubstr("glTF 1.0"));
 }
 
 TEST(Glb, ADeclaredLengthOfTwelveOrLessIsTooSmall) {
@@ -99,7 +99,7 @@ TEST(Glb, AfterALengthTooSmallReadingGoesOn) {
 TEST(Glb, ALengthThatDiffersIsReportedAtTheEnd) {
   const Container container = open_glb(glb(json_chunk() + bin_chunk(), {120}));
   EXPECT_THAT(all_codes(container), ElementsAre("|", "GLB_LENGTH_MISMATCH@60"));
-  EXPECT_EQ(container.late_faults[0].message,
+  EXPECT_EQ(container.late_errors[0].message,
             "The file length in the header is 120 bytes, but the file has 60.");
   EXPECT_FALSE(container.cut_short);
 }
@@ -107,7 +107,7 @@ TEST(Glb, ALengthThatDiffersIsReportedAtTheEnd) {
 TEST(Glb, BytesBehindTheDeclaredLengthAreExtraAndIgnored) {
   const Container container = open_glb(glb(json_chunk() + bin_chunk(), {kJsonEnd}));
   EXPECT_THAT(all_codes(container), ElementsAre("GLB_EXTRA_DATA@48", "|"));
-  EXPECT_THAT(container.faults[0].message, HasSubstr("12 more"));
+  EXPECT_THAT(container.errors[0].message, HasSubstr("12 more"));
   EXPECT_FALSE(container.bin);
 }
 
@@ -115,7 +115,7 @@ TEST(Glb, AChunkMustBeAMultipleOfFour) {
   for (const std::size_t size : {1U, 2U, 3U, 5U}) {
     const Container container = open_glb(glb(json_chunk() + bin_chunk(std::string(size, 'x'))));
     EXPECT_THAT(all_codes(container), ElementsAre("GLB_CHUNK_LENGTH_UNALIGNED@48", "|"));
-    EXPECT_THAT(container.faults[0].help,
+    EXPECT_THAT(container.errors[0].help,
                 HasSubstr("with " + std::to_string(4 - size % 4) + " byte"));
   }
 }
@@ -125,7 +125,7 @@ TEST(Glb, AChunkMustEndInsideTheDeclaredLength) {
   const Container container = open_glb(glb(json_chunk() + bin_chunk(), {59}));
   EXPECT_THAT(all_codes(container),
               ElementsAre("GLB_CHUNK_TOO_BIG@48", "|", "GLB_LENGTH_MISMATCH@60"));
-  EXPECT_THAT(container.faults[0].message,
+  EXPECT_THAT(container.errors[0].message,
               HasSubstr("ends at byte 60, but the file length in the header is 59"));
   EXPECT_EQ(container.bin->length, 4U);
 }
@@ -133,7 +133,7 @@ TEST(Glb, AChunkMustEndInsideTheDeclaredLength) {
 TEST(Glb, TheFirstChunkMustBeJson) {
   const Container container = open_glb(glb(bin_chunk() + json_chunk()));
   EXPECT_THAT(all_codes(container), ElementsAre("GLB_UNEXPECTED_FIRST_CHUNK@12", "|"));
-  EXPECT_THAT(container.faults[0].message, HasSubstr("0x004e4942 ('BIN')"));
+  EXPECT_THAT(container.errors[0].message, HasSubstr("0x004e4942 ('BIN')"));
   EXPECT_EQ(*container.json, kJson);
   EXPECT_EQ(container.bin->header_offset, 12U);
 }
@@ -143,11 +143,11 @@ TEST(Glb, TheBinChunkMustBeTheSecond) {
       open_glb(glb(json_chunk() + chunk(kChunkOther, "abcd") + bin_chunk()));
   EXPECT_THAT(all_codes(container),
               ElementsAre("GLB_UNKNOWN_CHUNK_TYPE@48", "GLB_UNEXPECTED_BIN_CHUNK@60", "|"));
-  EXPECT_THAT(container.faults[1].message, HasSubstr("chunk 3"));
+  EXPECT_THAT(container.errors[1].message, HasSubstr("chunk 3"));
   EXPECT_EQ(container.bin->header_offset, 60U);
 }
 
-TEST(Glb, AnEmptyJsonChunkIsAFaultAndNoText) {
+TEST(Glb, AnEmptyJsonChunkIsAErrorAndNoText) {
   const Container container = open_glb(glb(chunk(kChunkJson, "") + bin_chunk()));
   EXPECT_THAT(all_codes(container), ElementsAre("GLB_EMPTY_CHUNK@12", "|"));
   EXPECT_EQ(container.json, nullptr);
@@ -180,13 +180,13 @@ TEST(Glb, UnknownChunksAreSkipped) {
   const Container container =
       open_glb(glb(json_chunk() + bin_chunk() + chunk(0xFF010203, "12345678")));
   EXPECT_THAT(all_codes(container), ElementsAre("GLB_UNKNOWN_CHUNK_TYPE@60", "|"));
-  EXPECT_THAT(container.faults[0].message, HasSubstr("0xff010203 is"));
+  EXPECT_THAT(container.errors[0].message, HasSubstr("0xff010203 is"));
   EXPECT_EQ(container.chunks.back().length, 8U);
 }
 
 TEST(Glb, LettersOfATypeAreShownWhereTheyArePlain) {
   const auto said = [](std::uint32_t type) {
-    return open_glb(glb(json_chunk() + bin_chunk() + chunk(type, ""))).faults.at(0).message;
+    return open_glb(glb(json_chunk() + bin_chunk() + chunk(type, ""))).errors.at(0).message;
   };
   EXPECT_THAT(said(0x00434241), HasSubstr("0x00434241 ('ABC') is"));
   EXPECT_THAT(said(0x00000000), HasSubstr("0x00000000 is"));
@@ -195,7 +195,7 @@ TEST(Glb, LettersOfATypeAreShownWhereTheyArePlain) {
   EXPECT_THAT(said(0x411B4241), HasSubstr("0x411b4241 is"));
 }
 
-TEST(Glb, FaultsOfOneChunkComeInTheirOrder) {
+TEST(Glb, ErrorsOfOneChunkComeInTheirOrder) {
   const Container container = open_glb(glb(chunk(kChunkBin, "abcde", 7), {20}));
   EXPECT_THAT(
       all_codes(container),
@@ -206,8 +206,8 @@ TEST(Glb, FaultsOfOneChunkComeInTheirOrder) {
 TEST(Glb, AFileThatEndsInAChunkIsCutShort) {
   const Container container = open_glb(glb(json_chunk() + chunk(kChunkBin, "ab", 8), {56 + 8}));
   EXPECT_THAT(all_codes(container), ElementsAre("|", "GLB_UNEXPECTED_END_OF_CHUNK_DATA@58"));
-  EXPECT_THAT(container.late_faults[0].message, HasSubstr("8 bytes, but"));
-  EXPECT_THAT(container.late_faults[0].message, HasSubstr("ends after 2"));
+  EXPECT_THAT(container.late_errors[0].message, HasSubstr("8 bytes, but"));
+  EXPECT_THAT(container.late_errors[0].message, HasSubstr("ends after 2"));
   EXPECT_TRUE(container.cut_short);
   EXPECT_EQ(*container.json, kJson);
   EXPECT_EQ(container.bin->length, 2U);
@@ -216,7 +216,7 @@ TEST(Glb, AFileThatEndsInAChunkIsCutShort) {
 TEST(Glb, AFileThatEndsInAChunkHeaderIsCutShort) {
   const Container container = open_glb(glb(json_chunk() + "abc"));
   EXPECT_THAT(all_codes(container), ElementsAre("|", "GLB_UNEXPECTED_END_OF_CHUNK_HEADER@51"));
-  EXPECT_THAT(container.late_faults[0].message, HasSubstr("ends after 3 bytes of"));
+  EXPECT_THAT(container.late_errors[0].message, HasSubstr("ends after 3 bytes of"));
   EXPECT_TRUE(container.cut_short);
 }
 
@@ -233,16 +233,16 @@ TEST(Glb, AFileOfNothingButChunkHeadersIsNotKeptWhole) {
   for (std::size_t i = 0; i < kMaxChunks + 10; ++i) chunks += chunk(kChunkOther, "");
   const Container container = open_glb(glb(chunks));
   EXPECT_EQ(container.chunks.size(), kMaxChunks);
-  EXPECT_EQ(codes(container.faults).back(),
+  EXPECT_EQ(codes(container.errors).back(),
             "GLB_TOO_MANY_CHUNKS@" + std::to_string(12 + 8 * kMaxChunks));
-  EXPECT_THAT(container.faults.back().message, HasSubstr("last 80 bytes"));
-  EXPECT_THAT(container.late_faults, IsEmpty());
+  EXPECT_THAT(container.errors.back().message, HasSubstr("last 80 bytes"));
+  EXPECT_THAT(container.late_errors, IsEmpty());
 }
 
-TEST(Glb, ExactlyTheMostChunksAreNoFault) {
+TEST(Glb, ExactlyTheMostChunksAreNoError) {
   std::string chunks = json_chunk();
   for (std::size_t i = 1; i < kMaxChunks; ++i) chunks += chunk(kChunkOther, "");
-  EXPECT_EQ(codes(open_glb(glb(chunks)).faults).back().substr(0, 23), "GLB_UNKNOWN_CHUNK_TYPE@");
+  EXPECT_EQ(codes(open_glb(glb(chunks)).errors).back().substr(0, 23), "GLB_UNKNOWN_CHUNK_TYPE@");
 }
 
 TEST(Glb, EveryMessageIsASentenceAndEveryHelpToo) {
@@ -251,10 +251,10 @@ TEST(Glb, EveryMessageIsASentenceAndEveryHelpToo) {
               chunk(kChunkBin, "", 5),
           {11});
   const Container container = open_glb(everything);
-  EXPECT_GE(container.faults.size(), 10U);
-  for (const ContainerFault& fault : container.faults) {
-    EXPECT_EQ(fault.message.back(), '.') << code_name(fault.code);
-    EXPECT_NE(fault.help.back(), '.') << code_name(fault.code);
+  EXPECT_GE(container.errors.size(), 10U);
+  for (const ContainerError& error : container.errors) {
+    EXPECT_EQ(error.message.back(), '.') << code_name(error.code);
+    EXPECT_NE(error.help.back(), '.') << code_name(error.code);
   }
 }
 

@@ -23,16 +23,16 @@ std::string expected_code(std::size_t size) {
 }
 
 void expect_truncated(const Container& container, std::size_t size) {
-  ASSERT_EQ(container.late_faults.size(), 1U) << size;
-  EXPECT_EQ(code_name(container.late_faults[0].code), expected_code(size)) << size;
-  EXPECT_EQ(container.late_faults[0].offset, size);
-  EXPECT_TRUE(container.faults.empty()) << size;
+  ASSERT_EQ(container.late_errors.size(), 1U) << size;
+  EXPECT_EQ(code_name(container.late_errors[0].code), expected_code(size)) << size;
+  EXPECT_EQ(container.late_errors[0].offset, size);
+  EXPECT_TRUE(container.errors.empty()) << size;
   EXPECT_EQ(container.cut_short, expected_code(size) != "GLB_LENGTH_MISMATCH") << size;
   EXPECT_EQ(container.json != nullptr, size >= 48) << size;
   for (const Chunk& chunk : container.chunks) EXPECT_LE(chunk.offset + chunk.length, size);
 }
 
-TEST(GlbTruncation, EveryLengthInMemoryHasOneFaultAtItsEnd) {
+TEST(GlbTruncation, EveryLengthInMemoryHasOneErrorAtItsEnd) {
   const std::string whole = whole_file();
   ASSERT_EQ(whole.size(), 64U);
   for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -40,7 +40,7 @@ TEST(GlbTruncation, EveryLengthInMemoryHasOneFaultAtItsEnd) {
   }
 }
 
-TEST(GlbTruncation, EveryLengthOnDiskHasOneFaultAtItsEnd) {
+TEST(GlbTruncation, EveryLengthOnDiskHasOneErrorAtItsEnd) {
   const TempFolder folder;
   const std::string whole = whole_file();
   for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -55,17 +55,17 @@ TEST(GlbTruncation, ACutJsonChunkIsNotReadAsText) {
   EXPECT_EQ(*open_glb(whole_file().substr(0, 48)).json, kJson);
 }
 
-TEST(GlbTruncation, AFileThatShrinksWhileItIsReadIsAReadFaultAtEveryStep) {
+TEST(GlbTruncation, AFileThatShrinksWhileItIsReadIsAReadErrorAtEveryStep) {
   const TempFolder folder;
   const std::string whole = whole_file();
   for (const std::size_t left : {0U, 11U, 12U, 19U, 20U, 47U, 48U, 55U}) {
     const File file =
         open_regular(AT_FDCWD, folder.write("shrunk.glb", whole.substr(0, left)).c_str());
-    ASSERT_EQ(file.fault, ResolveFault::none);
+    ASSERT_EQ(file.error, ResolveError::none);
     Container container;
-    const auto fault = read_glb(Source(file.fd.get(), whole.size()), container);
-    ASSERT_TRUE(fault) << left;
-    EXPECT_EQ(fault->fault, ResolveFault::truncated) << left;
+    const auto error = read_glb(Source(file.fd.get(), whole.size()), container);
+    ASSERT_TRUE(error) << left;
+    EXPECT_EQ(error->error, ResolveError::truncated) << left;
   }
 }
 

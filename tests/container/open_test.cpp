@@ -101,7 +101,7 @@ TEST(OpenFile, SmallAndLargeGlbsAreTakenApart) {
     EXPECT_EQ(*container->json, kJson);
     EXPECT_TRUE(container->bytes.part(container->bin->offset, container->bin->length).text() ==
                 data);
-    EXPECT_TRUE(container->faults.empty() && container->late_faults.empty());
+    EXPECT_TRUE(container->errors.empty() && container->late_errors.empty());
   }
 }
 
@@ -119,7 +119,7 @@ TEST(OpenFile, TheNameMakesLargeJunkAGlb) {
   const TempFolder folder;
   const auto container = open_file(folder.write("a.glb", std::string(20000, '\1')));
   ASSERT_TRUE(container);
-  EXPECT_EQ(code_name(container->faults.at(0).code), "GLB_INVALID_MAGIC");
+  EXPECT_EQ(code_name(container->errors.at(0).code), "GLB_INVALID_MAGIC");
 }
 
 TEST(OpenFile, AnEmptyFileIsEmpty) {
@@ -177,23 +177,23 @@ TEST(CopyRange, AFileThatBecameShorterIsTruncated) {
   const File file = open_regular(AT_FDCWD, folder.write("a", "12345").c_str());
   EXPECT_EQ(*copy_range(file.fd.get(), 1, 4).text, "2345");
   const Copied cut = copy_range(file.fd.get(), 2, 4);
-  EXPECT_EQ(cut.fault, ResolveFault::truncated);
+  EXPECT_EQ(cut.error, ResolveError::truncated);
   EXPECT_EQ(cut.problem, "it ends at byte 5, expected 6");
 }
 
-TEST(CopyRange, AnImpossibleSizeIsAFaultAndNoCrash) {
+TEST(CopyRange, AnImpossibleSizeIsAErrorAndNoCrash) {
   const TempFolder folder;
   const File file = open_regular(AT_FDCWD, folder.write("a", "12345").c_str());
-  EXPECT_EQ(copy_range(file.fd.get(), 0, UINT64_MAX).fault, ResolveFault::too_large);
+  EXPECT_EQ(copy_range(file.fd.get(), 0, UINT64_MAX).error, ResolveError::too_large);
 }
 
 TEST(LoadFile, NothingIsMappedOfNothing) {
   const TempFolder folder;
   const File file = open_regular(AT_FDCWD, folder.write("a", "").c_str());
   const Loaded loaded = map_file(file.fd.get(), 0);
-  EXPECT_EQ(loaded.fault, ResolveFault::none);
+  EXPECT_EQ(loaded.error, ResolveError::none);
   EXPECT_TRUE(loaded.bytes.text().empty());
-  EXPECT_EQ(load_file(file_fault(ENOENT)).fault, ResolveFault::not_found);
+  EXPECT_EQ(load_file(file_error(ENOENT)).error, ResolveError::not_found);
 }
 
 // Addresses only: of the four gibibytes one page is touched.

@@ -30,25 +30,25 @@ class ResolverTest : public testing::TestWithParam<Confinement> {
   Resolved open(std::string_view path, std::string_view base = "inside") const {
     return Resolver(root(), folder_.path() / base, GetParam()).open(path);
   }
-  /// The content, or the fault as "fault N".
+  /// The content, or the error as "fault N".
   std::string read(std::string_view path, std::string_view base = "inside") const {
     const Resolver resolver(root(), folder_.path() / base, GetParam());
     const Resolved resolved = resolver.open(path);
     std::uint64_t size = 0;
-    EXPECT_EQ(resolver.stat(path, size), resolved.fault) << path;
-    if (resolved.fault != ResolveFault::none) return fault(resolved.fault);
+    EXPECT_EQ(resolver.stat(path, size), resolved.error) << path;
+    if (resolved.error != ResolveError::none) return error(resolved.error);
     EXPECT_EQ(size, resolved.bytes.size()) << path;
     return std::string(resolved.bytes.text());
   }
-  static std::string fault(ResolveFault fault) {
-    return "fault " + std::to_string(static_cast<int>(fault));
+  static std::string error(ResolveError error) {
+    return "fault " + std::to_string(static_cast<int>(error));
   }
   std::filesystem::path root() const { return folder_.path() / "inside"; }
 
-  const std::string not_found_ = fault(ResolveFault::not_found);
-  const std::string outside_ = fault(ResolveFault::outside_root);
-  const std::string not_regular_ = fault(ResolveFault::not_regular);
-  const std::string io_error_ = fault(ResolveFault::io_error);
+  const std::string not_found_ = error(ResolveError::not_found);
+  const std::string outside_ = error(ResolveError::outside_root);
+  const std::string not_regular_ = error(ResolveError::not_regular);
+  const std::string io_error_ = error(ResolveError::io_error);
   const TempFolder folder_;
 };
 
@@ -108,7 +108,7 @@ TEST_P(ResolverTest, AWayOutThatNamesTheWayBackInStaysInside) {
   EXPECT_EQ(read("../../" + parent + "/inside/a.bin"), "content of a");
   EXPECT_EQ(read("../../" + parent + "/outside/secret"), outside_);
   EXPECT_EQ(read("../inside/../outside/secret"), outside_);
-  EXPECT_EQ(read("../inside/"), fault(ResolveFault::not_regular));
+  EXPECT_EQ(read("../inside/"), error(ResolveError::not_regular));
   EXPECT_EQ(read("../insid/a.bin"), outside_);
   EXPECT_EQ(read("../insidee/a.bin"), outside_);
 }
@@ -201,8 +201,8 @@ TEST_P(ResolverTest, AbsoluteLinksMayStepUpOnTheirWayBack) {
 TEST_P(ResolverTest, AnAbsolutePathIsOpenedWhereItLeadsBackInside) {
   const UniqueFd fd(::open(root().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   EXPECT_EQ(open_beneath(fd.get(), root() / "a.bin", GetParam()).size, 12U);
-  EXPECT_EQ(open_beneath(fd.get(), folder_.path() / "outside/secret", GetParam()).fault,
-            ResolveFault::outside_root);
+  EXPECT_EQ(open_beneath(fd.get(), folder_.path() / "outside/secret", GetParam()).error,
+            ResolveError::outside_root);
 }
 
 TEST_P(ResolverTest, TheBaseMayBeAnotherNameOfTheRoot) {
@@ -216,10 +216,10 @@ TEST_P(ResolverTest, BytesThatAreAddedStandInTheirPlace) {
   resolver.add("a.bin", Bytes::from_string("added"));
   std::uint64_t size = 0;
   EXPECT_EQ(resolver.open("a.bin").bytes.text(), "added");
-  EXPECT_EQ(resolver.stat("a.bin", size), ResolveFault::none);
+  EXPECT_EQ(resolver.stat("a.bin", size), ResolveError::none);
   EXPECT_EQ(size, 5U);
   EXPECT_TRUE(log->lookups().empty());
-  EXPECT_EQ(resolver.stat("none", size), ResolveFault::not_found);
+  EXPECT_EQ(resolver.stat("none", size), ResolveError::not_found);
   ASSERT_EQ(log->lookups().size(), 1U);
   EXPECT_EQ(log->lookups().front().path, "none");
 }
@@ -274,14 +274,14 @@ TEST_P(ResolverTest, AFifoIsRefusedWithoutWaiting) {
 TEST_P(ResolverTest, WithoutPermissionItIsSaidSo) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
   std::filesystem::permissions(root() / "a.bin", std::filesystem::perms::none);
-  EXPECT_EQ(read("a.bin"), fault(ResolveFault::no_permission));
+  EXPECT_EQ(read("a.bin"), error(ResolveError::no_permission));
 }
 
 TEST_P(ResolverTest, LargeFilesAreMappedAndOutliveTheResolver) {
   const std::string content(300000, 'm');
   folder_.write("inside/large.bin", content);
   const Resolved resolved = open("large.bin");
-  EXPECT_EQ(resolved.fault, ResolveFault::none);
+  EXPECT_EQ(resolved.error, ResolveError::none);
   EXPECT_TRUE(resolved.bytes.text() == content);
 }
 
@@ -323,7 +323,7 @@ TEST_P(ResolverTest, ABaseOutsideTheRootReadsNothing) {
 TEST_P(ResolverTest, AMissingRootOrBaseReadsNothing) {
   EXPECT_EQ(read("a.bin", "inside/none"), not_found_);
   const Resolver resolver(folder_.path() / "none", folder_.path() / "none", GetParam());
-  EXPECT_EQ(resolver.open("a.bin").fault, ResolveFault::not_found);
+  EXPECT_EQ(resolver.open("a.bin").error, ResolveError::not_found);
 }
 
 TEST_P(ResolverTest, TheRootStaysWhatItWasWhenItsNameIsTakenOver) {
@@ -331,13 +331,13 @@ TEST_P(ResolverTest, TheRootStaysWhatItWasWhenItsNameIsTakenOver) {
   std::filesystem::rename(root(), folder_.path() / "moved");
   folder_.link("inside", "outside");
   EXPECT_EQ(resolver.open("a.bin").bytes.text(), "content of a");
-  EXPECT_EQ(resolver.open("secret").fault, ResolveFault::not_found);
+  EXPECT_EQ(resolver.open("secret").error, ResolveError::not_found);
 }
 
 TEST(Resolver, WithoutARootNothingIsLookedUp) {
   std::uint64_t size = 7;
-  EXPECT_EQ(Resolver().open("a.bin").fault, ResolveFault::no_root);
-  EXPECT_EQ(Resolver().stat("a.bin", size), ResolveFault::no_root);
+  EXPECT_EQ(Resolver().open("a.bin").error, ResolveError::no_root);
+  EXPECT_EQ(Resolver().stat("a.bin", size), ResolveError::no_root);
   EXPECT_EQ(size, 0U);
 }
 
@@ -349,12 +349,12 @@ TEST(Resolver, AFolderThatIsGoneHasNoName) {
   }
   const Resolver resolver(".", "sub");
   ASSERT_EQ(::fchdir(back.get()), 0);
-  EXPECT_EQ(resolver.open("a.bin").fault, ResolveFault::not_found);
+  EXPECT_EQ(resolver.open("a.bin").error, ResolveError::not_found);
 }
 
 TEST(Resolver, AnEmptyPathMeansTheCurrentFolder) {
   std::uint64_t size = 0;
-  EXPECT_EQ(Resolver("", "").stat(".", size), ResolveFault::not_regular);
+  EXPECT_EQ(Resolver("", "").stat(".", size), ResolveError::not_regular);
 }
 
 }  // namespace

@@ -51,11 +51,11 @@ TEST(GlbRewrite, OldPaddingIsNotKept) {
   EXPECT_EQ(rewritten(old, R"({"a": 12}   )"), file(R"({"a": 12})", ""));
 }
 
-TEST(GlbRewrite, TheResultIsReadWithoutFaults) {
+TEST(GlbRewrite, TheResultIsReadWithoutErrors) {
   const std::string bytes = rewritten(file("{}", chunk(container::kChunkBin, "abcd")), "[]");
   const Container opened = container::open_bytes(Bytes::from_string(bytes));
-  EXPECT_TRUE(opened.faults.empty());
-  EXPECT_TRUE(opened.late_faults.empty());
+  EXPECT_TRUE(opened.errors.empty());
+  EXPECT_TRUE(opened.late_errors.empty());
   EXPECT_EQ(*opened.json, "[]  ");
 }
 

@@ -138,7 +138,7 @@ TEST(Prune, AVendorsExtensionMayReferToTheBuffer) {
     "type": "object", "properties": {"buffer": {"description": "Where they are.",
       "type": "integer", "minimum": 0, "x-gltfx": {"ref": "buffers"}}}})",
                                                            true}});
-  ASSERT_TRUE(compiled.set) << compiled.faults.at(0).message;
+  ASSERT_TRUE(compiled.set) << compiled.errors.at(0).message;
   const std::string text = R"({"nodes":[{"extensions":{"TEST_words":{"buffer":0}}}],
     "buffers":[{"byteLength":8}],"bufferViews":[{"buffer":0,"byteLength":4},)"
                            R"({"buffer":0,"byteOffset":4,"byteLength":4}]})";

@@ -16,10 +16,10 @@ void require(bool promise) {
   if (!promise) std::abort();
 }
 
-void check_faults(const std::vector<ContainerFault>& faults, std::uint64_t size) {
-  for (const ContainerFault& fault : faults) {
-    require(fault.offset <= size && !gltfx::code_name(fault.code).empty());
-    require(!fault.message.empty() && !fault.help.empty());
+void check_errors(const std::vector<ContainerError>& errors, std::uint64_t size) {
+  for (const ContainerError& error : errors) {
+    require(error.offset <= size && !gltfx::code_name(error.code).empty());
+    require(!error.message.empty() && !error.help.empty());
   }
 }
 
@@ -29,8 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   const Container container = open_bytes(Bytes::from_string(bytes), "fuzz.glb");
   require(container.bytes.text() == bytes);
-  check_faults(container.faults, size);
-  check_faults(container.late_faults, size);
+  check_errors(container.errors, size);
+  check_errors(container.late_errors, size);
   for (const Chunk& chunk : container.chunks) {
     require(gltfx::fits(chunk.offset, chunk.length, size));
     require(chunk.header_offset + 8 == chunk.offset);

@@ -20,8 +20,8 @@ void require(bool promise) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::byte> bytes(reinterpret_cast<const std::byte*>(data), size);
   const HeaderResult result = read_header(bytes);
-  if (const auto* fault = std::get_if<HeaderFault>(&result)) {
-    require(fault->kind != HeaderFault::Kind::invalid || !fault->problem.empty());
+  if (const auto* error = std::get_if<HeaderError>(&result)) {
+    require(error->kind != HeaderError::Kind::invalid || !error->problem.empty());
     return 0;
   }
   const Header& header = std::get<Header>(result);

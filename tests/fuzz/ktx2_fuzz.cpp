@@ -20,8 +20,8 @@ void require(bool promise) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Ktx2 file = read_ktx2({reinterpret_cast<const std::byte*>(data), size});
   require(file.levels.size() <= 32);
-  for (const Ktx2Fault& fault : file.faults) {
-    require(!gltfx::code_name(fault.code).empty() && fault.problem.back() == '.');
+  for (const Ktx2Error& error : file.errors) {
+    require(!gltfx::code_name(error.code).empty() && error.problem.back() == '.');
   }
   if (!file.is_sound()) return 0;
   require(file.described && !file.levels.empty());

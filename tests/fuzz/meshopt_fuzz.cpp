@@ -43,16 +43,16 @@ bool library_decodes(std::span<const std::byte> stream, const Layout& layout, El
   return meshopt_decodeIndexSequence(to.data(), count, stride, bytes, stream.size()) == 0;
 }
 
-Fault own(std::span<const std::byte> stream, const Layout& layout, Elements& to) {
+DecodeError own(std::span<const std::byte> stream, const Layout& layout, Elements& to) {
   if (layout.mode == Mode::triangles) return decode_triangles(stream, layout, to);
   if (layout.mode == Mode::indices) return decode_indices(stream, layout, to);
   return decode_attributes(stream, layout, to);
 }
 
 void compare(std::span<const std::byte> stream, const Layout& layout) {
-  if (check_size(stream, layout) != Fault::none || stream.front() == std::byte{0xa1}) return;
+  if (check_size(stream, layout) != DecodeError::none || stream.front() == std::byte{0xa1}) return;
   Elements ours(static_cast<std::size_t>(*layout.decoded_size())), theirs(ours.size());
-  const bool taken = own(stream, layout, ours) == Fault::none;
+  const bool taken = own(stream, layout, ours) == DecodeError::none;
   const bool library = library_decodes(stream, layout, theirs);
   if (layout.mode == Mode::attributes) require(taken == library);
   if (!taken) return;
@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Elements stream(first + kHeader, first + size);
   compare(stream, layout);
   Elements elements(static_cast<std::size_t>(*layout.decoded_size()));
-  if (decode(stream, layout, elements) != Fault::none) return 0;
+  if (decode(stream, layout, elements) != DecodeError::none) return 0;
   const Misfits misfits = find_misfits(layout, elements);
   require(misfits.count <= layout.count && (misfits.count == 0 || misfits.first < layout.count));
   if (misfits.count == 0) apply_filter(layout, elements);

@@ -121,9 +121,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!parsed.document.empty()) check_document(parsed.document, *schema::builtin_set());
 
   const schema::Compiled compiled = compile_with_core(schema_text);
-  require((compiled.set == nullptr) == !compiled.faults.empty());
-  for (const schema::SchemaFault& fault : compiled.faults) {
-    require(fault.line >= 1 && fault.column >= 1 && !fault.message.empty());
+  require((compiled.set == nullptr) == !compiled.errors.empty());
+  for (const schema::SchemaError& error : compiled.errors) {
+    require(error.line >= 1 && error.column >= 1 && !error.message.empty());
   }
   if (compiled.set) use(*compiled.set, parsed.document);
   return 0;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::literals;
 
-using test::fault;
+using test::error;
 using test::header;
 using test::jpeg;
 using test::jpeg_frame;
@@ -40,7 +40,7 @@ TEST(Sniff, FourFormatsByTheirFirstBytes) {
 TEST(Sniff, FewerBytesThanAnyImageHasAreUnknown) {
   const std::string whole = png();
   for (std::size_t size = 0; size < kSniffBytes; ++size) {
-    EXPECT_EQ(fault(whole.substr(0, size)), HeaderFault::Kind::unrecognized) << size;
+    EXPECT_EQ(error(whole.substr(0, size)), HeaderError::Kind::unrecognized) << size;
   }
 }
 
@@ -89,8 +89,8 @@ TEST(Headers, TellColourProfiles) {
 }
 
 TEST(Ktx2, IsToldAndNotRead) {
-  EXPECT_EQ(fault("\xabKTX 20\xbb\r\n\x1a\n" + std::string(80, '\0')),
-            HeaderFault::Kind::unrecognized);
+  EXPECT_EQ(error("\xabKTX 20\xbb\r\n\x1a\n" + std::string(80, '\0')),
+            HeaderError::Kind::unrecognized);
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ inline image::Header header(const std::string& bytes) {
   return found != nullptr ? *found : image::Header{};
 }
 
-inline image::HeaderFault::Kind fault(const std::string& bytes) {
+inline image::HeaderError::Kind error(const std::string& bytes) {
   const image::HeaderResult result = read(bytes);
-  const auto* found = std::get_if<image::HeaderFault>(&result);
+  const auto* found = std::get_if<image::HeaderError>(&result);
   EXPECT_NE(found, nullptr);
-  return found != nullptr ? found->kind : image::HeaderFault::Kind::unrecognized;
+  return found != nullptr ? found->kind : image::HeaderError::Kind::unrecognized;
 }
 
 /// What makes readers refuse an image that has a header.

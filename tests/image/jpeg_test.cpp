@@ -14,7 +14,7 @@ namespace {
 using namespace std::literals;
 
 using test::doubt;
-using test::fault;
+using test::error;
 using test::header;
 using test::jpeg;
 using test::jpeg_frame;
@@ -32,7 +32,7 @@ TEST(Jpeg, SizeAndChannels) {
   EXPECT_EQ(grey.bits, 8U);
   EXPECT_EQ(grey.transfer, Tag::none);
   EXPECT_EQ(header(jpeg(jpeg_frame(3))).channels, Channels::rgb);
-  EXPECT_EQ(fault(jpeg(jpeg_frame(4))), HeaderFault::Kind::invalid);
+  EXPECT_EQ(error(jpeg(jpeg_frame(4))), HeaderError::Kind::invalid);
 }
 
 TEST(Jpeg, ProgressiveFramesAreInterlaced) {
@@ -52,14 +52,14 @@ TEST(Jpeg, FillBytesAndRestartMarkersAreSkipped) {
 }
 
 TEST(Jpeg, ASegmentShorterThanItsLengthFieldIsInvalid) {
-  EXPECT_EQ(fault(jpeg(std::string("\xff\xe1\x00\x01", 4) + jpeg_frame(3))),
-            HeaderFault::Kind::invalid);
+  EXPECT_EQ(error(jpeg(std::string("\xff\xe1\x00\x01", 4) + jpeg_frame(3))),
+            HeaderError::Kind::invalid);
 }
 
 TEST(Jpeg, EveryCutBeforeTheFrameEndsIsAnUnexpectedEnd) {
   const std::string whole = jpeg(jpeg_frame(3));
   for (std::size_t size = kSniffBytes; size < whole.size(); ++size) {
-    EXPECT_EQ(fault(whole.substr(0, size)), HeaderFault::Kind::unexpected_end) << size;
+    EXPECT_EQ(error(whole.substr(0, size)), HeaderError::Kind::unexpected_end) << size;
   }
 }
 

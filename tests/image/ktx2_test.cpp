@@ -33,7 +33,7 @@ TEST(Ktx2, WhatIsRightIsRead) {
   builder.levels = 4;
   builder.metadata = {{"KTXorientation", "rd"}, {"KTXswizzle", "rgba"}, {"KTXwriter", "test"}};
   const Ktx2 file = read_ktx2_text(builder.file());
-  EXPECT_TRUE(file.faults.empty()) << file.faults[0].problem;
+  EXPECT_TRUE(file.errors.empty()) << file.errors[0].problem;
   EXPECT_TRUE(file.described);
   EXPECT_EQ(file.model, Ktx2Model::uastc);
   EXPECT_EQ(file.contents, Channels::rgb);

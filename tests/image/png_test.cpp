@@ -14,7 +14,7 @@ namespace {
 
 using test::be32;
 using test::doubt;
-using test::fault;
+using test::error;
 using test::header;
 using test::png;
 using test::png_chunk;
@@ -93,14 +93,14 @@ TEST(Png, AnimationIsTold) {
 
 TEST(Png, ChunksOfOneLengthHaveIt) {
   for (const char* type : {"gAMA", "cHRM", "sRGB", "pHYs", "IHDR"}) {
-    EXPECT_EQ(fault(png(png_chunk(type, "12"))), HeaderFault::Kind::invalid) << type;
+    EXPECT_EQ(error(png(png_chunk(type, "12"))), HeaderError::Kind::invalid) << type;
   }
 }
 
 TEST(Png, BeginsWithItsHeader) {
   std::string bytes = png();
   bytes.replace(bytes.find("IHDR"), 4, "JHDR");
-  EXPECT_EQ(fault(bytes), HeaderFault::Kind::invalid);
+  EXPECT_EQ(error(bytes), HeaderError::Kind::invalid);
 }
 
 TEST(Png, HeadersThatCannotBeMeantAreDoubted) {
@@ -237,7 +237,7 @@ TEST(Png, EveryCutBeforeTheImageDataIsAnUnexpectedEnd) {
   const std::string whole = png(png_chunk("gAMA", be32(45455)));
   const std::size_t enough = whole.find("IDAT") + 4;
   for (std::size_t size = kSniffBytes; size < enough; ++size) {
-    EXPECT_EQ(fault(whole.substr(0, size)), HeaderFault::Kind::unexpected_end) << size;
+    EXPECT_EQ(error(whole.substr(0, size)), HeaderError::Kind::unexpected_end) << size;
   }
   EXPECT_EQ(header(whole.substr(0, enough)).width, 4U);
 }
@@ -245,7 +245,7 @@ TEST(Png, EveryCutBeforeTheImageDataIsAnUnexpectedEnd) {
 TEST(Png, AChunkOfFourGigabytesIsAnEndAndNoAllocation) {
   std::string bytes = png(png_chunk("tEXt", "x"));
   bytes.replace(bytes.find("tEXt") - 4, 4, "\xff\xff\xff\xff");
-  EXPECT_EQ(fault(bytes), HeaderFault::Kind::unexpected_end);
+  EXPECT_EQ(error(bytes), HeaderError::Kind::unexpected_end);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 using namespace std::literals;
 
 using test::doubt;
-using test::fault;
+using test::error;
 using test::header;
 using test::le;
 using test::remark;
@@ -42,11 +42,11 @@ TEST(Webp, LossyLosslessAndExtended) {
 TEST(Webp, NeedsThirtyBytesOrTwentyFive) {
   const std::string lossy = webp("VP8 ", "\x10\0\0\x9d\x01\x2a\x40\x41\x20\x80"s);
   const std::string lossless = webp("VP8L", "\x2f\xff\xc0\x1f\x10"s);
-  EXPECT_EQ(fault(lossy.substr(0, 29)), HeaderFault::Kind::unexpected_end);
+  EXPECT_EQ(error(lossy.substr(0, 29)), HeaderError::Kind::unexpected_end);
   EXPECT_EQ(header(lossy).bits, 8U);
-  EXPECT_EQ(fault(lossless.substr(0, 24)), HeaderFault::Kind::unexpected_end);
+  EXPECT_EQ(error(lossless.substr(0, 24)), HeaderError::Kind::unexpected_end);
   EXPECT_EQ(header(lossless).bits, 8U);
-  EXPECT_EQ(fault(webp("VPxx", std::string(20, '\0'))), HeaderFault::Kind::invalid);
+  EXPECT_EQ(error(webp("VPxx", std::string(20, '\0'))), HeaderError::Kind::invalid);
 }
 
 TEST(Webp, SizesReachAsFarAsTheBytes) {

@@ -95,7 +95,7 @@ TEST(Keys, ANameWithEscapesIsNotMistakenForItsRawLookalike) {
     }
   }
   EXPECT_THAT(names, ElementsAre("a\"b", "a", "a\\", "a"));
-  EXPECT_EQ(faults_of(R"([{"a\"b": 1}, {"a"b": 2}])"),
+  EXPECT_EQ(errors_of(R"([{"a\"b": 1}, {"a"b": 2}])"),
             (std::vector<std::string>{"syntax 1:19-1:20"}));
 }
 
@@ -115,19 +115,19 @@ TEST(Keys, ObjectsWithOtherMembersInOtherOrderAreReadRight) {
 
 TEST(DuplicateKeys, ASecondMemberOfANameIsReportedWithTheFirst) {
   const Parsed parsed = parse("{\"a\": 1, \"b\": 2,\n \"\\u0061\": 3, \"a\": 4}");
-  ASSERT_EQ(parsed.faults.size(), 2u);
-  EXPECT_EQ(parsed.faults[0].fault, Fault::duplicate_key);
-  EXPECT_EQ(parsed.faults[0].span.in(parsed.document.text()), "\"\\u0061\"");
-  EXPECT_EQ(parsed.faults[1].span.in(parsed.document.text()), "\"a\"");
-  EXPECT_EQ(parsed.faults[0].other, (Span{1, 4}));
-  EXPECT_EQ(parsed.faults[1].other, (Span{1, 4}));
+  ASSERT_EQ(parsed.errors.size(), 2u);
+  EXPECT_EQ(parsed.errors[0].error, SyntaxError::duplicate_key);
+  EXPECT_EQ(parsed.errors[0].span.in(parsed.document.text()), "\"\\u0061\"");
+  EXPECT_EQ(parsed.errors[1].span.in(parsed.document.text()), "\"a\"");
+  EXPECT_EQ(parsed.errors[0].other, (Span{1, 4}));
+  EXPECT_EQ(parsed.errors[1].other, (Span{1, 4}));
   EXPECT_EQ(parsed.document.number(parsed.document.find(0, "a")).value, 4);
   EXPECT_EQ(parsed.document.object_size(0), 4u);
 }
 
 TEST(DuplicateKeys, TheSameNameInOtherObjectsIsNoRepeat) {
   EXPECT_TRUE(parse(R"({"a": {"a": {"a": 1}, "b": 1}, "b": [{"a": 1}, {"a": 2}]})").ok());
-  EXPECT_THAT(faults_of(R"({"a": {"a": 1}, "a": {"a": 1}})"),
+  EXPECT_THAT(errors_of(R"({"a": {"a": 1}, "a": {"a": 1}})"),
               ElementsAre("duplicate_key 1:17-1:20"));
 }
 
@@ -137,9 +137,9 @@ TEST(DuplicateKeys, AreFoundInObjectsOfAnySize) {
   const std::size_t second = text.size() + 1;
   text += ",\"first\":1}";
   const Parsed parsed = parse(text);
-  ASSERT_EQ(parsed.faults.size(), 1u);
-  EXPECT_EQ(parsed.faults[0].span.begin, second);
-  EXPECT_EQ(parsed.faults[0].other, (Span{1, 8}));
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_EQ(parsed.errors[0].span.begin, second);
+  EXPECT_EQ(parsed.errors[0].other, (Span{1, 8}));
   EXPECT_EQ(parsed.document.key_count(), 100001u);
   EXPECT_EQ(parsed.document.number(parsed.document.find(0, "k99999")).value, 99999);
 }
@@ -148,8 +148,8 @@ TEST(DuplicateKeys, AHundredThousandOfThemAreCounted) {
   std::string text = "{\"k\":0";
   for (int i = 0; i < 100000; ++i) text += ",\"k\":1";
   const Parsed parsed = parse(text + "}");
-  EXPECT_EQ(parsed.faults.size() + parsed.unrecorded_faults, 100000u);
-  EXPECT_EQ(parsed.faults.size(), Limits{}.recorded_faults);
+  EXPECT_EQ(parsed.errors.size() + parsed.unrecorded_errors, 100000u);
+  EXPECT_EQ(parsed.errors.size(), Limits{}.recorded_errors);
   EXPECT_EQ(parsed.document.key_count(), 1u);
 }
 

@@ -41,8 +41,8 @@ TEST(Unescape, WhatIsNoEscapeStays) {
 
 TEST(Parse, NoTextAtAllIsAnEmptyOne) {
   const Parsed parsed = parse(SharedText());
-  ASSERT_EQ(parsed.faults.size(), 1U);
-  EXPECT_EQ(parsed.faults[0].fault, Fault::unexpected_end);
+  ASSERT_EQ(parsed.errors.size(), 1U);
+  EXPECT_EQ(parsed.errors[0].error, SyntaxError::unexpected_end);
 }
 
 }  // namespace

@@ -15,22 +15,22 @@ namespace gltfx::fuzz {
 namespace {
 
 using json::Document;
-using json::Fault;
 using json::Kind;
 using json::NodeId;
 using json::Parsed;
+using json::SyntaxError;
 using Nlohmann = nlohmann::json;
 using Simd = simdjson::dom::element;
 
-bool has(const Parsed& parsed, Fault fault) {
-  return std::any_of(parsed.faults.begin(), parsed.faults.end(),
-                     [&](const json::ParseFault& found) { return found.fault == fault; });
+bool has(const Parsed& parsed, SyntaxError error) {
+  return std::any_of(parsed.errors.begin(), parsed.errors.end(),
+                     [&](const json::ParseError& found) { return found.error == error; });
 }
 
-// Neither judge minds repeated names; both refuse everything else that is a fault for us.
+// Neither judge minds repeated names; both refuse everything else that is a error for us.
 bool is_valid_json(const Parsed& parsed) {
-  return std::all_of(parsed.faults.begin(), parsed.faults.end(), [](const json::ParseFault& found) {
-    return found.fault == Fault::duplicate_key;
+  return std::all_of(parsed.errors.begin(), parsed.errors.end(), [](const json::ParseError& found) {
+    return found.error == SyntaxError::duplicate_key;
   });
 }
 
@@ -164,7 +164,7 @@ std::string compare_with_nlohmann(const Parsed& parsed, std::string_view text) {
 
 std::string compare_with_simdjson(const Parsed& parsed, std::string_view text) {
   // It reads some lone surrogates and refuses others.
-  if (has(parsed, Fault::lone_surrogate) || has_huge_integer(parsed.document)) return {};
+  if (has(parsed, SyntaxError::lone_surrogate) || has_huge_integer(parsed.document)) return {};
   simdjson::dom::parser parser;
   if (parser.allocate(text.size() + 64, text.size() + 2) != simdjson::SUCCESS) return {};
   const auto other = parser.parse(text.data(), text.size());
@@ -203,7 +203,7 @@ std::string check_nodes(const Document& document) {
 
 std::string check_pointers(const Parsed& parsed) {
   const Document& document = parsed.document;
-  if (has(parsed, Fault::duplicate_key) || document.node_count() > 200) return {};
+  if (has(parsed, SyntaxError::duplicate_key) || document.node_count() > 200) return {};
   for (NodeId id = 0; id < document.node_count(); ++id) {
     const NodeId value = document.kind(id) == Kind::key ? id + 1 : id;
     if (document.resolve(document.pointer_of(id)) != value) return "pointer leads elsewhere";
@@ -211,21 +211,21 @@ std::string check_pointers(const Parsed& parsed) {
   return {};
 }
 
-std::string check_faults(const Parsed& parsed, std::string_view text) {
+std::string check_errors(const Parsed& parsed, std::string_view text) {
   const json::LineIndex lines(text);
   std::size_t fatal = 0;
   std::uint32_t before = 0;
-  for (const json::ParseFault& fault : parsed.faults) {
-    fatal += json::is_recoverable(fault.fault) ? 0 : 1;
-    const bool inside = fault.span.begin <= fault.span.end && fault.span.end <= text.size();
-    if (!inside || fault.other.end > text.size()) return "fault outside the text";
-    if (fault.span.empty() && fault.span.end != text.size()) return "fault without a mark";
-    if (fault.span.begin < before) return "faults out of order";
-    before = fault.span.begin;
-    if (fault.detail.empty() || printable(fault.detail) != fault.detail)
+  for (const json::ParseError& error : parsed.errors) {
+    fatal += json::is_recoverable(error.error) ? 0 : 1;
+    const bool inside = error.span.begin <= error.span.end && error.span.end <= text.size();
+    if (!inside || error.other.end > text.size()) return "fault outside the text";
+    if (error.span.empty() && error.span.end != text.size()) return "fault without a mark";
+    if (error.span.begin < before) return "faults out of order";
+    before = error.span.begin;
+    if (error.detail.empty() || printable(error.detail) != error.detail)
       return "words unfit to print";
-    if (lines.locate(fault.span).line == 0) return "fault without a line";
-    if (lines.excerpt(fault.span, 20).width == 0) return "fault without an excerpt";
+    if (lines.locate(error.span).line == 0) return "fault without a line";
+    if (lines.excerpt(error.span, 20).width == 0) return "fault without an excerpt";
   }
   if (fatal > 1 || (fatal == 1) != parsed.document.empty()) return "document despite a fatal fault";
   return {};
@@ -236,14 +236,14 @@ std::string check_faults(const Parsed& parsed, std::string_view text) {
 std::string check_json(std::string_view text) {
   json::Limits limits;
   limits.depth = UINT32_MAX;
-  limits.recorded_faults = UINT32_MAX;
+  limits.recorded_errors = UINT32_MAX;
   const Parsed parsed = json::parse(text, limits);
   for (const std::string& problem :
-       {check_faults(parsed, text), check_nodes(parsed.document), check_pointers(parsed)}) {
+       {check_errors(parsed, text), check_nodes(parsed.document), check_pointers(parsed)}) {
     if (!problem.empty()) return problem;
   }
   // A mark before the text is passed by one judge and refused by the other: compare behind it.
-  if (has(parsed, Fault::byte_order_mark)) return check_json(text.substr(3));
+  if (has(parsed, SyntaxError::byte_order_mark)) return check_json(text.substr(3));
   std::string problem = compare_with_nlohmann(parsed, text);
   return problem.empty() ? compare_with_simdjson(parsed, text) : problem;
 }

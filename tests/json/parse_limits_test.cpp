@@ -22,10 +22,10 @@ TEST(ParseLimits, DepthIsAllowedUpToTheLimitAndNoFurther) {
   EXPECT_TRUE(parse("[[[]]]", limits).ok());
   EXPECT_TRUE(parse("[[[1]]]", limits).ok());
   EXPECT_TRUE(parse(R"({"a":[{"b":1}]})", limits).ok());
-  EXPECT_THAT(faults_of("[[[[]]]]", limits), ElementsAre("too_deep 1:4-1:5"));
-  EXPECT_THAT(faults_of("[[[[1]]]]", limits), ElementsAre("too_deep 1:4-1:5"));
-  EXPECT_THAT(faults_of("[[[1,{}]]]", limits), ElementsAre("too_deep 1:6-1:7"));
-  EXPECT_THAT(faults_of(R"({"a":[{"b":{}}]})", limits), ElementsAre("too_deep 1:12-1:13"));
+  EXPECT_THAT(errors_of("[[[[]]]]", limits), ElementsAre("too_deep 1:4-1:5"));
+  EXPECT_THAT(errors_of("[[[[1]]]]", limits), ElementsAre("too_deep 1:4-1:5"));
+  EXPECT_THAT(errors_of("[[[1,{}]]]", limits), ElementsAre("too_deep 1:6-1:7"));
+  EXPECT_THAT(errors_of(R"({"a":[{"b":{}}]})", limits), ElementsAre("too_deep 1:12-1:13"));
 }
 
 TEST(ParseLimits, SiblingsDoNotAddToTheDepth) {
@@ -36,9 +36,9 @@ TEST(ParseLimits, SiblingsDoNotAddToTheDepth) {
 
 TEST(ParseLimits, AHundredThousandBracketsFailAtTheLimit) {
   const Parsed parsed = parse(repeat("[", 100000));
-  ASSERT_EQ(parsed.faults.size(), 1u);
-  EXPECT_EQ(parsed.faults[0].fault, Fault::too_deep);
-  EXPECT_EQ(parsed.faults[0].span, (Span{1024, 1025}));
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_EQ(parsed.errors[0].error, SyntaxError::too_deep);
+  EXPECT_EQ(parsed.errors[0].span, (Span{1024, 1025}));
 }
 
 TEST(ParseLimits, AMillionLevelsAreReadWhenTheyAreAllowed) {
@@ -49,7 +49,8 @@ TEST(ParseLimits, AMillionLevelsAreReadWhenTheyAreAllowed) {
   EXPECT_TRUE(parsed.ok());
   EXPECT_EQ(parsed.document.node_count(), kLevels);
   EXPECT_EQ(parsed.document.pointer_of(kLevels - 1).size(), 2 * (kLevels - 1));
-  EXPECT_EQ(parse(repeat("{\"a\":", kLevels), limits).faults.at(0).fault, Fault::unexpected_end);
+  EXPECT_EQ(parse(repeat("{\"a\":", kLevels), limits).errors.at(0).error,
+            SyntaxError::unexpected_end);
 }
 
 TEST(ParseLimits, TheLengthOfTheTextIsLimited) {
@@ -57,9 +58,9 @@ TEST(ParseLimits, TheLengthOfTheTextIsLimited) {
   limits.bytes = 4;
   EXPECT_TRUE(parse("[12]", limits).ok());
   const Parsed parsed = parse("[123]", limits);
-  ASSERT_EQ(parsed.faults.size(), 1u);
-  EXPECT_EQ(parsed.faults[0].fault, Fault::too_large);
-  EXPECT_EQ(parsed.faults[0].span, (Span{3, 4}));
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_EQ(parsed.errors[0].error, SyntaxError::too_large);
+  EXPECT_EQ(parsed.errors[0].span, (Span{3, 4}));
   EXPECT_TRUE(parsed.document.empty());
 }
 
@@ -80,17 +81,17 @@ TEST(ParseLimits, EveryTruncationEndsTooEarlyAtItsEnd) {
     const Parsed parsed = parse(cut);
     ASSERT_FALSE(parsed.ok()) << cut;
     // A cut inside a surrogate pair leaves a lone surrogate besides.
-    ASSERT_LE(parsed.faults.size(), 2u) << cut;
-    const ParseFault& fault = parsed.faults.back();
+    ASSERT_LE(parsed.errors.size(), 2u) << cut;
+    const ParseError& error = parsed.errors.back();
     // A cut inside a character of several bytes shows as such.
-    if (fault.fault == Fault::invalid_utf8) {
-      EXPECT_EQ(fault.span.end, size) << cut;
+    if (error.error == SyntaxError::invalid_utf8) {
+      EXPECT_EQ(error.span.end, size) << cut;
       continue;
     }
-    EXPECT_EQ(fault.fault, Fault::unexpected_end) << cut;
-    EXPECT_EQ(fault.span,
+    EXPECT_EQ(error.error, SyntaxError::unexpected_end) << cut;
+    EXPECT_EQ(error.span,
               (Span{static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size)}));
-    EXPECT_EQ(fault.other.empty(), size == 0) << cut;
+    EXPECT_EQ(error.other.empty(), size == 0) << cut;
   }
 }
 
@@ -100,11 +101,11 @@ TEST(ParseLimits, EveryByteReplacedByEveryOtherIsSurvived) {
       std::string text(kSample);
       text[at] = static_cast<char>(byte);
       const Parsed parsed = parse(text);
-      for (const ParseFault& fault : parsed.faults) {
-        ASSERT_LE(fault.span.begin, fault.span.end);
-        ASSERT_LE(fault.span.end, text.size());
-        ASSERT_TRUE(!fault.span.empty() || fault.span.end == text.size());
-        ASSERT_LE(fault.other.end, text.size());
+      for (const ParseError& error : parsed.errors) {
+        ASSERT_LE(error.span.begin, error.span.end);
+        ASSERT_LE(error.span.end, text.size());
+        ASSERT_TRUE(!error.span.empty() || error.span.end == text.size());
+        ASSERT_LE(error.other.end, text.size());
       }
     }
   }

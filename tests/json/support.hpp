@@ -15,34 +15,34 @@
 
 namespace gltfx::json::testing {
 
-inline std::string_view fault_name(Fault fault) {
+inline std::string_view error_name(SyntaxError error) {
   constexpr std::array<std::string_view, 16> kNames{
       "syntax",        "unexpected_end", "invalid_utf8",    "control_character",
       "bad_escape",    "bad_number",     "bad_literal",     "too_deep",
       "too_large",     "trailing_data",  "byte_order_mark", "trailing_comma",
       "missing_comma", "duplicate_key",  "lone_surrogate",  "number_out_of_range"};
-  return kNames[static_cast<std::size_t>(fault)];
+  return kNames[static_cast<std::size_t>(error)];
 }
 
-/// "trailing_comma 1:5-1:6": a fault with line and column of both ends.
-inline std::string show(const LineIndex& lines, const ParseFault& fault) {
-  const Location at = lines.locate(fault.span);
-  return fmt::format("{} {}:{}-{}:{}", fault_name(fault.fault), at.line, at.column, at.end_line,
+/// "trailing_comma 1:5-1:6": a error with line and column of both ends.
+inline std::string show(const LineIndex& lines, const ParseError& error) {
+  const Location at = lines.locate(error.span);
+  return fmt::format("{} {}:{}-{}:{}", error_name(error.error), at.line, at.column, at.end_line,
                      at.end_column);
 }
 
-inline std::vector<std::string> faults_of(std::string_view text, const Limits& limits = {}) {
+inline std::vector<std::string> errors_of(std::string_view text, const Limits& limits = {}) {
   const Parsed parsed = parse(text, limits);
   const LineIndex lines(text);
   std::vector<std::string> shown;
-  for (const ParseFault& fault : parsed.faults) shown.push_back(show(lines, fault));
+  for (const ParseError& error : parsed.errors) shown.push_back(show(lines, error));
   return shown;
 }
 
-/// The document of a text that must have no fault.
+/// The document of a text that must have no error.
 inline Document parse_clean(std::string_view text) {
   Parsed parsed = parse(text);
-  EXPECT_TRUE(parsed.ok()) << text << ": " << parsed.faults.front().detail;
+  EXPECT_TRUE(parsed.ok()) << text << ": " << parsed.errors.front().detail;
   return std::move(parsed.document);
 }
 

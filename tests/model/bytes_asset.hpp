@@ -73,7 +73,7 @@ class BytesAsset {
   const model::Primitive& primitive() const { return views_.meshes[0].primitives[0]; }
 
   struct Read {
-    model::GeometryFault fault = model::GeometryFault::none;
+    model::GeometryError error = model::GeometryError::none;
     model::Geometry geometry;
   };
   /// The first primitive of the first mesh.
@@ -81,7 +81,7 @@ class BytesAsset {
     const model::GeometrySource source{*asset_, views_, resources_, draco_};
     model::MemoryBudget left(budget);
     Read read;
-    read.fault = model::read_geometry(source, primitive(), request, left, read.geometry);
+    read.error = model::read_geometry(source, primitive(), request, left, read.geometry);
     return read;
   }
 

@@ -52,8 +52,8 @@ TEST(Morph, TargetsCountByTheirWork) {
                                              R"(, "targets": [{"POSITION": 0}, {"POSITION": 0}])"));
   const std::vector<float> weights{1, 0};
   constexpr std::uint64_t kNeeded = 3 * (12 + 4) + 3 * sizeof(Triangle);
-  EXPECT_EQ(asset.read({{}, weights, {}}, kNeeded).fault, GeometryFault::none);
-  EXPECT_EQ(asset.read({{}, weights, {}}, kNeeded - 1).fault, GeometryFault::too_large);
+  EXPECT_EQ(asset.read({{}, weights, {}}, kNeeded).error, GeometryError::none);
+  EXPECT_EQ(asset.read({{}, weights, {}}, kNeeded - 1).error, GeometryError::too_large);
 }
 
 TEST(Morph, EveryAttributeMoves) {

@@ -34,7 +34,7 @@ TEST(DracoGeometry, BitstreamsTakeThePlaceOfAccessors) {
   BytesAsset asset = square(test::draco_bytes(test::draco_square()));
   asset.draco().decode(codec::Client::shared(), 1);
   const auto read = asset.read();
-  ASSERT_EQ(read.fault, GeometryFault::none);
+  ASSERT_EQ(read.error, GeometryError::none);
   EXPECT_THAT(read.geometry.positions, SizeIs(4));
   ASSERT_THAT(read.geometry.triangles, SizeIs(2));
   double area = 0;
@@ -55,10 +55,10 @@ TEST(DracoGeometry, AStripIsDecodedToTriangles) {
 
 TEST(DracoGeometry, WhatCannotBeDecodedIsNamed) {
   BytesAsset asset = square("DRACO but not really");
-  EXPECT_EQ(asset.read().fault, GeometryFault::packed) << "nobody has decoded it yet";
+  EXPECT_EQ(asset.read().error, GeometryError::packed) << "nobody has decoded it yet";
   asset.draco().decode(codec::Client::shared(), 1);
-  EXPECT_EQ(asset.read().fault, GeometryFault::packed);
-  EXPECT_TRUE(std::holds_alternative<codec::Fault>(*asset.draco().find(0)));
+  EXPECT_EQ(asset.read().error, GeometryError::packed);
+  EXPECT_TRUE(std::holds_alternative<codec::DecodeError>(*asset.draco().find(0)));
   EXPECT_EQ(asset.draco().find(1), nullptr);
 }
 

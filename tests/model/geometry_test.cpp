@@ -63,7 +63,7 @@ TEST(Geometry, PointsAndLinesAreNamed) {
   Accessors accessors;
   accessors.add("VEC3", kFloat, 3, row_of_points(3));
   const BytesAsset lines(accessors, one_mesh(R"("POSITION": 0)", R"(, "mode": 1)"));
-  EXPECT_EQ(lines.read().fault, GeometryFault::no_triangles);
+  EXPECT_EQ(lines.read().error, GeometryError::no_triangles);
 }
 
 TEST(Geometry, TrianglesWithoutAreaOrVertexAreLeftOut) {
@@ -104,7 +104,7 @@ TEST(Geometry, QuantizedAttributesAreNumbers) {
   const BytesAsset asset(accessors,
                          one_mesh(R"("POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2, "COLOR_0": 3)"));
   const auto read = asset.read({kSetZero, {}, {}});
-  ASSERT_EQ(read.fault, GeometryFault::none);
+  ASSERT_EQ(read.error, GeometryError::none);
   EXPECT_THAT(read.geometry.positions[0], ElementsAre(-2, 0, 7));
   EXPECT_THAT(read.geometry.positions[2], ElementsAre(6, 7, -32768));
   EXPECT_THAT(read.geometry.normals[1], ElementsAre(0, -1, 0));
@@ -145,7 +145,7 @@ TEST(Geometry, PositionsThatNobodyStoredAreNotDrawn) {
   Accessors accessors;
   accessors.add_plain(R"({"type": "VEC3", "componentType": 5126, "count": 9007199254740992})");
   const BytesAsset asset(accessors, one_mesh(R"("POSITION": 0)"));
-  EXPECT_EQ(asset.read().fault, GeometryFault::no_positions);
+  EXPECT_EQ(asset.read().error, GeometryError::no_positions);
 }
 
 TEST(Geometry, AFewSparseElementsDoNotBuyMemory) {
@@ -158,10 +158,10 @@ TEST(Geometry, AFewSparseElementsDoNotBuyMemory) {
         R"(, "sparse": {"count": 1, "indices": {"bufferView": )" + std::to_string(indices) +
         R"(, "componentType": 5123}, "values": {"bufferView": )" + std::to_string(values) + "}}}");
   }
-  EXPECT_EQ(BytesAsset(accessors, one_mesh(R"("POSITION": 0)")).read().fault,
-            GeometryFault::too_large);
-  EXPECT_EQ(BytesAsset(accessors, one_mesh(R"("POSITION": 1)")).read().fault,
-            GeometryFault::too_large);
+  EXPECT_EQ(BytesAsset(accessors, one_mesh(R"("POSITION": 0)")).read().error,
+            GeometryError::too_large);
+  EXPECT_EQ(BytesAsset(accessors, one_mesh(R"("POSITION": 1)")).read().error,
+            GeometryError::too_large);
 }
 
 TEST(Geometry, TheBudgetCountsAllThatIsRead) {
@@ -169,8 +169,8 @@ TEST(Geometry, TheBudgetCountsAllThatIsRead) {
   accessors.add("VEC3", kFloat, 3, row_of_points(3));
   const BytesAsset asset(accessors, one_mesh(R"("POSITION": 0)"));
   constexpr std::uint64_t kNeeded = 3 * 12 + 3 * sizeof(Triangle);
-  EXPECT_EQ(asset.read({}, kNeeded).fault, GeometryFault::none);
-  EXPECT_EQ(asset.read({}, kNeeded - 1).fault, GeometryFault::too_large);
+  EXPECT_EQ(asset.read({}, kNeeded).error, GeometryError::none);
+  EXPECT_EQ(asset.read({}, kNeeded - 1).error, GeometryError::too_large);
 }
 
 TEST(Geometry, AttributesOfAnotherLengthAreLeftOut) {

@@ -9,7 +9,7 @@
 namespace gltfx::test {
 namespace {
 
-using model::meshopt::Fault;
+using model::meshopt::DecodeError;
 using model::meshopt::Filter;
 using model::meshopt::Layout;
 using model::meshopt::Mode;
@@ -32,7 +32,7 @@ Octets library_stream(const Octets& elements, std::size_t count, std::size_t str
 Decoded own(const Octets& stream, const Layout& layout) {
   Decoded result;
   result.elements.resize(static_cast<std::size_t>(layout.count * layout.stride));
-  result.fault = model::meshopt::decode_attributes(
+  result.error = model::meshopt::decode_attributes(
       bytes_of(stream), layout, std::as_writable_bytes(std::span(result.elements)));
   return result;
 }
@@ -51,7 +51,7 @@ TEST(MeshoptAttributes, OfTheLibraryAreReadByBothDecoders) {
   for_each_size([](std::size_t count, std::size_t stride, const Octets& elements) {
     const Octets stream = library_stream(elements, count, stride);
     const Layout layout = attributes(count, stride);
-    const Decoded wanted{Fault::none, elements};
+    const Decoded wanted{DecodeError::none, elements};
     EXPECT_EQ(decoded(stream, layout), wanted) << count << " of " << stride;
     EXPECT_EQ(own(stream, layout), wanted) << count << " of " << stride;
   });
@@ -63,7 +63,7 @@ TEST(MeshoptAttributes, OfVersionOneAreReadInEveryWayToStoreThem) {
                                MeshoptEncoder::literal}) {
       MeshoptEncoder encoder(1, stride);
       const Octets stream = encoder.control(control).encode(elements);
-      EXPECT_EQ(decoded(stream, attributes(count, stride)), (Decoded{Fault::none, elements}))
+      EXPECT_EQ(decoded(stream, attributes(count, stride)), (Decoded{DecodeError::none, elements}))
           << count << " of " << stride << ", " << control;
     }
   });
@@ -78,7 +78,7 @@ TEST(MeshoptAttributes, TakeDifferencesOfBytesWordsAndBits) {
         if (modes[i] == 2) modes[i] = static_cast<std::uint8_t>(2 | rotation << 4U);
       }
       const Octets stream = MeshoptEncoder(1, stride).modes(modes).encode(elements);
-      EXPECT_EQ(decoded(stream, attributes(count, stride)), (Decoded{Fault::none, elements}));
+      EXPECT_EQ(decoded(stream, attributes(count, stride)), (Decoded{DecodeError::none, elements}));
     }
   });
 }
@@ -88,7 +88,7 @@ TEST(MeshoptAttributes, ReadTheExampleOfTheSpecification) {
   Octets stream{0xa0, 0x02, 0x17, 0x5f, 0xf0, 0xbc, 0x77, 0xa9, 0x21, 0x00, 0x34, 0xb5, 0, 0, 0};
   stream.resize(stream.size() + 32);
   const Decoded result = decoded(stream, attributes(16, 4));
-  ASSERT_EQ(result.fault, Fault::none);
+  ASSERT_EQ(result.error, DecodeError::none);
   const int differences[] = {-1, -4, -3, 26, -91, 0, -6, 6, -4, -4, 5, -5, 1, -1, 0, 0};
   int sum = 0;
   for (std::size_t i = 0; i < 16; ++i) {
@@ -102,13 +102,13 @@ TEST(MeshoptAttributes, ThatAreCutOrLongerAreRefusedAtEveryLength) {
     const Octets elements = Numbers(version).elements(300, 12);
     Octets stream = MeshoptEncoder(version, 12).encode(elements);
     const Layout layout = attributes(300, 12);
-    ASSERT_EQ(fault_of(stream, layout), Fault::none);
+    ASSERT_EQ(error_of(stream, layout), DecodeError::none);
     for (std::size_t size = 0; size < stream.size(); ++size) {
       const Octets cut(stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(size));
-      EXPECT_NE(fault_of(cut, layout), Fault::none) << size;
+      EXPECT_NE(error_of(cut, layout), DecodeError::none) << size;
     }
     stream.insert(stream.end() - 40, 0);
-    EXPECT_NE(fault_of(stream, layout), Fault::none);
+    EXPECT_NE(error_of(stream, layout), DecodeError::none);
   }
 }
 
@@ -120,19 +120,19 @@ TEST(MeshoptAttributes, SayWhatIsWrong) {
     const std::size_t tail = version == 0 ? 32 : 24;
     Octets longer = stream;
     longer.insert(longer.end() - static_cast<std::ptrdiff_t>(tail), 0);
-    EXPECT_EQ(fault_of(longer, layout), Fault::trailing) << version;
+    EXPECT_EQ(error_of(longer, layout), DecodeError::trailing) << version;
     Octets shorter = stream;
     shorter.erase(shorter.end() - static_cast<std::ptrdiff_t>(tail) - 1);
-    EXPECT_EQ(fault_of(shorter, layout), Fault::cut) << version;
-    EXPECT_EQ(fault_of(stream, attributes(1U << 20U, 8)), Fault::too_short);
+    EXPECT_EQ(error_of(shorter, layout), DecodeError::cut) << version;
+    EXPECT_EQ(error_of(stream, attributes(1U << 20U, 8)), DecodeError::too_short);
   }
-  EXPECT_EQ(fault_of({}, layout), Fault::too_short);
-  EXPECT_EQ(fault_of({0xe1}, layout), Fault::header);
-  EXPECT_EQ(fault_of({0xa2}, layout), Fault::version);
+  EXPECT_EQ(error_of({}, layout), DecodeError::too_short);
+  EXPECT_EQ(error_of({0xe1}, layout), DecodeError::header);
+  EXPECT_EQ(error_of({0xa2}, layout), DecodeError::version);
   Layout older = layout;
   older.newest_version = 0;
-  EXPECT_EQ(fault_of(MeshoptEncoder(1, 8).encode(elements), older), Fault::version);
-  EXPECT_EQ(fault_of(MeshoptEncoder(0, 8).encode(elements), older), Fault::none);
+  EXPECT_EQ(error_of(MeshoptEncoder(1, 8).encode(elements), older), DecodeError::version);
+  EXPECT_EQ(error_of(MeshoptEncoder(0, 8).encode(elements), older), DecodeError::none);
 }
 
 TEST(MeshoptAttributes, WithUnknownModesOfChannelsAreRefused) {
@@ -142,7 +142,7 @@ TEST(MeshoptAttributes, WithUnknownModesOfChannelsAreRefused) {
     Octets stream = MeshoptEncoder(1, 8).encode(elements);
     stream.back() = static_cast<std::uint8_t>(mode);
     const bool known = mode < 2 || (mode & 15U) == 2;
-    EXPECT_EQ(fault_of(stream, layout), known ? Fault::none : Fault::channel) << mode;
+    EXPECT_EQ(error_of(stream, layout), known ? DecodeError::none : DecodeError::channel) << mode;
   }
 }
 
@@ -180,7 +180,7 @@ TEST(MeshoptLayouts, CountsThatNoStreamHoldsCostNothing) {
     Octets stream(1000);
     stream[0] = first;
     const Layout layout{most / 3 * 3, 4, mode, Filter::none, 1};
-    EXPECT_EQ(model::meshopt::check_size(bytes_of(stream), layout), Fault::too_short);
+    EXPECT_EQ(model::meshopt::check_size(bytes_of(stream), layout), DecodeError::too_short);
   }
 }
 

@@ -11,7 +11,7 @@
 namespace gltfx::test {
 namespace {
 
-using model::meshopt::Fault;
+using model::meshopt::DecodeError;
 using model::meshopt::Filter;
 using model::meshopt::Layout;
 using model::meshopt::Mode;
@@ -82,7 +82,7 @@ TEST(MeshoptTriangles, OfTheLibraryAreRead) {
     const Octets stream = triangle_stream(list);
     for (const std::size_t stride : {2U, 4U}) {
       EXPECT_EQ(decoded(stream, triangles(list.size(), stride)),
-                (Decoded{Fault::none, library_triangles(stream, list.size(), stride)}));
+                (Decoded{DecodeError::none, library_triangles(stream, list.size(), stride)}));
     }
   }
 }
@@ -91,8 +91,9 @@ TEST(MeshoptIndices, OfTheLibraryAreRead) {
   for (const unsigned size : {1U, 2U, 5U, 20U, 100U}) {
     const Indices list = grid(size);
     const Octets stream = index_stream(list);
-    EXPECT_EQ(decoded(stream, indices(list.size())), (Decoded{Fault::none, as_octets(list)}));
-    EXPECT_EQ(decoded(stream, indices(list.size(), 2)), (Decoded{Fault::none, as_octets(list, 2)}));
+    EXPECT_EQ(decoded(stream, indices(list.size())), (Decoded{DecodeError::none, as_octets(list)}));
+    EXPECT_EQ(decoded(stream, indices(list.size(), 2)),
+              (Decoded{DecodeError::none, as_octets(list, 2)}));
   }
 }
 
@@ -103,29 +104,30 @@ TEST(MeshoptIndices, ThatAreCutAreRefusedAtEveryLength) {
     const Layout layout = is_triangles ? triangles(list.size()) : indices(list.size());
     for (std::size_t size = 0; size < stream.size(); ++size) {
       const Octets cut(stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(size));
-      EXPECT_NE(fault_of(cut, layout), Fault::none) << size;
+      EXPECT_NE(error_of(cut, layout), DecodeError::none) << size;
     }
   }
 }
 
 TEST(MeshoptIndices, SayWhatIsWrong) {
   Octets stream = index_stream({0, 1, 2});
-  EXPECT_EQ(fault_of(stream, indices(2)), Fault::trailing);
-  EXPECT_EQ(fault_of(stream, indices(4)), Fault::too_short);
-  EXPECT_EQ(fault_of(stream, triangles(3)), Fault::header);
+  EXPECT_EQ(error_of(stream, indices(2)), DecodeError::trailing);
+  EXPECT_EQ(error_of(stream, indices(4)), DecodeError::too_short);
+  EXPECT_EQ(error_of(stream, triangles(3)), DecodeError::header);
   stream[0] = 0xd0;
-  EXPECT_EQ(fault_of(stream, indices(3)), Fault::version);
-  EXPECT_EQ(fault_of({0xd1, 0x80, 0, 0, 0, 0}, indices(1)), Fault::cut);
-  EXPECT_EQ(fault_of({0xd1, 0x80, 0x80, 0, 0, 0, 0}, indices(2)), Fault::cut);
+  EXPECT_EQ(error_of(stream, indices(3)), DecodeError::version);
+  EXPECT_EQ(error_of({0xd1, 0x80, 0, 0, 0, 0}, indices(1)), DecodeError::cut);
+  EXPECT_EQ(error_of({0xd1, 0x80, 0x80, 0, 0, 0, 0}, indices(2)), DecodeError::cut);
 }
 
 TEST(MeshoptIndices, OfTwoBaselinesAndFiveBytesAreRead) {
   // Steps from the first baseline, a step back, then one from the second.
   EXPECT_EQ(decoded({0xd1, 0x04, 0x08, 0x02, 0x15, 0, 0, 0, 0}, indices(4)),
-            (Decoded{Fault::none, as_octets({1, 3, 2, 5})}));
+            (Decoded{DecodeError::none, as_octets({1, 3, 2, 5})}));
   EXPECT_EQ(decoded({0xd1, 0xfe, 0xff, 0xff, 0xff, 0x0f, 0, 0, 0, 0}, indices(1)),
-            (Decoded{Fault::none, as_octets({0xc0000000U})}));
-  EXPECT_EQ(fault_of({0xd1, 0xff, 0xff, 0xff, 0xff, 0x8f, 0, 0, 0, 0}, indices(1)), Fault::number);
+            (Decoded{DecodeError::none, as_octets({0xc0000000U})}));
+  EXPECT_EQ(error_of({0xd1, 0xff, 0xff, 0xff, 0xff, 0x8f, 0, 0, 0, 0}, indices(1)),
+            DecodeError::number);
 }
 
 Octets one_triangle(std::uint8_t code, const Octets& data) {
@@ -140,20 +142,20 @@ Octets one_triangle(std::uint8_t code, const Octets& data) {
 
 TEST(MeshoptTriangles, ComeInEveryForm) {
   EXPECT_EQ(decoded(one_triangle(0xf0, {}), triangles(3)),
-            (Decoded{Fault::none, as_octets({0, 1, 2})}));
+            (Decoded{DecodeError::none, as_octets({0, 1, 2})}));
   EXPECT_EQ(decoded(one_triangle(0xfe, {0xff, 0x10, 0x03}), triangles(3)),
-            (Decoded{Fault::none, as_octets({0, 8, 6})}));
+            (Decoded{DecodeError::none, as_octets({0, 8, 6})}));
   EXPECT_EQ(decoded(one_triangle(0xff, {0x0f, 0x14, 0x02}), triangles(3)),
-            (Decoded{Fault::none, as_octets({10, 0, 11})}));
+            (Decoded{DecodeError::none, as_octets({10, 0, 11})}));
 }
 
 TEST(MeshoptTriangles, ThatReferToNothingAreRefused) {
   // An edge, a vertex beside a free corner and one of the table, all before there is one.
-  EXPECT_EQ(fault_of(one_triangle(0x00, {}), triangles(3)), Fault::unwritten);
-  EXPECT_EQ(fault_of(one_triangle(0xfe, {0x10}), triangles(3)), Fault::unwritten);
-  EXPECT_EQ(fault_of(one_triangle(0xf1, {}), triangles(3)), Fault::unwritten);
-  EXPECT_EQ(fault_of(one_triangle(0xf0, {0x00}), triangles(3)), Fault::trailing);
-  EXPECT_EQ(fault_of(one_triangle(0xfe, {}), triangles(3)), Fault::cut);
+  EXPECT_EQ(error_of(one_triangle(0x00, {}), triangles(3)), DecodeError::unwritten);
+  EXPECT_EQ(error_of(one_triangle(0xfe, {0x10}), triangles(3)), DecodeError::unwritten);
+  EXPECT_EQ(error_of(one_triangle(0xf1, {}), triangles(3)), DecodeError::unwritten);
+  EXPECT_EQ(error_of(one_triangle(0xf0, {0x00}), triangles(3)), DecodeError::trailing);
+  EXPECT_EQ(error_of(one_triangle(0xfe, {}), triangles(3)), DecodeError::cut);
 }
 
 TEST(MeshoptTriangles, WithAMalformedTableAreRefused) {
@@ -161,13 +163,13 @@ TEST(MeshoptTriangles, WithAMalformedTableAreRefused) {
     for (const unsigned entry : {0x0fU, 0xf0U, 0xffU}) {
       Octets stream = one_triangle(0xf0, {});
       stream[stream.size() - 16 + place] = static_cast<std::uint8_t>(entry);
-      EXPECT_EQ(fault_of(stream, triangles(3)), Fault::table);
+      EXPECT_EQ(error_of(stream, triangles(3)), DecodeError::table);
     }
   }
   for (const std::size_t place : {14U, 15U}) {
     Octets stream = one_triangle(0xf0, {});
     stream[stream.size() - 16 + place] = 1;
-    EXPECT_EQ(fault_of(stream, triangles(3)), Fault::table);
+    EXPECT_EQ(error_of(stream, triangles(3)), DecodeError::table);
   }
 }
 

@@ -14,7 +14,7 @@ inline std::span<const std::byte> bytes_of(const Octets& octets) {
 }
 
 struct Decoded {
-  model::meshopt::Fault fault = model::meshopt::Fault::none;
+  model::meshopt::DecodeError error = model::meshopt::DecodeError::none;
   Octets elements;
   bool operator==(const Decoded&) const = default;
 };
@@ -22,14 +22,15 @@ struct Decoded {
 inline Decoded decoded(const Octets& stream, const model::meshopt::Layout& layout) {
   Decoded result;
   result.elements.resize(static_cast<std::size_t>(layout.count * layout.stride));
-  result.fault = model::meshopt::decode(bytes_of(stream), layout,
+  result.error = model::meshopt::decode(bytes_of(stream), layout,
                                         std::as_writable_bytes(std::span(result.elements)));
-  if (result.fault != model::meshopt::Fault::none) result.elements.clear();
+  if (result.error != model::meshopt::DecodeError::none) result.elements.clear();
   return result;
 }
 
-inline model::meshopt::Fault fault_of(const Octets& stream, const model::meshopt::Layout& layout) {
-  return decoded(stream, layout).fault;
+inline model::meshopt::DecodeError error_of(const Octets& stream,
+                                            const model::meshopt::Layout& layout) {
+  return decoded(stream, layout).error;
 }
 
 /// The same numbers on every machine.

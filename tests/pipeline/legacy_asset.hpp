@@ -45,8 +45,8 @@ inline codec::Image decoded(const std::string& file) {
                                                            : codec::ImageFormat::webp;
   request.pixels = true;
   codec::ImageResult result = codec::Client::shared().decode_image(request);
-  if (const auto* fault = std::get_if<codec::Fault>(&result)) {
-    ADD_FAILURE() << fault->message;
+  if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
     return {};
   }
   return std::get<codec::Image>(std::move(result));

@@ -19,7 +19,7 @@ BakeOptions quick() {
   options.sizes = {{32, 24}};
   options.samples = 4;
   options.jobs = 1;
-  options.force = true;  // an asset may have faults that no material can mend
+  options.force = true;  // an asset may have errors that no material can mend
   return options;
 }
 

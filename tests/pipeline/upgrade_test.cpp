@@ -121,7 +121,7 @@ TEST(ProposedFix, IsNotMadeUnaskedNorWhereThereIsDoubt) {
   };
   EXPECT_EQ(fixes(kLegacy, true), 1U);
   EXPECT_EQ(fixes(kLegacy, false), 0U);
-  EXPECT_EQ(fixes(kLegacy + ",", true), 0U);  // the text has a fault
+  EXPECT_EQ(fixes(kLegacy + ",", true), 0U);  // the text has a error
   std::string wrong = kLegacy;
   wrong.replace(wrong.find(":1}"), 3, ":\"1\"}");
   EXPECT_EQ(fixes(wrong, true), 0U);  // what stands there is not understood
@@ -167,7 +167,7 @@ TEST(UpgradeFile, AFileThatWouldHaveANewErrorIsNotWritten) {
            "ACME_old", R"("properties": {"a": {"type": "number"}})",
            R"(, "upgrade": {"to": "ACME_new", "steps": [{"step": "move", "from": "a", "to": "b"}]})"),
        file("ACME_new", R"("properties": {"b": {"type": "number"}}, "required": ["b"])", "")});
-  ASSERT_TRUE(schemas.faults.empty()) << schemas.faults.front().text();
+  ASSERT_TRUE(schemas.errors.empty()) << schemas.errors.front().text();
   const std::string text = R"({"asset":{"version":"2.0"},"extensionsUsed":["ACME_old"],)"
                            R"("nodes":[{"extensions":{"ACME_old":{}}}]})";
   const std::string path = folder.write("a.gltf", text).native();

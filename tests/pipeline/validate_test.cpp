@@ -115,7 +115,7 @@ TEST_F(Validate, ManyFilesComeBackInOrderWhateverTheThreads) {
   }
 }
 
-// Faults of all phases in a text that is large enough for several threads.
+// Errors of all phases in a text that is large enough for several threads.
 std::string large_asset() {
   std::string nodes, accessors;
   for (int i = 0; i < 30000; ++i) {

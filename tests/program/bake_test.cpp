@@ -59,7 +59,7 @@ TEST_F(BakeTest, AFolderBecomesAFolderWithASheet) {
   EXPECT_THAT(content("out/contact-sheet.png"), StartsWith("\x89PNG"));
 }
 
-TEST_F(BakeTest, AnInvalidAssetIsRefusedWithItsFaults) {
+TEST_F(BakeTest, AnInvalidAssetIsRefusedWithItsErrors) {
   folder_.write("faulty.gltf", kFaulty);
   const Outcome outcome = bake({"faulty.gltf", "-o", "a.png"});
   EXPECT_EQ(outcome.code, 1);

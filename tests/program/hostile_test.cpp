@@ -135,7 +135,7 @@ TEST_F(Hostile, DepthIsRefusedAndNotRecursedInto) {
   }
 }
 
-TEST_F(Hostile, ManyDifferentFaultsAreFoldedInTheEnd) {
+TEST_F(Hostile, ManyDifferentErrorsAreFoldedInTheEnd) {
   const auto member = [](int i) { return "\"k" + std::to_string(i) + "\": 1"; };
   const Outcome in_one = check(asset(list(kMany, member)));
   EXPECT_THAT(in_one.out, HasSubstr("100000 warnings"));

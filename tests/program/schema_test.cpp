@@ -76,7 +76,7 @@ TEST_F(UserSchema, AFolderWithoutSchemasIsAMistake) {
   EXPECT_THAT(outcome.err, HasSubstr("no file named *.schema.json"));
 }
 
-TEST_F(UserSchema, FaultsAreToldWithFileLineAndColumn) {
+TEST_F(UserSchema, ErrorsAreToldWithFileLineAndColumn) {
   std::string text = read_file(kLeafSchema);
   text.replace(text.find("\"minimum\""), 9, "\"minimun\"");
   folder_.write("bad.schema.json", text);

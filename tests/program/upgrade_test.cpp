@@ -220,7 +220,7 @@ TEST_F(UpgradeTest, HardLinksReadOnlyFilesAndPointersAreRefused) {
   EXPECT_EQ(content("locked.gltf"), kLegacy);
 }
 
-TEST_F(UpgradeTest, FaultsThatLeaveNoDoubtAreNoHindrance) {
+TEST_F(UpgradeTest, ErrorsThatLeaveNoDoubtAreNoHindrance) {
   const std::string twice = R"({"asset":{"version":"2.0"},"asset":{"version":"2.0"},)" +
                             kLegacy.substr(1, kLegacy.size() - 2) + ",}";
   folder_.write("twice.gltf", twice);
@@ -230,7 +230,7 @@ TEST_F(UpgradeTest, FaultsThatLeaveNoDoubtAreNoHindrance) {
                                        kUpgraded.substr(1, kUpgraded.size() - 2) + ",}");
 }
 
-TEST_F(UpgradeTest, FaultsOfTheContainerAreMendedOrRefusedByName) {
+TEST_F(UpgradeTest, ErrorsOfTheContainerAreMendedOrRefusedByName) {
   const std::string old = read_file(fixture("legacy/lantern.glb"));
   std::string wrong = old;
   wrong[8] = 1;  // the length of the file
@@ -249,7 +249,7 @@ TEST_F(UpgradeTest, FaultsOfTheContainerAreMendedOrRefusedByName) {
   EXPECT_THAT(cut.err, HasSubstr("the file ends after"));
 }
 
-TEST_F(UpgradeTest, FaultsThatLeaveDoubtAreNamedWithTheirPlace) {
+TEST_F(UpgradeTest, ErrorsThatLeaveDoubtAreNamedWithTheirPlace) {
   const std::string twice =
       R"({"materials":[],"extensionsUsed":["KHR_materials_translucency"],
 "materials":[{"extensions":{"KHR_materials_translucency":{"translucencyFactor":1}}}]})";

@@ -64,7 +64,7 @@ std::vector<ValueMaker::Around> CaseGenerator::around(const std::string& pointer
     if (step == "extensions") {
       if (at >= pointer.size()) break;
       const std::string name = next();
-      shape = set_.extensions()[set_.find_extension(name)].home(here.type);
+      shape = set_.extensions()[set_.find_extension(name)].shape_on(here.type);
     } else if (const schema::Property* property = set_.find_property(here.type, step)) {
       shape = property->shape;
     } else {
@@ -139,11 +139,13 @@ void CaseGenerator::add_extension(Json& document, const std::string& host, schem
   if (object.contains("extensions") && object["extensions"].contains(extension.name)) return;
   object["extensions"][extension.name] =
       make_at(shape, host + "/extensions/" + extension.name, needs);
-  const auto home = std::find_if(extension.homes.begin(), extension.homes.end(),
-                                 [shape](const auto& entry) { return entry.second == shape; });
+  const auto home =
+      std::find_if(extension.attachment_points.begin(), extension.attachment_points.end(),
+                   [shape](const auto& entry) { return entry.second == shape; });
   for (const schema::Relation& relation : extension.requires_) {
     const schema::ExtensionId other = set_.find_extension(relation.extension);
-    const ShapeId other_shape = other == kNone ? kNone : set_.extensions()[other].home(home->first);
+    const ShapeId other_shape =
+        other == kNone ? kNone : set_.extensions()[other].shape_on(home->first);
     if (other_shape != kNone) add_extension(document, host, other, other_shape, needs);
   }
 }
@@ -160,7 +162,7 @@ void CaseGenerator::satisfy(Json& document, std::vector<Need> needs) {
       const std::string& step = need.target.steps[s];
       if (step == "extensions") {
         const schema::ExtensionId id = set_.find_extension(need.target.steps[++s]);
-        shape = set_.extensions()[id].home(set_.shape(shape).type);
+        shape = set_.extensions()[id].shape_on(set_.shape(shape).type);
         add_extension(document, pointer, id, shape, needs);
         pointer += "/extensions/" + need.target.steps[s];
         continue;

@@ -17,7 +17,7 @@ std::vector<Subject> CaseGenerator::extension_subjects() {
   std::vector<Subject> subjects;
   for (schema::ExtensionId id = 0; id < set_.extensions().size(); ++id) {
     const schema::Extension& extension = set_.extensions()[id];
-    for (const auto& [type, shape] : extension.homes) {
+    for (const auto& [type, shape] : extension.attachment_points) {
       const std::string host = set_.type(type).name;
       Subject subject{host + "." + extension.name, with_extension(host, id, shape), {}, shape, id};
       subject.pointer = host_pointer(subject.document, host) + "/extensions/" + extension.name;
@@ -115,16 +115,16 @@ bool CaseGenerator::try_property(const Subject& subject, const schema::Property&
   return is_clean(document);
 }
 
-std::vector<FaultCase> CaseGenerator::faults(const Subject& subject, Gaps& gaps) {
-  std::vector<FaultCase> cases;
+std::vector<ErrorCase> CaseGenerator::errors(const Subject& subject, Gaps& gaps) {
+  std::vector<ErrorCase> cases;
   const schema::TypeId type = set_.shape(subject.shape).type;
   if (type != kNone) {
     for (const schema::Property& property : set_.type(type).properties) {
-      property_faults(subject, property, cases, gaps);
+      property_errors(subject, property, cases, gaps);
     }
   }
-  object_faults(subject, cases);
-  if (subject.extension != kNone) extension_faults(subject, cases);
+  object_errors(subject, cases);
+  if (subject.extension != kNone) extension_errors(subject, cases);
   return cases;
 }
 

@@ -20,10 +20,10 @@ struct Subject {
       schema::kNone;  ///< whose object it is; kNone for inner and core ones
 };
 
-/// A document that has one fault.
-struct FaultCase {
+/// A document that has one error.
+struct ErrorCase {
   std::string name;               ///< "material.KHR_materials_ior/ior: below"
-  Json document;                  ///< with the fault
+  Json document;                  ///< with the error
   Json valid;                     ///< the same without it
   std::string object;             ///< pointer of the object
   std::string member;             ///< pointer of the member; equal to `object` when it is missing
@@ -37,14 +37,14 @@ class CaseGenerator {
  public:
   explicit CaseGenerator(const schema::Set& set) : set_(set), maker_(set) {}
 
-  /// Each extension's object at each of its homes.
+  /// Each extension's object at each of its attachment_points.
   std::vector<Subject> extension_subjects();
   /// The root and one element of each array of core.
   std::vector<Subject> core_subjects();
   /// Objects inside a subject's object: they are varied too.
   std::vector<Subject> inner_subjects(const Subject& subject);
-  /// Every fault of a subject's own members, its exclusions and companions.
-  std::vector<FaultCase> faults(const Subject& subject, Gaps& gaps);
+  /// Every error of a subject's own members, its exclusions and companions.
+  std::vector<ErrorCase> errors(const Subject& subject, Gaps& gaps);
 
   /// A valid asset that has two of everything.
   static Json base();
@@ -64,10 +64,10 @@ class CaseGenerator {
   bool with_property(const Subject& subject, const schema::Property& property, Json& document);
   bool try_property(const Subject& subject, const schema::Property& property, Json start,
                     Json& document);
-  void property_faults(const Subject& subject, const schema::Property& property,
-                       std::vector<FaultCase>& cases, Gaps& gaps);
-  void object_faults(const Subject& subject, std::vector<FaultCase>& cases);
-  void extension_faults(const Subject& subject, std::vector<FaultCase>& cases);
+  void property_errors(const Subject& subject, const schema::Property& property,
+                       std::vector<ErrorCase>& cases, Gaps& gaps);
+  void object_errors(const Subject& subject, std::vector<ErrorCase>& cases);
+  void extension_errors(const Subject& subject, std::vector<ErrorCase>& cases);
 
   const schema::Set& set_;
   ValueMaker maker_;

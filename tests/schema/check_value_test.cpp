@@ -177,7 +177,7 @@ TEST(NumberArray, KhronosTellsEveryBadElement) {
   EXPECT_EQ(verdict(json, kKhronosValidator).size(), 2U);
 }
 
-TEST(IndexArray, FaultsAreToldAtTheElement) {
+TEST(IndexArray, ErrorsAreToldAtTheElement) {
   const auto scene = [](const char* nodes) {
     return verdict(
         asset(std::string(R"("nodes": [{}, {}, {}], "scenes": [{"nodes": )") + nodes + "}]"));
@@ -209,7 +209,7 @@ TEST(IndexArray, LongOnesAreCheckedForRepeatsToo) {
       ElementsAre("DUPLICATE_ELEMENTS /scenes/0/nodes/100"));
 }
 
-TEST(StringArray, FaultsAreToldAtTheElement) {
+TEST(StringArray, ErrorsAreToldAtTheElement) {
   const auto used = [](const char* list) {
     return verdict(asset(std::string(R"("extensionsUsed": )") + list));
   };
@@ -220,7 +220,7 @@ TEST(StringArray, FaultsAreToldAtTheElement) {
   EXPECT_THAT(used("\"A_b\""), ElementsAre("TYPE_MISMATCH /extensionsUsed"));
 }
 
-TEST(ObjectArray, FaultsAreToldAtTheArrayButAtTheItemInRootArrays) {
+TEST(ObjectArray, ErrorsAreToldAtTheArrayButAtTheItemInRootArrays) {
   EXPECT_THAT(verdict(asset(R"("meshes": [{"primitives": [3]}])")),
               ElementsAre("ARRAY_TYPE_MISMATCH /meshes/0/primitives"));
   EXPECT_THAT(verdict(asset(R"("meshes": [{"primitives": []}])")),

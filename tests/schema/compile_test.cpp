@@ -127,14 +127,15 @@ TEST(Compile, TargetsAreOfThreeKinds) {
 TEST(Compile, ExtensionsHaveAnObjectTypeForEachHome) {
   const Set& set = *builtin_set();
   const auto& transform = set.extensions()[set.find_extension("KHR_texture_transform")];
-  ASSERT_EQ(transform.homes.size(), 3U);
+  ASSERT_EQ(transform.attachment_points.size(), 3U);
   const auto plain = set.find_type("textureInfo.KHR_texture_transform");
   const auto normal = set.find_type("material.normalTextureInfo.KHR_texture_transform");
   ASSERT_NE(plain, kNone);
   ASSERT_NE(normal, kNone);
-  EXPECT_EQ(set.shape(transform.home(set.find_type("textureInfo"))).type, plain);
-  EXPECT_EQ(set.shape(transform.home(set.find_type("material.normalTextureInfo"))).type, normal);
-  EXPECT_EQ(transform.home(set.find_type("node")), kNone);
+  EXPECT_EQ(set.shape(transform.shape_on(set.find_type("textureInfo"))).type, plain);
+  EXPECT_EQ(set.shape(transform.shape_on(set.find_type("material.normalTextureInfo"))).type,
+            normal);
+  EXPECT_EQ(transform.shape_on(set.find_type("node")), kNone);
   EXPECT_EQ(set.type(normal).origin, plain) << "both come from one definition";
   EXPECT_EQ(set.type(normal).extension, set.find_extension("KHR_texture_transform"));
 }
@@ -186,7 +187,7 @@ TEST(Compile, GraphsOfTypesMayHaveCycles) {
 TEST(Compile, NameOnlyExtensionsHaveNoHome) {
   const auto set = set_with(acme(R"("type": "object")", "", "[]"));
   ASSERT_NE(set, nullptr);
-  EXPECT_TRUE(set->extensions()[set->find_extension("ACME_x")].homes.empty());
+  EXPECT_TRUE(set->extensions()[set->find_extension("ACME_x")].attachment_points.empty());
 }
 
 TEST(Compile, TighterOfTwoLimitsCounts) {
@@ -200,9 +201,9 @@ TEST(Compile, TighterOfTwoLimitsCounts) {
   EXPECT_TRUE(shape.exclusive_maximum);
 }
 
-TEST(Compile, FaultTextNamesFileLineColumnAndKey) {
-  const schema::SchemaFault fault{"a.json", 3, 7, "/type", "must be"};
-  EXPECT_EQ(fault.text(), "a.json:3:7: /type: must be");
+TEST(Compile, ErrorTextNamesFileLineColumnAndKey) {
+  const schema::SchemaError error{"a.json", 3, 7, "/type", "must be"};
+  EXPECT_EQ(error.text(), "a.json:3:7: /type: must be");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases made from the built-in schema files: what they describe is accepted, and every fault is
-// told.
+// Cases made from the built-in schema files: what they describe is accepted, and every error is
+// reported.
 #include <algorithm>
 #include <set>
 
@@ -29,17 +29,17 @@ std::string lines(const std::vector<Found>& findings) {
 }
 
 // At the member, inside it, or at its object.
-bool is_near(const std::string& pointer, const FaultCase& fault) {
-  return pointer == fault.object || pointer == fault.member ||
-         pointer.rfind(fault.member + "/", 0) == 0;
+bool is_near(const std::string& pointer, const ErrorCase& error) {
+  return pointer == error.object || pointer == error.member ||
+         pointer.rfind(error.member + "/", 0) == 0;
 }
 
-bool is_told(const FaultCase& fault, const std::vector<Found>& findings) {
+bool is_told(const ErrorCase& error, const std::vector<Found>& findings) {
   return std::any_of(findings.begin(), findings.end(), [&](const Found& found) {
     const bool says_all = std::all_of(
-        fault.says.begin(), fault.says.end(),
+        error.says.begin(), error.says.end(),
         [&](const std::string& word) { return found.message.find(word) != std::string::npos; });
-    return !is_quiet(found) && is_near(found.pointer, fault) && says_all;
+    return !is_quiet(found) && is_near(found.pointer, error) && says_all;
   });
 }
 
@@ -74,14 +74,14 @@ TEST_P(GeneratedCases, SmallestValidObjectRaisesNothing) {
   }
 }
 
-TEST_P(GeneratedCases, EveryFaultIsToldAtTheMemberOrItsObject) {
+TEST_P(GeneratedCases, EveryErrorIsToldAtTheMemberOrItsObject) {
   Gaps gaps;
   std::size_t count = 0;
   for (const Subject& subject : subjects()) {
-    for (const FaultCase& fault : generator_.faults(subject, gaps)) {
+    for (const ErrorCase& error : generator_.errors(subject, gaps)) {
       ++count;
-      const std::vector<Found> findings = find(fault.document.dump());
-      EXPECT_TRUE(is_told(fault, findings)) << fault.name << " at " << fault.member << "\n"
+      const std::vector<Found> findings = find(error.document.dump());
+      EXPECT_TRUE(is_told(error, findings)) << error.name << " at " << error.member << "\n"
                                             << lines(findings);
     }
   }
@@ -98,20 +98,20 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-TEST(GeneratedCaseCount, CoversEveryExtensionWithAnObjectAndMoreThanAThousandFaults) {
+TEST(GeneratedCaseCount, CoversEveryExtensionWithAnObjectAndMoreThanAThousandErrors) {
   CaseGenerator generator(*builtin_set());
   std::set<schema::ExtensionId> extensions;
-  std::size_t faults = 0;
+  std::size_t errors = 0;
   Gaps gaps;
   for (const Subject& subject : generator.extension_subjects()) {
     extensions.insert(subject.extension);
-    faults += generator.faults(subject, gaps).size();
+    errors += generator.errors(subject, gaps).size();
   }
   for (schema::ExtensionId id = 0; id < builtin_set()->extensions().size(); ++id) {
     const schema::Extension& extension = builtin_set()->extensions()[id];
-    EXPECT_EQ(extensions.count(id) != 0, !extension.homes.empty()) << extension.name;
+    EXPECT_EQ(extensions.count(id) != 0, !extension.attachment_points.empty()) << extension.name;
   }
-  EXPECT_GT(faults, 1170U);
+  EXPECT_GT(errors, 1170U);
 }
 
 }  // namespace

@@ -63,10 +63,10 @@ Compiled compile_user(std::string text) {
 // Whatever a file says, it is refused at a place of it, or the walk bears what was made of it.
 void expect_safe(const std::string& text) {
   const Compiled compiled = compile_user(text);
-  ASSERT_EQ(compiled.set == nullptr, !compiled.faults.empty()) << text;
-  for (const schema::SchemaFault& fault : compiled.faults) {
-    EXPECT_GT(fault.line, 0U) << text;
-    EXPECT_FALSE(fault.message.empty()) << text;
+  ASSERT_EQ(compiled.set == nullptr, !compiled.errors.empty()) << text;
+  for (const schema::SchemaError& error : compiled.errors) {
+    EXPECT_GT(error.line, 0U) << text;
+    EXPECT_FALSE(error.message.empty()) << text;
   }
   if (compiled.set == nullptr) return;
   for (const auto& deviations : {schema::Deviations(), schema::kKhronosValidator}) {
@@ -89,7 +89,7 @@ std::vector<json::json_pointer> places_of(const json& value, const json::json_po
 
 TEST(HostileSchema, IsWholeToBeginWith) {
   const Compiled compiled = compile_user(kEverything);
-  EXPECT_TRUE(compiled.faults.empty()) << compiled.faults.front().text();
+  EXPECT_TRUE(compiled.errors.empty()) << compiled.errors.front().text();
 }
 
 TEST(HostileSchema, AnyPartMayBeMissing) {
@@ -133,13 +133,13 @@ TEST(HostileSchema, TypesOfCoreMayLoseTheirMembers) {
 }
 
 TEST(HostileSchema, AnExtensionThatSaysNotWhereItStandsIsRefused) {
-  const auto faults =
+  const auto errors =
       compile_user(
           R"({"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "gltfx:ext/ACME_glow", "title": "ACME_glow", "description": "x", "type": "object"})")
-          .faults;
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].line, 1U);
-  EXPECT_THAT(faults[0].message, HasSubstr("'x-gltfx' is missing"));
+          .errors;
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].line, 1U);
+  EXPECT_THAT(errors[0].message, HasSubstr("'x-gltfx' is missing"));
 }
 
 // The object of an extension may be one that core describes; core keeps its name.
@@ -177,11 +177,11 @@ std::string doubled(int levels, std::string_view combinator) {
 TEST(Multiplied, BranchesAreRefusedWhereTheyGrowTooMany) {
   EXPECT_NE(set_with(doubled(8, "allOf")), nullptr);
   for (const char* const combinator : {"allOf", "anyOf", "oneOf"}) {
-    const auto faults = compile_user(doubled(30, combinator)).faults;
-    ASSERT_EQ(faults.size(), 1U) << combinator;
-    EXPECT_EQ(faults[0].line, 24U);
-    EXPECT_EQ(faults[0].pointer, "/$defs/d21");
-    EXPECT_THAT(faults[0].message, HasSubstr("more than 1000 schemas"));
+    const auto errors = compile_user(doubled(30, combinator)).errors;
+    ASSERT_EQ(errors.size(), 1U) << combinator;
+    EXPECT_EQ(errors[0].line, 24U);
+    EXPECT_EQ(errors[0].pointer, "/$defs/d21");
+    EXPECT_THAT(errors[0].message, HasSubstr("more than 1000 schemas"));
   }
 }
 
@@ -207,12 +207,12 @@ std::string chain(int links, std::string_view beside) {
 
 TEST(Multiplied, ChainsOfReferencesAreRefusedWhereTheyGrowTooLong) {
   EXPECT_NE(set_with(chain(30, "")), nullptr);
-  const auto faults = compile_user(chain(6000, "")).faults;
-  ASSERT_FALSE(faults.empty());
-  EXPECT_LE(faults.size(), 200U);
-  EXPECT_EQ(faults[0].pointer, "/$defs/d0/$ref");
-  EXPECT_EQ(faults[0].line, 3U);
-  EXPECT_THAT(faults[0].message, HasSubstr("more than 40 $refs"));
+  const auto errors = compile_user(chain(6000, "")).errors;
+  ASSERT_FALSE(errors.empty());
+  EXPECT_LE(errors.size(), 200U);
+  EXPECT_EQ(errors[0].pointer, "/$defs/d0/$ref");
+  EXPECT_EQ(errors[0].line, 3U);
+  EXPECT_THAT(errors[0].message, HasSubstr("more than 40 $refs"));
 }
 
 TEST(Multiplied, CopiesOfWhatIsReferredToAreLimitedTogether) {
@@ -222,26 +222,26 @@ TEST(Multiplied, CopiesOfWhatIsReferredToAreLimitedTogether) {
         ",\n\"d" + std::to_string(i) +
         R"(": {"$ref": "#/$defs/big", "x-gltfx": {"slot": {"channels": "r", "colorSpace": "linear"}}})";
   }
-  const auto faults = compile_user(acme(text + "}")).faults;
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_GT(faults[0].line, 3U);
-  EXPECT_THAT(faults[0].message, HasSubstr("too large in total"));
+  const auto errors = compile_user(acme(text + "}")).errors;
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_GT(errors[0].line, 3U);
+  EXPECT_THAT(errors[0].message, HasSubstr("too large in total"));
 }
 
 TEST(Multiplied, NamesAreLimitedTogether) {
-  const auto faults = compile_user(acme(R"("properties": {")" + std::string(2000, 'x') +
+  const auto errors = compile_user(acme(R"("properties": {")" + std::string(2000, 'x') +
                                         R"(": {"properties": {"a": {}}}})"))
-                          .faults;
-  ASSERT_FALSE(faults.empty());
-  EXPECT_THAT(faults[0].message, HasSubstr("more than 1000 bytes"));
+                          .errors;
+  ASSERT_FALSE(errors.empty());
+  EXPECT_THAT(errors[0].message, HasSubstr("more than 1000 bytes"));
 }
 
 TEST(Multiplied, AFileThatIsTooLongIsNotRead) {
-  const auto faults =
-      compile_user(acme(R"("$comment": ")" + std::string(300'000, 'x') + "\"")).faults;
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].line, 1U);
-  EXPECT_THAT(faults[0].message, HasSubstr("a schema file has at most 262144"));
+  const auto errors =
+      compile_user(acme(R"("$comment": ")" + std::string(300'000, 'x') + "\"")).errors;
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].line, 1U);
+  EXPECT_THAT(errors[0].message, HasSubstr("a schema file has at most 262144"));
 }
 
 }  // namespace

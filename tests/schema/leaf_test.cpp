@@ -38,7 +38,7 @@ TEST_F(Leaf, ValidObjectsRaiseNothing) {
               IsEmpty());
 }
 
-TEST_F(Leaf, FaultsAreToldAtTheMember) {
+TEST_F(Leaf, ErrorsAreToldAtTheMember) {
   EXPECT_THAT(verdict_of("{}"), ElementsAre("UNDEFINED_PROPERTY " + at_));
   EXPECT_THAT(verdict_of(R"({"age": 0})"), ElementsAre("VALUE_NOT_IN_RANGE " + at_ + "/age"));
   EXPECT_THAT(verdict_of(R"({"age": 10})"), ElementsAre("VALUE_NOT_IN_RANGE " + at_ + "/age"));

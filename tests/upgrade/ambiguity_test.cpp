@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Legacy objects in documents with faults: what is edited all the same, and what is not.
+/// Legacy objects in documents with errors: what is edited all the same, and what is not.
 #include "upgrade/ambiguity.hpp"
 
 #include <gmock/gmock.h>
@@ -35,15 +35,15 @@ const std::string kFresh =
     R"({"extensions":{"KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.5}}})";
 const std::string kFreshHead = R"({"extensionsUsed":["KHR_materials_diffuse_transmission"],)";
 
-TEST(Ambiguity, FaultsThatLieApartStay) {
-  for (const std::string& fault :
+TEST(Ambiguity, ErrorsThatLieApartStay) {
+  for (const std::string& error :
        {std::string(R"("asset":{"version":"2.0"},"asset":{"version":"2.0"})"),
         std::string(R"("nodes":[{"mesh":1,"mesh":2}])"), std::string(R"("nodes":[{},])"),
         std::string(R"("nodes":[{} {}])"), std::string(R"("extras":{"a":1 "a":2,})"),
         std::string(R"("cameras":[{"name":"\ud800"}])"),
         std::string(R"("meshes":[{"weights":[1e999]}])")}) {
-    const Outcome outcome = upgrade_of(kHead + R"("materials":[)" + kMaterial + "]," + fault + "}");
-    EXPECT_EQ(outcome.text, kFreshHead + R"("materials":[)" + kFresh + "]," + fault + "}")
+    const Outcome outcome = upgrade_of(kHead + R"("materials":[)" + kMaterial + "]," + error + "}");
+    EXPECT_EQ(outcome.text, kFreshHead + R"("materials":[)" + kFresh + "]," + error + "}")
         << outcome.problem;
   }
 }
@@ -68,7 +68,7 @@ TEST(Ambiguity, CommasBehindLastItemsStayAndAreNotCopied) {
       << outcome.problem;
 }
 
-TEST(Ambiguity, OtherMaterialsMayHaveTheirFaults) {
+TEST(Ambiguity, OtherMaterialsMayHaveTheirErrors) {
   const std::string faulty = R"({"name":"a","name":"b" "doubleSided":true})";
   EXPECT_EQ(upgrade_of(kHead + R"("materials":[)" + faulty + "," + kMaterial + "]}").text,
             kFreshHead + R"("materials":[)" + faulty + "," + kFresh + "]}");
@@ -106,7 +106,7 @@ TEST(Ambiguity, AnEditedPlaceInsideARepeatedMemberIsRefused) {
   EXPECT_EQ(outcome.text, "");
 }
 
-TEST(Ambiguity, MoreFaultsThanAreRecordedAreTooMany) {
+TEST(Ambiguity, MoreErrorsThanAreRecordedAreTooMany) {
   std::string text = kHead + R"("materials":[)" + kMaterial + R"(],"extras":[)";
   for (int i = 0; i < 100; ++i) text += "[{},],";
   EXPECT_THAT(upgrade_of(text + "0]}").problem, HasSubstr("100 errors"));

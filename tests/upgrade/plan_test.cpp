@@ -122,12 +122,12 @@ TEST(Plan, MembersThatNobodyKnowsStay) {
             R"({"diffuseTransmissionFactor":1,"x":[1],"extensions":{"ACME_x":{}},"extras":7})");
 }
 
-struct Fault {
+struct Error {
   const char* legacy;
   const char* says;
 };
 
-class PlanOfFaulty : public testing::TestWithParam<Fault> {};
+class PlanOfFaulty : public testing::TestWithParam<Error> {};
 
 TEST_P(PlanOfFaulty, ObjectLeavesItAlone) {
   const std::string text = document_with("", GetParam().legacy);
@@ -140,17 +140,17 @@ TEST_P(PlanOfFaulty, ObjectLeavesItAlone) {
 INSTANTIATE_TEST_SUITE_P(
     Upgrade, PlanOfFaulty,
     testing::Values(
-        Fault{R"("translucencyFactor":1.5)", "translucencyFactor is invalid"},
-        Fault{R"("translucencyFactor":"1")", "translucencyFactor is invalid"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":2)", "does not reference a texture"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":{"index":2})",
+        Error{R"("translucencyFactor":1.5)", "translucencyFactor is invalid"},
+        Error{R"("translucencyFactor":"1")", "translucencyFactor is invalid"},
+        Error{R"("translucencyFactor":1,"translucencyTexture":2)", "does not reference a texture"},
+        Error{R"("translucencyFactor":1,"translucencyTexture":{"index":2})",
               "does not reference a texture"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":{"index":-1})", "is invalid"},
-        Fault{R"("translucencyFactor":1,"translucencyTexture":{})", "is invalid"},
-        Fault{R"("translucencyFactor":1,"translucencyColorFactor":[1,1])", "is invalid"},
-        Fault{R"("translucencyFactor":1,"diffuseTransmissionFactor":1)", "already"}));
+        Error{R"("translucencyFactor":1,"translucencyTexture":{"index":-1})", "is invalid"},
+        Error{R"("translucencyFactor":1,"translucencyTexture":{})", "is invalid"},
+        Error{R"("translucencyFactor":1,"translucencyColorFactor":[1,1])", "is invalid"},
+        Error{R"("translucencyFactor":1,"diffuseTransmissionFactor":1)", "already"}));
 
-TEST(Plan, AFaultInWhatWouldBeCopiedIsNotSpread) {
+TEST(Plan, AErrorInWhatWouldBeCopiedIsNotSpread) {
   for (const char* base :
        {R"("baseColorFactor":[2,0,0,1])", R"("baseColorFactor":[0,0])", R"("baseColorFactor":"x")",
         R"("baseColorTexture":{"index":2})", R"("baseColorTexture":0)"}) {

@@ -303,7 +303,7 @@ TEST(SpecularGlossiness, AnAnimationOfTheFallbackStandsInTheWay) {
   }
 }
 
-TEST(SpecularGlossiness, FaultsAreNotCarriedOver) {
+TEST(SpecularGlossiness, ErrorsAreNotCarriedOver) {
   for (const char* legacy :
        {R"("diffuseFactor":[1,1,1])", R"("glossinessFactor":2)", R"("glossinessFactor":"1")",
         R"("specularFactor":[2,0,0])", R"("diffuseTexture":{"index":2})"}) {

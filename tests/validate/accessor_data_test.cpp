@@ -147,7 +147,7 @@ TEST(Normals, AtTheToleranceDoublePrecisionDecides) {
   EXPECT_EQ(about_data(normal(longer)).size(), 1 - double{longer} > 0.00674 ? 1U : 0U);
 }
 
-TEST(Normals, AMillionFaultsAreOneFinding) {
+TEST(Normals, AMillionErrorsAreOneFinding) {
   std::vector<float> values(3000, 0.5F);
   const std::string asset = with_attribute("NORMAL", "VEC3", kFloat, 1000, packed(values));
   EXPECT_EQ(about_data(asset),
@@ -240,7 +240,7 @@ TEST(Indices, TrianglesWithTwoEqualCornersAreCounted) {
   }
 }
 
-TEST(Indices, EqualOnesOfNeighbouringTrianglesAreNoFault) {
+TEST(Indices, EqualOnesOfNeighbouringTrianglesAreNoError) {
   EXPECT_EQ(about_data(indexed(kUint8, 3, 6, packed<std::uint8_t>({0, 1, 2, 2, 1, 0}))), Lines());
   EXPECT_EQ(about_data(indexed(kUint8, 3, 3, packed<std::uint8_t>({0, 1, 1}), R"(, "mode": 5)")),
             Lines());

@@ -45,7 +45,7 @@ TEST(AccessorLayout, OffsetsOfAccessorAndViewAddUp) {
       Lines{});
 }
 
-TEST(AccessorLayout, AnOffsetAtFaultIsSaidOnceButForTheKhronosProfile) {
+TEST(AccessorLayout, AnOffsetAtErrorIsSaidOnceButForTheKhronosProfile) {
   const std::string both =
       R"({"bufferView": 2, "type": "SCALAR", "count": 1, "componentType": 5126, "byteOffset": 1})";
   EXPECT_EQ(of_accessor(both), Lines{"ACCESSOR_OFFSET_ALIGNMENT /accessors/0/byteOffset"});

@@ -152,7 +152,7 @@ TEST(AttributeAlignment, AttributesLieOnMultiplesOfFourBytes) {
       << "compressed data has no layout yet";
 }
 
-TEST(AttributeAlignment, AnOffsetAtFaultIsSaidOnceButForTheKhronosProfile) {
+TEST(AttributeAlignment, AnOffsetAtErrorIsSaidOnceButForTheKhronosProfile) {
   const std::string odd =
       R"({"bufferView": 0, "count": 1, "componentType": 5126, "type": "SCALAR", "byteOffset": 2})";
   EXPECT_EQ(of_layout(odd, R"("_A": 0)", ""),

@@ -168,7 +168,7 @@ TEST(Draco, NormalizedIsWhatTheAccessorSays) {
   EXPECT_EQ(found(square_with(colors)), Lines{});
 }
 
-TEST(Draco, MoreOrFewerPointsThanTheAccessorsAreOneFault) {
+TEST(Draco, MoreOrFewerPointsThanTheAccessorsAreOneError) {
   for (const char* count : {"3", "5"}) {
     Compressed asset = square();
     asset.accessors = std::string(R"({"componentType": 5126, "type": "VEC3", "count": )") + count +

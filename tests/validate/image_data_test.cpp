@@ -159,7 +159,7 @@ Severity data_severity(const std::string& asset) {
   return report.diagnostics.empty() ? Severity::hint : report.diagnostics[0].severity;
 }
 
-TEST(Images, FaultsOfTheirHeaderAreAsLoudAsReadersTakeThem) {
+TEST(Images, ErrorsOfTheirHeaderAreAsLoudAsReadersTakeThem) {
   const auto png_with = [](const std::string& chunks, const PngHeader& header) {
     return with_image("image/png", png(chunks, header));
   };

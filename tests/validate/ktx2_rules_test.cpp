@@ -40,7 +40,7 @@ TEST(Ktx2Images, ThatAreRightAreSilent) {
   EXPECT_EQ(about(zstd), Lines{});
 }
 
-TEST(Ktx2Images, FaultsOfTheFileAreAtTheImage) {
+TEST(Ktx2Images, ErrorsOfTheFileAreAtTheImage) {
   Textured textured = shown(Ktx2Builder());
   const auto with = [&](std::size_t offset, const std::string& bytes) {
     Textured broken = textured;

@@ -68,7 +68,7 @@ TEST(Variants, EachHasOneMaterialAPrimitive) {
             Lines{"KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT " + kMappings + "1/variants/1"});
 }
 
-TEST(Variants, ARepeatInOneMappingIsOneFaultButForTheKhronosProfile) {
+TEST(Variants, ARepeatInOneMappingIsOneErrorButForTheKhronosProfile) {
   const std::string twice = R"({"material": 0, "variants": [0, 0]})";
   const std::string at = kMappings + "0/variants/1";
   EXPECT_EQ(of_mappings(twice), Lines{"DUPLICATE_ELEMENTS " + at});

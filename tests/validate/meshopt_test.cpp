@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compressed buffer views: what they decode to is checked as plain data is, and every fault of a
+// Compressed buffer views: what they decode to is checked as plain data is, and every error of a
 // stream is told at its buffer view.
 #include <cstring>
 #include <limits>
@@ -235,7 +235,7 @@ std::vector<Case> filter_cases() {
   };
 }
 
-TEST(Meshopt, FaultsOfStreamsAreToldAtTheirView) {
+TEST(Meshopt, ErrorsOfStreamsAreToldAtTheirView) {
   for (const auto& cases : {attribute_cases(), index_cases(), filter_cases()}) {
     for (const Case& each : cases) EXPECT_EQ(said(each.packed), each.wanted) << each.name;
   }

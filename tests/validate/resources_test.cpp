@@ -67,10 +67,10 @@ TEST(Files, WithFewerBytesThanDeclared) {
   Folder folder;
   folder.files().write("asset/a.bin", "1234567");
   folder.files().write("asset/empty.bin", "");
-  const Lines fault{"BUFFER_BYTE_LENGTH_MISMATCH /buffers/0"};
-  EXPECT_EQ(folder.found(R"({"uri": "a.bin", "byteLength": 8})"), fault);
-  EXPECT_EQ(folder.found(R"({"uri": "empty.bin", "byteLength": 1})"), fault);
-  EXPECT_EQ(folder.found(R"({"uri": "a.bin", "byteLength": 9007199254740992})"), fault);
+  const Lines error{"BUFFER_BYTE_LENGTH_MISMATCH /buffers/0"};
+  EXPECT_EQ(folder.found(R"({"uri": "a.bin", "byteLength": 8})"), error);
+  EXPECT_EQ(folder.found(R"({"uri": "empty.bin", "byteLength": 1})"), error);
+  EXPECT_EQ(folder.found(R"({"uri": "a.bin", "byteLength": 9007199254740992})"), error);
 }
 
 TEST(Files, ThatCannotBeRead) {

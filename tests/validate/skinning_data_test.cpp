@@ -107,13 +107,13 @@ TEST(BindMatrices, EndInARowOfZerosAndAOne) {
     return about_data(
         asset.text(R"("nodes": [{}], "skins": [{"joints": [0], "inverseBindMatrices": 0}])"));
   };
-  const Lines fault{"ACCESSOR_INVALID_IBM /skins/0/inverseBindMatrices"};
+  const Lines error{"ACCESSOR_INVALID_IBM /skins/0/inverseBindMatrices"};
   EXPECT_EQ(matrices(0, 5), Lines());
   EXPECT_EQ(matrices(14, 5), Lines());
-  EXPECT_EQ(matrices(3, 1e-9F), fault);
-  EXPECT_EQ(matrices(7, 1), fault);
-  EXPECT_EQ(matrices(11, -1), fault);
-  EXPECT_EQ(matrices(15, 0.9999999F), fault);
+  EXPECT_EQ(matrices(3, 1e-9F), error);
+  EXPECT_EQ(matrices(7, 1), error);
+  EXPECT_EQ(matrices(11, -1), error);
+  EXPECT_EQ(matrices(15, 0.9999999F), error);
 }
 
 // One vertex, bound to the joints of a skin of three.
@@ -181,7 +181,7 @@ TEST(Influences, OfJointsThatAreReportedCountInTheSum) {
             (Lines{"JOINTS_INDEX_OOB JOINTS_0", "WEIGHTS_NON_NORMALIZED WEIGHTS_0"}));
   EXPECT_EQ(Vertex().set({1, 1, 0, 0}, {0.5F, 0.5F, 0, 0}).found(),
             (Lines{"JOINTS_INDEX_DUPLICATE JOINTS_0"}));
-  // Where a weight is negative that is the fault.
+  // Where a weight is negative that is the error.
   EXPECT_EQ(Vertex().set({0, 1, 0, 0}, {1.25F, -0.25F, 0, 0}).found(),
             (Lines{"WEIGHTS_NEGATIVE WEIGHTS_0"}));
   EXPECT_EQ(Vertex().set({3, 0, 0, 0}, {1, 0, 0, 0}).found(Profile::khronos).size(), 2U);

@@ -133,7 +133,7 @@ TEST(ChangedLines, KeepWhatIsFoundOnThem) {
   EXPECT_EQ(on_lines({}, text), Lines{});
 }
 
-TEST(ChangedLines, KeepFaultsOfTheTextAtItsEnd) {
+TEST(ChangedLines, KeepErrorsOfTheTextAtItsEnd) {
   const std::string text = "{\"asset\": {\"version\": \"2.0\"}\n";
   EXPECT_EQ(on_lines({{1, 2}}, text).size(), 1U);
   EXPECT_EQ(on_lines({}, text).size(), 0U);

@@ -95,8 +95,8 @@ TEST(PixelLevels, ManyImagesEndSomewhere) {
   pixels.decode({{0, false}, {2, false}, {1, false}}, 2);
   EXPECT_NE(pixels.of(0), nullptr);
   EXPECT_NE(pixels.of(2), nullptr);
-  ASSERT_NE(pixels.fault(1), nullptr);
-  EXPECT_EQ(pixels.fault(1)->kind, codec::FaultKind::too_large);
+  ASSERT_NE(pixels.error(1), nullptr);
+  EXPECT_EQ(pixels.error(1)->kind, codec::ErrorKind::too_large);
 }
 
 // --- Constant channels ---

@@ -17,9 +17,9 @@
 #include "help_text.hpp"
 #include "input_walk.hpp"
 #include "option_check.hpp"
+#include "raw_options.hpp"
 #include "suggestion.hpp"
 #include "version.hpp"
-#include "words.hpp"
 
 namespace gltfx::tool {
 
@@ -69,16 +69,16 @@ class Declaration {
                 "gltfx"};
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
-  ValidateWords validate_;
-  MergeWords merge_;
-  UpgradeWords upgrade_;
-  BakeWords bake_;
-  InspectWords inspect_;
-  PageWords report_;
-  ExplainWords explain_;
-  RulesWords rules_;
-  SchemaWords schema_;
-  ConfigWords config_;
+  RawValidateOptions validate_;
+  RawMergeOptions merge_;
+  RawUpgradeOptions upgrade_;
+  RawBakeOptions bake_;
+  RawInspectOptions inspect_;
+  RawPageOptions report_;
+  RawExplainOptions explain_;
+  RawRulesOptions rules_;
+  RawSchemaOptions schema_;
+  RawConfigOptions config_;
 };
 
 CLI::App& Declaration::verb(const char* name, const char* text) {

@@ -6,7 +6,7 @@
 namespace gltfx::tool {
 namespace {
 
-void declare_outputs(CLI::App& app, BakeWords& words) {
+void declare_outputs(CLI::App& app, RawBakeOptions& words) {
   add_word(app, "-o,--output", words.output, "FILE|DIR",
            "Output .png, .webp, .jpg or .exr file, or a folder");
   add_word(app, "-f,--format", words.format, "NAME",
@@ -21,7 +21,7 @@ void declare_outputs(CLI::App& app, BakeWords& words) {
            "Compare with PATH; write the difference to -o");
 }
 
-void declare_scene(CLI::App& app, BakeWords& words) {
+void declare_scene(CLI::App& app, RawBakeOptions& words) {
   add_word(app, "--camera", words.camera, "NAME|N|AZ,EL",
            "Camera of the asset, or azimuth,elevation in degrees");
   add_word(app, "--lights", words.lights, "WHICH", "Lights: asset, studio or both (default)");
@@ -35,7 +35,7 @@ void declare_scene(CLI::App& app, BakeWords& words) {
   app.add_flag("--force", words.force, "Render invalid assets as far as possible");
 }
 
-void declare_quality(CLI::App& app, BakeWords& words) {
+void declare_quality(CLI::App& app, RawBakeOptions& words) {
   add_word(app, "--samples", words.samples, "N", "Samples per pixel (default: 32)");
   add_word(app, "--bounces", words.bounces, "N", "Maximum path depth (default: 6)");
   add_word(app, "--seed", words.seed, "N", "Random seed (default: 0)");
@@ -49,7 +49,7 @@ void declare_quality(CLI::App& app, BakeWords& words) {
 
 }  // namespace
 
-void declare_bake(CLI::App& app, BakeWords& words) {
+void declare_bake(CLI::App& app, RawBakeOptions& words) {
   describe_positional(app, "PATH", "Files, folders (recursive) or globs");
   declare_outputs(app, words);
   declare_scene(app, words);

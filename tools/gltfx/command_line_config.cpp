@@ -5,7 +5,7 @@
 
 namespace gltfx::tool {
 
-void declare_config(CLI::App& app, ConfigWords& words) {
+void declare_config(CLI::App& app, RawConfigOptions& words) {
   describe_positional(app, "PATH", "Path, or import FILE of the Khronos validator");
   add_configuration(app, words.configuration);
   add_common(app, words.common);

@@ -5,7 +5,7 @@
 
 namespace gltfx::tool {
 
-void declare_inspect(CLI::App& app, InspectWords& words) {
+void declare_inspect(CLI::App& app, RawInspectOptions& words) {
   describe_positional(app, "PATH", "Files, folders (recursive) or globs");
   add_word(app, "-f,--format", words.format, "NAME", "Output format: text (default) or json");
   add_word(app, "--top", words.top, "N", "Rows per table, largest first (default: 10, 0: all)");

@@ -5,7 +5,7 @@
 
 namespace gltfx::tool {
 
-void declare_merge(CLI::App& app, MergeWords& words) {
+void declare_merge(CLI::App& app, RawMergeOptions& words) {
   describe_positional(app, "REPORT", "Files written by validate with --format jsonl=FILE");
   add_formats(app, words.formats);
   add_listing(app, words.listing);

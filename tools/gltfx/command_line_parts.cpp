@@ -30,7 +30,7 @@ void add_sarif_notes(CLI::App& app, bool& sarif_notes) {
   app.add_flag("--sarif-notes", sarif_notes, "Include info and hint in SARIF");
 }
 
-void add_inputs(CLI::App& app, InputWords& words) {
+void add_inputs(CLI::App& app, RawInputOptions& words) {
   add_word(app, "--files-from", words.files_from, "FILE",
            "Read paths from FILE, separated by newline or NUL");
   add_word(app, "--shard", words.shard, "I/N", "Only part I of N of the files, split by path");
@@ -60,12 +60,12 @@ void add_fail_on(CLI::App& app, std::string& level, const char* text) {
   add_word(app, "--fail-on", level, "LEVEL", text);
 }
 
-void add_common(CLI::App& app, CommonWords& words) {
+void add_common(CLI::App& app, RawCommonOptions& words) {
   add_word(app, "-j,--jobs", words.jobs, "N", "Number of threads (default: one per core)");
   add_word(app, "--color", words.color, "WHEN", "Color: auto (default), always or never");
 }
 
-void add_decoders(CLI::App& app, CommonWords& words) {
+void add_decoders(CLI::App& app, RawCommonOptions& words) {
   app.add_flag("--unsandboxed-decoders", words.unsandboxed_decoders,
                "Run decoders if the system cannot sandbox them");
 }

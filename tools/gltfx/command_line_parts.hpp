@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "command_table.hpp"
-#include "words.hpp"
+#include "raw_options.hpp"
 
 namespace CLI {
 class App;
@@ -33,7 +33,7 @@ void add_formats(CLI::App& app, std::vector<std::string>& formats);
 void add_sarif_notes(CLI::App& app, bool& sarif_notes);
 
 /// Which of the inputs a run takes, besides the positional ones.
-void add_inputs(CLI::App& app, InputWords& words);
+void add_inputs(CLI::App& app, RawInputOptions& words);
 
 /// --allow-empty of the verbs that open assets; add_inputs() has it.
 /// Which assets of folders count.
@@ -47,25 +47,25 @@ void add_root(CLI::App& app, std::string& root);
 /// --fail-on of the verbs that give a verdict.
 void add_fail_on(CLI::App& app, std::string& level, const char* text);
 
-void add_common(CLI::App& app, CommonWords& words);
+void add_common(CLI::App& app, RawCommonOptions& words);
 /// The options of the verbs that decode images and meshes.
-void add_decoders(CLI::App& app, CommonWords& words);
+void add_decoders(CLI::App& app, RawCommonOptions& words);
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders);
 
 void add_configuration(CLI::App& app, ConfigChoice& choice);
 
 /// The options of `gltfx bake`.
-void declare_bake(CLI::App& app, BakeWords& words);
+void declare_bake(CLI::App& app, RawBakeOptions& words);
 /// The options of `gltfx validate`, and of `gltfx report` which asks for most of them, too.
-void declare_validate(CLI::App& app, ValidateWords& words);
-void declare_report(CLI::App& app, PageWords& words);
+void declare_validate(CLI::App& app, RawValidateOptions& words);
+void declare_report(CLI::App& app, RawPageOptions& words);
 /// The options of `gltfx inspect`.
-void declare_inspect(CLI::App& app, InspectWords& words);
+void declare_inspect(CLI::App& app, RawInspectOptions& words);
 /// The options of `gltfx merge`.
-void declare_merge(CLI::App& app, MergeWords& words);
+void declare_merge(CLI::App& app, RawMergeOptions& words);
 /// The options of `gltfx config`.
-void declare_config(CLI::App& app, ConfigWords& words);
+void declare_config(CLI::App& app, RawConfigOptions& words);
 
 /// What CLI11 was told, the program first, then its verbs.
 std::vector<CommandEntry> table_of(const CLI::App& program);

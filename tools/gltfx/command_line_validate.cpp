@@ -7,7 +7,7 @@
 namespace gltfx::tool {
 namespace {
 
-void declare_filters(CLI::App& app, ValidateWords& words) {
+void declare_filters(CLI::App& app, RawValidateOptions& words) {
   add_word(app, "--profile", words.profile, "NAME",
            "default, khronos (as the Khronos validator), strict");
   add_list(app, "--select", words.select, "CODES",
@@ -21,7 +21,7 @@ void declare_filters(CLI::App& app, ValidateWords& words) {
            "Maximum findings per file (default: 0, no limit)");
 }
 
-void declare_budgets(CLI::App& app, ValidateWords& words) {
+void declare_budgets(CLI::App& app, RawValidateOptions& words) {
   add_word(app, "--max-texture-size", words.max_texture_size, "PIXELS",
            "Maximum image width and height (default: 0, off)");
   add_word(app, "--max-total-pixels", words.max_total_pixels, "PIXELS",
@@ -35,7 +35,7 @@ void declare_budgets(CLI::App& app, ValidateWords& words) {
 }
 
 // What both verbs ask in the same words.
-void declare_checks(CLI::App& app, ValidateWords& words) {
+void declare_checks(CLI::App& app, RawValidateOptions& words) {
   add_fail_on(app, words.fail_on, "Exit 1 at error (default), warning, info or never");
   declare_filters(app, words);
   add_word(app, "--pixels", words.pixels, "LEVEL",
@@ -53,7 +53,7 @@ void declare_checks(CLI::App& app, ValidateWords& words) {
 
 }  // namespace
 
-void declare_validate(CLI::App& app, ValidateWords& words) {
+void declare_validate(CLI::App& app, RawValidateOptions& words) {
   describe_positional(app, "PATH", "Files, folders (recursive), globs, or - for stdin");
   add_formats(app, words.formats);
   add_listing(app, words.listing);
@@ -70,7 +70,7 @@ void declare_validate(CLI::App& app, ValidateWords& words) {
   add_common(app, words.common);
 }
 
-void declare_report(CLI::App& app, PageWords& words) {
+void declare_report(CLI::App& app, RawPageOptions& words) {
   describe_positional(app, "PATH", "Files, folders (recursive) or globs");
   add_word(app, "-o,--output", words.output, "FILE", "Output .html file, or - for stdout");
   add_word(app, "--title", words.title, "TEXT", "Title of the page (default: the paths)");

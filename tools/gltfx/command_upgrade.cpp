@@ -71,14 +71,14 @@ Result<UpgradeOptions> options_of(const UpgradeRequest& request) {
 // followed to the asset, not to the copy.
 std::optional<std::string> restore(const std::string& path) {
   namespace fs = std::filesystem;
-  std::error_code fault;
+  std::error_code error;
   const fs::path copy = path + ".bak";
-  const fs::file_status found = fs::symlink_status(copy, fault);
+  const fs::file_status found = fs::symlink_status(copy, error);
   if (!fs::exists(found)) return "there is no " + quoted(copy.native(), 200);
   if (!fs::is_regular_file(found)) return quoted(copy.native(), 200) + " is not a regular file";
-  const fs::path target = fs::canonical(path, fault);
-  if (!fault) fs::rename(copy, target, fault);
-  if (fault) return "cannot be restored: " + fault.message();
+  const fs::path target = fs::canonical(path, error);
+  if (!error) fs::rename(copy, target, error);
+  if (error) return "cannot be restored: " + error.message();
   return std::nullopt;
 }
 
@@ -90,9 +90,9 @@ ExitCode restore_all(const UpgradeRequest& request) {
   }
   ExitCode code = ExitCode::ok;
   for (const std::string& path : named->paths) {
-    std::error_code fault;
+    std::error_code error;
     const bool has_copy =
-        std::filesystem::exists(std::filesystem::symlink_status(path + ".bak", fault));
+        std::filesystem::exists(std::filesystem::symlink_status(path + ".bak", error));
     if (named->several && !has_copy) continue;
     if (const auto why = restore(path)) {
       complain(fmt::format("{}: {}", printable(path), printable(*why)));

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-// Faults come back as values, and nothing is printed.
+// Errors come back as values, and nothing is printed.
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 // Some of its assertions fail on mistakes that it finds and reports itself behind them. In a
@@ -154,7 +154,7 @@ class Reader {
 
   // Takes what the command line would take, and complains in its words.
   void keep(const ConfigKey& key, std::string word, const toml::node& node, Values& values) {
-    ValidateWords words;
+    RawValidateOptions words;
     words.hook = true;  // no paths
     if (key.word != nullptr) {
       words.*key.word = word;

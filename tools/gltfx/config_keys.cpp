@@ -7,7 +7,7 @@ namespace gltfx::tool {
 namespace {
 
 using Form = ConfigForm;
-using Words = ValidateWords;
+using Words = RawValidateOptions;
 constexpr ConfigMerge kLast = ConfigMerge::last;
 constexpr ConfigMerge kAll = ConfigMerge::all;
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "words.hpp"
+#include "raw_options.hpp"
 
 namespace gltfx::tool {
 
@@ -33,8 +33,8 @@ struct ConfigKey {
   bool by_path;                ///< may stand in [[overrides]]
   std::string_view otherwise;  ///< what holds when nobody says anything
   // None where another verb alone has use for it.
-  std::string ValidateWords::*word = nullptr;                ///< where a single value goes
-  std::vector<std::string> ValidateWords::*words = nullptr;  ///< where several go
+  std::string RawValidateOptions::*word = nullptr;                ///< where a single value goes
+  std::vector<std::string> RawValidateOptions::*words = nullptr;  ///< where several go
 };
 
 /// In the order in which they are shown.

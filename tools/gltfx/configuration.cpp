@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 
 // Empty when there is none.
 fs::path nearest_file(const fs::path& start) {
-  std::error_code fault;
+  std::error_code error;
   for (fs::path folder = start; !folder.empty(); folder = folder.parent_path()) {
-    if (fs::is_regular_file(folder / kConfigName, fault)) return folder / kConfigName;
+    if (fs::is_regular_file(folder / kConfigName, error)) return folder / kConfigName;
     if (folder == folder.root_path()) break;
   }
   return {};
@@ -30,8 +30,8 @@ fs::path nearest_file(const fs::path& start) {
 
 // Below the folder of the configuration, or absolute without the first '/'.
 std::string path_for_patterns(const std::string& path, const fs::path& folder) {
-  std::error_code fault;
-  const fs::path whole = fs::absolute(path, fault).lexically_normal();
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error).lexically_normal();
   const fs::path below = whole.lexically_relative(folder);
   const bool outside = below.empty() || *below.begin() == "..";
   return (outside ? whole.relative_path() : below).native();
@@ -65,13 +65,13 @@ Result<Configuration> Configuration::load(const ConfigChoice& choice) {
     return Error{"--config and --isolated are mutually exclusive."};
   }
   if (choice.isolated) return found;
-  std::error_code fault;
-  const fs::path here = fs::current_path(fault);
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
   const fs::path file = choice.config.empty() ? nearest_file(here) : fs::path(choice.config);
   if (file.empty()) return found;
   const auto text = read_text_file(file.native(), kLongestConfig);
   if (!text) return Error{"--config: " + text.error().message};
-  const fs::path whole = fs::absolute(file, fault).lexically_normal();
+  const fs::path whole = fs::absolute(file, error).lexically_normal();
   found.shown_ = choice.config.empty() ? whole.lexically_proximate(here).native() : choice.config;
   found.folder_ = whole.parent_path().native();
   auto content = parse_config(*text, found.shown_);
@@ -108,8 +108,8 @@ std::vector<Holding> Configuration::holding(const ConfigKey& key,
 }
 
 std::string Configuration::path_from_file(const std::string& path) const {
-  std::error_code fault;
-  const fs::path here = fs::current_path(fault);
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
   return (fs::path(folder_) / path).lexically_normal().lexically_proximate(here).native();
 }
 
@@ -139,15 +139,15 @@ void Configuration::add_schemas(std::vector<std::string>& files,
                                 std::vector<std::string>& folders) const {
   std::vector<std::string> more_files, more_folders;
   for (std::string& path : words_of(*find_config_key("schemas"), {})) {
-    std::error_code fault;
-    (fs::is_directory(path, fault) ? more_folders : more_files).push_back(std::move(path));
+    std::error_code error;
+    (fs::is_directory(path, error) ? more_folders : more_files).push_back(std::move(path));
   }
   put_first(files, std::move(more_files));
   put_first(folders, std::move(more_folders));
 }
 
-ValidateWords Configuration::apply(ValidateWords words,
-                                   const std::vector<std::size_t>& overrides) const {
+RawValidateOptions Configuration::apply(RawValidateOptions words,
+                                        const std::vector<std::size_t>& overrides) const {
   for (const ConfigKey& key : config_keys()) {
     if (key.form == ConfigForm::paths || (key.word == nullptr && key.words == nullptr)) continue;
     std::vector<std::string> said = words_of(key, overrides);
@@ -157,7 +157,7 @@ ValidateWords Configuration::apply(ValidateWords words,
       continue;
     }
     std::vector<std::string>& list = words.*key.words;
-    if (key.words == &ValidateWords::ignore) drop_selected(said, words.select);
+    if (key.words == &RawValidateOptions::ignore) drop_selected(said, words.select);
     if (key.merge == ConfigMerge::all) {
       put_first(list, std::move(said));
     } else if (list.empty()) {
@@ -174,26 +174,26 @@ void Configuration::fill(std::string_view key, std::string& word) const {
   if (word.empty() && !said.empty()) word = std::move(said.front());
 }
 
-void Configuration::apply(UpgradeWords& words) const {
+void Configuration::apply(RawUpgradeOptions& words) const {
   fill("root", words.root);
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }
 
-void Configuration::apply(BakeWords& words) const {
+void Configuration::apply(RawBakeOptions& words) const {
   fill("root", words.root);
   fill("environment", words.environment);
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }
 
-void Configuration::apply(InspectWords& words) const {
+void Configuration::apply(RawInspectOptions& words) const {
   fill("root", words.root);
   add_excludes(words.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }
 
-void Configuration::apply(SchemaWords& words) const {
+void Configuration::apply(RawSchemaOptions& words) const {
   add_schemas(words.schema_files, words.schema_folders);
 }
 
@@ -210,7 +210,7 @@ void PathOptions::apply(const std::vector<std::size_t>& kind, ValidateOptions& o
   options.inline_suppressions = own.inline_suppressions;
 }
 
-Result<ValidateRequest> configured(const ValidateWords& words) {
+Result<ValidateRequest> configured(const RawValidateOptions& words) {
   auto configuration = Configuration::load(words.configuration);
   if (!configuration) return configuration.error();
   auto request = request_of(configuration->apply(words, {}));
@@ -220,8 +220,8 @@ Result<ValidateRequest> configured(const ValidateWords& words) {
   return request;
 }
 
-Result<PageRequest> configured(const PageWords& words) {
-  const InputWords& inputs = words.validate.inputs;
+Result<PageRequest> configured(const RawPageOptions& words) {
+  const RawInputOptions& inputs = words.validate.inputs;
   Reading reading;
   reading.require(!inputs.paths.empty() || !inputs.files_from.empty(),
                   "report: name at least one file, folder or glob.");
@@ -244,19 +244,19 @@ Result<Wanted> request_with_configuration(Words words) {
 
 }  // namespace
 
-Result<UpgradeRequest> configured(UpgradeWords words) {
+Result<UpgradeRequest> configured(RawUpgradeOptions words) {
   return request_with_configuration<UpgradeRequest>(std::move(words));
 }
 
-Result<BakeRequest> configured(BakeWords words) {
+Result<BakeRequest> configured(RawBakeOptions words) {
   return request_with_configuration<BakeRequest>(std::move(words));
 }
 
-Result<InspectRequest> configured(InspectWords words) {
+Result<InspectRequest> configured(RawInspectOptions words) {
   return request_with_configuration<InspectRequest>(std::move(words));
 }
 
-Result<SchemaRequest> configured(SchemaWords words) {
+Result<SchemaRequest> configured(RawSchemaOptions words) {
   return request_with_configuration<SchemaRequest>(std::move(words));
 }
 

@@ -13,7 +13,7 @@
 
 #include "base/result.hpp"
 #include "config_file.hpp"
-#include "words.hpp"
+#include "raw_options.hpp"
 
 namespace gltfx::tool {
 
@@ -43,11 +43,12 @@ class Configuration {
                                const std::vector<std::size_t>& overrides) const;
 
   /// The words with what the file says where they say nothing.
-  ValidateWords apply(ValidateWords words, const std::vector<std::size_t>& overrides) const;
-  void apply(UpgradeWords& words) const;
-  void apply(BakeWords& words) const;
-  void apply(InspectWords& words) const;
-  void apply(SchemaWords& words) const;
+  RawValidateOptions apply(RawValidateOptions words,
+                           const std::vector<std::size_t>& overrides) const;
+  void apply(RawUpgradeOptions& words) const;
+  void apply(RawBakeOptions& words) const;
+  void apply(RawInspectOptions& words) const;
+  void apply(RawSchemaOptions& words) const;
 
  private:
   /// A path that the file names, from the working folder.
@@ -67,7 +68,7 @@ class Configuration {
 /// What validation is asked for, path by path.
 class PathOptions {
  public:
-  PathOptions(ValidateWords words, Configuration configuration)
+  PathOptions(RawValidateOptions words, Configuration configuration)
       : words_(std::move(words)), configuration_(std::move(configuration)) {}
 
   /// Two paths with equal results have the same options.
@@ -78,16 +79,16 @@ class PathOptions {
   void apply(const std::vector<std::size_t>& kind, ValidateOptions& options) const;
 
  private:
-  ValidateWords words_;
+  RawValidateOptions words_;
   Configuration configuration_;
 };
 
 /// request_of() the words with the configuration that holds.
-Result<ValidateRequest> configured(const ValidateWords& words);
-Result<PageRequest> configured(const PageWords& words);
-Result<UpgradeRequest> configured(UpgradeWords words);
-Result<BakeRequest> configured(BakeWords words);
-Result<InspectRequest> configured(InspectWords words);
-Result<SchemaRequest> configured(SchemaWords words);
+Result<ValidateRequest> configured(const RawValidateOptions& words);
+Result<PageRequest> configured(const RawPageOptions& words);
+Result<UpgradeRequest> configured(RawUpgradeOptions words);
+Result<BakeRequest> configured(RawBakeOptions words);
+Result<InspectRequest> configured(RawInspectOptions words);
+Result<SchemaRequest> configured(RawSchemaOptions words);
 
 }  // namespace gltfx::tool

@@ -62,10 +62,10 @@ pid_t spawn(std::vector<std::string> words, const Pipes& pipes) {
   ::posix_spawnattr_setsigdefault(&attributes, &signals);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t id = -1;
-  const int fault = ::posix_spawnp(&id, "git", &actions, &attributes, arguments.data(), environ);
+  const int error = ::posix_spawnp(&id, "git", &actions, &attributes, arguments.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   ::posix_spawnattr_destroy(&attributes);
-  return fault == 0 ? id : -fault;
+  return error == 0 ? id : -error;
 }
 
 // Writes what the pipe takes; closes it when all is written or nobody reads.

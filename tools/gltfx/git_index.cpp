@@ -156,20 +156,20 @@ bool GitIndex::leads_elsewhere(const RepositoryName& name) const {
 }
 
 std::optional<RepositoryName> GitIndex::name_of(const std::string& path) const {
-  std::error_code fault;
-  const fs::path whole = fs::absolute(path, fault).lexically_normal();
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error).lexically_normal();
   const RepositoryName name = whole.lexically_relative(git_.folder()).native();
-  if (fault || name.empty() || name == "." || name == ".." || name.starts_with("../")) {
+  if (error || name.empty() || name == "." || name == ".." || name.starts_with("../")) {
     return std::nullopt;
   }
   return name;
 }
 
 std::string GitIndex::path_of(const RepositoryName& name) const {
-  std::error_code fault;
-  const fs::path here = fs::current_path(fault);
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
   const fs::path whole = fs::path(git_.folder()) / name;
-  return (fault ? whole : whole.lexically_relative(here)).native();
+  return (error ? whole : whole.lexically_relative(here)).native();
 }
 
 Result<std::map<RepositoryName, char>> GitIndex::staged() const {

@@ -18,17 +18,17 @@ fs::path or_here(const fs::path& folder) { return folder.empty() ? fs::path(".")
 
 std::vector<fs::path> names_in(const fs::path& folder) {
   std::vector<fs::path> names;
-  std::error_code fault;
-  fs::directory_iterator at(or_here(folder), fs::directory_options::skip_permission_denied, fault);
-  for (; !fault && at != fs::directory_iterator(); at.increment(fault)) {
+  std::error_code error;
+  fs::directory_iterator at(or_here(folder), fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
     names.push_back(at->path().filename());
   }
   return names;
 }
 
 bool is_real_folder(const fs::path& path) {
-  std::error_code fault;
-  return fs::symlink_status(path, fault).type() == fs::file_type::directory;
+  std::error_code error;
+  return fs::symlink_status(path, error).type() == fs::file_type::directory;
 }
 
 // The folders and every folder below them, each once.
@@ -49,8 +49,8 @@ std::vector<fs::path> folders_below(std::vector<fs::path> folders) {
 std::vector<fs::path> step_into(const fs::path& folder, const std::string& step) {
   std::vector<fs::path> found;
   if (!is_glob(step)) {
-    std::error_code fault;
-    if (fs::exists(or_here(folder / step), fault)) found.push_back(folder / step);
+    std::error_code error;
+    if (fs::exists(or_here(folder / step), error)) found.push_back(folder / step);
     return found;
   }
   for (const fs::path& name : names_in(folder)) {

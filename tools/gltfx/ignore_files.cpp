@@ -23,10 +23,10 @@ constexpr std::ptrdiff_t kMostStars = 16;
 // From the top of the repository to the folder itself; empty outside of repositories.
 std::vector<fs::path> folders_of_repository(const fs::path& folder) {
   std::vector<fs::path> folders;
-  std::error_code fault;
-  for (fs::path at = fs::canonical(folder, fault); !fault; at = at.parent_path()) {
+  std::error_code error;
+  for (fs::path at = fs::canonical(folder, error); !error; at = at.parent_path()) {
     folders.insert(folders.begin(), at);
-    if (fs::exists(at / ".git", fault)) return folders;
+    if (fs::exists(at / ".git", error)) return folders;
     if (at == at.root_path()) break;
   }
   return {};
@@ -65,9 +65,9 @@ std::vector<IgnoreFiles::Pattern> IgnoreFiles::parse(std::string_view text) {
 
 void IgnoreFiles::read(const std::string& folder, std::string before, std::size_t skip) {
   File file{std::move(before), skip, {}};
-  std::error_code fault;
+  std::error_code error;
   const std::string path = folder + ".gitignore";
-  if (fs::is_regular_file(path, fault)) {
+  if (fs::is_regular_file(path, error)) {
     if (const auto text = read_text_file(path, kLongestConfig)) file.patterns = parse(*text);
   }
   files_.push_back(std::move(file));

@@ -81,9 +81,9 @@ Result<std::string> read_list(const std::string& file) {
 
 Result<std::uint64_t> look_ahead(const NamedPaths& named, std::vector<std::string> outputs,
                                  bool count) {
-  std::error_code fault;
+  std::error_code error;
   std::erase_if(outputs, [&](const std::string& output) {
-    return output.empty() || !std::filesystem::exists(output, fault);
+    return output.empty() || !std::filesystem::exists(output, error);
   });
   std::uint64_t files = 0;
   if (outputs.empty() && !count) return files;
@@ -91,7 +91,7 @@ Result<std::uint64_t> look_ahead(const NamedPaths& named, std::vector<std::strin
   while (const auto input = walk.next()) {
     ++files;
     for (const std::string& output : outputs) {
-      if (!std::filesystem::equivalent(output, input->path, fault)) continue;
+      if (!std::filesystem::equivalent(output, input->path, error)) continue;
       return Error{"the output " + quoted(output, 200) + " is a file that is to be checked"};
     }
   }
@@ -99,8 +99,8 @@ Result<std::uint64_t> look_ahead(const NamedPaths& named, std::vector<std::strin
 }
 
 std::optional<Error> check_root(const std::string& root) {
-  std::error_code fault;
-  if (root.empty() || std::filesystem::is_directory(root, fault)) return std::nullopt;
+  std::error_code error;
+  if (root.empty() || std::filesystem::is_directory(root, error)) return std::nullopt;
   return Error{"--root: " + quoted(root, 200) + " is not a folder"};
 }
 

@@ -27,7 +27,7 @@ void keep_standard_streams() {
   if (fd > STDERR_FILENO) ::close(fd);
 }
 
-// A mapped file that is cut while it is read is a finding. Any other such fault ends the program as
+// A mapped file that is cut while it is read is a finding. Any other such error ends the program as
 // if there were no handler.
 void repair_or_die(int signal, siginfo_t* info, void*) {
   if (!repair_mapping(info->si_addr)) static_cast<void>(std::signal(signal, SIG_DFL));
@@ -60,7 +60,7 @@ std::terminate_handler usual_end = nullptr;
 // Libraries that promise not to throw end the program where memory is missing.
 void explain_and_die() {
   try {
-    if (const auto fault = std::current_exception()) std::rethrow_exception(fault);
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
     remove_temporaries();
     static_cast<void>(write_all(STDERR_FILENO, "gltfx: there is not enough memory\n"));

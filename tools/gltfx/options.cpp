@@ -79,8 +79,8 @@ Result<std::uint64_t> parse_number(std::string_view option, std::string_view tex
                                    std::uint64_t minimum) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, value);
-  if (fault != std::errc() || stop != end || value < minimum) {
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || value < minimum) {
     return Error{fmt::format("{}: {} is not a whole number of at least {}.", option,
                              gltfx::quoted(text), minimum)};
   }

@@ -25,9 +25,9 @@ constexpr mode_t kAnyNewFile = 0666;
 
 // The place a chain of links ends at, which may not exist yet.
 std::string resolved(const std::string& path) {
-  std::error_code fault;
-  const fs::path real = fs::weakly_canonical(path, fault);
-  return fault ? path : real.native();
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(path, error);
+  return error ? path : real.native();
 }
 
 }  // namespace
@@ -50,8 +50,8 @@ void Output::open() {
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
   const fs::path folder = fs::path(path_).parent_path();
-  std::error_code fault;
-  if (!exists && !folder.empty() && !fs::is_directory(folder, fault)) {
+  std::error_code error;
+  if (!exists && !folder.empty() && !fs::is_directory(folder, error)) {
     problem_ = fmt::format("cannot write {}: there is no folder {}", quoted(path_, 200),
                            quoted(folder.native(), 200));
     return;

@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 fs::path real_path(fs::path path) {
   while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();  // "out/"
-  std::error_code fault;
-  fs::path real = fs::weakly_canonical(path, fault);
-  return fault ? path : real;
+  std::error_code error;
+  fs::path real = fs::weakly_canonical(path, error);
+  return error ? path : real;
 }
 
 bool is_below(const fs::path& path, const fs::path& folder) {
@@ -32,8 +32,8 @@ class Destination {
  public:
   Destination(const std::string& output, const Inputs& inputs)
       : output_(output), several_(inputs.several) {
-    std::error_code fault;
-    is_folder_ = several_ || output.ends_with('/') || fs::is_directory(output, fault);
+    std::error_code error;
+    is_folder_ = several_ || output.ends_with('/') || fs::is_directory(output, error);
     real_ = real_path(output);
     for (const std::string& folder : inputs.folders) {
       inside_search_ = inside_search_ || is_below(real_, real_path(folder));
@@ -42,9 +42,9 @@ class Destination {
 
   /// Why it cannot be the place of a folder, or empty.
   std::string problem() const {
-    std::error_code fault;
-    if (!is_folder_ || fs::is_directory(output_, fault)) return {};
-    if (fs::exists(real_, fault)) {
+    std::error_code error;
+    if (!is_folder_ || fs::is_directory(output_, error)) return {};
+    if (fs::exists(real_, error)) {
       return fmt::format("--output: {} is a file, but a folder is needed for {}.",
                          quoted(output_, 200),
                          several_ ? "several assets" : "a name that ends in '/'");
@@ -104,9 +104,9 @@ Result<std::vector<UpgradeInput>> place_outputs(const Inputs& inputs, const std:
   std::set<fs::path> seen;
   std::set<std::string> taken = taken_by_others(inputs, output);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
-    std::error_code fault;
-    const fs::path real = fs::canonical(inputs.paths[i], fault);
-    if (!fault && !seen.insert(real).second) continue;
+    std::error_code error;
+    const fs::path real = fs::canonical(inputs.paths[i], error);
+    if (!error && !seen.insert(real).second) continue;
     placed.push_back({inputs.paths[i], {}});
     if (!placing) continue;
     if (destination.holds(real)) {

@@ -31,8 +31,8 @@ std::vector<std::string> picture_names(const Inputs& inputs, const std::string& 
 }
 
 bool is_folder(const Inputs& inputs, const std::string& output) {
-  std::error_code fault;
-  return inputs.several || output.ends_with('/') || fs::is_directory(output, fault);
+  std::error_code error;
+  return inputs.several || output.ends_with('/') || fs::is_directory(output, error);
 }
 
 // An ending that is none of a picture, or another one than --format names.
@@ -54,12 +54,12 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
   PicturePlaces places;
   if (!inputs.paths.empty()) places.sheet = request.sheet;
   const bool folder = !output.empty() && is_folder(inputs, output);
-  std::error_code fault;
-  if (folder && fs::exists(output, fault) && !fs::is_directory(output, fault)) {
+  std::error_code error;
+  if (folder && fs::exists(output, error) && !fs::is_directory(output, error)) {
     return Error{fmt::format("--output: {} is a file, but a folder is needed for several assets.",
                              quoted(output, 200))};
   }
-  const bool to_be_made = folder && !output.ends_with('/') && !fs::exists(output, fault);
+  const bool to_be_made = folder && !output.ends_with('/') && !fs::exists(output, error);
   if (to_be_made && check_picture_name(output).empty()) {
     return Error{fmt::format(
         "--output: {} is called like one picture, but several assets may come; end it in '/' if it "
@@ -76,7 +76,7 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
   const std::vector<std::string> names = picture_names(inputs, request.format);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     const std::string place = folder ? (fs::path(output) / names[i]).native() : output;
-    if (!place.empty() && fs::equivalent(place, inputs.paths[i], fault)) {
+    if (!place.empty() && fs::equivalent(place, inputs.paths[i], error)) {
       return Error{fmt::format("--output: {} is the asset itself.", quoted(place, 200))};
     }
     places.inputs.push_back({inputs.paths[i], place});

@@ -48,7 +48,7 @@ Result<std::string> read_all(int fd, std::uint64_t most) {
 
 std::string why_not(const container::File& file) {
   if (!file.problem.empty()) return file.problem;
-  const int error = file.fault == container::ResolveFault::no_permission ? EACCES : ENOENT;
+  const int error = file.error == container::ResolveError::no_permission ? EACCES : ENOENT;
   return std::error_code(error, std::generic_category()).message();
 }
 

@@ -9,7 +9,7 @@
 
 #include "base/result.hpp"
 #include "options.hpp"
-#include "words.hpp"
+#include "raw_options.hpp"
 
 namespace gltfx::tool {
 
@@ -41,13 +41,13 @@ class Reading {
 };
 
 /// `what`: the verb. Whether inputs are named at all is left to the caller.
-void read_inputs(Reading& reading, const InputWords& words, std::string_view what,
+void read_inputs(Reading& reading, const RawInputOptions& words, std::string_view what,
                  NamedPaths& paths);
 /// Refuses "-" among the paths of a verb that needs files. `what`: as above; `done`: what is done
 /// with those beside the asset.
 void require_files(Reading& reading, const std::vector<std::string>& paths, std::string_view what,
                    std::string_view done = "found");
 
-void read_common(Reading& reading, const CommonWords& words, CommonOptions& options);
+void read_common(Reading& reading, const RawCommonOptions& words, CommonOptions& options);
 
 }  // namespace gltfx::tool

@@ -30,8 +30,8 @@ FormatOptions format_options(const ReportRequest& request, const ReportTargets::
   options.pixel_level = look.pixel_level;
   options.shard = look.shard;
   options.rules = rules();
-  std::error_code fault;
-  options.folder = std::filesystem::current_path(fault).native();
+  std::error_code error;
+  options.folder = std::filesystem::current_path(error).native();
   options.fail_on = request.fail_on;
   options.sarif_notes = request.sarif_notes;
   options.timings = request.timings;

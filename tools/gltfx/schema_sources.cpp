@@ -21,13 +21,13 @@ constexpr std::string_view kEnding = ".schema.json";
 
 Result<std::vector<std::string>> schema_files_in(const std::string& folder) {
   std::vector<std::string> files;
-  std::error_code fault;
-  fs::directory_iterator at(folder, fault);
-  for (; !fault && at != fs::directory_iterator(); at.increment(fault)) {
+  std::error_code error;
+  fs::directory_iterator at(folder, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
     if (at->path().native().ends_with(kEnding)) files.push_back(at->path().native());
   }
-  if (fault) {
-    return Error{"--schema-dir: cannot list " + quoted(folder, 200) + ": " + fault.message()};
+  if (error) {
+    return Error{"--schema-dir: cannot list " + quoted(folder, 200) + ": " + error.message()};
   }
   if (files.empty()) {
     return Error{"--schema-dir: " + quoted(folder, 200) + " holds no file named *.schema.json"};
@@ -36,9 +36,9 @@ Result<std::vector<std::string>> schema_files_in(const std::string& folder) {
   return files;
 }
 
-std::string fault_lines(const std::vector<schema::SchemaFault>& faults) {
+std::string error_lines(const std::vector<schema::SchemaError>& errors) {
   std::string lines = "the schema files have mistakes";
-  for (const schema::SchemaFault& fault : faults) lines += '\n' + printable(fault.text());
+  for (const schema::SchemaError& error : errors) lines += '\n' + printable(error.text());
   return lines;
 }
 
@@ -61,7 +61,7 @@ Result<SetPointer> load_schemas(const std::vector<std::string>& files,
     sources.push_back({name, *std::move(text), true});
   }
   schema::Compiled compiled = schema::compile_with(sources);
-  if (!compiled.faults.empty()) return Error{fault_lines(compiled.faults)};
+  if (!compiled.errors.empty()) return Error{error_lines(compiled.errors)};
   return std::move(compiled.set);
 }
 

@@ -74,9 +74,9 @@ constexpr std::string_view kStart = R"json({
 class WorkFolder {
  public:
   WorkFolder() {
-    std::error_code fault;
-    std::string name = (fs::temp_directory_path(fault) / "gltfx-schema-XXXXXX").native();
-    if (!fault && ::mkdtemp(name.data()) != nullptr) path_ = name;
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "gltfx-schema-XXXXXX").native();
+    if (!error && ::mkdtemp(name.data()) != nullptr) path_ = name;
   }
   ~WorkFolder() {
     std::error_code ignored;

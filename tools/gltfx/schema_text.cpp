@@ -100,9 +100,10 @@ void add_attributes(Facts& facts, std::string_view key,
 std::string extension_facts(const Set& set, const schema::Extension& extension) {
   Facts facts;
   facts.add("status", schema::status_name(extension.status));
-  const std::vector<std::string> homes = home_names(set, extension);
-  facts.add("sits on", homes.empty() ? "nothing: it is only declared"
-                                     : fmt::format("{}", fmt::join(homes, ", ")));
+  const std::vector<std::string> attachment_points = home_names(set, extension);
+  facts.add("sits on", attachment_points.empty()
+                           ? "nothing: it is only declared"
+                           : fmt::format("{}", fmt::join(attachment_points, ", ")));
   facts.add("to be required", must_text(extension));
   facts.add("successor", extension.successor);
   for (const auto& relation : extension.excludes) facts.add("excludes", relation_text(relation));
@@ -179,11 +180,13 @@ std::string schema_list_text(const Set& set, const Style& style) {
   }
   std::string text = style.bold("Extensions") + '\n';
   for (const schema::Extension* extension : sorted_extensions(set)) {
-    const std::vector<std::string> homes = home_names(set, *extension);
-    fmt::format_to(
-        std::back_inserter(text), "  {}  {}  {}\n", padded(printable(extension->name), width),
-        padded(schema::status_name(extension->status), 17),
-        homes.empty() ? "(declared only)" : printable(fmt::format("{}", fmt::join(homes, ", "))));
+    const std::vector<std::string> attachment_points = home_names(set, *extension);
+    fmt::format_to(std::back_inserter(text), "  {}  {}  {}\n",
+                   padded(printable(extension->name), width),
+                   padded(schema::status_name(extension->status), 17),
+                   attachment_points.empty()
+                       ? "(declared only)"
+                       : printable(fmt::format("{}", fmt::join(attachment_points, ", "))));
   }
   text += '\n' + style.bold("Core types") + '\n';
   text += wrapped(fmt::format("{}", fmt::join(core_type_names(set), ", ")), 2);

@@ -185,7 +185,7 @@ std::string slot_words(const schema::Slot& slot) {
 
 std::vector<std::string> home_names(const Set& set, const schema::Extension& extension) {
   std::vector<std::string> names;
-  for (const auto& home : extension.homes) {
+  for (const auto& home : extension.attachment_points) {
     const std::string& name = set.type(set.type(home.first).origin).name;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }

@@ -53,11 +53,11 @@ std::optional<Error> StagedAssets::find(const std::set<RepositoryName>& names) {
   for (const RepositoryName& name : names) {
     const auto entry = index_.entries().find(name);
     const bool submodule = entry != index_.entries().end() && index_.file(name) == nullptr;
-    std::error_code fault;
+    std::error_code error;
     if (is_companion_name(name) || submodule) {
       others.insert(name);
     } else if (is_asset_name(name) &&
-               (entry != index_.entries().end() || fs::exists(index_.path_of(name), fault))) {
+               (entry != index_.entries().end() || fs::exists(index_.path_of(name), error))) {
       found_.insert(name);
     }
   }
@@ -129,8 +129,8 @@ class Check {
     const auto change = staged.find(name);
     if (!known || (change != staged.end() && change->second == 'A')) fresh_.emplace(name, asset);
     if (known) return;
-    std::error_code fault;
-    if (fs::exists(index_.path_of(name), fault)) {
+    std::error_code error;
+    if (fs::exists(index_.path_of(name), error)) {
       check_.to_stage.insert(name);
       owners_.emplace(name, asset);
     } else {

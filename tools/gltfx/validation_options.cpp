@@ -35,12 +35,12 @@ namespace fs = std::filesystem;
 
 // Whether git keeps files of a folder: then whoever proposes a change can bring their own.
 bool is_tracked(const std::string& folder) {
-  std::error_code fault;
-  if (!fs::is_directory(folder, fault)) return false;
-  const fs::path whole = fs::absolute(folder, fault);
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return false;
+  const fs::path whole = fs::absolute(folder, error);
   bool in_repository = false;
   for (fs::path at = whole; !in_repository; at = at.parent_path()) {
-    in_repository = fs::exists(at / ".git", fault);
+    in_repository = fs::exists(at / ".git", error);
     if (at == at.root_path() || at.empty()) break;
   }
   if (!in_repository) return false;

@@ -19,7 +19,7 @@ namespace {
 using draco::PointAttribute;
 using draco::PointIndex;
 
-Fault malformed(std::string message) { return {FaultKind::malformed, std::move(message)}; }
+DecodeError malformed(std::string message) { return {ErrorKind::malformed, std::move(message)}; }
 
 Component component_of(draco::DataType type) {
   switch (type) {
@@ -154,7 +154,7 @@ Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) 
     return malformed("It is a point cloud, not a mesh.");
   }
   if (promised_bytes(ahead, header) > job.memory_bytes) {
-    return Fault{FaultKind::out_of_memory, "Decoding exceeds the memory limit."};
+    return DecodeError{ErrorKind::out_of_memory, "Decoding exceeds the memory limit."};
   }
   const auto decoder = decoder_for(header);
   if (decoder == nullptr) return malformed("Its encoding is unknown.");

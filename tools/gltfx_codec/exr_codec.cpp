@@ -102,7 +102,7 @@ Answer decode_exr(const Job& job, std::span<const std::byte> bytes, Output& outp
   image.channels = static_cast<std::uint32_t>(names.size());
   image.bits = 32;
   if (names.empty() || image.texels() == 0) {
-    return Fault{FaultKind::malformed, "It has no channel that can be decoded."};
+    return DecodeError{ErrorKind::malformed, "It has no channel that can be decoded."};
   }
   if (image.texels() > job.max_pixels) return too_many_texels();
   if (exceeds_memory(job, image.texels(), kBytesPerTexel)) return no_memory();

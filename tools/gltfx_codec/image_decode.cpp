@@ -39,14 +39,14 @@ Image Rows::finish() {
   return image_;
 }
 
-Fault too_many_texels() { return {FaultKind::too_large, "It exceeds the limit on texels."}; }
+DecodeError too_many_texels() { return {ErrorKind::too_large, "It exceeds the limit on texels."}; }
 
 bool exceeds_memory(const Job& job, std::uint64_t texels, std::uint64_t bytes_per_texel) {
   const auto size = checked_mul(texels, bytes_per_texel);
   return !size || *size > job.memory_bytes;
 }
 
-Fault no_memory() { return {FaultKind::out_of_memory, "Decoding exceeds the memory limit."}; }
+DecodeError no_memory() { return {ErrorKind::out_of_memory, "Decoding exceeds the memory limit."}; }
 
 std::span<std::byte> create_pixels(const Image& image, const Job& job, Output& output) {
   if (!job.pixels) return {};

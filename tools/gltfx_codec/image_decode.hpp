@@ -14,11 +14,11 @@
 namespace gltfx::codec {
 
 /// That there are more texels than asked for.
-Fault too_many_texels();
+DecodeError too_many_texels();
 
 /// Whether so many texels take more memory than a job has.
 bool exceeds_memory(const Job& job, std::uint64_t texels, std::uint64_t bytes_per_texel);
-Fault no_memory();
+DecodeError no_memory();
 
 /// Room for the pixels of `image` where they were asked for, else none. Throws std::bad_alloc.
 std::span<std::byte> create_pixels(const Image& image, const Job& job, Output& output);
@@ -47,7 +47,7 @@ class Rows {
   std::size_t filled_ = 0;  ///< rows of the band
 };
 
-// Each decodes one format. May throw std::exception, which becomes a fault.
+// Each decodes one format. May throw std::exception, which becomes a error.
 
 Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& output);
 Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& output);

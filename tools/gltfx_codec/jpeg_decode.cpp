@@ -72,9 +72,9 @@ class JpegDecoder {
   }
 
   std::string message() const { return messages_.first; }
-  Fault fault() const {
+  DecodeError error() const {
     if (messages_.manager.msg_code == JERR_OUT_OF_MEMORY) return no_memory();
-    return {FaultKind::malformed, message()};
+    return {ErrorKind::malformed, message()};
   }
 
  private:
@@ -107,13 +107,13 @@ class JpegDecoder {
 Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& output) {
   JpegDecoder decoder;
   Image image;
-  if (!decoder.read_header(bytes, image)) return decoder.fault();
+  if (!decoder.read_header(bytes, image)) return decoder.error();
   if (image.channels < 1 || image.channels > 4) {
-    return Fault{FaultKind::malformed, "It has more than 4 channels."};
+    return DecodeError{ErrorKind::malformed, "It has more than 4 channels."};
   }
   if (image.texels() > job.max_pixels) return too_many_texels();
   Rows rows(image, job, create_pixels(image, job, output));
-  if (!decoder.read_rows(rows)) return decoder.fault();
+  if (!decoder.read_rows(rows)) return decoder.error();
   Image result = rows.finish();
   result.doubt = decoder.message();
   return result;

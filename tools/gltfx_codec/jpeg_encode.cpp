@@ -74,7 +74,7 @@ class JpegEncoder {
 
 Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, Output& output) {
   if (job.raster.width > JPEG_MAX_DIMENSION || job.raster.height > JPEG_MAX_DIMENSION) {
-    return Fault{FaultKind::malformed, "JPEG holds no more than 65500 texels a side."};
+    return DecodeError{ErrorKind::malformed, "JPEG holds no more than 65500 texels a side."};
   }
   JpegEncoder encoder;
   if (!encoder.encode(job, texels)) throw std::bad_alloc();

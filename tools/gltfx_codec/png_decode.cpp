@@ -109,7 +109,7 @@ Answer interlaced(PngDecoder& decoder, Image image, const Job& job, std::span<st
     pixels = own;
   }
   if (!decoder.read_interlaced(pixels.data(), image.height)) {
-    return Fault{FaultKind::malformed, decoder.message()};
+    return DecodeError{ErrorKind::malformed, decoder.message()};
   }
   Statistics statistics(image, job.normals);
   statistics.add(pixels);
@@ -122,7 +122,7 @@ Answer interlaced(PngDecoder& decoder, Image image, const Job& job, std::span<st
 Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& output) {
   PngDecoder decoder(bytes);
   Image image;
-  if (!decoder.read_header(image)) return Fault{FaultKind::malformed, decoder.message()};
+  if (!decoder.read_header(image)) return DecodeError{ErrorKind::malformed, decoder.message()};
   if (image.texels() > job.max_pixels) return too_many_texels();
   if (decoder.interlaced() && exceeds_memory(job, image.texels(), kBytesPerTexel)) {
     return no_memory();
@@ -131,7 +131,7 @@ Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& outp
   if (decoder.interlaced()) return interlaced(decoder, std::move(image), job, pixels);
   Rows rows(image, job, pixels);
   if (!decoder.read_rows(rows, image.height)) {
-    return Fault{FaultKind::malformed, decoder.message()};
+    return DecodeError{ErrorKind::malformed, decoder.message()};
   }
   return rows.finish();
 }

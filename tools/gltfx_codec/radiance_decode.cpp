@@ -53,8 +53,8 @@ std::uint32_t number(std::string_view& line, std::string_view before) {
   std::uint32_t value = 0;
   if (!line.starts_with(before)) refuse("Its rows are not in the order -Y +X.");
   line.remove_prefix(before.size());
-  const auto [end, fault] = std::from_chars(line.data(), line.data() + line.size(), value);
-  if (fault != std::errc() || value == 0) refuse("Its size is not a size.");
+  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
+  if (error != std::errc() || value == 0) refuse("Its size is not a size.");
   line.remove_prefix(static_cast<std::size_t>(end - line.data()));
   return value;
 }

@@ -22,17 +22,17 @@ const std::uint8_t* data_of(std::span<const std::byte> bytes) {
   return reinterpret_cast<const std::uint8_t*>(bytes.data());
 }
 
-Fault refusal(VP8StatusCode status) {
+DecodeError refusal(VP8StatusCode status) {
   switch (status) {
     case VP8_STATUS_OUT_OF_MEMORY:
       return no_memory();
     case VP8_STATUS_UNSUPPORTED_FEATURE:
-      return {FaultKind::malformed, "It has an unsupported feature."};
+      return {ErrorKind::malformed, "It has an unsupported feature."};
     case VP8_STATUS_SUSPENDED:
     case VP8_STATUS_NOT_ENOUGH_DATA:
-      return {FaultKind::malformed, "Its data is truncated."};
+      return {ErrorKind::malformed, "Its data is truncated."};
     default:
-      return {FaultKind::malformed, "Its bitstream is corrupt."};
+      return {ErrorKind::malformed, "Its bitstream is corrupt."};
   }
 }
 

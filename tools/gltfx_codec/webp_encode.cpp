@@ -26,7 +26,7 @@ Answer encode_webp(const Job& job, std::span<const std::byte> texels, Output& ou
   WebPPicture picture;
   if (!configure(config, job.quality) || WebPPictureInit(&picture) == 0) throw std::bad_alloc();
   if (raster.width > WEBP_MAX_DIMENSION || raster.height > WEBP_MAX_DIMENSION) {
-    return Fault{FaultKind::malformed, "WebP holds no more than 16383 texels a side."};
+    return DecodeError{ErrorKind::malformed, "WebP holds no more than 16383 texels a side."};
   }
   picture.use_argb = job.quality == 0 ? 1 : 0;
   picture.width = static_cast<int>(raster.width);

@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool write(const fs::path& path, const std::string& text) {
-  std::error_code fault;
-  fs::create_directories(path.parent_path(), fault);
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();

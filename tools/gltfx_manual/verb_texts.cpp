@@ -19,7 +19,7 @@ memory and time. A verb writes nothing that it was not told to write.)";
 constexpr std::string_view kValidate =
     R"(Checks assets against the core specification of glTF 2.0 and all extensions that gltfx knows:
 the container, the JSON text, types and ranges, references, accessors, compressed geometry and
-images. Each finding has a code, a place, what was expected and, where there is one, a way to mend
+images. Each finding has a code, a place, what was expected and, where there is one, a way to fix
 it; gltfx-explain(1) tells more about a code.
 
 A PATH is a file, a folder that is searched for .gltf and .glb files, a glob, or - for one asset on

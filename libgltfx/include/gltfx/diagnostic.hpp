@@ -70,7 +70,7 @@ struct Replacement {
   std::string text;  ///< what takes its place
 };
 
-/// A change of a text file that mends a finding: all replacements, which are sorted and do not
+/// A change of a text file that fixes a finding: all replacements, which are sorted and do not
 /// overlap, or none.
 struct ProposedFix {
   std::string description;                ///< one sentence

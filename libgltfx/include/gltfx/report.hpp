@@ -61,7 +61,7 @@ struct Repeat {
   std::string pointer;        ///< the same
   std::string object_name;    ///< the same
   Location location;          ///< the same
-  std::uint64_t count = 1;    ///< faults at that place
+  std::uint64_t count = 1;    ///< errors at that place
 };
 
 /// Everything said about one asset. Owns its text; independent of the asset.

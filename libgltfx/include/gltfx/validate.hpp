@@ -70,7 +70,7 @@ struct ValidateOptions {
   /// Leave out findings on other lines of the JSON text; those without a place stay when there is
   /// any range. Nothing: all lines.
   std::optional<std::vector<LineRange>> changed_lines;
-  /// Fill Diagnostic::fix where a program can mend the finding and the picture stays the same.
+  /// Fill Diagnostic::fix where a program can fix the finding and the picture stays the same.
   bool propose_fixes = false;
   /// Threads that one large file may be given; 0: one a core. Reports do not depend on it.
   unsigned jobs = 0;

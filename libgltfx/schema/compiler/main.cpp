@@ -16,7 +16,7 @@
 namespace {
 
 using gltfx::schema::Compiled;
-using gltfx::schema::SchemaFault;
+using gltfx::schema::SchemaError;
 using gltfx::schema::SourceFile;
 
 bool read_file(const std::string& path, std::string& text) {
@@ -40,8 +40,8 @@ int fail(const std::string& message) {
 // Whether the files are free of mistakes; tells each with its place.
 bool are_right(const std::vector<SourceFile>& files) {
   const Compiled compiled = gltfx::schema::compile(files);
-  for (const SchemaFault& fault : compiled.faults) {
-    std::fprintf(stderr, "%s\n", fault.text().c_str());
+  for (const SchemaError& error : compiled.errors) {
+    std::fprintf(stderr, "%s\n", error.text().c_str());
   }
   return compiled.set != nullptr;
 }

@@ -37,7 +37,7 @@ class Table {
     add_object("", set_.find_type("material"));
     for (const bool outdated : {true, false}) {
       for (const Extension& extension : set_.extensions()) {
-        const ShapeId home = extension.home(set_.find_type("material"));
+        const ShapeId home = extension.shape_on(set_.find_type("material"));
         if (home == kNone || extension.successor.empty() == outdated) continue;
         add_object(extension.name, set_.shape(home).type);
       }

@@ -14,7 +14,7 @@ namespace gltfx::validate {
 namespace {
 
 namespace meshopt = model::meshopt;
-using meshopt::Fault;
+using meshopt::DecodeError;
 
 using Job = model::DecodedStream;
 
@@ -23,43 +23,43 @@ std::string_view mode_text(meshopt::Mode mode) {
   return kTexts[static_cast<std::size_t>(mode)];
 }
 
-Code code_of(Fault fault) {
-  switch (fault) {
-    case Fault::header:
-    case Fault::version:
+Code code_of(DecodeError error) {
+  switch (error) {
+    case DecodeError::header:
+    case DecodeError::version:
       return Code::MESHOPT_INVALID_HEADER;
-    case Fault::trailing:
+    case DecodeError::trailing:
       return Code::MESHOPT_TRAILING_BYTES;
     default:
       return Code::MESHOPT_DECODE_FAILED;
   }
 }
 
-std::string sentence(const Job& job, Fault fault) {
+std::string sentence(const Job& job, DecodeError error) {
   const meshopt::Layout& layout = job.view.layout;
-  switch (fault) {
-    case Fault::header:
+  switch (error) {
+    case DecodeError::header:
       return fmt::format("The header of the compressed data is {:#04x}, which is invalid for {}.",
                          std::to_integer<unsigned>(job.stream.view().front()),
                          mode_text(layout.mode));
-    case Fault::version:
+    case DecodeError::version:
       return fmt::format(
           "The header of the compressed data is {:#04x}; {} does not support that version of {}.",
           std::to_integer<unsigned>(job.stream.view().front()), job.view.extension,
           mode_text(layout.mode));
-    case Fault::too_short:
+    case DecodeError::too_short:
       return fmt::format(
           "The compressed data has {} bytes, which is too short for count {} and byteStride {}.",
           job.stream.size(), layout.count, layout.stride);
-    case Fault::channel:
+    case DecodeError::channel:
       return "The compressed data has an invalid channel mode.";
-    case Fault::table:
+    case DecodeError::table:
       return "The table in the last 16 bytes of the compressed data is invalid.";
-    case Fault::unwritten:
+    case DecodeError::unwritten:
       return "A compressed triangle refers to an edge or vertex before the first one.";
-    case Fault::number:
+    case DecodeError::number:
       return "A compressed number has more than five bytes.";
-    case Fault::trailing:
+    case DecodeError::trailing:
       return "The compressed data has extra bytes after its last element.";
     default:
       return fmt::format("The compressed data ends before its last element; count is {}.",
@@ -91,7 +91,8 @@ class Reporting {
 
   void finish(Job& job) {
     const meshopt::Layout& layout = job.view.layout;
-    if (job.fault != Fault::none) return report(job, code_of(job.fault), sentence(job, job.fault));
+    if (job.error != DecodeError::none)
+      return report(job, code_of(job.error), sentence(job, job.error));
     if (!job.affordable) {
       return report(job, Code::MESHOPT_NOT_DECODED,
                     fmt::format("{} bytes of compressed data have {} elements of {} bytes, which "

@@ -15,7 +15,7 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::array<Code, kFaultKinds> kFaultCodes{
+constexpr std::array<Code, kErrorKinds> kErrorCodes{
     Code::ACCESSOR_INVALID_FLOAT,
     Code::ACCESSOR_VECTOR3_NON_UNIT,
     Code::ACCESSOR_INVALID_SIGN,
@@ -33,52 +33,52 @@ constexpr std::array<Code, kFaultKinds> kFaultCodes{
     Code::ANIMATION_POINTER_OUTPUT_OUT_OF_RANGE,
 };
 
-std::string place_text(const ScanResult& scan_result, const Fault& fault) {
-  const std::uint64_t element = fault.index / scan_result.components;
+std::string place_text(const ScanResult& scan_result, const DataError& error) {
+  const std::uint64_t element = error.index / scan_result.components;
   if (scan_result.components == 1) return fmt::format("Element {}", element);
-  return fmt::format("Component {} of element {}", fault.component, element);
+  return fmt::format("Component {} of element {}", error.component, element);
 }
 
-std::string sentence(const ScanResult& scan_result, const Fault& fault) {
-  const std::string value = value_text(fault.value);
-  const std::uint64_t element = fault.index / scan_result.components;
-  switch (fault.kind) {
-    case FaultKind::invalid_float:
-      return fmt::format("{} is {}.", place_text(scan_result, fault), value);
-    case FaultKind::not_unit:
+std::string sentence(const ScanResult& scan_result, const DataError& error) {
+  const std::string value = value_text(error.value);
+  const std::uint64_t element = error.index / scan_result.components;
+  switch (error.kind) {
+    case ErrorKind::invalid_float:
+      return fmt::format("{} is {}.", place_text(scan_result, error), value);
+    case ErrorKind::not_unit:
       return fmt::format("The vector in element {} has length {}; it must be 1.", element, value);
-    case FaultKind::bad_sign:
+    case ErrorKind::bad_sign:
       return fmt::format("w of element {} is {}; it must be 1 or -1.", element, value);
-    case FaultKind::not_clamped:
-    case FaultKind::bad_opacity:
-      return fmt::format("{} is {}; it must be between 0 and 1.", place_text(scan_result, fault),
+    case ErrorKind::not_clamped:
+    case ErrorKind::bad_opacity:
+      return fmt::format("{} is {}; it must be between 0 and 1.", place_text(scan_result, error),
                          value);
-    case FaultKind::index_out_of_range:
+    case ErrorKind::index_out_of_range:
       return fmt::format("Element {} of the indices is {}, but the primitive has {} vertices.",
-                         element, value, fault.other < 0 ? "no" : value_text(fault.other + 1));
-    case FaultKind::restart:
+                         element, value, error.other < 0 ? "no" : value_text(error.other + 1));
+    case ErrorKind::restart:
       return fmt::format("Element {} of the indices is {}, which is the primitive restart value.",
                          element, value);
-    case FaultKind::negative_time:
+    case ErrorKind::negative_time:
       return fmt::format("Time {} is {}; it must not be negative.", element, value);
-    case FaultKind::not_increasing:
+    case ErrorKind::not_increasing:
       return fmt::format("Time {} is {}; it must be greater than the previous one, {}.", element,
-                         value, value_text(fault.other));
-    case FaultKind::not_unit_quaternion:
-    case FaultKind::not_unit_instance:
-    case FaultKind::not_unit_splat:
+                         value, value_text(error.other));
+    case ErrorKind::not_unit_quaternion:
+    case ErrorKind::not_unit_instance:
+    case ErrorKind::not_unit_splat:
       return fmt::format("The quaternion in element {} has length {}; it must be 1.", element,
                          value);
-    case FaultKind::out_of_limits:
-      return fmt::format("{} is {}; the property must be {} {}.", place_text(scan_result, fault),
-                         value, fault.value <= fault.other ? "at least" : "at most",
-                         value_text(fault.other));
-    case FaultKind::negative_scale:
-      return fmt::format("{} is {}; it must not be negative.", place_text(scan_result, fault),
+    case ErrorKind::out_of_limits:
+      return fmt::format("{} is {}; the property must be {} {}.", place_text(scan_result, error),
+                         value, error.value <= error.other ? "at least" : "at most",
+                         value_text(error.other));
+    case ErrorKind::negative_scale:
+      return fmt::format("{} is {}; it must not be negative.", place_text(scan_result, error),
                          value);
-    case FaultKind::bad_matrix:
-      return fmt::format("{} is {}; it must be {}.", place_text(scan_result, fault), value,
-                         value_text(fault.other));
+    case ErrorKind::bad_matrix:
+      return fmt::format("{} is {}; it must be {}.", place_text(scan_result, error), value,
+                         value_text(error.other));
   }
   return {};
 }
@@ -98,34 +98,34 @@ bool has_fewer_bits(model::ComponentType type, double length) {
   return false;
 }
 
-// Whether a fault may come of values that were rounded.
-bool is_of_values(FaultKind kind) {
+// Whether a error may come of values that were rounded.
+bool is_of_values(ErrorKind kind) {
   switch (kind) {
-    case FaultKind::not_unit:
-    case FaultKind::bad_sign:
-    case FaultKind::not_clamped:
-    case FaultKind::not_unit_splat:
-    case FaultKind::negative_scale:
-    case FaultKind::bad_opacity:
+    case ErrorKind::not_unit:
+    case ErrorKind::bad_sign:
+    case ErrorKind::not_clamped:
+    case ErrorKind::not_unit_splat:
+    case ErrorKind::negative_scale:
+    case ErrorKind::bad_opacity:
       return true;
     default:
       return false;
   }
 }
 
-// What an encoder may have changed is no fault of the asset's author, and no reader minds.
+// What an encoder may have changed is no error of the asset's author, and no reader minds.
 void soften(const ScanResult& scan_result, Finding& finding) {
   if (!scan_result.draco) return;
   if (scan_result.lossy) finding.severity = Severity::warning;
   finding.message += scan_result.lossy ? kAfterDraco : " This is the value after Draco decoding.";
 }
 
-Finding finding_at_bound(const ScanResult& scan_result, const Check& check, const BoundFault& fault,
+Finding finding_at_bound(const ScanResult& scan_result, const Check& check, const BoundError& error,
                          Code code, std::string message) {
   Finding finding(code);
   finding.message = std::move(message);
   soften(scan_result, finding);
-  finding.span = element_span(scan_result.context.document, check.place.node, fault.component);
+  finding.span = element_span(scan_result.context.document, check.place.node, error.component);
   return finding;
 }
 
@@ -144,39 +144,39 @@ Span element_span(const json::Document& document, json::NodeId array, std::uint6
   return first_character(document, array);
 }
 
-Finding describe(const ScanResult& scan_result, const Check& check, const Fault& fault,
+Finding describe(const ScanResult& scan_result, const Check& check, const DataError& error,
                  std::uint64_t count) {
-  std::string message = sentence(scan_result, fault);
+  std::string message = sentence(scan_result, error);
   if (count > 1) message += fmt::format(" This is the first of {}.", count);
   Finding finding =
       finding_on(scan_result.context, check.place.node,
-                 kFaultCodes[static_cast<std::size_t>(fault.kind)], std::move(message));
+                 kErrorCodes[static_cast<std::size_t>(error.kind)], std::move(message));
   finding.count = count;
-  if (fault.kind == FaultKind::not_unit && has_fewer_bits(scan_result.decoded, fault.value)) {
+  if (error.kind == ErrorKind::not_unit && has_fewer_bits(scan_result.decoded, error.value)) {
     finding.severity = Severity::warning;
   }
-  if (is_of_values(fault.kind)) soften(scan_result, finding);
+  if (is_of_values(error.kind)) soften(scan_result, finding);
   return finding;
 }
 
 Finding describe_mismatch(const ScanResult& scan_result, const Check& check,
-                          const BoundFault& fault) {
+                          const BoundError& error) {
   const bool minimum = check.kind == CheckKind::minimum;
-  return finding_at_bound(scan_result, check, fault,
+  return finding_at_bound(scan_result, check, error,
                           minimum ? Code::ACCESSOR_MIN_MISMATCH : Code::ACCESSOR_MAX_MISMATCH,
                           fmt::format("{} is {}; it must be {}.", minimum ? "min" : "max",
-                                      value_text(fault.declared), value_text(fault.actual)));
+                                      value_text(error.declared), value_text(error.actual)));
 }
 
 Finding describe_outside(const ScanResult& scan_result, const Check& check,
-                         const BoundFault& fault) {
+                         const BoundError& error) {
   const bool minimum = check.kind == CheckKind::minimum;
   return finding_at_bound(
-      scan_result, check, fault,
+      scan_result, check, error,
       minimum ? Code::ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND : Code::ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND,
-      fmt::format("{} of {} elements are {} the declared {}, {}.", fault.outside, scan_result.count,
+      fmt::format("{} of {} elements are {} the declared {}, {}.", error.outside, scan_result.count,
                   minimum ? "below" : "above", minimum ? "min" : "max",
-                  value_text(fault.declared)));
+                  value_text(error.declared)));
 }
 
 Finding describe_degenerate(const ScanResult& scan_result, const Check& check,

@@ -28,14 +28,14 @@ struct ScanResult {
 inline constexpr std::string_view kAfterDraco =
     " This is the value after Draco decoding, which is lossy.";
 
-/// One fault, or `count` of them of which `fault` is the first.
-Finding describe(const ScanResult& scan_result, const Check& check, const Fault& fault,
+/// One error, or `count` of them of which `error` is the first.
+Finding describe(const ScanResult& scan_result, const Check& check, const DataError& error,
                  std::uint64_t count);
 /// A declared bound that is not the real one, and how many elements lie beyond it.
 Finding describe_mismatch(const ScanResult& scan_result, const Check& check,
-                          const BoundFault& fault);
+                          const BoundError& error);
 Finding describe_outside(const ScanResult& scan_result, const Check& check,
-                         const BoundFault& fault);
+                         const BoundError& error);
 /// Triangles without area; there are `count` of them.
 Finding describe_degenerate(const ScanResult& scan_result, const Check& check, std::uint64_t count);
 

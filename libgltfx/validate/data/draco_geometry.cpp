@@ -52,14 +52,14 @@ class GeometryDecoding {
     if (const auto* mesh = std::get_if<codec::DracoMesh>(decoded)) {
       return check_draco_primitive(phase_, primitive, kDracoGeometryExtension, *mesh);
     }
-    const auto* fault = std::get_if<codec::Fault>(decoded);
-    const bool known = fault != nullptr && fault->kind != codec::FaultKind::unavailable &&
-                       fault->kind != codec::FaultKind::stalled;
+    const auto* error = std::get_if<codec::DecodeError>(decoded);
+    const bool known = error != nullptr && error->kind != codec::ErrorKind::unavailable &&
+                       error->kind != codec::ErrorKind::stalled;
     const Code code = !known             ? Code::DRACO_NOT_CHECKED
-                      : is_limit(*fault) ? Code::DRACO_LIMIT_EXCEEDED
+                      : is_limit(*error) ? Code::DRACO_LIMIT_EXCEEDED
                                          : Code::DRACO_DECODE_FAILED;
-    std::string message = fault != nullptr
-                              ? fault->message
+    std::string message = error != nullptr
+                              ? error->message
                               : "Other Draco data in the file reached the limit on decoding.";
     with_draco_path(primitive, kDracoGeometryExtension, [&](const Path& path) {
       report_member(phase_.sink, phase_.context, path, primitive.reference.object, "bufferView",
@@ -67,9 +67,9 @@ class GeometryDecoding {
     });
   }
 
-  static bool is_limit(const codec::Fault& fault) {
-    return fault.kind == codec::FaultKind::out_of_memory ||
-           fault.kind == codec::FaultKind::timed_out;
+  static bool is_limit(const codec::DecodeError& error) {
+    return error.kind == codec::ErrorKind::out_of_memory ||
+           error.kind == codec::ErrorKind::timed_out;
   }
 
   DataPhase& phase_;

@@ -110,7 +110,7 @@ class PrimitiveCheck {
     return false;
   }
 
-  // Accessors that agree with each other but not with the bitstream are one fault.
+  // Accessors that agree with each other but not with the bitstream are one error.
   bool check_count(std::string_view name, json::NodeId value, std::uint32_t index) {
     const auto& count = accessor(index).count;
     if (!count || *count == mesh_.points) return count.has_value();

@@ -122,20 +122,20 @@ class VisibilityCheck {
     check_normals(silhouettes);
     std::sort(coded.begin(), coded.end(),
               [](const CodedEdge& a, const CodedEdge& b) { return a.edge < b.edge; });
-    std::uint64_t faults = 0;
+    std::uint64_t errors = 0;
     std::string first;
     for (std::size_t i = 0; i < coded.size();) {
       const std::uint64_t edge = coded[i].edge;
       Tally tally;
       for (; i < coded.size() && coded[i].edge == edge; ++i) ++tally.of[coded[i].value];
       if (tally.of[2] + tally.of[3] != 0) hard_.push_back(edge);
-      if (tally.sound() || faults++ != 0) continue;
+      if (tally.sound() || errors++ != 0) continue;
       first = fmt::format(
           "The edge {} is encoded {} times as 0, {} times as 1, {} times as 2 and {} times as 3.",
           edge_text(edge), tally.of[0], tally.of[1], tally.of[2], tally.of[3]);
     }
-    if (faults != 0) {
-      report("visibility", Code::EDGE_VISIBILITY_REPEATED, first_of(std::move(first), faults));
+    if (errors != 0) {
+      report("visibility", Code::EDGE_VISIBILITY_REPEATED, first_of(std::move(first), errors));
     }
   }
 
@@ -170,10 +170,10 @@ class VisibilityCheck {
     const auto data = phase_.open(index);
     if (!data || data->format().type != model::ElementType::vec3) return;
     if (!phase_.budget.take(data->count(), 3)) return;
-    std::uint64_t faults = 0;
+    std::uint64_t errors = 0;
     std::string first;
     const auto note = [&](std::uint64_t element, double length) {
-      if (faults++ == 0) {
+      if (errors++ == 0) {
         first = fmt::format("The normal in element {} has length {:.4g}; it must be 1.", element,
                             length);
       }
@@ -187,9 +187,9 @@ class VisibilityCheck {
         }
       });
     });
-    if (faults != 0) {
+    if (errors != 0) {
       report("silhouetteNormals", Code::ACCESSOR_VECTOR3_NON_UNIT,
-             first_of(std::move(first), faults));
+             first_of(std::move(first), errors));
     }
   }
 
@@ -230,12 +230,12 @@ class VisibilityCheck {
                   const Path& path) {
     const auto restart = static_cast<std::uint32_t>(
         model::value_range(context_.views.accessors[accessor].format.component).most);
-    std::string fault;
+    std::string error;
     std::string repeat;
     std::size_t run = 0;  // vertices of the line so far
     const auto end_run = [&](std::size_t at) {
-      if (run < 2 && fault.empty()) {
-        fault = fmt::format(
+      if (run < 2 && error.empty()) {
+        error = fmt::format(
             "The line string that ends before element {} has {} vertices; it must have at least 2.",
             at, run);
       }
@@ -247,12 +247,12 @@ class VisibilityCheck {
         continue;
       }
       if (run++ == 0) continue;
-      note_edge(edge_of(indices[i - 1], indices[i]), fault, repeat);
+      note_edge(edge_of(indices[i - 1], indices[i]), error, repeat);
     }
     end_run(indices.size());
-    if (!fault.empty()) {
+    if (!error.empty()) {
       report_member(phase_.sink, context_, path, line, "indices", Code::EDGE_LINE_STRING_INVALID,
-                    std::move(fault));
+                    std::move(error));
     }
     if (!repeat.empty()) {
       report_member(phase_.sink, context_, path, line, "indices", Code::EDGE_LINE_STRING_REPEATED,
@@ -260,10 +260,10 @@ class VisibilityCheck {
     }
   }
 
-  void note_edge(std::uint64_t edge, std::string& fault, std::string& repeat) {
+  void note_edge(std::uint64_t edge, std::string& error, std::string& repeat) {
     if (!std::binary_search(edges_.begin(), edges_.end(), edge)) {
-      if (fault.empty())
-        fault = fmt::format("The segment {} is not a triangle edge.", edge_text(edge));
+      if (error.empty())
+        error = fmt::format("The segment {} is not a triangle edge.", edge_text(edge));
       return;
     }
     const bool coded = std::binary_search(hard_.begin(), hard_.end(), edge);

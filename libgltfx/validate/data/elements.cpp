@@ -33,7 +33,7 @@ class ElementReport {
 
   void report(const std::vector<Outcome>& outcomes) const {
     const Deviations& deviations = phase_.context.deviations;
-    if (deviations.each_fault_is_listed) {
+    if (deviations.each_finding_is_listed) {
       report_each(outcomes);
     } else {
       report_counts(outcomes);
@@ -54,14 +54,14 @@ class ElementReport {
 
   // What has no order has no bounds either.
   static bool has_invalid_floats(const std::vector<Outcome>& outcomes) {
-    constexpr auto kKind = static_cast<std::size_t>(FaultKind::invalid_float);
-    return !outcomes.empty() && outcomes.front().faults[kKind].count != 0;
+    constexpr auto kKind = static_cast<std::size_t>(ErrorKind::invalid_float);
+    return !outcomes.empty() && outcomes.front().errors[kKind].count != 0;
   }
 
   void report_counts(const std::vector<Outcome>& outcomes) const {
     const std::vector<Check>& checks = looked_.schedule.checks;
     for (std::size_t i = 0; i < checks.size(); ++i) {
-      for (const Tally& tally : outcomes[i].faults) {
+      for (const Tally& tally : outcomes[i].errors) {
         if (tally.count == 0) continue;
         send(checks[i], describe(looked_, checks[i], tally.first, tally.count));
       }
@@ -73,19 +73,19 @@ class ElementReport {
     for (const Outcome& outcome : outcomes) total += outcome.total();
     if (total == 0) return;
     if (!phase_.budget.list(total)) return report_counts(outcomes);
-    list_faults(data_, looked_.schedule.checks, [&](const Check& check, const Fault& fault) {
-      send(check, describe(looked_, check, fault, 1));
+    list_errors(data_, looked_.schedule.checks, [&](const Check& check, const DataError& error) {
+      send(check, describe(looked_, check, error, 1));
     });
   }
 
   void report_bounds(const Check& check, const Outcome& outcome) const {
-    for (const BoundFault& fault : outcome.bounds) {
+    for (const BoundError& error : outcome.bounds) {
       with_path(check.place, [&](const Path& accessor) {
         const Path array(accessor, check.kind == CheckKind::minimum ? "min" : "max");
-        const Path element(array, std::uint64_t{fault.component});
-        phase_.sink.report(element, describe_mismatch(looked_, check, fault));
-        if (fault.outside == 0) return;
-        phase_.sink.report(element, describe_outside(looked_, check, fault));
+        const Path element(array, std::uint64_t{error.component});
+        phase_.sink.report(element, describe_mismatch(looked_, check, error));
+        if (error.outside == 0) return;
+        phase_.sink.report(element, describe_outside(looked_, check, error));
       });
     }
   }
@@ -117,7 +117,7 @@ struct Batch {
   std::uint64_t numbers = 0;
 };
 
-// An accessor at fault.
+// An accessor invalid.
 struct Scan {
   std::size_t position;  // in its batch
   AccessorData data;

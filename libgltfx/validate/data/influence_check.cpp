@@ -89,23 +89,23 @@ class InfluenceCheck {
     const double weight = weighted ? weights_[set]->next() : 0;
     if (all_weights_ && weight > 0) vertex_.add_weight(weight);
     if (joint >= static_cast<double>(joint_count_) || joint < 0) {
-      emit_({InfluenceFault::joint_out_of_range, set, index, joint});
+      emit_({InfluenceError::joint_out_of_range, set, index, joint});
       return true;
     }
     if (weighted && weight != 0) {
       add(index, set, joint, weight);
     } else if (weighted && joint != 0) {
-      emit_({InfluenceFault::joint_without_weight, set, index, joint});
+      emit_({InfluenceError::joint_without_weight, set, index, joint});
     }
     return weighted;
   }
 
   void add(std::uint64_t index, std::uint32_t set, double joint, double weight) {
     const bool fresh = vertex_.add_joint(static_cast<std::uint64_t>(joint));
-    if (!fresh) emit_({InfluenceFault::joint_repeated, set, index, joint});
+    if (!fresh) emit_({InfluenceError::joint_repeated, set, index, joint});
     if (weight < 0) {
-      judged_ = judged_ && !all_weights_;  // its own fault makes the sum wrong
-      emit_({InfluenceFault::negative_weight, set, index, weight});
+      judged_ = judged_ && !all_weights_;  // its own error makes the sum wrong
+      emit_({InfluenceError::negative_weight, set, index, weight});
     } else if (fresh && !all_weights_) {
       vertex_.add_weight(weight);
     }
@@ -114,7 +114,7 @@ class InfluenceCheck {
   void finish_vertex(std::uint64_t index) {
     if (judged_ && !vertex_.is_normalized()) {
       for (std::uint32_t set = 0; set < weights_.size(); ++set) {
-        emit_({InfluenceFault::wrong_sum, set, index, vertex_.sum()});
+        emit_({InfluenceError::wrong_sum, set, index, vertex_.sum()});
       }
     }
     vertex_.begin();

@@ -34,17 +34,17 @@ class NumberReader {
   std::size_t filled_ = 0;
 };
 
-enum class InfluenceFault : std::uint8_t {
+enum class InfluenceError : std::uint8_t {
   joint_out_of_range,
   joint_repeated,
   negative_weight,
   joint_without_weight,
   wrong_sum,
 };
-inline constexpr std::size_t kInfluenceFaults = 5;
+inline constexpr std::size_t kInfluenceErrors = 5;
 
 struct Influence {
-  InfluenceFault fault = InfluenceFault::joint_out_of_range;
+  InfluenceError error = InfluenceError::joint_out_of_range;
   std::uint32_t set = 0;    ///< n of JOINTS_n or WEIGHTS_n
   std::uint64_t index = 0;  ///< of the component, counted over all vertices
   double value = 0;         ///< the joint, the weight or the sum
@@ -56,7 +56,7 @@ struct InfluenceSet {
   const model::AccessorData* weights = nullptr;
 };
 
-/// Calls `emit` for each fault, up to the first joint or weight that cannot be read, in the order
+/// Calls `emit` for each error, up to the first joint or weight that cannot be read, in the order
 /// of the components and, for one of them, of the sets. `joint_count` is that of the smallest skin,
 /// at least 1. `all_weights`: weights of joints that are reported count in the sum of the vertex.
 void check_influences_of(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,

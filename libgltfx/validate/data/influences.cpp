@@ -65,7 +65,7 @@ struct Skinned {
   bool lossy = false;             ///< the weights were quantised
 };
 
-// Faults of all primitives, the first of each kind; Deviations::each_fault_is_listed: one by one
+// Errors of all primitives, the first of each kind; Deviations::each_finding_is_listed: one by one
 // while they are few enough.
 class InfluenceReport {
  public:
@@ -75,8 +75,8 @@ class InfluenceReport {
 
   void note(const Influence& influence) {
     const std::size_t primitive = primitives_.size() - 1;
-    if (!phase_.context.deviations.each_fault_is_listed || !phase_.budget.list(1)) {
-      const Key key{primitive, influence.fault, influence.set};
+    if (!phase_.context.deviations.each_finding_is_listed || !phase_.budget.list(1)) {
+      const Key key{primitive, influence.error, influence.set};
       const auto [at, fresh] = tallies_.try_emplace(key, found_.size());
       if (!fresh) {
         ++found_[at->second].count;
@@ -96,39 +96,39 @@ class InfluenceReport {
   }
 
  private:
-  using Key = std::tuple<std::size_t, InfluenceFault, std::uint32_t>;
+  using Key = std::tuple<std::size_t, InfluenceError, std::uint32_t>;
   struct Found {
     Influence influence;
     std::size_t primitive = 0;
     std::uint64_t count = 1;
   };
 
-  static Code code(InfluenceFault fault) {
-    static constexpr std::array<Code, kInfluenceFaults> kCodes{
+  static Code code(InfluenceError error) {
+    static constexpr std::array<Code, kInfluenceErrors> kCodes{
         Code::ACCESSOR_JOINTS_INDEX_OOB, Code::ACCESSOR_JOINTS_INDEX_DUPLICATE,
         Code::ACCESSOR_WEIGHTS_NEGATIVE, Code::ACCESSOR_JOINTS_USED_ZERO_WEIGHT,
         Code::ACCESSOR_WEIGHTS_NON_NORMALIZED};
-    return kCodes[static_cast<std::size_t>(fault)];
+    return kCodes[static_cast<std::size_t>(error)];
   }
 
   static std::string sentence(const Influence& found, const Limit& limit) {
     const std::string value = value_text(found.value);
     const std::uint64_t vertex = found.index / 4;
     const std::uint64_t slot = found.index % 4;
-    switch (found.fault) {
-      case InfluenceFault::joint_out_of_range:
+    switch (found.error) {
+      case InfluenceError::joint_out_of_range:
         return fmt::format("Joint {} of vertex {} is {}, but skin {} has {} joints.", slot, vertex,
                            value, limit.skin, limit.joints);
-      case InfluenceFault::joint_repeated:
+      case InfluenceError::joint_repeated:
         return fmt::format("Joint {} of vertex {} is {}, which the vertex already has.", slot,
                            vertex, value);
-      case InfluenceFault::negative_weight:
+      case InfluenceError::negative_weight:
         return fmt::format("Weight {} of vertex {} is {}; it must not be negative.", slot, vertex,
                            value);
-      case InfluenceFault::joint_without_weight:
+      case InfluenceError::joint_without_weight:
         return fmt::format("Joint {} of vertex {} is {}, but its weight is 0.", slot, vertex,
                            value);
-      case InfluenceFault::wrong_sum:
+      case InfluenceError::wrong_sum:
         return fmt::format("The weights of vertex {} sum to {}; they must sum to 1.", vertex,
                            value);
     }
@@ -138,15 +138,15 @@ class InfluenceReport {
   void send(const Found& found) const {
     const Skinned& skinned = primitives_[found.primitive];
     const Influence& influence = found.influence;
-    const bool weights = influence.fault == InfluenceFault::negative_weight ||
-                         influence.fault == InfluenceFault::wrong_sum;
+    const bool weights = influence.error == InfluenceError::negative_weight ||
+                         influence.error == InfluenceError::wrong_sum;
     const std::string name = fmt::format("{}_{}", weights ? "WEIGHTS" : "JOINTS", influence.set);
     std::string message = sentence(influence, skinned.limit);
     if (found.count > 1) message += fmt::format(" This is the first of {}.", found.count);
     if (weights && skinned.lossy) message += kAfterDraco;
     Finding finding = finding_on(phase_.context,
                                  (weights ? skinned.weights : skinned.joints)[influence.set]->value,
-                                 code(influence.fault), std::move(message));
+                                 code(influence.error), std::move(message));
     finding.count = found.count;
     if (weights && skinned.lossy) finding.severity = Severity::warning;
     with_path({Place::Kind::attribute, skinned.mesh, skinned.primitive, name, json::kNoNode},
@@ -225,12 +225,12 @@ class InfluencePhase {
   // Whether weights look wrong only because each of them was rounded by half a step.
   static bool is_rounding(const Influence& influence, double step, std::size_t sets) {
     if (step == 0) return false;
-    switch (influence.fault) {
-      case InfluenceFault::wrong_sum:
+    switch (influence.error) {
+      case InfluenceError::wrong_sum:
         return std::abs(influence.value - 1) <= step * 2 * static_cast<double>(sets) + 1e-6;
-      case InfluenceFault::negative_weight:
+      case InfluenceError::negative_weight:
         return influence.value >= -step;
-      case InfluenceFault::joint_without_weight:
+      case InfluenceError::joint_without_weight:
         return true;
       default:
         return false;

@@ -39,19 +39,19 @@ T from_ordered(typename Ordered<T>::Type key) {
 
 std::size_t count_non_finite(const float* values, std::size_t count) {
   constexpr std::uint32_t kExponent = 0x7f800000;
-  Count faults = 0;
+  Count errors = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    faults += (std::bit_cast<std::uint32_t>(values[i]) & kExponent) == kExponent ? 1U : 0U;
+    errors += (std::bit_cast<std::uint32_t>(values[i]) & kExponent) == kExponent ? 1U : 0U;
   }
-  return faults;
+  return errors;
 }
 
 std::size_t count_unclamped(const float* values, std::size_t count) {
-  Count faults = 0;
+  Count errors = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    faults += (values[i] < 0.0F ? 1U : 0U) | (values[i] > 1.0F ? 1U : 0U);
+    errors += (values[i] < 0.0F ? 1U : 0U) | (values[i] > 1.0F ? 1U : 0U);
   }
-  return faults;
+  return errors;
 }
 
 template <unsigned N>
@@ -78,19 +78,19 @@ UnitCount count_non_unit(const float* values, std::size_t count) {
       bad += (sums[i] < kBadShort ? 1U : 0U) | (sums[i] > kBadLong ? 1U : 0U);
       doubtful += (sums[i] < kGoodShort ? 1U : 0U) | (sums[i] > kGoodLong ? 1U : 0U);
     }
-    result.faults += bad;
+    result.errors += bad;
     result.uncertain += doubtful - bad;
   }
   return result;
 }
 
 std::size_t count_bad_signs(const float* values, std::size_t count) {
-  Count faults = 0;
+  Count errors = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const float sign = values[i * 4 + 3];
-    faults += (sign != 1.0F ? 1U : 0U) & (sign != -1.0F ? 1U : 0U);
+    errors += (sign != 1.0F ? 1U : 0U) & (sign != -1.0F ? 1U : 0U);
   }
-  return faults;
+  return errors;
 }
 
 template <typename T>
@@ -105,16 +105,16 @@ T greatest(const T* values, std::size_t count) {
 
 template <typename T>
 std::size_t count_above(const T* values, std::size_t count, std::uint64_t most) {
-  std::size_t faults = 0;
-  for (std::size_t i = 0; i < count; ++i) faults += values[i] > most ? 1U : 0U;
-  return faults;
+  std::size_t errors = 0;
+  for (std::size_t i = 0; i < count; ++i) errors += values[i] > most ? 1U : 0U;
+  return errors;
 }
 
 template <typename T>
 std::size_t count_equal(const T* values, std::size_t count, T wanted) {
-  std::size_t faults = 0;
-  for (std::size_t i = 0; i < count; ++i) faults += values[i] == wanted ? 1U : 0U;
-  return faults;
+  std::size_t errors = 0;
+  for (std::size_t i = 0; i < count; ++i) errors += values[i] == wanted ? 1U : 0U;
+  return errors;
 }
 
 // Whole vectors are compared with those one and two places further on; `kFirst` and `kSecond` keep
@@ -133,13 +133,13 @@ std::size_t count_degenerate(const T* indices, std::size_t count) {
     return masks;
   }();
   const auto exact = [](const T* at, std::size_t length) {
-    std::size_t faults = 0;
+    std::size_t errors = 0;
     for (std::size_t i = 0; i + 3 <= length; i += 3) {
-      faults += at[i] == at[i + 1] || at[i + 1] == at[i + 2] || at[i + 2] == at[i] ? 1U : 0U;
+      errors += at[i] == at[i + 1] || at[i + 1] == at[i + 2] || at[i + 2] == at[i] ? 1U : 0U;
     }
-    return faults;
+    return errors;
   };
-  std::size_t faults = 0;
+  std::size_t errors = 0;
   std::size_t done = 0;
   for (; done + kStep + kAhead <= count; done += kStep) {
     const T* at = indices + done;
@@ -149,9 +149,9 @@ std::size_t count_degenerate(const T* indices, std::size_t count) {
       const T second = at[i] == at[i + 2] ? kMasks[1][i] : T{0};
       any = static_cast<T>(any | next | second);
     }
-    if (any != 0) faults += exact(at, kStep);
+    if (any != 0) errors += exact(at, kStep);
   }
-  return faults + exact(indices + done, count - done);
+  return errors + exact(indices + done, count - done);
 }
 
 template <typename T>

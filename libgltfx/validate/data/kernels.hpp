@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Loops over packed numbers that compilers turn into vector instructions. They say how many faults
+/// Loops over packed numbers that compilers turn into vector instructions. They say how many errors
 /// there are, or that it takes a closer look; they do not say where.
 #pragma once
 
@@ -24,7 +24,7 @@ inline constexpr double kQuaternionTolerance = 0.00769;
 /// Vectors that are not of unit length. `uncertain` ones are too near to the tolerance to be told
 /// in single precision.
 struct UnitCount {
-  std::size_t faults = 0;
+  std::size_t errors = 0;
   std::size_t uncertain = 0;
 };
 /// The first three components of `count` vectors of N components.

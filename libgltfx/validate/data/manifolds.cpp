@@ -54,19 +54,19 @@ class ManifoldCheck {
       }
     }
     std::sort(sides.begin(), sides.end());
-    std::size_t faults = 0;
+    std::size_t errors = 0;
     std::uint64_t first = 0;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const std::uint64_t other = sides[i] << 32U | sides[i] >> 32U;
       const bool repeated = i > 0 && sides[i] == sides[i - 1];
       if (!repeated && std::binary_search(sides.begin(), sides.end(), other)) continue;
-      if (faults++ == 0) first = sides[i];
+      if (errors++ == 0) first = sides[i];
     }
-    if (faults == 0) return;
+    if (errors == 0) return;
     report("manifoldPrimitive", Code::MANIFOLD_NOT_CLOSED,
            fmt::format("The edge from vertex {} to {} does not have exactly one opposite edge. {} "
                        "of {} edges are not closed.",
-                       first >> 32U, first & UINT32_MAX, faults, sides.size()));
+                       first >> 32U, first & UINT32_MAX, errors, sides.size()));
   }
 
   // --- Where the indices of the manifold differ from those that are drawn ---

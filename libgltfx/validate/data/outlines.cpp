@@ -18,17 +18,17 @@ constexpr std::string_view kOutlinesExtension = "CESIUM_primitive_outline";
 
 void check_pairs(DataPhase& phase, json::NodeId object, const Indices& pairs,
                  const std::vector<std::uint64_t>& edges, const Path& path) {
-  std::size_t faults = 0;
+  std::size_t errors = 0;
   std::size_t first = 0;
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
     if (std::binary_search(edges.begin(), edges.end(), edge_of(pairs[i], pairs[i + 1]))) continue;
-    if (faults++ == 0) first = i;
+    if (errors++ == 0) first = i;
   }
-  if (faults == 0) return;
+  if (errors == 0) return;
   std::string message =
       fmt::format("The segment between vertices {} and {} is not a triangle edge.", pairs[first],
                   pairs[first + 1]);
-  if (faults > 1) message += fmt::format(" This is the first of {}.", faults);
+  if (errors > 1) message += fmt::format(" This is the first of {}.", errors);
   report_member(phase.sink, phase.context, path, object, "indices", Code::OUTLINE_NOT_AN_EDGE,
                 std::move(message));
 }

@@ -12,24 +12,24 @@ namespace {
 // Half a second of zeros, or the same bytes through a few accessors each.
 constexpr std::uint64_t kFreeNumbers = std::uint64_t{1} << 29U;
 constexpr std::uint64_t kNumbersPerByte = 16;
-// Some megabytes of report, and as many faults as buffers have floats.
-constexpr std::uint64_t kFreeFaults = 65536;
-constexpr std::uint64_t kBytesPerFault = 4;
+// Some megabytes of report, and as many errors as buffers have floats.
+constexpr std::uint64_t kFreeErrors = 65536;
+constexpr std::uint64_t kBytesPerError = 4;
 
 }  // namespace
 
 Budget::Budget(const model::ResourceData& resources)
-    : left_(kFreeNumbers), listed_left_(kFreeFaults) {
+    : left_(kFreeNumbers), listed_left_(kFreeErrors) {
   for (const auto& buffer : resources.buffers) {
     if (!buffer) continue;
     left_ += buffer->size() * kNumbersPerByte;
-    listed_left_ += buffer->size() / kBytesPerFault;
+    listed_left_ += buffer->size() / kBytesPerError;
   }
 }
 
-bool Budget::list(std::uint64_t faults) {
-  if (faults > listed_left_) return false;
-  listed_left_ -= faults;
+bool Budget::list(std::uint64_t errors) {
+  if (errors > listed_left_) return false;
+  listed_left_ -= errors;
   return true;
 }
 

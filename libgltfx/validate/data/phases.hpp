@@ -12,7 +12,7 @@
 
 namespace gltfx::validate {
 
-/// How many numbers may be scan_result at, and how many faults listed one by one. Accessors may
+/// How many numbers may be scan_result at, and how many errors listed one by one. Accessors may
 /// share bytes, and sparse ones need none: without a limit a small file could ask for years of
 /// work, or for a report of any size.
 class Budget {
@@ -20,8 +20,8 @@ class Budget {
   explicit Budget(const model::ResourceData& resources);
   /// Takes `count` times `each`, or nothing when that much is not left.
   bool take(std::uint64_t count, std::uint64_t each);
-  /// Takes `faults` to be listed, or nothing when they are too many and must be counted.
-  bool list(std::uint64_t faults);
+  /// Takes `errors` to be listed, or nothing when they are too many and must be counted.
+  bool list(std::uint64_t errors);
 
  private:
   std::uint64_t left_;

@@ -80,7 +80,7 @@ class Running {
     const std::size_t count = elements * data_.components();
     switch (check_.kind) {
       case CheckKind::finite:
-        return note(FaultKind::invalid_float, kernels::count_non_finite(values, count), values,
+        return note(ErrorKind::invalid_float, kernels::count_non_finite(values, count), values,
                     count);
       case CheckKind::clamped:
         return note_unclamped(kernels::count_unclamped(values, count), values, count);
@@ -92,19 +92,19 @@ class Running {
     }
   }
 
-  void note_unclamped(std::size_t faults, const float* values, std::size_t count) {
-    if (faults != 0 && check_.bound_slack != 0) return look_closer(values, count);
-    note(FaultKind::not_clamped, faults, values, count);
+  void note_unclamped(std::size_t errors, const float* values, std::size_t count) {
+    if (errors != 0 && check_.bound_slack != 0) return look_closer(values, count);
+    note(ErrorKind::not_clamped, errors, values, count);
   }
 
   void note_units(const kernels::UnitCount& units, std::size_t signs, const float* values,
                   std::size_t count) {
-    const bool faults = units.faults != 0 || signs != 0;
-    if (units.uncertain != 0 || (faults && check_.length_slack != 0)) {
+    const bool errors = units.errors != 0 || signs != 0;
+    if (units.uncertain != 0 || (errors && check_.length_slack != 0)) {
       return look_closer(values, count);
     }
-    note(FaultKind::not_unit, units.faults, values, count);
-    note(FaultKind::bad_sign, signs, values, count);
+    note(ErrorKind::not_unit, units.errors, values, count);
+    note(ErrorKind::bad_sign, signs, values, count);
   }
 
   void block_of_indices(const T* values, std::size_t count) {
@@ -115,11 +115,11 @@ class Running {
             check_.most < 0
                 ? count
                 : kernels::count_above(values, count, static_cast<std::uint64_t>(check_.most));
-        note(FaultKind::index_out_of_range, above, values, count);
+        note(ErrorKind::index_out_of_range, above, values, count);
       }
       constexpr T kRestart = std::numeric_limits<T>::max();
       if (greatest == kRestart) {
-        note(FaultKind::restart, kernels::count_equal(values, count, kRestart), values, count);
+        note(ErrorKind::restart, kernels::count_equal(values, count, kRestart), values, count);
       }
       if (check_.triangles) outcome_.degenerate += kernels::count_degenerate(values, count);
     } else {
@@ -127,17 +127,17 @@ class Running {
     }
   }
 
-  // Adds faults that a kernel has counted. The first one is searched for among them.
+  // Adds errors that a kernel has counted. The first one is searched for among them.
   template <typename V>
-  void note(FaultKind kind, std::size_t faults, const V* values, std::size_t count) {
-    if (faults == 0) return;
-    Tally& tally = outcome_.faults[static_cast<std::size_t>(kind)];
+  void note(ErrorKind kind, std::size_t errors, const V* values, std::size_t count) {
+    if (errors == 0) return;
+    Tally& tally = outcome_.errors[static_cast<std::size_t>(kind)];
     bool searching = tally.count == 0;
-    tally.count += faults;
+    tally.count += errors;
     for (std::size_t i = 0; i < count && searching; ++i) {
-      evaluate(values, i, [&](const Fault& fault) {
-        if (fault.kind != kind || !searching) return;
-        tally.first = fault;
+      evaluate(values, i, [&](const DataError& error) {
+        if (error.kind != kind || !searching) return;
+        tally.first = error;
         searching = false;
       });
     }
@@ -146,9 +146,9 @@ class Running {
   template <typename V>
   void look_closer(const V* values, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      evaluate(values, i, [&](const Fault& fault) {
-        Tally& tally = outcome_.faults[static_cast<std::size_t>(fault.kind)];
-        if (tally.count++ == 0) tally.first = fault;
+      evaluate(values, i, [&](const DataError& error) {
+        Tally& tally = outcome_.errors[static_cast<std::size_t>(error.kind)];
+        if (tally.count++ == 0) tally.first = error;
       });
     }
   }
@@ -162,10 +162,10 @@ class Running {
   void count_outside() {
     const bool below = check_.kind == CheckKind::minimum;
     data_.visit<T>([&](const T* values, std::size_t elements, std::uint64_t) {
-      for (BoundFault& fault : outcome_.bounds) {
+      for (BoundError& error : outcome_.bounds) {
         for (std::size_t i = 0; i < elements; ++i) {
-          const auto value = static_cast<double>(values[i * data_.components() + fault.component]);
-          fault.outside += (below ? value < fault.declared : value > fault.declared) ? 1U : 0U;
+          const auto value = static_cast<double>(values[i * data_.components() + error.component]);
+          error.outside += (below ? value < error.declared : value > error.declared) ? 1U : 0U;
         }
       }
     });
@@ -197,7 +197,7 @@ void scan_typed(const AccessorData& data, const std::vector<Check>& checks,
 
 std::uint64_t Outcome::total() const {
   std::uint64_t sum = 0;
-  for (const Tally& tally : faults) sum += tally.count;
+  for (const Tally& tally : errors) sum += tally.count;
   return sum;
 }
 
@@ -212,8 +212,8 @@ std::vector<Outcome> scan(const AccessorData& data, const std::vector<Check>& ch
   return outcomes;
 }
 
-void list_faults(const AccessorData& data, const std::vector<Check>& checks,
-                 const std::function<void(const Check&, const Fault&)>& use) {
+void list_errors(const AccessorData& data, const std::vector<Check>& checks,
+                 const std::function<void(const Check&, const DataError&)>& use) {
   model::with_component_type(data.format().component, [&](auto zero) {
     using T = decltype(zero);
     std::vector<Evaluator> evaluators;
@@ -227,7 +227,7 @@ void list_faults(const AccessorData& data, const std::vector<Check>& checks,
         for (std::size_t c = 0; c < checks.size(); ++c) {
           const double value = component_value(checks[c], data.format(), values[i]);
           evaluators[c].feed(first * data.components() + i, component, value,
-                             [&](const Fault& fault) { use(checks[c], fault); });
+                             [&](const DataError& error) { use(checks[c], error); });
         }
       }
     });

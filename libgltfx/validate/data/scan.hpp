@@ -13,14 +13,14 @@
 
 namespace gltfx::validate {
 
-/// Faults of one kind, and the first of them.
+/// Errors of one kind, and the first of them.
 struct Tally {
   std::uint64_t count = 0;
-  Fault first;
+  DataError first;
 };
 
 /// A bound of one component that differs from what is there.
-struct BoundFault {
+struct BoundError {
   unsigned component = 0;
   double declared = 0;
   double actual = 0;
@@ -29,9 +29,9 @@ struct BoundFault {
 
 /// What a check found.
 struct Outcome {
-  std::array<Tally, kFaultKinds> faults;
+  std::array<Tally, kErrorKinds> errors;
   std::uint64_t degenerate = 0;  ///< triangles
-  std::vector<BoundFault> bounds;
+  std::vector<BoundError> bounds;
 
   std::uint64_t total() const;
   bool clean() const { return total() == 0 && degenerate == 0 && bounds.empty(); }
@@ -41,9 +41,9 @@ struct Outcome {
 /// that of the earlier one.
 std::vector<Outcome> scan(const model::AccessorData& data, const std::vector<Check>& checks);
 
-/// Calls `use(check, fault)` for every single fault, in the order of the elements and, for one
+/// Calls `use(check, error)` for every single error, in the order of the elements and, for one
 /// element, of the checks.
-void list_faults(const model::AccessorData& data, const std::vector<Check>& checks,
-                 const std::function<void(const Check&, const Fault&)>& use);
+void list_errors(const model::AccessorData& data, const std::vector<Check>& checks,
+                 const std::function<void(const Check&, const DataError&)>& use);
 
 }  // namespace gltfx::validate

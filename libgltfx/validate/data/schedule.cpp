@@ -77,7 +77,7 @@ class Scheduler {
     std::vector<Check>& checks = schedule(index).checks;
     check.same_as = first_same(index, checks, check);
     const bool again = check.same_as != checks.size();
-    if (again && !context_.deviations.each_fault_is_listed) return;  // once is enough
+    if (again && !context_.deviations.each_finding_is_listed) return;  // once is enough
     checks.push_back(std::move(check));
   }
 

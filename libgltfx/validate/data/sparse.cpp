@@ -10,7 +10,7 @@
 namespace gltfx::validate {
 namespace {
 
-struct SparseFault {
+struct SparseError {
   std::uint64_t position = 0;
   std::uint64_t index = 0;
   std::uint64_t other = 0;  ///< the index before, or the number of elements
@@ -20,12 +20,12 @@ class SparseReport {
  public:
   SparseReport(DataPhase& phase, std::uint32_t accessor) : phase_(phase), accessor_(accessor) {}
 
-  void note(bool order, const SparseFault& fault) {
+  void note(bool order, const SparseError& error) {
     Tally& tally = order ? order_ : range_;
-    if (phase_.context.deviations.each_fault_is_listed && phase_.budget.list(1)) {
-      return send(order, fault, 1);
+    if (phase_.context.deviations.each_finding_is_listed && phase_.budget.list(1)) {
+      return send(order, error, 1);
     }
-    if (tally.count++ == 0) tally.first = fault;
+    if (tally.count++ == 0) tally.first = error;
   }
 
   void finish() const {
@@ -36,15 +36,15 @@ class SparseReport {
  private:
   struct Tally {
     std::uint64_t count = 0;
-    SparseFault first;
+    SparseError first;
   };
 
-  void send(bool order, const SparseFault& fault, std::uint64_t count) const {
+  void send(bool order, const SparseError& error, std::uint64_t count) const {
     std::string message =
         order ? fmt::format("Sparse index {} is {}; it must be greater than the previous one, {}.",
-                            fault.position, fault.index, fault.other)
+                            error.position, error.index, error.other)
               : fmt::format("Sparse index {} is {}, but the accessor has {} elements.",
-                            fault.position, fault.index, fault.other);
+                            error.position, error.index, error.other);
     if (count > 1) message += fmt::format(" This is the first of {}.", count);
     const json::NodeId sparse = phase_.context.views.accessors[accessor_].sparse;
     Finding finding = finding_on(

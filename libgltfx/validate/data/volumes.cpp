@@ -101,7 +101,7 @@ void check_mesh(DataPhase& phase, const model::Mesh& mesh, std::size_t index) {
 }  // namespace
 
 void check_volumes(DataPhase& phase) {
-  if (!is_heard(phase.context.options, Code::KHR_MATERIALS_VOLUME_NOT_CLOSED)) return;
+  if (!is_enabled(phase.context.options, Code::KHR_MATERIALS_VOLUME_NOT_CLOSED)) return;
   const auto& meshes = phase.context.views.meshes;
   for (std::size_t i = 0; i < meshes.size(); ++i) check_mesh(phase, meshes[i], i);
 }

@@ -13,7 +13,7 @@ constexpr Deviations all_deviations() {
   khronos.missing_integers_are_minus_one = true;
   khronos.sets_with_gaps_are_empty = true;
   khronos.severity_follows_code = true;
-  khronos.syntax_faults_end_the_report = true;
+  khronos.syntax_errors_end_the_report = true;
   khronos.data_of_short_files_is_skipped = true;
   khronos.pointers_keep_stray_steps = true;
   khronos.minor_versions_are_unknown = true;

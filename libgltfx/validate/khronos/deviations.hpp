@@ -14,9 +14,9 @@ namespace gltfx::validate {
 
 /// All false: the specification is followed, with one finding for each cause.
 struct Deviations : schema::Deviations {
-  // --- What follows from a fault ---
+  // --- What follows from a error ---
 
-  /// Khronos: reports what follows from a fault that is reported already. Specification: silent;
+  /// Khronos: reports what follows from a error that is reported already. Specification: silent;
   /// elsewhere there is one finding for each cause. Seen: pairs of codes for one mistake.
   bool consequences_are_reported = false;
 
@@ -40,10 +40,10 @@ struct Deviations : schema::Deviations {
   /// in severity. Seen: its list of codes.
   bool severity_follows_code = false;
 
-  /// Khronos: faults of JSON syntax and a byte order mark are INVALID_JSON, and the first fault of
+  /// Khronos: errors of JSON syntax and a byte order mark are INVALID_JSON, and the first error of
   /// syntax ends the report; duplicate names are none. Specification ("JSON Encoding"): names
   /// should be unique. Seen: INVALID_JSON alone.
-  bool syntax_faults_end_the_report = false;
+  bool syntax_errors_end_the_report = false;
 
   /// Khronos: neither reads data of a GLB that is cut short or ends in an empty chunk, nor sums it
   /// up. Specification: silent. Seen: reports without `info`.

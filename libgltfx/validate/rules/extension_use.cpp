@@ -110,8 +110,8 @@ void report_unknown(const Entry& entry) {
 
 std::string successor_help(const schema::Extension& extension) {
   if (extension.successor.empty()) return {};
-  const bool mendable = extension.upgrade.to == extension.successor;
-  if (!mendable) return fmt::format("use {}", extension.successor);
+  const bool fixable = extension.upgrade.to == extension.successor;
+  if (!fixable) return fmt::format("use {}", extension.successor);
   const bool on_request = !extension.upgrade.opt_in.empty();
   return fmt::format("run 'gltfx upgrade{}{}' to convert it to {}", on_request ? " --only " : "",
                      on_request ? extension.name : "", extension.successor);
@@ -141,7 +141,7 @@ void report_status(const Entry& entry, const schema::Extension& extension) {
 
 // An extension either has objects, or formats of attributes alone.
 bool is_unused(const Entry& entry, const schema::Extension& extension) {
-  if (!extension.homes.empty()) return !entry.names.seen.contains(extension.name);
+  if (!extension.attachment_points.empty()) return !entry.names.seen.contains(extension.name);
   const bool formats = !extension.vertex_attributes.empty() || !extension.morph_attributes.empty();
   return formats && !uses_formats_of(entry.context, extension);
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kImageBasedLightExtension = "EXT_lights_image_based";
 
 // What a face is like instead of what it must be; empty: nothing is wrong.
-std::string fault_of(const image::Header& header, std::size_t level,
+std::string error_of(const image::Header& header, std::size_t level,
                      std::optional<std::uint64_t> size) {
   if (header.width != header.height) {
     return fmt::format("is {}x{}; it must be square", header.width, header.height);
@@ -60,11 +60,11 @@ class LightCheck {
                   Span span, const Path& path) const {
     const auto& header = resources_.images[image].header;
     if (!header || !header->doubt.empty()) return;
-    const std::string fault = fault_of(*header, level, size);
-    if (fault.empty()) return;
+    const std::string error = error_of(*header, level, size);
+    if (error.empty()) return;
     Finding finding =
         finding_on(context_, json::kNoNode, Code::IMAGE_BASED_LIGHT_FACE_SIZE,
-                   fmt::format("The size of {} {}.", image_label(context_, image), fault));
+                   fmt::format("The size of {} {}.", image_label(context_, image), error));
     finding.span = span;
     sink_.report(path, std::move(finding));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What extensions ask of KTX2 images, and slots and samplers of those that they show. The faults of
+// What extensions ask of KTX2 images, and slots and samplers of those that they show. The errors of
 // a file in itself are found where its header is read; only their table is here.
 
 #include <map>

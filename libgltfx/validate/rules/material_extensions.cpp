@@ -144,7 +144,7 @@ bool lets_light_through(const Subject& subject, std::string_view name) {
   const schema::Extension& extension = schemas.extensions()[id];
   const bool supported = extension.khronos_validator;
   if (!supported && subject.context.deviations.unsupported_extensions_are_skipped) return true;
-  const schema::ShapeId home = extension.home(schemas.find_type("material"));
+  const schema::ShapeId home = extension.shape_on(schemas.find_type("material"));
   if (home == schema::kNone) return false;
   const schema::TypeId type = schemas.shape(home).type;
   if (type == schema::kNone) return false;

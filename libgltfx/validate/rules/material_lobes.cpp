@@ -69,7 +69,7 @@ class MaterialCheck {
     const schema::Set& schemas = context_.schemas;
     const schema::ExtensionId id = schemas.find_extension(name);
     if (id == schema::kNone) return true;
-    const schema::ShapeId home = schemas.extensions()[id].home(schemas.find_type("material"));
+    const schema::ShapeId home = schemas.extensions()[id].shape_on(schemas.find_type("material"));
     return home == schema::kNone ||
            has_unknown_member(context_, schemas.shape(home).type, extension(name));
   }
@@ -232,7 +232,7 @@ class MaterialCheck {
   // Whether an extension does nothing until its main factor is set.
   bool is_off_by_default(const schema::Extension& extension) const {
     const schema::Set& schemas = context_.schemas;
-    const schema::ShapeId home = extension.home(schemas.find_type("material"));
+    const schema::ShapeId home = extension.shape_on(schemas.find_type("material"));
     if (home == schema::kNone || extension.strength.empty()) return false;
     const auto* factor = schemas.find_property(schemas.shape(home).type, extension.strength);
     return factor->default_json.find_first_of("123456789") == std::string::npos;

@@ -87,11 +87,11 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
   report_use(context, *primitive.indices, model::AccessorUse::indices, place, at);
   const model::Accessor& accessor = context.views.accessors[*primitive.indices];
   const model::BufferView* view = context.views.view_of(accessor);
-  // A view with the target of indices is at fault itself, and reported.
-  const bool at_fault =
+  // A view with the target of indices is invalid itself, and reported.
+  const bool at_error =
       view != nullptr && view->byte_stride &&
       (context.deviations.consequences_are_reported || view->target != model::ViewTarget::indices);
-  if (at_fault) {
+  if (at_error) {
     report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE,
                 fmt::format("Buffer view {} contains indices, but has a byteStride.",
                             *accessor.buffer_view));

@@ -84,7 +84,7 @@ class NodeCheck {
   }
 
   void report_override(const model::ParentOverride& found, const Path& parent) {
-    // A child listed twice by one node is reported as a repeated element. Nor is a loop two faults,
+    // A child listed twice by one node is reported as a repeated element. Nor is a loop two errors,
     // one of which is that it meets the tree above it.
     const bool told = found.parent == found.previous || context_.graph.on_loop(found.child);
     if (told && !context_.deviations.consequences_are_reported) return;

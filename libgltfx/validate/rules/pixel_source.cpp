@@ -24,8 +24,8 @@ bool PixelSource::take(std::uint32_t index) {
     texels_left_ -= texels;
     return true;
   }
-  results_[index] = codec::Fault{codec::FaultKind::too_large,
-                                 "The images of the asset exceed the limit on texels."};
+  results_[index] = codec::DecodeError{codec::ErrorKind::too_large,
+                                       "The images of the asset exceed the limit on texels."};
   return false;
 }
 
@@ -54,11 +54,11 @@ void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
   parallel_ordered(requests.size(), jobs, decode_one, [&](std::size_t i) {
     auto& result = results_[requests[i].image];
     if (stopped) {
-      result = codec::Fault{codec::FaultKind::unavailable,
-                            "Other images of the asset reached the limit on decoding."};
+      result = codec::DecodeError{codec::ErrorKind::unavailable,
+                                  "Other images of the asset reached the limit on decoding."};
     }
-    const auto* fault = result ? std::get_if<codec::Fault>(&*result) : nullptr;
-    if (fault != nullptr && codec::is_costly(*fault) && ++costly == kMostCostly) stopped = true;
+    const auto* error = result ? std::get_if<codec::DecodeError>(&*result) : nullptr;
+    if (error != nullptr && codec::is_costly(*error) && ++costly == kMostCostly) stopped = true;
   });
 }
 

@@ -35,8 +35,8 @@ class PixelSource {
     return results_[image] ? std::get_if<codec::Image>(&*results_[image]) : nullptr;
   }
   /// Why an image that was asked for could not be decoded, or null.
-  const codec::Fault* fault(std::uint32_t image) const {
-    return results_[image] ? std::get_if<codec::Fault>(&*results_[image]) : nullptr;
+  const codec::DecodeError* error(std::uint32_t image) const {
+    return results_[image] ? std::get_if<codec::DecodeError>(&*results_[image]) : nullptr;
   }
 
  private:

@@ -27,7 +27,7 @@ std::optional<Target> target_of(const Context& context, const model::AnimationCh
 }  // namespace
 
 SameTargets::SameTargets(const Context& context, const model::Animation& animation)
-    : all_(context.deviations.each_fault_is_listed),
+    : all_(context.deviations.each_finding_is_listed),
       left_(std::max<std::size_t>(1000, animation.channels.size())) {
   std::map<Target, std::size_t> known;
   for (std::size_t i = 0; i < animation.channels.size(); ++i) {

@@ -20,7 +20,7 @@ class SameTargets {
   SameTargets(const Context& context, const model::Animation& animation);
 
   /// Channels behind `channel` that have its target: the next one;
-  /// Deviations::each_fault_is_listed: all of them as long as there are not too many.
+  /// Deviations::each_finding_is_listed: all of them as long as there are not too many.
   std::vector<std::size_t> behind(std::size_t channel);
 
  private:

@@ -22,7 +22,7 @@ void report_missing(const Context& context, const Path& path, json::NodeId place
 }
 
 // What is wrong with the only scene's list of nodes; empty: nothing.
-std::string roots_fault(const Context& context, json::NodeId list) {
+std::string roots_error(const Context& context, json::NodeId list) {
   std::uint64_t count = 0;
   bool first = false;
   model::for_each_index(context.asset, list, model::RootArray::nodes,
@@ -54,10 +54,10 @@ void check_single_root(const Context& context) {
   }
   const Path only(scenes, 0);
   const json::NodeId list = document.find(objects.front(), "nodes");
-  const std::string fault = roots_fault(context, list);
-  if (!fault.empty()) {
+  const std::string error = roots_error(context, list);
+  if (!error.empty()) {
     report_missing(context, Path(only, "nodes"), list != json::kNoNode ? list : objects.front(),
-                   fault);
+                   error);
     return;
   }
   const model::Node& node = context.views.nodes.front();

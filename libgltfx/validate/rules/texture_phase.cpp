@@ -43,7 +43,7 @@ class PixelNeeds {
   }
 
  private:
-  bool heard(Code code) const { return is_heard(context_.options, code); }
+  bool heard(Code code) const { return is_enabled(context_.options, code); }
 
   void add(const TextureSlot& slot) {
     const bool normal = slot.normal_map && normal_maps_;
@@ -61,7 +61,7 @@ class PixelNeeds {
     }
   }
 
-  // Images that are read as sRGB and as linear are only at fault when they have other values than 0
+  // Images that are read as sRGB and as linear are only invalid when they have other values than 0
   // and 1.
   void add_conflicts() {
     if (!heard(Code::TEXTURE_COLOR_SPACE_CONFLICT)) return;

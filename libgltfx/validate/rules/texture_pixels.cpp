@@ -24,16 +24,16 @@ void report_image(const TexturePhase& phase, std::uint32_t image, Code code, std
                  std::move(message), severity);
 }
 
-void report_fault(const TexturePhase& phase, std::uint32_t image, const codec::Fault& fault) {
-  const bool malformed = fault.kind == codec::FaultKind::malformed;
-  const bool stalled = fault.kind == codec::FaultKind::stalled;  // need not be due to the bytes
+void report_error(const TexturePhase& phase, std::uint32_t image, const codec::DecodeError& error) {
+  const bool malformed = error.kind == codec::ErrorKind::malformed;
+  const bool stalled = error.kind == codec::ErrorKind::stalled;  // need not be due to the bytes
   const std::string label = image_label(phase.context, image);
-  const std::string reason = printable(fault.message);
+  const std::string reason = printable(error.message);
   report_image(
       phase, image, malformed ? Code::IMAGE_PIXELS_INVALID : Code::IMAGE_NOT_DECODED,
       malformed ? fmt::format("The pixels of {} cannot be decoded: {}", label, reason)
                 : fmt::format("The pixels of {} are not checked: {}", label, reason),
-      codec::is_costly(fault) && !stalled ? std::optional(Severity::warning) : std::nullopt);
+      codec::is_costly(error) && !stalled ? std::optional(Severity::warning) : std::nullopt);
 }
 
 // A decoder that went on where the data was damaged shows something, each its own.
@@ -47,8 +47,8 @@ void report_doubt(const TexturePhase& phase, std::uint32_t image, const std::str
 void check_decoded(const TexturePhase& phase) {
   for (std::size_t i = 0; i < phase.resources.images.size(); ++i) {
     const auto image = static_cast<std::uint32_t>(i);
-    const codec::Fault* fault = phase.pixels.fault(image);
-    if (fault != nullptr) report_fault(phase, image, *fault);
+    const codec::DecodeError* error = phase.pixels.error(image);
+    if (error != nullptr) report_error(phase, image, *error);
     const codec::Image* decoded = phase.pixels.of(image);
     if (decoded != nullptr && !decoded->doubt.empty()) report_doubt(phase, image, decoded->doubt);
   }

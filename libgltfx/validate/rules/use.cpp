@@ -22,7 +22,7 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
   }
   const bool wants_target = kind == model::ViewUse::vertices || kind == model::ViewUse::indices;
   if (!wants_target || first.place != place) return;
-  // Indices in a view with a stride have another fault, which a target would not mend.
+  // Indices in a view with a stride have another error, which a target would not fix.
   const bool strided = context.views.buffer_views[view].byte_stride.has_value();
   const bool told = strided && kind == model::ViewUse::indices;
   if (told && !context.deviations.consequences_are_reported) return;

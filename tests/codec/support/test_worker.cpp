@@ -30,7 +30,7 @@
 namespace gltfx::codec {
 namespace {
 
-Fault says(const std::string& message) { return {FaultKind::malformed, message}; }
+DecodeError says(const std::string& message) { return {ErrorKind::malformed, message}; }
 
 // What the system says to a call: 0, or the number of its error.
 std::string error_of(long result) { return std::to_string(result < 0 ? errno : 0); }

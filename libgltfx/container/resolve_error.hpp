@@ -9,7 +9,7 @@
 namespace gltfx::container {
 
 /// Why a resource could not be opened.
-enum class ResolveFault : std::uint8_t {
+enum class ResolveError : std::uint8_t {
   none,
   not_found,
   outside_root,  ///< "..", an absolute path or a symbolic link leads out of the root
@@ -21,17 +21,17 @@ enum class ResolveFault : std::uint8_t {
   too_large,
 };
 
-/// The fault that a system call's errno stands for.
-ResolveFault fault_of_errno(int error);
+/// The error that a system call's errno stands for.
+ResolveError error_of_errno(int error);
 
 /// The system's words for an errno, safe to call from several threads.
 std::string errno_text(int error);
 
 /// One sentence that names `path` (shown printable) and what is wrong with it. `problem` is a
 /// detail such as `Resolved::problem`, put behind a colon where it adds something.
-std::string describe(ResolveFault fault, std::string_view path, std::string_view problem = {});
+std::string describe(ResolveError error, std::string_view path, std::string_view problem = {});
 
 /// What to do about it, one sentence; empty for `none`.
-std::string_view help(ResolveFault fault);
+std::string_view help(ResolveError error);
 
 }  // namespace gltfx::container

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents with one fault.
+// Documents with one error.
 #include <algorithm>
 
 #include "schema/case_generator.hpp"
@@ -35,8 +35,8 @@ bool is_forbidden(const schema::Set& set, ShapeId id, const std::string& name) {
 
 }  // namespace
 
-void CaseGenerator::property_faults(const Subject& subject, const schema::Property& property,
-                                    std::vector<FaultCase>& cases, Gaps& gaps) {
+void CaseGenerator::property_errors(const Subject& subject, const schema::Property& property,
+                                    std::vector<ErrorCase>& cases, Gaps& gaps) {
   Json valid;
   const std::string member = subject.pointer + "/" + property.name;
   if (is_forbidden(set_, subject.shape, property.name)) {
@@ -72,7 +72,7 @@ void CaseGenerator::property_faults(const Subject& subject, const schema::Proper
   add("missing", std::move(document), subject.pointer);
 }
 
-void CaseGenerator::object_faults(const Subject& subject, std::vector<FaultCase>& cases) {
+void CaseGenerator::object_errors(const Subject& subject, std::vector<ErrorCase>& cases) {
   const Shape& shape = set_.shape(subject.shape);
   const auto add = [&](const std::string& how, Json document, const std::string& member) {
     cases.push_back({subject.name + ": " + how,
@@ -121,7 +121,7 @@ void CaseGenerator::object_faults(const Subject& subject, std::vector<FaultCase>
   }
 }
 
-void CaseGenerator::extension_faults(const Subject& subject, std::vector<FaultCase>& cases) {
+void CaseGenerator::extension_errors(const Subject& subject, std::vector<ErrorCase>& cases) {
   const schema::Extension& extension = set_.extensions()[subject.extension];
   const std::string host = subject.pointer.substr(0, subject.pointer.rfind("/extensions/"));
   const auto add = [&](const std::string& how, Json document, std::vector<std::string> says = {}) {
@@ -139,7 +139,7 @@ void CaseGenerator::extension_faults(const Subject& subject, std::vector<FaultCa
 
   document = subject.document;
   document["asset"]["extensions"][extension.name] = document[Pointer(subject.pointer)];
-  const schema::ShapeId at_asset = extension.home(set_.find_type("asset"));
+  const schema::ShapeId at_asset = extension.shape_on(set_.find_type("asset"));
   if (at_asset == kNone) {
     cases.push_back({subject.name + ": on the asset",
                      document,

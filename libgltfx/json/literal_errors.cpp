@@ -6,8 +6,8 @@
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
-#include "json/faults.hpp"
 #include "json/scan.hpp"
+#include "json/syntax_errors.hpp"
 #include "json/token.hpp"
 #include "json/utf8.hpp"
 
@@ -19,8 +19,8 @@ bool is_cut_number(std::string_view word) {
   return scan_number(completed.data(), completed.data() + completed.size()).end != nullptr;
 }
 
-ParseFault cut_string(std::uint32_t end, Span opening) {
-  return {Fault::unexpected_end,
+ParseError cut_string(std::uint32_t end, Span opening) {
+  return {SyntaxError::unexpected_end,
           {end, end},
           "expected '\"' to close the string, found the end of the text",
           opening};
@@ -50,11 +50,11 @@ std::string_view number_mistake(std::string_view word) {
   return "this is not a JSON number";
 }
 
-ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at) {
+ParseError explain_escape(std::string_view text, Span opening, std::uint32_t at) {
   const auto end = static_cast<std::uint32_t>(text.size());
   std::uint32_t size = 1 + decode_utf8(text, at + 1).size;
   if (text[at + 1] != 'u') {
-    return {Fault::bad_escape,
+    return {SyntaxError::bad_escape,
             {at, at + size},
             fmt::format("found {}; write a backslash as \\\\; the other escapes are \\\" \\/ \\b "
                         "\\f \\n \\r \\t and \\uXXXX",
@@ -63,7 +63,7 @@ ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at)
   }
   while (at + size < end && std::isxdigit(static_cast<unsigned char>(text[at + size]))) ++size;
   if (at + size == end) return cut_string(end, opening);
-  return {Fault::bad_escape,
+  return {SyntaxError::bad_escape,
           {at, at + size},
           fmt::format("found {}; expected four hexadecimal digits after \\u",
                       quoted(text.substr(at, size))),
@@ -72,34 +72,34 @@ ParseFault explain_escape(std::string_view text, Span opening, std::uint32_t at)
 
 }  // namespace
 
-ParseFault explain_number(std::string_view text, std::uint32_t at) {
+ParseError explain_number(std::string_view text, std::uint32_t at) {
   const Span token = token_at(text, at);
   const std::string_view word = token.in(text);
   if (token.end == text.size() && is_cut_number(word)) {
-    return {Fault::unexpected_end,
+    return {SyntaxError::unexpected_end,
             {token.end, token.end},
             fmt::format("the text ends inside the number {}", quoted(word)),
             {}};
   }
-  return {Fault::bad_number,
+  return {SyntaxError::bad_number,
           token,
           fmt::format("found {}; {}", quoted(word), number_mistake(word)),
           {}};
 }
 
-ParseFault explain_string(std::string_view text, std::uint32_t quote, std::uint32_t at) {
+ParseError explain_string(std::string_view text, std::uint32_t quote, std::uint32_t at) {
   const Span opening{quote, quote + 1};
   const auto end = static_cast<std::uint32_t>(text.size());
   if (at == end || (at + 1 == end && text[at] == '\\')) return cut_string(end, opening);
   const char c = text[at];
   if (c == '\n' || c == '\r') {
-    return {Fault::control_character,
+    return {SyntaxError::control_character,
             {at, at + 1},
             "the string contains a line break; is the closing '\"' missing?",
             opening};
   }
   if (c != '\\') {
-    return {Fault::control_character,
+    return {SyntaxError::control_character,
             {at, at + 1},
             fmt::format("found {} inside a string; write \\u{:04x}",
                         describe_token(text.substr(at, 1)), static_cast<unsigned char>(c)),
@@ -108,11 +108,11 @@ ParseFault explain_string(std::string_view text, std::uint32_t quote, std::uint3
   return explain_escape(text, opening, at);
 }
 
-ParseFault explain_invalid_utf8(std::string_view text) {
+ParseError explain_invalid_utf8(std::string_view text) {
   const Span bytes = first_invalid_utf8(text);
   const std::string_view mark = text.substr(0, 2);
   const bool utf16 = mark == "\xFF\xFE" || mark == "\xFE\xFF";
-  return {Fault::invalid_utf8,
+  return {SyntaxError::invalid_utf8,
           bytes,
           fmt::format(
               "found {}; {}", quoted(bytes.in(text)),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// allocation_faults PROGRAM INJECTOR FIXTURES FOLDER STRIDE [NAME]
+/// allocation_errors PROGRAM INJECTOR FIXTURES FOLDER STRIDE [NAME]
 ///
 /// Runs validate, upgrade and bake over small assets and lets each STRIDE-th allocation fail, one
 /// in each run. A run either says that there is not enough memory and ends with the code of a
@@ -114,7 +114,7 @@ class Runner {
 };
 
 /// What is wrong with a run; empty when nothing is.
-std::string fault_of(const Run& run, const Run& sound) {
+std::string error_of(const Run& run, const Run& sound) {
   const int code = run.outcome.code;
   if (code == 124) return "took too long";
   if (code > 124) return "ended by signal or abort, code " + std::to_string(code);
@@ -139,25 +139,25 @@ class Campaign {
   /// Number of runs that went wrong.
   long run(const Case& subject) {
     const Run sound = runner_.run(subject, 0);
-    long faults = 0, runs = 0;
+    long errors = 0, runs = 0;
     for (long at = 1; at <= sound.allocations; at += stride_, ++runs) {
       const Run run = runner_.run(subject, at);
-      const std::string fault = fault_of(run, sound);
-      if (fault.empty()) continue;
-      if (++faults <= kMostPrinted) print(subject, at, fault, run);
+      const std::string error = error_of(run, sound);
+      if (error.empty()) continue;
+      if (++errors <= kMostPrinted) print(subject, at, error, run);
     }
     std::printf("%-36s %7ld allocations %7ld runs %5ld faults\n", subject.name.c_str(),
-                sound.allocations, runs, faults);
+                sound.allocations, runs, errors);
     std::fflush(stdout);
-    return faults;
+    return errors;
   }
 
  private:
   static constexpr long kMostPrinted = 5;
 
-  static void print(const Case& subject, long at, const std::string& fault, const Run& run) {
+  static void print(const Case& subject, long at, const std::string& error, const Run& run) {
     const std::string said = run.outcome.err + run.outcome.out;
-    std::printf("%s, allocation %ld: %s\n  %.300s\n", subject.name.c_str(), at, fault.c_str(),
+    std::printf("%s, allocation %ld: %s\n  %.300s\n", subject.name.c_str(), at, error.c_str(),
                 said.c_str());
   }
 
@@ -175,12 +175,12 @@ int main(int argc, char** argv) {
   const std::string wanted = argc > 6 ? argv[6] : "";
   const std::vector<Case> all = cases(argv[3]);
   std::atomic<std::size_t> next{0};
-  std::atomic<long> faults{0};
+  std::atomic<long> errors{0};
   const auto work = [&](unsigned worker) {
     const Runner runner(argv[1], argv[2], std::filesystem::path(argv[4]) / std::to_string(worker));
     for (std::size_t i = next++; i < all.size(); i = next++) {
       if (all[i].name.find(wanted) != std::string::npos) {
-        faults += Campaign(runner, stride).run(all[i]);
+        errors += Campaign(runner, stride).run(all[i]);
       }
     }
   };
@@ -188,6 +188,6 @@ int main(int argc, char** argv) {
   const unsigned count = std::max(1U, std::thread::hardware_concurrency());
   for (unsigned i = 0; i < count; ++i) workers.emplace_back(work, i);
   for (std::thread& worker : workers) worker.join();
-  std::printf("%ld faults\n", faults.load());
-  return faults == 0 ? 0 : 1;
+  std::printf("%ld faults\n", errors.load());
+  return errors == 0 ? 0 : 1;
 }

@@ -8,9 +8,9 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "options.hpp"
+#include "raw_options.hpp"
 #include "reading.hpp"
 #include "value_words.hpp"
-#include "words.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -63,7 +63,7 @@ Result<std::string> parse_format(const std::string& text) {
   return unknown_word("--format", text, kPictureFormats);
 }
 
-void read_quality(Reading& reading, const BakeWords& words, BakeOptions& bake) {
+void read_quality(Reading& reading, const RawBakeOptions& words, BakeOptions& bake) {
   reading.set(bake.samples, parse_count("--samples", words.samples, 1, kMostBakeSamples));
   reading.set(bake.bounces, parse_count("--bounces", words.bounces, 0, 1000));
   reading.set(bake.seed, parse_count("--seed", words.seed, 0, kMost32));
@@ -73,7 +73,7 @@ void read_quality(Reading& reading, const BakeWords& words, BakeOptions& bake) {
   reading.set(bake.literal_shader, parse_word<bool>("--shader", words.shader, kShaderWords));
 }
 
-void read_scene(Reading& reading, const BakeWords& words, BakeOptions& bake) {
+void read_scene(Reading& reading, const RawBakeOptions& words, BakeOptions& bake) {
   reading.set(bake.lights, parse_lights(words.lights));
   reading.set(bake.exposure, parse_decimal("--exposure", words.exposure, -64, 64));
   reading.set(bake.time, parse_decimal("--time", words.time, -1e9, 1e9));
@@ -87,7 +87,7 @@ void read_scene(Reading& reading, const BakeWords& words, BakeOptions& bake) {
   bake.root = words.root;
 }
 
-void check(Reading& reading, const BakeWords& words) {
+void check(Reading& reading, const RawBakeOptions& words) {
   const bool compares = !words.compare.empty();
   require_files(reading, words.inputs.paths, "bake");
   reading.require(!words.output.empty() || words.embed || compares,
@@ -120,8 +120,8 @@ Result<double> parse_decimal(std::string_view option, std::string_view text, dou
                              double greatest) {
   double value = 0;
   const char* end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, value);
-  if (fault != std::errc() || stop != end || !(value >= least) || !(value <= greatest)) {
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !(value >= least) || !(value <= greatest)) {
     return Error{fmt::format("{}: {} is not a number from {} to {}.", option, quoted(text), least,
                              greatest)};
   }
@@ -156,7 +156,7 @@ Result<std::vector<BakeSize>> parse_sizes(const std::vector<std::string>& texts)
   return sizes;
 }
 
-Result<BakeRequest> request_of(const BakeWords& words) {
+Result<BakeRequest> request_of(const RawBakeOptions& words) {
   Reading reading;
   BakeRequest request;
   read_common(reading, words.common, request.common);

@@ -17,15 +17,15 @@ std::string file_with(std::string_view members, std::string_view words = "") {
   return text + "}";
 }
 
-std::vector<SchemaFault> faults_of(const std::string& text) {
+std::vector<SchemaError> errors_of(const std::string& text) {
   const Compiled compiled = compile_with({{"acme.json", text, false}});
-  EXPECT_EQ(compiled.set == nullptr, !compiled.faults.empty());
-  return compiled.faults;
+  EXPECT_EQ(compiled.set == nullptr, !compiled.errors.empty());
+  return compiled.errors;
 }
 
 struct Mistake {
   const char* name;
-  const char* members;  ///< line 3 of the file, with '@' before the place of the fault
+  const char* members;  ///< line 3 of the file, with '@' before the place of the error
   const char* pointer;
   const char* says;
 };
@@ -36,13 +36,13 @@ TEST_P(MembersWith, OneMistakeAreRefusedAtItsPlace) {
   std::string members = GetParam().members;
   const std::size_t place = members.find('@');
   members.erase(place, 1);
-  const auto faults = faults_of(file_with(members));
-  ASSERT_EQ(faults.size(), 1U) << (faults.empty() ? "" : faults[1].text());
-  EXPECT_EQ(faults[0].file, "acme.json");
-  EXPECT_EQ(faults[0].line, 3U);
-  EXPECT_EQ(faults[0].column, place + 1);
-  EXPECT_EQ(faults[0].pointer, GetParam().pointer);
-  EXPECT_THAT(faults[0].message, testing::HasSubstr(GetParam().says));
+  const auto errors = errors_of(file_with(members));
+  ASSERT_EQ(errors.size(), 1U) << (errors.empty() ? "" : errors[1].text());
+  EXPECT_EQ(errors[0].file, "acme.json");
+  EXPECT_EQ(errors[0].line, 3U);
+  EXPECT_EQ(errors[0].column, place + 1);
+  EXPECT_EQ(errors[0].pointer, GetParam().pointer);
+  EXPECT_THAT(errors[0].message, testing::HasSubstr(GetParam().says));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -160,12 +160,12 @@ struct WordMistake {
 class ExtensionWordsWith : public testing::TestWithParam<WordMistake> {};
 
 TEST_P(ExtensionWordsWith, OneMistakeAreRefused) {
-  const auto faults = faults_of(
+  const auto errors = errors_of(
       file_with(R"("properties": {"t": {"$ref": "gltfx:core/textureInfo"}})", GetParam().words));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].line, 2U);
-  EXPECT_EQ(faults[0].pointer, GetParam().pointer);
-  EXPECT_THAT(faults[0].message, testing::HasSubstr(GetParam().says));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].line, 2U);
+  EXPECT_EQ(errors[0].pointer, GetParam().pointer);
+  EXPECT_THAT(errors[0].message, testing::HasSubstr(GetParam().says));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -237,91 +237,91 @@ std::string minimal(std::string_view id, std::string_view words) {
          std::string(words) + "}}";
 }
 
-TEST(CompileFault, UnknownHomeNamesTheNearestType) {
-  const auto faults = faults_of(minimal(
+TEST(CompileError, UnknownHomeNamesTheNearestType) {
+  const auto errors = errors_of(minimal(
       "gltfx:ext/ACME_x", R"("extension": "ACME_x", "on": ["materials"], "status": "vendor")"));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].text(), testing::HasSubstr("acme.json:1:"));
-  EXPECT_THAT(faults[0].message, testing::HasSubstr("did you mean 'material'?"));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].text(), testing::HasSubstr("acme.json:1:"));
+  EXPECT_THAT(errors[0].message, testing::HasSubstr("did you mean 'material'?"));
 }
 
-TEST(CompileFault, UnknownStatusNamesTheNearest) {
-  const auto faults = faults_of(
+TEST(CompileError, UnknownStatusNamesTheNearest) {
+  const auto errors = errors_of(
       minimal("gltfx:ext/ACME_x", R"("extension": "ACME_x", "on": [], "status": "ratifed")"));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].message, testing::HasSubstr("'ratified'"));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].message, testing::HasSubstr("'ratified'"));
 }
 
-TEST(CompileFault, NameAndIdOfAnExtensionMustAgree) {
-  const auto faults = faults_of(
+TEST(CompileError, NameAndIdOfAnExtensionMustAgree) {
+  const auto errors = errors_of(
       minimal("gltfx:ext/ACME_x", R"("extension": "ACME_y", "on": [], "status": "vendor")"));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_EQ(faults[0].pointer, "/x-gltfx/extension");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].pointer, "/x-gltfx/extension");
 }
 
-TEST(CompileFault, SameIdTwiceAmongBuiltInFilesIsOne) {
+TEST(CompileError, SameIdTwiceAmongBuiltInFilesIsOne) {
   std::vector<SourceFile> files = builtin_files();
   files.push_back({"again.json",
                    minimal("gltfx:ext/KHR_materials_ior",
                            R"("extension": "KHR_materials_ior", "on": [], "status": "vendor")"),
                    false});
   const Compiled compiled = compile(files);
-  ASSERT_EQ(compiled.faults.size(), 1U);
-  EXPECT_EQ(compiled.faults[0].file, "again.json");
-  EXPECT_EQ(compiled.faults[0].pointer, "/$id");
-  EXPECT_THAT(compiled.faults[0].message, testing::HasSubstr("KHR_materials_ior.schema.json"));
+  ASSERT_EQ(compiled.errors.size(), 1U);
+  EXPECT_EQ(compiled.errors[0].file, "again.json");
+  EXPECT_EQ(compiled.errors[0].pointer, "/$id");
+  EXPECT_THAT(compiled.errors[0].message, testing::HasSubstr("KHR_materials_ior.schema.json"));
 }
 
-TEST(CompileFault, HomeMustBeADefinitionOfTheFile) {
-  const auto faults = faults_of(
+TEST(CompileError, HomeMustBeADefinitionOfTheFile) {
+  const auto errors = errors_of(
       minimal("gltfx:ext/ACME_x",
               R"("extension": "ACME_x", "on": {"node": "#/$defs/no"}, "status": "vendor")"));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].message, testing::HasSubstr("$defs"));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].message, testing::HasSubstr("$defs"));
 }
 
-TEST(CompileFault, MissingIdAndTitleAreTold) {
-  const auto faults = faults_of("{}");
-  ASSERT_EQ(faults.size(), 4U);
-  EXPECT_THAT(faults[0].message, testing::HasSubstr("'$schema' is missing"));
+TEST(CompileError, MissingIdAndTitleAreTold) {
+  const auto errors = errors_of("{}");
+  ASSERT_EQ(errors.size(), 4U);
+  EXPECT_THAT(errors[0].message, testing::HasSubstr("'$schema' is missing"));
 }
 
-TEST(CompileFault, ReferencesThatLeadToReferencesOnlyAreTold) {
-  const auto faults =
-      faults_of(file_with(R"("$defs": {"a": {"$ref": "#/$defs/b"}, "b": {"$ref": "#/$defs/a"}})"));
-  ASSERT_FALSE(faults.empty());
-  EXPECT_EQ(faults[0].pointer, "/$defs/a/$ref");
-  EXPECT_THAT(faults[0].message, testing::HasSubstr("more than 40 $refs"));
+TEST(CompileError, ReferencesThatLeadToReferencesOnlyAreTold) {
+  const auto errors =
+      errors_of(file_with(R"("$defs": {"a": {"$ref": "#/$defs/b"}, "b": {"$ref": "#/$defs/a"}})"));
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(errors[0].pointer, "/$defs/a/$ref");
+  EXPECT_THAT(errors[0].message, testing::HasSubstr("more than 40 $refs"));
 }
 
-TEST(CompileFault, ReferencesInACircleWithWordsBesideThemAreTold) {
-  const auto faults = faults_of(file_with(
+TEST(CompileError, ReferencesInACircleWithWordsBesideThemAreTold) {
+  const auto errors = errors_of(file_with(
       R"("$defs": {"a": {"$ref": "#/$defs/b", "x-gltfx": {"ref": "nodes"}}, "b": {"$ref": "#/$defs/a", "x-gltfx": {"ref": "nodes"}}})"));
-  ASSERT_FALSE(faults.empty());
-  EXPECT_THAT(faults[0].message, testing::HasSubstr("is circular"));
+  ASSERT_FALSE(errors.empty());
+  EXPECT_THAT(errors[0].message, testing::HasSubstr("is circular"));
 }
 
-TEST(CompileFault, NoObjectIsOne) { EXPECT_EQ(faults_of("[]").size(), 1U); }
+TEST(CompileError, NoObjectIsOne) { EXPECT_EQ(errors_of("[]").size(), 1U); }
 
-TEST(CompileFault, ColumnsCountCodePoints) {
-  const auto faults = faults_of(file_with("\"title\": \"\xc3\xa4\xc3\xb6\", \"tipe\": 1"));
-  ASSERT_FALSE(faults.empty());
-  EXPECT_EQ(faults.back().column, 16U);
+TEST(CompileError, ColumnsCountCodePoints) {
+  const auto errors = errors_of(file_with("\"title\": \"\xc3\xa4\xc3\xb6\", \"tipe\": 1"));
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ(errors.back().column, 16U);
 }
 
-TEST(CompileFault, ManyFaultsAreSortedByPlace) {
-  const auto faults = faults_of(file_with("\"a\": 1,\n\"b\": 2,\n\"c\": 3"));
-  ASSERT_EQ(faults.size(), 3U);
-  EXPECT_EQ(faults[0].line, 3U);
-  EXPECT_EQ(faults[2].line, 5U);
+TEST(CompileError, ManyErrorsAreSortedByPlace) {
+  const auto errors = errors_of(file_with("\"a\": 1,\n\"b\": 2,\n\"c\": 3"));
+  ASSERT_EQ(errors.size(), 3U);
+  EXPECT_EQ(errors[0].line, 3U);
+  EXPECT_EQ(errors[2].line, 5U);
 }
 
-TEST(CompileFault, DeepNestingOfCombinatorsIsRefused) {
+TEST(CompileError, DeepNestingOfCombinatorsIsRefused) {
   std::string schema = "{}";
   for (int i = 0; i < 100; ++i) schema = R"({"allOf": [)" + schema + "]}";
-  const auto faults = faults_of(file_with(R"("properties": {"a": )" + schema + "}"));
-  ASSERT_EQ(faults.size(), 1U);
-  EXPECT_THAT(faults[0].message, testing::HasSubstr("nested too deeply"));
+  const auto errors = errors_of(file_with(R"("properties": {"a": )" + schema + "}"));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_THAT(errors[0].message, testing::HasSubstr("nested too deeply"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From a place in the text to a fault that says what stands there and what should.
+/// From a place in the text to a error that says what stands there and what should.
 #pragma once
 
 #include <cstdint>
@@ -23,16 +23,16 @@ enum class Expected : std::uint8_t {
 };
 
 /// Something stands at `at` that is not `expected`. Typical mistakes are called by their name.
-ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected expected);
+ParseError explain_unexpected(std::string_view text, std::uint32_t at, Expected expected);
 
 /// What begins at `at` looks like a number, but is none.
-ParseFault explain_number(std::string_view text, std::uint32_t at);
+ParseError explain_number(std::string_view text, std::uint32_t at);
 
 /// A string that begins at `quote` cannot go on at `at`: a bad escape, a control character or the
 /// end of the text.
-ParseFault explain_string(std::string_view text, std::uint32_t quote, std::uint32_t at);
+ParseError explain_string(std::string_view text, std::uint32_t quote, std::uint32_t at);
 
 /// The text is not UTF-8. Precondition: it is not.
-ParseFault explain_invalid_utf8(std::string_view text);
+ParseError explain_invalid_utf8(std::string_view text);
 
 }  // namespace gltfx::json

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Faults that end the parse: which, where, and in what words.
+/// Errors that end the parse: which, where, and in what words.
 #include <gmock/gmock.h>
 
 #include "json/support.hpp"
@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 
 struct Case {
   std::string_view text;
-  std::string_view fault;   ///< name and place
+  std::string_view error;   ///< name and place
   std::string_view detail;  ///< part of the words
 };
 
@@ -20,11 +20,11 @@ class Fatal : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Fatal, IsFoundWhereItStandsAndExplained) {
   const Case& expected = GetParam();
-  EXPECT_THAT(faults_of(expected.text), ElementsAre(expected.fault)) << expected.text;
+  EXPECT_THAT(errors_of(expected.text), ElementsAre(expected.error)) << expected.text;
   const Parsed parsed = parse(expected.text);
-  ASSERT_EQ(parsed.faults.size(), 1u);
-  EXPECT_THAT(parsed.faults[0].detail, HasSubstr(std::string(expected.detail)));
-  EXPECT_FALSE(is_recoverable(parsed.faults[0].fault));
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_THAT(parsed.errors[0].detail, HasSubstr(std::string(expected.detail)));
+  EXPECT_FALSE(is_recoverable(parsed.errors[0].error));
   EXPECT_TRUE(parsed.document.empty());
 }
 
@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
                            "pad the JSON chunk of a GLB with spaces"}));
 
 TEST(FatalPlaces, AnUnclosedOrMismatchedBracketTellsWhereItWasOpened) {
-  const auto other = [](std::string_view text) { return parse(text).faults.at(0).other; };
+  const auto other = [](std::string_view text) { return parse(text).errors.at(0).other; };
   EXPECT_EQ(other("[1, {\"a\": [2, 3"), (Span{10, 11}));
   EXPECT_EQ(other("[1, {\"a\": [2, -"), (Span{10, 11}));
   EXPECT_EQ(other("[[1, 2}"), (Span{1, 2}));
@@ -193,7 +193,7 @@ TEST(FatalPlaces, AnUnclosedOrMismatchedBracketTellsWhereItWasOpened) {
 
 TEST(FatalPlaces, TextOfTheAssetIsNeutralisedInTheWords) {
   for (const std::string_view text : {"[\x1b]", "{\"a\" \u202e}", "[\"\\\x1b\"]"}) {
-    const std::string detail = parse(text).faults.at(0).detail;
+    const std::string detail = parse(text).errors.at(0).detail;
     EXPECT_EQ(detail.find('\x1b'), std::string::npos) << text;
     EXPECT_EQ(detail.find("\u202e"), std::string::npos) << text;
   }
@@ -201,8 +201,8 @@ TEST(FatalPlaces, TextOfTheAssetIsNeutralisedInTheWords) {
 
 TEST(FatalPlaces, LongTokensAreCutInTheWords) {
   const std::string word(100000, 'x');
-  EXPECT_LT(parse("[" + word + "]").faults.at(0).detail.size(), 200u);
-  EXPECT_LT(parse("{} \"" + word).faults.at(0).detail.size(), 200u);
+  EXPECT_LT(parse("[" + word + "]").errors.at(0).detail.size(), 200u);
+  EXPECT_LT(parse("{} \"" + word).errors.at(0).detail.size(), 200u);
 }
 
 }  // namespace

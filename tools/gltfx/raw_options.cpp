@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "words.hpp"
+#include "raw_options.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -22,7 +22,7 @@ void read_word(Reading& reading, T& value, const std::string& word, const Parse&
   if (!word.empty()) reading.set(value, parse(word));
 }
 
-void read_budgets(Reading& reading, const ValidateWords& words, Budgets& budgets) {
+void read_budgets(Reading& reading, const RawValidateOptions& words, Budgets& budgets) {
   const auto read = [&](std::uint64_t& limit, std::string_view option, const std::string& word) {
     if (!word.empty()) reading.set(limit, parse_number(option, word, 0));
   };
@@ -46,7 +46,7 @@ bool names_stdin(const std::vector<std::string>& paths) {
 }
 
 // Of a hook: the commit names files, and pre-commit may name some.
-void read_hooked_inputs(Reading& reading, const InputWords& words, std::string_view what,
+void read_hooked_inputs(Reading& reading, const RawInputOptions& words, std::string_view what,
                         NamedPaths& paths) {
   reading.require(words.files_from.empty() && words.shard.empty(),
                   "hook: the commit says which files; leave out --files-from and --shard.");
@@ -55,7 +55,7 @@ void read_hooked_inputs(Reading& reading, const InputWords& words, std::string_v
 
 }  // namespace
 
-void read_inputs(Reading& reading, const InputWords& words, std::string_view what,
+void read_inputs(Reading& reading, const RawInputOptions& words, std::string_view what,
                  NamedPaths& paths) {
   reading.require(!words.paths.empty() || !words.files_from.empty(),
                   fmt::format("{}: name at least one file, folder or glob.", what));
@@ -77,7 +77,7 @@ void require_files(Reading& reading, const std::vector<std::string>& paths, std:
                               what, done));
 }
 
-void read_common(Reading& reading, const CommonWords& words, CommonOptions& options) {
+void read_common(Reading& reading, const RawCommonOptions& words, CommonOptions& options) {
   if (words.jobs.empty()) {
     options.jobs = default_jobs();
   } else {
@@ -87,7 +87,7 @@ void read_common(Reading& reading, const CommonWords& words, CommonOptions& opti
   options.unsandboxed_decoders = words.unsandboxed_decoders;
 }
 
-Result<ValidateRequest> request_of(const ValidateWords& words) {
+Result<ValidateRequest> request_of(const RawValidateOptions& words) {
   Reading reading;
   ValidateRequest request;
   read_common(reading, words.common, request.common);
@@ -125,7 +125,7 @@ Result<ValidateRequest> request_of(const ValidateWords& words) {
   return reading.finish(request);
 }
 
-Result<PageRequest> request_of(const PageWords& words, ValidateRequest validate) {
+Result<PageRequest> request_of(const RawPageOptions& words, ValidateRequest validate) {
   constexpr std::uint64_t kLeast = 32, kMost = 1024;
   Reading reading;
   PageRequest request;
@@ -141,7 +141,7 @@ Result<PageRequest> request_of(const PageWords& words, ValidateRequest validate)
   return reading.finish(request);
 }
 
-Result<MergeRequest> request_of(const MergeWords& words) {
+Result<MergeRequest> request_of(const RawMergeOptions& words) {
   Reading reading;
   MergeRequest request;
   read_common(reading, words.common, request.common);
@@ -157,7 +157,7 @@ Result<MergeRequest> request_of(const MergeWords& words) {
   return reading.finish(request);
 }
 
-Result<UpgradeRequest> request_of(const UpgradeWords& words) {
+Result<UpgradeRequest> request_of(const RawUpgradeOptions& words) {
   Reading reading;
   UpgradeRequest request;
   read_common(reading, words.common, request.common);
@@ -198,7 +198,7 @@ Result<UpgradeRequest> request_of(const UpgradeWords& words) {
   return reading.finish(request);
 }
 
-Result<InspectRequest> request_of(const InspectWords& words) {
+Result<InspectRequest> request_of(const RawInspectOptions& words) {
   Reading reading;
   InspectRequest request;
   read_common(reading, words.common, request.common);
@@ -219,7 +219,7 @@ Result<InspectRequest> request_of(const InspectWords& words) {
   return reading.finish(request);
 }
 
-Result<ExplainRequest> request_of(const ExplainWords& words) {
+Result<ExplainRequest> request_of(const RawExplainOptions& words) {
   Reading reading;
   ExplainRequest request;
   read_common(reading, words.common, request.common);
@@ -228,7 +228,7 @@ Result<ExplainRequest> request_of(const ExplainWords& words) {
   return reading.finish(request);
 }
 
-Result<RulesRequest> request_of(const RulesWords& words) {
+Result<RulesRequest> request_of(const RawRulesOptions& words) {
   Reading reading;
   RulesRequest request;
   read_common(reading, words.common, request.common);
@@ -236,7 +236,7 @@ Result<RulesRequest> request_of(const RulesWords& words) {
   return reading.finish(request);
 }
 
-Result<SchemaRequest> request_of(const SchemaWords& words) {
+Result<SchemaRequest> request_of(const RawSchemaOptions& words) {
   Reading reading;
   SchemaRequest request;
   read_common(reading, words.common, request.common);
@@ -257,7 +257,7 @@ Result<SchemaRequest> request_of(const SchemaWords& words) {
   return reading.finish(request);
 }
 
-Result<ConfigRequest> request_of(const ConfigWords& words) {
+Result<ConfigRequest> request_of(const RawConfigOptions& words) {
   Reading reading;
   ConfigRequest request;
   read_common(reading, words.common, request.common);

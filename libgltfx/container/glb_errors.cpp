@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "container/glb_faults.hpp"
+#include "container/glb_errors.hpp"
 
 #include <algorithm>
 #include <string>
@@ -9,7 +9,7 @@
 
 #include "base/codes.hpp"
 
-namespace gltfx::container::glb_fault {
+namespace gltfx::container::glb_error {
 namespace {
 
 constexpr std::string_view kExportAgain = "export or copy the file again: it is probably truncated";
@@ -33,7 +33,7 @@ std::string bytes_text(std::uint64_t count) {
 
 }  // namespace
 
-ContainerFault invalid_magic(std::uint32_t magic, std::string_view found) {
+ContainerError invalid_magic(std::uint32_t magic, std::string_view found) {
   return {
       Code::GLB_INVALID_MAGIC, 0,
       fmt::format("The magic of the file is {}; it must be 0x46546c67 ('glTF').", type_text(magic)),
@@ -41,14 +41,14 @@ ContainerFault invalid_magic(std::uint32_t magic, std::string_view found) {
                     : fmt::format("export the file again: it is {}", found)};
 }
 
-ContainerFault invalid_version(std::uint32_t version) {
+ContainerError invalid_version(std::uint32_t version) {
   return {Code::GLB_INVALID_VERSION, 4,
           fmt::format("The GLB version is {}; it must be 2.", version),
           version == 1 ? "convert the asset from glTF 1.0 to 2.0, or export it again as glTF 2.0"
                        : "export the asset again as glTF 2.0"};
 }
 
-ContainerFault length_too_small(std::uint32_t declared) {
+ContainerError length_too_small(std::uint32_t declared) {
   return {Code::GLB_LENGTH_TOO_SMALL, 8,
           fmt::format("The file length in the header is {}, which is too small for the header and "
                       "a JSON chunk.",
@@ -56,7 +56,7 @@ ContainerFault length_too_small(std::uint32_t declared) {
           "write the length of the whole file, including the header, to byte 8"};
 }
 
-ContainerFault length_mismatch(std::uint32_t declared, std::uint64_t actual) {
+ContainerError length_mismatch(std::uint32_t declared, std::uint64_t actual) {
   return {Code::GLB_LENGTH_MISMATCH, actual,
           fmt::format("The file length in the header is {}, but the file has {}.",
                       bytes_text(declared), actual),
@@ -64,28 +64,28 @@ ContainerFault length_mismatch(std::uint32_t declared, std::uint64_t actual) {
                             : std::string("write the actual length of the file to byte 8")};
 }
 
-ContainerFault end_of_header(std::uint64_t actual) {
+ContainerError end_of_header(std::uint64_t actual) {
   return {
       Code::GLB_UNEXPECTED_END_OF_HEADER, actual,
       fmt::format("The file ends after {}, inside the GLB header of 12 bytes.", bytes_text(actual)),
       std::string(kExportAgain)};
 }
 
-ContainerFault extra_data(std::uint32_t declared, std::uint64_t actual) {
+ContainerError extra_data(std::uint32_t declared, std::uint64_t actual) {
   return {Code::GLB_EXTRA_DATA, declared,
           fmt::format("The file length in the header is {}, but {} more follow, which are ignored.",
                       bytes_text(declared), actual - declared),
           "remove the data after the last chunk, or correct the length at byte 8"};
 }
 
-ContainerFault end_of_chunk_header(std::uint64_t header_offset, std::uint64_t actual) {
+ContainerError end_of_chunk_header(std::uint64_t header_offset, std::uint64_t actual) {
   return {Code::GLB_UNEXPECTED_END_OF_CHUNK_HEADER, actual,
           fmt::format("The file ends after {} of the chunk header at byte {}, which takes 8 bytes.",
                       bytes_text(actual - header_offset), header_offset),
           std::string(kExportAgain)};
 }
 
-ContainerFault end_of_chunk_data(const Chunk& chunk, std::uint32_t declared, std::uint64_t actual) {
+ContainerError end_of_chunk_data(const Chunk& chunk, std::uint32_t declared, std::uint64_t actual) {
   return {
       Code::GLB_UNEXPECTED_END_OF_CHUNK_DATA, actual,
       fmt::format("The length of chunk {} at byte {} is {}, but the file ends after {} of them.",
@@ -93,14 +93,14 @@ ContainerFault end_of_chunk_data(const Chunk& chunk, std::uint32_t declared, std
       std::string(kExportAgain)};
 }
 
-ContainerFault too_many_chunks(std::uint64_t offset, std::uint64_t actual) {
+ContainerError too_many_chunks(std::uint64_t offset, std::uint64_t actual) {
   return {Code::GLB_TOO_MANY_CHUNKS, offset,
           fmt::format("The file has more than {} chunks; the last {} are not checked.", kMaxChunks,
                       bytes_text(actual - offset)),
           "remove all chunks except JSON and BIN"};
 }
 
-ContainerFault chunk_unaligned(const Chunk& chunk, std::uint32_t length) {
+ContainerError chunk_unaligned(const Chunk& chunk, std::uint32_t length) {
   const unsigned padding = 4U - length % 4U;
   return {
       Code::GLB_CHUNK_LENGTH_UNALIGNED, chunk.header_offset,
@@ -110,7 +110,7 @@ ContainerFault chunk_unaligned(const Chunk& chunk, std::uint32_t length) {
                   chunk.type == kChunkJson ? "spaces for JSON" : "zeros for binary data")};
 }
 
-ContainerFault chunk_too_big(const Chunk& chunk, std::uint32_t length, std::uint32_t declared) {
+ContainerError chunk_too_big(const Chunk& chunk, std::uint32_t length, std::uint32_t declared) {
   return {
       Code::GLB_CHUNK_TOO_BIG, chunk.header_offset,
       fmt::format("The chunk {} of {} ends at byte {}, but the file length in the header is {}.",
@@ -118,14 +118,14 @@ ContainerFault chunk_too_big(const Chunk& chunk, std::uint32_t length, std::uint
       "correct the length of the chunk, or the file length at byte 8"};
 }
 
-ContainerFault unexpected_first(const Chunk& chunk) {
+ContainerError unexpected_first(const Chunk& chunk) {
   return {
       Code::GLB_UNEXPECTED_FIRST_CHUNK, chunk.header_offset,
       fmt::format("The first chunk is {}; it must be 0x4e4f534a ('JSON').", type_text(chunk.type)),
       "write the JSON chunk first"};
 }
 
-ContainerFault unexpected_bin(const Chunk& chunk, std::size_t position) {
+ContainerError unexpected_bin(const Chunk& chunk, std::size_t position) {
   return {
       Code::GLB_UNEXPECTED_BIN_CHUNK, chunk.header_offset,
       fmt::format("The BIN chunk is chunk {}; it must be chunk 2, directly after the JSON chunk.",
@@ -133,27 +133,27 @@ ContainerFault unexpected_bin(const Chunk& chunk, std::size_t position) {
       "move the BIN chunk directly after the JSON chunk"};
 }
 
-ContainerFault empty_json(const Chunk& chunk) {
+ContainerError empty_json(const Chunk& chunk) {
   return {Code::GLB_EMPTY_CHUNK, chunk.header_offset,
           fmt::format("The chunk {} is empty.", type_text(chunk.type)),
           "write the JSON of the asset to it, at least {\"asset\":{\"version\":\"2.0\"}}"};
 }
 
-ContainerFault empty_bin(const Chunk& chunk) {
+ContainerError empty_bin(const Chunk& chunk) {
   return {Code::GLB_EMPTY_BIN_CHUNK, chunk.header_offset, "The BIN chunk is empty.",
           "remove the chunk"};
 }
 
-ContainerFault duplicate(const Chunk& chunk) {
+ContainerError duplicate(const Chunk& chunk) {
   return {Code::GLB_DUPLICATE_CHUNK, chunk.header_offset,
           fmt::format("The chunk {} is a duplicate, which is ignored.", type_text(chunk.type)),
           "keep one chunk of each type"};
 }
 
-ContainerFault unknown_type(const Chunk& chunk) {
+ContainerError unknown_type(const Chunk& chunk) {
   return {Code::GLB_UNKNOWN_CHUNK_TYPE, chunk.header_offset,
           fmt::format("The chunk type {} is unknown; the chunk is ignored.", type_text(chunk.type)),
           "store the data in a buffer: loaders skip unknown chunks"};
 }
 
-}  // namespace gltfx::container::glb_fault
+}  // namespace gltfx::container::glb_error

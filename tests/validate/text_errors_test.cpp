@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of the JSON text as a user meets them: the code, the line and the column.
+// Errors of the JSON text as a user meets them: the code, the line and the column.
 #include <gltfx/pipeline.hpp>
 
 #include <string>
@@ -22,9 +22,9 @@ struct Case {
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
-class TextFaults : public ::testing::TestWithParam<Case> {};
+class TextErrors : public ::testing::TestWithParam<Case> {};
 
-TEST_P(TextFaults, NameTheirPlace) {
+TEST_P(TextErrors, NameTheirPlace) {
   const Case& wanted = GetParam();
   const FileReport report = validate_bytes(wanted.text, "test.gltf");
   ASSERT_EQ(report.diagnostics.size(), 1U);
@@ -38,7 +38,7 @@ TEST_P(TextFaults, NameTheirPlace) {
 const std::string kAsset = "{\"asset\": {\"version\": \"2.0\"}";
 
 INSTANTIATE_TEST_SUITE_P(
-    Json, TextFaults,
+    Json, TextErrors,
     ::testing::Values(
         Case{"trailing_comma", "{\n \"asset\": {\"version\": \"2.0\",}\n}", "JSON_TRAILING_COMMA",
              2, 28},
@@ -63,17 +63,17 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"unclosed", "{\"asset\": {\"version\": \"2.0\"}", "INVALID_JSON", 1, 29}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(TextFaults, RecoverableOnesDoNotHideTheRest) {
+TEST(TextErrors, RecoverableOnesDoNotHideTheRest) {
   const std::vector<std::string> wanted{"JSON_TRAILING_COMMA ", "UNEXPECTED_PROPERTY /asset/x"};
   EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.0", "x": 1,}})"), wanted);
 }
 
-TEST(TextFaults, KhronosProfileGivesUpAtTheFirst) {
+TEST(TextErrors, KhronosProfileGivesUpAtTheFirst) {
   const std::vector<std::string> wanted{"INVALID_JSON "};
   EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.0", "x": 1,}})", Profile::khronos), wanted);
 }
 
-TEST(TextFaults, KhronosProfileReadsOnBehindAByteOrderMark) {
+TEST(TextErrors, KhronosProfileReadsOnBehindAByteOrderMark) {
   const std::vector<std::string> wanted{"INVALID_JSON ", "UNEXPECTED_PROPERTY /asset/x"};
   const std::string text =
       "\xef\xbb\xbf"
@@ -81,7 +81,7 @@ TEST(TextFaults, KhronosProfileReadsOnBehindAByteOrderMark) {
   EXPECT_EQ(test::verdict(text, Profile::khronos), wanted);
 }
 
-TEST(TextFaults, KhronosProfileTakesTheLastOfTwoKeysInSilence) {
+TEST(TextErrors, KhronosProfileTakesTheLastOfTwoKeysInSilence) {
   EXPECT_TRUE(test::verdict(R"({"asset": {"version": "1.0", "version": "2.0"}})", Profile::khronos)
                   .empty());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "json/faults.hpp"
+#include "json/syntax_errors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ bool is_quote_like(std::string_view token) {
          token == "\u201C" || token == "\u201D" || token == "\u201E";
 }
 
-ParseFault explain_word(std::string_view text, Span token) {
+ParseError explain_word(std::string_view text, Span token) {
   const std::string_view word = token.in(text);
   const std::string lower = lower_case(word);
   std::string detail;
@@ -59,7 +59,7 @@ ParseFault explain_word(std::string_view text, Span token) {
   } else {
     detail = fmt::format("expected a value, found {}; strings need double quotes", quoted(word));
   }
-  return {Fault::bad_literal, token, std::move(detail), {}};
+  return {SyntaxError::bad_literal, token, std::move(detail), {}};
 }
 
 // The mistakes at the very beginning that tell what kind of file this is instead.
@@ -89,13 +89,13 @@ std::string general_detail(std::string_view text, Span token, Expected expected)
   return detail;
 }
 
-ParseFault explain_end(std::string_view text, Expected expected) {
+ParseError explain_end(std::string_view text, Expected expected) {
   const auto end = static_cast<std::uint32_t>(text.size());
   const bool blank = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
   std::string detail =
       blank ? "the text is empty"
             : fmt::format("expected {}, found the end of the text", expectation(expected));
-  return {Fault::unexpected_end, {end, end}, std::move(detail), {}};
+  return {SyntaxError::unexpected_end, {end, end}, std::move(detail), {}};
 }
 
 // Whether a word at the end of the text could have become one that JSON has.
@@ -108,15 +108,15 @@ bool is_cut_literal(std::string_view word) {
 
 }  // namespace
 
-ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected expected) {
+ParseError explain_unexpected(std::string_view text, std::uint32_t at, Expected expected) {
   const Span token = token_at(text, at);
   if (token.empty()) return explain_end(text, expected);
   const std::string_view word = token.in(text);
   if (starts_comment(word)) {
-    return {Fault::bad_literal, token, "comments are not allowed in JSON", {}};
+    return {SyntaxError::bad_literal, token, "comments are not allowed in JSON", {}};
   }
   if (is_quote_like(word)) {
-    return {Fault::bad_literal,
+    return {SyntaxError::bad_literal,
             token,
             fmt::format("found {}; strings and member names need double quotes (\")",
                         word == "'" ? std::string("a single quote") : quoted(word)),
@@ -124,11 +124,14 @@ ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected 
   }
   if (expected == Expected::root) {
     if (std::string hint = root_hint(text, token); !hint.empty()) {
-      return {is_word(word) ? Fault::bad_literal : Fault::syntax, token, std::move(hint), {}};
+      return {is_word(word) ? SyntaxError::bad_literal : SyntaxError::syntax,
+              token,
+              std::move(hint),
+              {}};
     }
   }
   if (wants_name(expected) && is_a(kWord, word.front())) {
-    return {Fault::bad_literal,
+    return {SyntaxError::bad_literal,
             token,
             fmt::format("found {}; member names need double quotes", quoted(word)),
             {}};
@@ -142,8 +145,9 @@ ParseFault explain_unexpected(std::string_view text, std::uint32_t at, Expected 
                         lower == "inf" || lower == "infinity";
     return number ? explain_number(text, at) : explain_word(text, token);
   }
-  const Fault fault = expected == Expected::end ? Fault::trailing_data : Fault::syntax;
-  return {fault, token, general_detail(text, token, expected), {}};
+  const SyntaxError error =
+      expected == Expected::end ? SyntaxError::trailing_data : SyntaxError::syntax;
+  return {error, token, general_detail(text, token, expected), {}};
 }
 
 }  // namespace gltfx::json

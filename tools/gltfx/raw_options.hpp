@@ -9,14 +9,14 @@
 
 namespace gltfx::tool {
 
-struct CommonWords {
+struct RawCommonOptions {
   std::string jobs;
   std::string color = "auto";
   bool unsandboxed_decoders = false;
 };
 
 /// Which inputs a run takes.
-struct InputWords {
+struct RawInputOptions {
   std::vector<std::string> paths;
   std::string files_from, shard;
   std::vector<std::string> exclude;
@@ -33,10 +33,10 @@ struct ListingWords {
 };
 
 /// Empty words were not given.
-struct ValidateWords {
-  CommonWords common;
+struct RawValidateOptions {
+  RawCommonOptions common;
   ConfigChoice configuration;
-  InputWords inputs;
+  RawInputOptions inputs;
   ListingWords listing;
   std::vector<std::string> formats, select, ignore, severities, schema_files, schema_folders;
   std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
@@ -46,24 +46,24 @@ struct ValidateWords {
   bool hook = false;  ///< the paths may be left out
 };
 
-struct PageWords {
-  ValidateWords validate;
+struct RawPageOptions {
+  RawValidateOptions validate;
   std::string output, title, thumbnail_size = "160";
   bool no_thumbnails = false;
 };
 
-struct MergeWords {
-  CommonWords common;
+struct RawMergeOptions {
+  RawCommonOptions common;
   ListingWords listing;
   std::vector<std::string> files, formats;
   std::string fail_on;
   bool sarif_notes = false, quiet = false;
 };
 
-struct UpgradeWords {
-  CommonWords common;
+struct RawUpgradeOptions {
+  RawCommonOptions common;
   ConfigChoice configuration;
-  InputWords inputs;
+  RawInputOptions inputs;
   std::vector<std::string> schema_files, schema_folders, only, to;
   std::string output, generation = "auto", root, ior = "0", format = "text";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
@@ -71,10 +71,10 @@ struct UpgradeWords {
   bool hook = false;  ///< as above
 };
 
-struct BakeWords {
-  CommonWords common;
+struct RawBakeOptions {
+  RawCommonOptions common;
   ConfigChoice configuration;
-  InputWords inputs;
+  RawInputOptions inputs;
   std::vector<std::string> sizes, layers, schema_files, schema_folders;
   std::string output, format = "png", sheet, compare, root, cache, cache_key;
   std::string turntable = "0", samples = "32", bounces = "6", seed = "0";
@@ -84,48 +84,48 @@ struct BakeWords {
   bool transparent = false, embed = false, force = false, quiet = false;
 };
 
-struct InspectWords {
-  CommonWords common;
+struct RawInspectOptions {
+  RawCommonOptions common;
   ConfigChoice configuration;
   std::vector<std::string> paths, exclude, schema_files, schema_folders;
   std::string format = "text", top = "10", root;
   bool quiet = false, no_ignore = false, allow_empty = false;
 };
 
-struct ExplainWords {
-  CommonWords common;
+struct RawExplainOptions {
+  RawCommonOptions common;
   std::vector<std::string> codes;
 };
 
-struct RulesWords {
-  CommonWords common;
+struct RawRulesOptions {
+  RawCommonOptions common;
   std::string format = "text";
 };
 
-struct SchemaWords {
-  CommonWords common;
+struct RawSchemaOptions {
+  RawCommonOptions common;
   ConfigChoice configuration;
   std::vector<std::string> names, check_files, test_files, schema_files, schema_folders;
   std::string format = "text", new_name;
 };
 
-struct ConfigWords {
-  CommonWords common;
+struct RawConfigOptions {
+  RawCommonOptions common;
   ConfigChoice configuration;
   std::vector<std::string> words;  ///< a path, or "import" and a file
 };
 
 // Words into a request; the Error says which word is wrong.
-Result<ValidateRequest> request_of(const ValidateWords& words);
+Result<ValidateRequest> request_of(const RawValidateOptions& words);
 /// `validate`: what the part of the words about validation came to.
-Result<PageRequest> request_of(const PageWords& words, ValidateRequest validate);
-Result<MergeRequest> request_of(const MergeWords& words);
-Result<UpgradeRequest> request_of(const UpgradeWords& words);
-Result<BakeRequest> request_of(const BakeWords& words);
-Result<InspectRequest> request_of(const InspectWords& words);
-Result<ExplainRequest> request_of(const ExplainWords& words);
-Result<RulesRequest> request_of(const RulesWords& words);
-Result<SchemaRequest> request_of(const SchemaWords& words);
-Result<ConfigRequest> request_of(const ConfigWords& words);
+Result<PageRequest> request_of(const RawPageOptions& words, ValidateRequest validate);
+Result<MergeRequest> request_of(const RawMergeOptions& words);
+Result<UpgradeRequest> request_of(const RawUpgradeOptions& words);
+Result<BakeRequest> request_of(const RawBakeOptions& words);
+Result<InspectRequest> request_of(const RawInspectOptions& words);
+Result<ExplainRequest> request_of(const RawExplainOptions& words);
+Result<RulesRequest> request_of(const RawRulesOptions& words);
+Result<SchemaRequest> request_of(const RawSchemaOptions& words);
+Result<ConfigRequest> request_of(const RawConfigOptions& words);
 
 }  // namespace gltfx::tool
