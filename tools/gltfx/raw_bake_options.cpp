@@ -32,7 +32,7 @@ std::vector<std::string_view> comma_parts(const std::vector<std::string>& texts)
   return parts;
 }
 
-Result<std::uint32_t> parse_pixels(std::string_view text, std::string_view whole) {
+Result<std::uint32_t> parse_picture_size(std::string_view text, std::string_view whole) {
   const auto number = parse_number("--size", text, 1);
   if (number && *number <= kMostPixels) return static_cast<std::uint32_t>(*number);
   return Error{fmt::format("--size: {} is neither N nor WxH, each from 1 to {}.", quoted(whole),
@@ -41,10 +41,10 @@ Result<std::uint32_t> parse_pixels(std::string_view text, std::string_view whole
 
 Result<BakeSize> parse_size(std::string_view text) {
   const std::size_t cross = std::min(text.find('x'), text.size());
-  const auto width = parse_pixels(text.substr(0, cross), text);
+  const auto width = parse_picture_size(text.substr(0, cross), text);
   if (!width) return width.error();
   if (cross == text.size()) return BakeSize{*width, *width};
-  const auto height = parse_pixels(text.substr(cross + 1), text);
+  const auto height = parse_picture_size(text.substr(cross + 1), text);
   if (!height) return height.error();
   return BakeSize{*width, *height};
 }
