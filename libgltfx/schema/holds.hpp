@@ -9,8 +9,9 @@
 
 namespace gltfx::schema {
 
-/// One document against one Set. Answers about containers are remembered, so that the work is
-/// bounded by the number of shapes times that of nodes; below `kDepth` levels everything holds.
+/// One document against one Set. Answers about containers are remembered, so that the work of one
+/// question is bounded by the number of shapes times that of nodes; below `kDepth` levels
+/// everything holds.
 class Holds {
  public:
   Holds(const json::Document& document, const Set& set)

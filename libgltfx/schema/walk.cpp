@@ -98,6 +98,9 @@ bool Walker::walk(ShapeId shape, json::NodeId node, Step step, Mode mode) {
 
 void Walker::pop() {
   if (top_->unset && !top_->further) discard(*top_);
+  // No frame above is walked again, so nothing asks for these keys any more.
+  constexpr std::size_t kMostWalked = 1U << 12U;
+  if (!top_->again && walked_.size() > kMostWalked) walked_ = {};
   members_.resize(top_->scratch);
   pending_.resize(top_->pending);
   top_ = top_->parent;
