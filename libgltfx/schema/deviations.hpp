@@ -47,8 +47,9 @@ struct Deviations {
   /// the first of a kind has their number. Seen: reports with a finding for each vertex.
   bool each_finding_is_listed = false;
 
-  /// Khronos: a member under a draft's name is unexpected. Specification: has no such member;
-  /// elsewhere the finding says what it is called now. Seen: UNEXPECTED_PROPERTY.
+  /// Khronos: a member of a draft, or under a draft's name, is unexpected. Specification: has no
+  /// such member; elsewhere the finding names the draft, or what the member is called now. Seen:
+  /// UNEXPECTED_PROPERTY.
   bool draft_names_are_unexpected = false;
 
   /// Khronos: an index into an array of an extension that the root lacks is UNSATISFIED_DEPENDENCY

@@ -25,7 +25,8 @@ template <class Archive>
 void exchange(Archive& archive, Property& property) {
   archive(property.name, property.shape, property.required, property.parameter,
           property.mutable_type, property.animated_minimum, property.aliases, property.default_json,
-          property.deprecated, property.added_late, property.unit, property.description);
+          property.deprecated, property.draft, property.added_late, property.unit,
+          property.description);
 }
 
 template <class Archive>

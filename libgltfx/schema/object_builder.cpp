@@ -92,6 +92,7 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
   if (least.exists() && build_.document(least).is_number(least.node)) {
     property.animated_minimum = build_.document(least).number(least.node).value;
   }
+  property.draft = text(build_.member(annotation, "draft"));
   property.unit = text(build_.member(annotation, "unit"));
   property.aliases = read_names(build_, build_.member(annotation, "aliases"));
   const Site late = build_.member(annotation, "addedLate");

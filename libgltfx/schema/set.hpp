@@ -77,6 +77,7 @@ struct Property {
   std::vector<std::string> aliases;  ///< names of earlier drafts
   std::string default_json;          ///< JSON text of the default; empty: none
   std::string deprecated;            ///< what to use instead; empty: current
+  std::string draft;                 ///< the text that defines it ("glTF 2.1"), not in force yet
   bool added_late = false;           ///< required, but unknown to drafts that assets still follow
   std::string unit;
   std::string description;
@@ -132,7 +133,7 @@ struct ObjectType {
   bool strict = false;  ///< unknown members break the schema (`additionalProperties: false`)
   ExtensionId extension = kNone;  ///< the extension it belongs to
   TypeId origin = kNone;          ///< the type this is a copy of (one definition at several
-                          ///< attachment_points), otherwise its own id
+                                  ///< attachment_points), otherwise its own id
 };
 
 /// What is said about another extension on the same object.

@@ -78,6 +78,7 @@ constexpr std::array kWord{
     Word{"addedLate", F::flag},
     Word{"unit", F::nonempty_text},
     Word{"deprecated", F::nonempty_text},
+    Word{"draft", F::nonempty_text},
     Word{"hint", F::nonempty_text},
 };
 

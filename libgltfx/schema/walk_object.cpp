@@ -76,7 +76,12 @@ void Walker::gather(Frame& frame) {
     if (entry == nullptr) {
       if (symbol > Set::WalkTables::kExtras) other_name(frame, key, value);
     } else if (!entry->alias) {
-      slots[entry->property] = value;
+      const bool known =
+          !plan.properties[entry->property].draft || !deviations().draft_names_are_unexpected;
+      if (known)
+        slots[entry->property] = value;
+      else
+        unexpected(frame, key, value);
     } else {
       renamed(frame, set_.type(frame.type).properties[entry->property], value);
       if (slots[entry->property] == json::kNoNode) slots[entry->property] = value;
@@ -169,6 +174,12 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
     const Property& property = set_.type(frame.type).properties[index];
     report({frame.path, key_of(node)}, Code::PROPERTY_DEPRECATED, document_.span(node - 1),
            quoted(property.name) + " is deprecated: " + property.deprecated + ".");
+  }
+  if (plan.draft) {
+    const Property& property = set_.type(frame.type).properties[index];
+    report({frame.path, key_of(node)}, Code::PROPERTY_DRAFT, document_.span(node - 1),
+           quoted(property.name) + " is from the draft of " + property.draft +
+               ", which can still change.");
   }
   if (plan.shape == kNone) return false;
   if (plan.slot) record_slot(frame, index, node);

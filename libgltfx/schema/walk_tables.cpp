@@ -120,8 +120,8 @@ class Maker {
     std::size_t names = 0;
     for (const Property& property : type.properties) {
       const bool slot = property.shape != kNone && set_.shape(property.shape).slot;
-      plan.properties.push_back(
-          {property.shape, property.required, !property.deprecated.empty(), slot});
+      plan.properties.push_back({property.shape, property.required, !property.deprecated.empty(),
+                                 !property.draft.empty(), slot});
       names += 1 + property.aliases.size();
     }
     plan.constraints_at = static_cast<std::uint32_t>(type.properties.size());

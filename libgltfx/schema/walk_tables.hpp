@@ -50,6 +50,7 @@ struct PropertyPlan {
   ShapeId shape = kNone;
   bool required = false;
   bool deprecated = false;
+  bool draft = false;
   bool slot = false;
 };
 
