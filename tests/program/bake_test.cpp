@@ -82,6 +82,14 @@ TEST_F(BakeTest, EmbedWritesTheAsset) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "bowl.glb: thumbnail embedded\n");
   EXPECT_THAT(content("bowl.glb"), HasSubstr("\"thumbnail\""));
+  const Outcome verdict =
+      gltfx({"validate", (folder_.path() / "bowl.glb").native(), "--fail-on", "warning"});
+  EXPECT_EQ(verdict.code, 0) << verdict.out;
+  EXPECT_THAT(verdict.out, HasSubstr("info[PROPERTY_DRAFT]"));
+  EXPECT_THAT(verdict.out, testing::Not(HasSubstr("UNUSED_OBJECT")));
+  const Outcome khronos =
+      gltfx({"validate", (folder_.path() / "bowl.glb").native(), "--profile", "khronos"});
+  EXPECT_THAT(khronos.out, HasSubstr("[UNEXPECTED_PROPERTY]"));
 }
 
 TEST_F(BakeTest, CompareSaysHowMuchDiffers) {

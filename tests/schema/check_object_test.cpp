@@ -212,6 +212,12 @@ TEST_F(Words, DeprecatedPropertiesAreInformation) {
   EXPECT_THAT(said(members, R"({"older": 3})"), ElementsAre("PROPERTY_DEPRECATED /older"));
 }
 
+TEST_F(Words, PropertiesOfADraftAreInformation) {
+  const std::string members = R"("properties": {"next": {"x-gltfx": {"draft": "ACME 2"}}})";
+  EXPECT_THAT(said(members, R"({"next": 3})"), ElementsAre("PROPERTY_DRAFT /next"));
+  EXPECT_THAT(last_.message, HasSubstr("the draft of ACME 2"));
+}
+
 TEST_F(Words, AdditionalPropertiesOpenAndCloseAnObject) {
   EXPECT_THAT(said(R"("properties": {"a": {}})", R"({"b": 1})"),
               ElementsAre("UNEXPECTED_PROPERTY /b"));

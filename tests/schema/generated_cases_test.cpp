@@ -17,7 +17,7 @@ using schema::builtin_set;
 // Findings that are no more than information.
 bool is_quiet(const Found& found) {
   static const std::set<std::string> quiet{"NON_OBJECT_EXTRAS", "PROPERTY_RENAMED",
-                                           "PROPERTY_DEPRECATED"};
+                                           "PROPERTY_DEPRECATED", "PROPERTY_DRAFT"};
   return quiet.count(found.code) != 0;
 }
 
