@@ -2,6 +2,7 @@
 /// extensionsUsed and extensionsRequired, where names come and go.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -18,7 +19,7 @@ class NameList {
  public:
   NameList(const json::Document& document, std::string_view member);
 
-  bool has(std::string_view name) const;
+  bool has(std::string_view name) const { return count(name) > 0; }
   /// Pointers to a name in the document's list: "/extensionsUsed/2".
   std::vector<std::string> places(std::string_view name) const;
   /// Puts `to` in the place of `from`; takes `from` out when `to` is there already.
@@ -31,15 +32,22 @@ class NameList {
   void apply(json::Editor& editor) const;
 
  private:
-  struct Entry {
-    json::NodeId node = json::kNoNode;  ///< kNoNode: new
-    std::string was, is;                ///< `is` empty: taken out
-  };
+  /// How often a name is in the list now.
+  std::int64_t count(std::string_view name) const;
+  std::int64_t& count_of(std::string_view name);
+  /// A name of the document as it is now; empty: taken out.
+  std::string text_of(json::NodeId node) const;
+  /// Gives a name of the document another text, or takes it out where that is empty.
+  void change(json::NodeId node, std::string_view from, std::string_view to);
+
   const json::Document& document_;
   std::string member_;
   json::NodeId list_;
-  bool usable_ = true;  ///< false: something else than a list of names, which stays as it is
-  std::vector<Entry> entries_;
+  bool usable_ = true;    ///< false: something else than a list of names, which stays as it is
+  json::KeyTable names_;  ///< each once
+  std::vector<std::int64_t> counts_;           ///< by KeyId
+  std::map<json::NodeId, std::string> texts_;  ///< of names of the document that have changed
+  std::vector<std::string> added_;
 };
 
 }  // namespace gltfx::edit
