@@ -200,7 +200,8 @@ class Xmp : public Conversion {
     const auto carriers = carriers_of(document, bench.context.set, bench.successor);
     const std::uint64_t count = packet_count(bench.context, bench.successor);
     for (const Carrier& carrier : carriers) {
-      const bool valid = bench.context.holds(bench.successor.shape_on(carrier.type), {carrier.object});
+      const bool valid =
+          bench.context.holds(bench.successor.shape_on(carrier.type), {carrier.object});
       if (valid && carrier.array.empty()) continue;
       const auto index = model::unsigned_member(document, carrier.object, "packet");
       if (valid && index && *index < count) continue;

@@ -50,7 +50,8 @@ TEST(Walk, WeighsAllColours) {
   Rgb scattered;
   constexpr std::uint32_t kSamples = 1U << 14U;
   for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const DistanceSample step = sample_distance(medium, {1, 0.5, 0.2}, 0.7, SampleStream(1, 1, i).pair(0));
+    const DistanceSample step =
+        sample_distance(medium, {1, 0.5, 0.2}, 0.7, SampleStream(1, 1, i).pair(0));
     (step.scattered ? scattered : through) += step.weight;
     EXPECT_LT(step.distance, 0.7);
   }
