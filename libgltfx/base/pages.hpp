@@ -7,7 +7,7 @@
 namespace gltfx {
 
 /// `bytes` of memory, not cleared; many bytes on huge pages where the system has them, which costs
-/// a fraction of the page errors. std::bad_alloc when there is not enough, as operator new.
+/// a fraction of the page faults. std::bad_alloc when there is not enough, as operator new.
 void* allocate_pages(std::size_t bytes);
 /// `bytes` as they were asked for.
 void free_pages(void* memory, std::size_t bytes) noexcept;

@@ -23,7 +23,7 @@
 namespace gltfx::container {
 
 /// What the bytes are. Their first bytes tell; only where these are nothing known (empty, neither
-/// JSON nor GLB nor a pointer) a name that ends in ".glb" makes it a GLB with a error.
+/// JSON nor GLB nor a pointer) a name that ends in ".glb" makes it a GLB with an error.
 enum class Format : std::uint8_t {
   gltf,  ///< JSON text
   glb,   ///< binary container, version 2
@@ -32,7 +32,7 @@ enum class Format : std::uint8_t {
   unknown,
 };
 
-/// A error of the container. `code` is a rule's code (Khronos names for GLB errors).
+/// An error of the container. `code` is a rule's code (Khronos names for GLB errors).
 struct ContainerError {
   Code code;
   std::uint64_t offset = 0;  ///< byte in the file

@@ -29,7 +29,7 @@ File file_error(int error);
 /// to those every file is opened with. Neither a FIFO nor a device can make it wait.
 File open_regular(int folder, const char* path, int flags = 0);
 
-/// Takes over a descriptor opened by somebody else; a error unless it is a regular file.
+/// Takes over a descriptor opened by somebody else; an error unless it is a regular file.
 File adopt_regular(UniqueFd fd);
 
 /// Bytes that were read, or why not.
@@ -53,7 +53,7 @@ Copied copy_range(int fd, std::uint64_t offset, std::uint64_t length);
 /// Maps the whole file read-only and private. No byte is read now.
 Loaded map_file(int fd, std::uint64_t size);
 
-/// Files up to this size are copied: that costs less than a mapping and cannot error later.
+/// Files up to this size are copied: that costs less than a mapping and cannot fault later.
 inline constexpr std::uint64_t kCopyBelow = 16384;
 
 /// The whole file: a copy when it is small, else a mapping.

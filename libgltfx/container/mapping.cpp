@@ -124,14 +124,14 @@ void ReadMeter::add(std::size_t bytes) const {
 
 bool repair_mapping(const void* address) noexcept {
   const int error = errno;
-  const std::uintptr_t touched = container::address_of(address);
-  container::Mapping* const mapping = container::find(touched);
+  const std::uintptr_t fault = container::address_of(address);
+  container::Mapping* const mapping = container::find(fault);
   if (mapping == nullptr) return false;
   const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  const std::uintptr_t into_page = touched % page;
+  const std::uintptr_t into_page = fault % page;
   void* const begin = const_cast<char*>(static_cast<const char*>(address) - into_page);
   mapping->torn = true;
-  void* const rest = ::mmap(begin, mapping->end - (touched - into_page), PROT_READ,
+  void* const rest = ::mmap(begin, mapping->end - (fault - into_page), PROT_READ,
                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
   errno = error;
   return rest != MAP_FAILED;

@@ -153,7 +153,7 @@ void read_components(Cursor at, std::uint8_t count, std::uint16_t length, Jpeg& 
   }
 }
 
-// A error where nothing can be said of the image.
+// An error where nothing can be said of the image.
 std::optional<HeaderError> read_frame_header(Segment segment, Jpeg& jpeg) {
   Header& header = jpeg.header;
   Cursor& at = segment.content;

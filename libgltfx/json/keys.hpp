@@ -36,11 +36,13 @@ class KeyTable {
   KeyId intern_copy(std::string name);
   /// As intern(); says whether the name is new.
   bool insert(std::string_view name) {
-    return is_new([&] { intern(name); });
+    const std::size_t before = size();
+    return intern(name) == before;
   }
   /// As intern_copy(); says whether the name is new.
   bool insert_copy(std::string name) {
-    return is_new([&] { intern_copy(std::move(name)); });
+    const std::size_t before = size();
+    return intern_copy(std::move(name)) == before;
   }
 
  private:
@@ -48,12 +50,6 @@ class KeyTable {
     std::uint32_t tag = 0;  // upper half of the hash
     KeyId id = kNoKey;
   };
-  template <typename Intern>
-  bool is_new(const Intern& intern_name) {
-    const std::size_t before = size();
-    intern_name();
-    return size() != before;
-  }
   std::uint64_t hash(std::string_view name) const;
   // The slot that holds `name` or would take it. Precondition: slots_ is not empty.
   std::size_t slot_of(std::string_view name, std::uint64_t hash) const;

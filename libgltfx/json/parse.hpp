@@ -52,7 +52,7 @@ struct Limits {
 };
 
 struct Parsed {
-  Document document;               ///< empty when a error was not recoverable
+  Document document;               ///< empty when an error was not recoverable
   std::vector<ParseError> errors;  ///< in the order of the text
   std::uint64_t unrecorded_errors = 0;
   bool ok() const { return errors.empty(); }

@@ -11,7 +11,7 @@
 namespace gltfx::json {
 
 /// Reads one text, once. Every reading function takes the place where its token begins and returns
-/// the place behind it, or null after a error that ends the parse.
+/// the place behind it, or null after an error that ends the parse.
 class Parser {
  public:
   Parser(SharedText text, const Limits& limits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From a place in the text to a error that says what stands there and what should.
+/// From a place in the text to an error that says what stands there and what should.
 #pragma once
 
 #include <cstdint>

@@ -46,7 +46,7 @@ enum class DecodeError : std::uint8_t {
 DecodeError check_size(std::span<const std::byte> stream, const Layout& layout);
 
 /// Decodes into `elements`, which has decoded_size() bytes, without applying the filter.
-/// Little-endian numbers, as in the asset. On a error the elements are of any value.
+/// Little-endian numbers, as in the asset. On an error the elements are of any value.
 DecodeError decode(std::span<const std::byte> stream, const Layout& layout,
                    std::span<std::byte> elements);
 

@@ -62,7 +62,7 @@ template <typename T>
 class Recent {
  public:
   void push(T value) { values_[count_++ % values_.size()] = value; }
-  /// The one that was pushed `back` pushes before the last one, or a error.
+  /// The one that was pushed `back` pushes before the last one, or an error.
   T at(unsigned back, Data& data) const {
     if (back < count_) return values_[(count_ - 1 - back) % values_.size()];
     data.set(DecodeError::unwritten);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What accessors and buffer views are used for. One of them holds one kind of data: the first use
-/// decides, and a later one of another kind is a error (specification section 3.6.1).
+/// decides, and a later one of another kind is an error (specification section 3.6.1).
 #pragma once
 
 #include <cstdint>

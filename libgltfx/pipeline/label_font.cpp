@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "base/utf8.hpp"
 
@@ -28,26 +30,31 @@ namespace {
 
 constexpr int kInk = 60;
 
-/// Letters of one line, as indices of the font.
+/// Letters of one line.
 class LabelLine {
  public:
   explicit LabelLine(std::string_view text) {
     stbtt_InitFont(&font_, gltfx_label_font, 0);
     scale_ = stbtt_ScaleForPixelHeight(&font_, kLabelHeight);
-    glyphs_ = glyphs_of(text);
+    letters_ = placed(glyphs_of(text));
   }
 
+  /// Ends the line in dots if it is too wide, and where not even they fit, empties it.
   void shorten(double width) {
     if (this->width() <= width) return;
     const std::vector<int> dots = glyphs_of("...");
+    const double dots_width = end_of(placed(dots));
     do {
-      if (glyphs_.empty()) return;
-      glyphs_.pop_back();
-    } while (this->width() + advance(dots, dots.size()) > width);
-    glyphs_.insert(glyphs_.end(), dots.begin(), dots.end());
+      if (letters_.empty()) return;
+      letters_.pop_back();
+    } while (this->width() + dots_width > width);
+    std::vector<int> glyphs;
+    for (const Letter& letter : letters_) glyphs.push_back(letter.glyph);
+    glyphs.insert(glyphs.end(), dots.begin(), dots.end());
+    letters_ = placed(glyphs);
   }
 
-  double width() const { return advance(glyphs_, glyphs_.size()); }
+  double width() const { return end_of(letters_); }
 
   /// `left` and `top` are those of the whole place; the line begins `indent` further to the right.
   void draw(bake::Picture& picture, std::uint32_t left, std::uint32_t top, std::uint32_t width,
@@ -55,13 +62,13 @@ class LabelLine {
     int ascent = 0, descent = 0, gap = 0;
     stbtt_GetFontVMetrics(&font_, &ascent, &descent, &gap);
     const int base = static_cast<int>(std::lround(static_cast<float>(ascent) * scale_));
-    for (std::size_t i = 0; i < glyphs_.size(); ++i) {
-      const double at = indent + advance(glyphs_, i);
+    for (const Letter& letter : letters_) {
+      const double at = indent + pixels(letter.begin);
       const double whole = std::floor(at);
       int columns = 0, rows = 0, right = 0, down = 0;
       unsigned char* ink =
           stbtt_GetGlyphBitmapSubpixel(&font_, scale_, scale_, static_cast<float>(at - whole), 0,
-                                       glyphs_[i], &columns, &rows, &right, &down);
+                                       letter.glyph, &columns, &rows, &right, &down);
       const int x = static_cast<int>(whole) + right;
       for (int k = 0; k < columns * rows; ++k) {
         const int column = x + k % columns, row = base + down + k / columns;
@@ -77,6 +84,11 @@ class LabelLine {
   }
 
  private:
+  struct Letter {
+    int glyph;
+    std::int64_t begin, end;  ///< units of the font
+  };
+
   std::vector<int> glyphs_of(std::string_view text) const {
     std::vector<int> glyphs;
     for (std::size_t at = 0; at < text.size();) {
@@ -88,17 +100,27 @@ class LabelLine {
     return glyphs;
   }
 
-  // Pixels to the place of letter `end`, with kerning.
-  double advance(const std::vector<int>& glyphs, std::size_t end) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < end; ++i) {
-      int step = 0, bearing = 0;
-      stbtt_GetGlyphHMetrics(&font_, glyphs[i], &step, &bearing);
-      if (i + 1 < glyphs.size())
-        step += stbtt_GetGlyphKernAdvance(&font_, glyphs[i], glyphs[i + 1]);
-      sum += step;
+  // Side by side, with kerning.
+  std::vector<Letter> placed(const std::vector<int>& glyphs) const {
+    std::vector<Letter> letters;
+    for (const int glyph : glyphs) {
+      std::int64_t begin = 0;
+      if (!letters.empty()) {
+        const Letter& before = letters.back();
+        begin = before.end + stbtt_GetGlyphKernAdvance(&font_, before.glyph, glyph);
+      }
+      int advance = 0, bearing = 0;
+      stbtt_GetGlyphHMetrics(&font_, glyph, &advance, &bearing);
+      letters.push_back({glyph, begin, begin + advance});
     }
-    return sum * static_cast<double>(scale_);
+    return letters;
+  }
+
+  double pixels(std::int64_t units) const {
+    return static_cast<double>(units) * static_cast<double>(scale_);
+  }
+  double end_of(const std::vector<Letter>& letters) const {
+    return letters.empty() ? 0 : pixels(letters.back().end);
   }
 
   static void blend(bake::Picture& picture, std::uint32_t x, std::uint32_t y, int coverage) {
@@ -111,7 +133,7 @@ class LabelLine {
 
   stbtt_fontinfo font_{};
   float scale_ = 1;
-  std::vector<int> glyphs_;
+  std::vector<Letter> letters_;
 };
 
 }  // namespace

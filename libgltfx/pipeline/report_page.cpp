@@ -34,7 +34,7 @@ BakeOptions bake_options(const ValidateOptions& options, const ThumbnailOptions&
   bake.sizes = {{thumbnails.size, thumbnails.size}};
   bake.samples = kSamples;
   bake.bounces = kBounces;
-  bake.force = true;  // who looks for a error wants to see it
+  bake.force = true;  // who looks for an error wants to see it
   bake.root = options.root;
   bake.schemas = options.schemas;
   bake.jobs = jobs;

@@ -36,9 +36,9 @@ struct Build {
 
   /// The shape made for a node, behind its $refs; kNone when it accepts everything.
   ShapeId shape_of(Site at) const;
-  /// What a `$ref` names, or a site that does not exist, with a error.
+  /// What a `$ref` names, or a site that does not exist, with an error.
   Site resolve(Site reference);
-  /// Whether so many bytes of what was built may be copied once more; a error at `at` where copies
+  /// Whether so many bytes of what was built may be copied once more; an error at `at` where copies
   /// are too large together.
   bool may_copy(std::uint64_t bytes, Site at);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// One walk over a document that checks it against a Set: types, ranges, unknown and missing
-/// members, exclusions, companions, attachment_points of extensions, and every index.
+/// members, exclusions, companions, attachment points of extensions, and every index.
 #pragma once
 
 #include <cstdint>

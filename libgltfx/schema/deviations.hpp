@@ -33,7 +33,7 @@ struct Deviations {
   bool invalid_indices_stay_in_maps = false;
 
   /// Khronos: a number beyond the range of a double is VALUE_NOT_IN_RANGE. Specification ("JSON
-  /// Encoding"): leaves the range to JSON; elsewhere it is a error of the text. Seen: its source
+  /// Encoding"): leaves the range to JSON; elsewhere it is an error of the text. Seen: its source
   /// asks whether numbers are infinite.
   bool infinite_numbers_are_out_of_range = false;
 

@@ -136,7 +136,7 @@ class Reader {
 };
 
 // Names of types that are not the types' own: those of definitions that stand at several
-// attachment_points.
+// attachment points.
 using Names = std::vector<std::pair<std::string, std::uint32_t>>;
 
 template <class Map>

@@ -42,7 +42,7 @@ void ShapeBuilder::finish_members(ShapeId id, Site schema, const Where& where, S
   type.open = members.additional.exists() ? !closed : where.branch || !members.properties.exists();
   type.strict = closed;
   type.extension = build_.extension_of[schema.source];
-  if (!type.open) error_misspelt_required(members, type);
+  if (!type.open) report_misspelt_required(members, type);
   shape.type = static_cast<TypeId>(build_.set.types.size());
   type.origin = shape.type;
   if (!where.branch) build_.set.type_ids.emplace(type.name, shape.type);
@@ -104,7 +104,7 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
 }
 
 // A required member that the object does not know can never be there rightly.
-void ShapeBuilder::error_misspelt_required(const Members& members, const ObjectType& type) {
+void ShapeBuilder::report_misspelt_required(const Members& members, const ObjectType& type) {
   if (!members.required.exists() || !members.properties.exists()) return;
   const json::Document& document = build_.document(members.required);
   std::vector<std::string_view> known;

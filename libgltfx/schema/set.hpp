@@ -133,7 +133,7 @@ struct ObjectType {
   bool strict = false;  ///< unknown members break the schema (`additionalProperties: false`)
   ExtensionId extension = kNone;  ///< the extension it belongs to
   TypeId origin = kNone;          ///< the type this is a copy of (one definition at several
-                                  ///< attachment_points), otherwise its own id
+                                  ///< attachment points), otherwise its own id
 };
 
 /// What is said about another extension on the same object.

@@ -56,7 +56,7 @@ class ShapeBuilder {
   std::vector<Property> read_properties(const Members& members, const Where& where);
   Property read_property(Site schema, std::string_view name, const Where& where);
   std::uint32_t pattern(std::string_view expression);
-  void error_misspelt_required(const Members& members, const ObjectType& type);
+  void report_misspelt_required(const Members& members, const ObjectType& type);
 
   Build& build_;
   std::vector<Job> jobs_;

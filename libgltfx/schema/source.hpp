@@ -44,7 +44,7 @@ class ErrorList {
  public:
   explicit ErrorList(const std::vector<Source>& sources) : sources_(&sources) {}
 
-  /// A error at a value or key.
+  /// An error at a value or key.
   void add(Site at, std::string message);
   /// At the key of a member's value.
   void add_at_key(Site value, std::string message) {

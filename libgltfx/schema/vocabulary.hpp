@@ -139,7 +139,7 @@ enum class Context : std::uint8_t {
 
 /// The words an object of that kind may have.
 std::span<const Word> words(Context context);
-/// How the kind is called in a error: "a schema keyword", "a word of x-gltfx".
+/// How the kind is called in an error: "a schema keyword", "a word of x-gltfx".
 std::string_view context_name(Context context);
 /// The keyword of that name.
 Keyword keyword_of(std::string_view name);

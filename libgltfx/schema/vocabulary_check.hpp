@@ -9,7 +9,7 @@
 
 namespace gltfx::schema {
 
-/// Adds a error for every word that is not in the vocabulary and every value of a wrong form.
+/// Adds an error for every word that is not in the vocabulary and every value of a wrong form.
 /// Behind it the compiler may rely on the forms. Iterative.
 void check_vocabulary(const std::vector<Source>& sources, ErrorList& errors);
 

@@ -284,7 +284,7 @@ struct TextureCheck {
     if (!source) return;
     const std::string type = image_type(context, data, *source);
     if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
-    // A format that no extension brings is a error of the image, and has been reported there.
+    // A format that no extension brings is an error of the image, and has been reported there.
     if (!contains(enabled, type) && !context.deviations.consequences_are_reported) return;
     report_member(
         sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,

@@ -143,7 +143,7 @@ TEST(Draco, WhatIsNoMeshIsRefused) {
   EXPECT_THAT(cloud.message, HasSubstr("point cloud"));
 }
 
-TEST(Draco, EveryCutIsAErrorOrAMesh) {
+TEST(Draco, EveryCutIsAnErrorOrAMesh) {
   const std::string whole = draco_bytes(test::draco_square());
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const DracoResult result = decode(whole.substr(0, size));

@@ -182,7 +182,7 @@ TEST(Images, AnImageThatTakesTooMuchMemoryOrTimeIsRefused) {
 }
 
 // What a cut image still shows must be all of it, or be doubted.
-TEST(Images, EveryCutIsAErrorOrDoubtedOrLosesNoPixel) {
+TEST(Images, EveryCutIsAnErrorOrDoubtedOrLosesNoPixel) {
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::webp}) {
     const std::string whole =
         format == ImageFormat::png

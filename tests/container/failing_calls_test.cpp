@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whichever system call fails, a file is read whole or there is a error.
+// Whichever system call fails, a file is read whole or there is an error.
 #include "base/support/failing_calls.hpp"
 
 #include <cerrno>

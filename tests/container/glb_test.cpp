@@ -147,7 +147,7 @@ TEST(Glb, TheBinChunkMustBeTheSecond) {
   EXPECT_EQ(container.bin->header_offset, 60U);
 }
 
-TEST(Glb, AnEmptyJsonChunkIsAErrorAndNoText) {
+TEST(Glb, AnEmptyJsonChunkIsAnErrorAndNoText) {
   const Container container = open_glb(glb(chunk(kChunkJson, "") + bin_chunk()));
   EXPECT_THAT(all_codes(container), ElementsAre("GLB_EMPTY_CHUNK@12", "|"));
   EXPECT_EQ(container.json, nullptr);

@@ -181,7 +181,7 @@ TEST(CopyRange, AFileThatBecameShorterIsTruncated) {
   EXPECT_EQ(cut.problem, "it ends at byte 5, expected 6");
 }
 
-TEST(CopyRange, AnImpossibleSizeIsAErrorAndNoCrash) {
+TEST(CopyRange, AnImpossibleSizeIsAnErrorAndNoCrash) {
   const TempFolder folder;
   const File file = open_regular(AT_FDCWD, folder.write("a", "12345").c_str());
   EXPECT_EQ(copy_range(file.fd.get(), 0, UINT64_MAX).error, ResolveError::too_large);

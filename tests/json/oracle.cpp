@@ -27,7 +27,7 @@ bool has(const Parsed& parsed, SyntaxError error) {
                      [&](const json::ParseError& found) { return found.error == error; });
 }
 
-// Neither judge minds repeated names; both refuse everything else that is a error for us.
+// Neither judge minds repeated names; both refuse everything else that is an error for us.
 bool is_valid_json(const Parsed& parsed) {
   return std::all_of(parsed.errors.begin(), parsed.errors.end(), [](const json::ParseError& found) {
     return found.error == SyntaxError::duplicate_key;

@@ -24,7 +24,7 @@ inline std::string_view error_name(SyntaxError error) {
   return kNames[static_cast<std::size_t>(error)];
 }
 
-/// "trailing_comma 1:5-1:6": a error with line and column of both ends.
+/// "trailing_comma 1:5-1:6": an error with line and column of both ends.
 inline std::string show(const LineIndex& lines, const ParseError& error) {
   const Location at = lines.locate(error.span);
   return fmt::format("{} {}:{}-{}:{}", error_name(error.error), at.line, at.column, at.end_line,

@@ -70,7 +70,7 @@ TEST(Codecs, TheProgramLinksNoDecoder) {
 /// Decoders that misbehave as the payload says.
 class BadDecoders : public testing::Test {
  protected:
-  static constexpr const char* kProcess = "cHJvY2Vzcw==";  // "process": a error with its number
+  static constexpr const char* kProcess = "cHJvY2Vzcw==";  // "process": an error with its number
   static constexpr const char* kTriangle = "dHJpYW5nbGU=";
 
   // `kind`: as the test worker has it.

@@ -37,7 +37,7 @@ class CaseGenerator {
  public:
   explicit CaseGenerator(const schema::Set& set) : set_(set), maker_(set) {}
 
-  /// Each extension's object at each of its attachment_points.
+  /// Each extension's object at each of its attachment points.
   std::vector<Subject> extension_subjects();
   /// The root and one element of each array of core.
   std::vector<Subject> core_subjects();

@@ -14,7 +14,7 @@ struct ConfigObstacle {
 };
 
 /// Brackets that are nested in more than 16 others, a key of more than 17 parts, or a character
-/// beyond ASCII outside of strings and comments. Behind a error that every parser stops at it does
+/// beyond ASCII outside of strings and comments. Behind an error that every parser stops at it does
 /// not look.
 ConfigObstacle find_obstacle(std::string_view text);
 

@@ -47,7 +47,7 @@ class Rows {
   std::size_t filled_ = 0;  ///< rows of the band
 };
 
-// Each decodes one format. May throw std::exception, which becomes a error.
+// Each decodes one format. May throw std::exception, which becomes an error.
 
 Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& output);
 Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& output);

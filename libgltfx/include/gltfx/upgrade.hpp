@@ -21,7 +21,7 @@ enum class UpgradeFate : std::uint8_t {
   safe,    ///< the same picture by the published texts, and nothing in the file speaks against it
   unsafe,  ///< something is lost: done when asked for
   needs_image,   ///< a channel of an image has to be moved, which cannot be read: left alone
-  impossible,    ///< a error or another extension stands against it: the object is left alone
+  impossible,    ///< an error or another extension stands against it: the object is left alone
   on_request,    ///< done only when it is asked for by name, which it was not
   no_successor,  ///< there is nothing it could become
 };

@@ -98,7 +98,7 @@ bool has_fewer_bits(model::ComponentType type, double length) {
   return false;
 }
 
-// Whether a error may come of values that were rounded.
+// Whether an error may come of values that were rounded.
 bool is_of_values(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::not_unit:

@@ -10,7 +10,7 @@
 
 namespace gltfx::validate {
 
-/// The accessor that was scan_result into.
+/// The accessor that was looked into.
 struct ScanResult {
   const Context& context;
   const Schedule& schedule;

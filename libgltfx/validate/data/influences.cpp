@@ -56,7 +56,7 @@ SetAttributes by_set(const model::Primitive& primitive, SemanticKind kind, std::
   return found;
 }
 
-// A primitive whose joints and weights are scan_result at.
+// A primitive whose joints and weights are looked at.
 struct Skinned {
   std::uint32_t mesh = 0;
   std::uint32_t primitive = 0;

@@ -118,7 +118,7 @@ std::size_t count_equal(const T* values, std::size_t count, T wanted) {
 }
 
 // Whole vectors are compared with those one and two places further on; `kFirst` and `kSecond` keep
-// what falls inside a triangle. Only where something is found triangles are scan_result at one by
+// what falls inside a triangle. Only where something is found triangles are looked at one by
 // one.
 template <typename T>
 std::size_t count_degenerate(const T* indices, std::size_t count) {

@@ -12,7 +12,7 @@
 
 namespace gltfx::validate {
 
-/// How many numbers may be scan_result at, and how many errors listed one by one. Accessors may
+/// How many numbers may be looked at, and how many errors listed one by one. Accessors may
 /// share bytes, and sparse ones need none: without a limit a small file could ask for years of
 /// work, or for a report of any size.
 class Budget {

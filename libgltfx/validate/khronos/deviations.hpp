@@ -14,9 +14,9 @@ namespace gltfx::validate {
 
 /// All false: the specification is followed, with one finding for each cause.
 struct Deviations : schema::Deviations {
-  // --- What follows from a error ---
+  // --- What follows from an error ---
 
-  /// Khronos: reports what follows from a error that is reported already. Specification: silent;
+  /// Khronos: reports what follows from an error that is reported already. Specification: silent;
   /// elsewhere there is one finding for each cause. Seen: pairs of codes for one mistake.
   bool consequences_are_reported = false;
 

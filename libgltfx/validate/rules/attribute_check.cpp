@@ -17,7 +17,7 @@ void report(const MeshState& state, const AttributeUse& use, const Path& path, C
   report_link(state.context, path, use.attribute.value, code, std::move(message), std::move(help));
 }
 
-// The Khronos validator forgets bounds that have a error; a error of theirs is reported already.
+// The Khronos validator forgets bounds that have an error; an error of theirs is reported already.
 bool has_bounds(const Context& context, const model::Accessor& accessor) {
   const json::Document& document = context.document;
   return document.find(accessor.node, "min") != json::kNoNode &&
@@ -53,7 +53,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
     return false;
   }
   if (format.known() && allows(*allowed, format)) return true;
-  // A type that glTF does not have is a error of the accessor, not of its use.
+  // A type that glTF does not have is an error of the accessor, not of its use.
   if (!judged && !state.context.deviations.unknown_formats_are_judged) return true;
   report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT,
          fmt::format("{} is {}; it must be {}.", quoted(use.attribute.name),
