@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/directory.hpp"
 #include "base/hash.hpp"
 
 namespace gltfx {
@@ -77,16 +78,16 @@ bool is_stale(std::string_view space, long process, const fs::path& file) {
 
 std::vector<Leftover> leftovers_in(const fs::path& folder) {
   std::vector<Leftover> found;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename();
+  DirectoryReader directory(folder);
+  while (const char* entry = directory.next()) {
+    const std::string name = entry;
     if (!name.ends_with(kEnding)) continue;
     std::string_view rest = std::string_view(name).substr(0, name.size() - kEnding.size());
     const long attempt = take_number(rest, '-');
     const long process = attempt < 0 ? -1 : take_number(rest, '-');
     const std::size_t dot = rest.rfind('.');
     if (process <= 0 || dot == std::string_view::npos) continue;
-    if (!is_stale(rest.substr(dot + 1), process, at->path())) continue;
+    if (!is_stale(rest.substr(dot + 1), process, folder / name)) continue;
     found.push_back({name, std::string(rest.substr(0, dot))});
   }
   return found;

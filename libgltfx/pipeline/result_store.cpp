@@ -22,6 +22,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/directory.hpp"
 #include "base/file_state.hpp"
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
@@ -137,14 +138,12 @@ ResultStore::~ResultStore() {
 }
 
 std::optional<Error> ResultStore::load() {
-  std::error_code error;
-  for (fs::directory_iterator at(folder_, error); !error && at != fs::directory_iterator();
-       at.increment(error)) {
-    const std::string& path = at->path().native();
-    if (!path.ends_with(kEnding)) continue;
+  DirectoryReader directory(folder_);
+  while (const char* name = directory.next()) {
+    if (!std::string_view(name).ends_with(kEnding)) continue;
     Segment segment;
-    segment.path = path;
-    segment.fd = open_segment(path);
+    segment.path = fs::path(folder_) / name;
+    segment.fd = open_segment(segment.path);
     struct stat status {};
     if (!segment.fd || ::fstat(segment.fd.get(), &status) != 0 || !S_ISREG(status.st_mode))
       continue;
@@ -156,7 +155,7 @@ std::optional<Error> ResultStore::load() {
     foreign_files_ += segment.foreign ? 1U : 0U;
     segments_.push_back(std::move(segment));
   }
-  if (error) return file_error("list the cache", folder_, error.value());
+  if (directory.error()) return file_error("list the cache", folder_, directory.error().value());
   drop_oldest();
   std::sort(segments_.begin(), segments_.end(),
             [](const Segment& a, const Segment& b) { return a.path < b.path; });

@@ -69,14 +69,32 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"tiny_gltf.h", {"libgltfx/interop/"}},
 };
 
-const std::vector<std::string_view> kSystemHeaders{
-    "fcntl.h",       "unistd.h",           "poll.h",         "fnmatch.h",
-    "sys/stat.h",    "sys/mman.h",         "sys/syscall.h",  "linux/openat2.h",
-    "sched.h",       "sys/socket.h",       "sys/types.h",    "sys/wait.h",
-    "spawn.h",       "sys/prctl.h",        "sys/resource.h", "sys/time.h",
-    "linux/audit.h", "linux/capability.h", "linux/filter.h", "linux/seccomp.h",
-    "malloc.h",      "sys/file.h",         "sys/xattr.h",    "elf.h",
-    "link.h"};
+const std::vector<std::string_view> kSystemHeaders{"fcntl.h",
+                                                   "unistd.h",
+                                                   "poll.h",
+                                                   "fnmatch.h",
+                                                   "dirent.h",
+                                                   "sys/stat.h",
+                                                   "sys/mman.h",
+                                                   "sys/syscall.h",
+                                                   "linux/openat2.h",
+                                                   "sched.h",
+                                                   "sys/socket.h",
+                                                   "sys/types.h",
+                                                   "sys/wait.h",
+                                                   "spawn.h",
+                                                   "sys/prctl.h",
+                                                   "sys/resource.h",
+                                                   "sys/time.h",
+                                                   "linux/audit.h",
+                                                   "linux/capability.h",
+                                                   "linux/filter.h",
+                                                   "linux/seccomp.h",
+                                                   "malloc.h",
+                                                   "sys/file.h",
+                                                   "sys/xattr.h",
+                                                   "elf.h",
+                                                   "link.h"};
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 
@@ -171,28 +189,28 @@ Problems over_all(const Check& check) {
   return problems;
 }
 
-TEST(Floors, FilesIncludeTheirOwnRoomAndLowerFloorsOnly) {
+TEST(Layers, FilesIncludeTheirOwnModuleAndLowerLayersOnly) {
   EXPECT_THAT(over_all(check_layers), IsEmpty());
 }
 
-TEST(Floors, AnUpwardIncludeIsFound) {
+TEST(Layers, AnUpwardIncludeIsFound) {
   EXPECT_THAT(check_layers({"libgltfx/json/a.cpp", "\n#include \"model/mesh.hpp\"\n"}),
               ElementsAre("libgltfx/json/a.cpp:2: json must not include model (model/mesh.hpp)"));
   EXPECT_THAT(check_layers({"libgltfx/report/a.cpp", "#include <gltfx/validate.hpp>\n"}),
               ElementsAre(HasSubstr("report must not include validate")));
 }
 
-TEST(Floors, ARoomOnTheSameFloorIsFound) {
+TEST(Layers, AModuleOnTheSameLayerIsFound) {
   EXPECT_THAT(check_layers({"libgltfx/schema/a.hpp", "#include \"container/uri.hpp\"\n"}),
               ElementsAre(HasSubstr("schema must not include container")));
 }
 
-TEST(Floors, BakingDoesNotReachForJson) {
+TEST(Layers, BakingDoesNotReachForJson) {
   EXPECT_THAT(check_layers({"libgltfx/bake/a.cpp", "#include \"json/parse.hpp\"\n"}),
               ElementsAre(HasSubstr("bake must not include json")));
 }
 
-TEST(Floors, AFileOrHeaderWithoutRoomIsFound) {
+TEST(Layers, AFileOrHeaderWithoutModuleIsFound) {
   EXPECT_THAT(check_layers({"libgltfx/cellar/a.cpp", ""}), ElementsAre(HasSubstr("no module")));
   EXPECT_THAT(check_layers({"libgltfx/include/gltfx/attic.hpp", ""}),
               ElementsAre(HasSubstr("no module")));
@@ -200,16 +218,16 @@ TEST(Floors, AFileOrHeaderWithoutRoomIsFound) {
               ElementsAre(HasSubstr("unknown public header")));
 }
 
-TEST(Floors, WhatIsBelowMayBeIncluded) {
+TEST(Layers, WhatIsBelowMayBeIncluded) {
   EXPECT_THAT(check_layers({"libgltfx/validate/a.cpp",
                             "#include <gltfx/report.hpp>\n#include \"json/parse.hpp\"\n"
                             "#include \"validate/b.hpp\"\n#include <vector>\n"}),
               IsEmpty());
 }
 
-TEST(ThirdParty, HeadersStayInTheirRooms) { EXPECT_THAT(over_all(check_third_party), IsEmpty()); }
+TEST(ThirdParty, HeadersStayInTheirModules) { EXPECT_THAT(over_all(check_third_party), IsEmpty()); }
 
-TEST(ThirdParty, AHeaderOutsideItsRoomIsFound) {
+TEST(ThirdParty, AHeaderOutsideItsModuleIsFound) {
   EXPECT_THAT(check_third_party({"libgltfx/model/a.cpp", "#include <simdjson.h>\n"}),
               ElementsAre(HasSubstr("must not be included here")));
   EXPECT_THAT(check_third_party({"libgltfx/base/a.cpp", "#include <tbb/info.h>\n"}),

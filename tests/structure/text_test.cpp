@@ -156,6 +156,16 @@ Problems check_quiet(const Source& source) {
   return problems;
 }
 
+// libstdc++ ends the process where such an iterator finds no memory for an entry.
+Problems check_directories(const Source& source) {
+  Problems problems;
+  if (source.path.starts_with("libgltfx/") || source.path.starts_with("tools/")) {
+    find_all({source.path, lex(source.text).code}, "directory_iterator",
+             "uses directory_iterator; base/directory.hpp survives a lack of memory", problems);
+  }
+  return problems;
+}
+
 template <class Check>
 Problems over_all(const Check& check) {
   Problems problems;
@@ -170,6 +180,7 @@ TEST(Text, EverySourceFileNamesItsLicence) { EXPECT_THAT(over_all(check_licence)
 TEST(Text, NothingIsLeftToBeDone) { EXPECT_THAT(over_all(check_leftovers), IsEmpty()); }
 TEST(Text, LinksLeadToKnownPlaces) { EXPECT_THAT(over_all(check_hosts), IsEmpty()); }
 TEST(Text, TheLibraryNeverPrintsOrEndsTheProgram) { EXPECT_THAT(over_all(check_quiet), IsEmpty()); }
+TEST(Text, DirectoriesAreReadInOneWay) { EXPECT_THAT(over_all(check_directories), IsEmpty()); }
 
 TEST(Text, AMissingLicenceIsFound) {
   EXPECT_THAT(check_licence({"a.cpp", "#include <map>\n"}), ElementsAre(HasSubstr("SPDX")));
@@ -187,6 +198,11 @@ TEST(Text, LeftoversAreFound) {
 TEST(Text, ALinkToElsewhereIsFound) {
   EXPECT_THAT(check_hosts({"a.md", std::string("see https:/") + "/packages.internal/simple"}),
               ElementsAre(HasSubstr("points to packages.internal")));
+}
+
+TEST(Text, AnotherWayToReadADirectoryIsFound) {
+  EXPECT_THAT(check_directories({"tools/a.cpp", "for (fs::directory_iterator at(p); ;) {}"}),
+              ElementsAre(HasSubstr("directory.hpp")));
 }
 
 TEST(Text, OutputOfTheLibraryIsFound) {

@@ -7,26 +7,13 @@
 #include <system_error>
 #include <utility>
 
+#include "base/directory.hpp"
 #include "base/text.hpp"
 #include "path_pattern.hpp"
 
 namespace gltfx::tool {
-namespace {
 
 namespace fs = std::filesystem;
-
-// Regular files and links to them; whatever else is called so (a pipe, a folder) is no asset.
-bool is_file(const fs::directory_entry& entry) {
-  std::error_code error;
-  return entry.is_regular_file(error);
-}
-
-bool is_real_folder(const fs::directory_entry& entry) {
-  std::error_code error;
-  return !entry.is_symlink(error) && entry.is_directory(error);
-}
-
-}  // namespace
 
 bool is_asset_name(const std::string& path) {
   const std::string ending = ending_of(path);
@@ -87,12 +74,11 @@ bool FolderWalk::list(const std::string& folder) {
   Listing listing{folder, {}, {}};
   if (!listing.path.ends_with('/')) listing.path += '/';
   if (!named_.no_ignore) ignore_files_.enter(listing.path);
-  std::error_code error;
-  fs::directory_iterator at(folder, error);
-  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    const std::string name = at->path().filename().native();
-    const bool below = is_real_folder(*at) && name != ".git";
-    if (!below && !(is_asset_name(name) && is_file(*at))) continue;
+  DirectoryReader directory(folder);
+  while (const char* entry = directory.next()) {
+    const std::string name = entry;
+    const bool below = directory.is_directory() && name != ".git";
+    if (!below && !(is_asset_name(name) && directory.is_file())) continue;
     if (is_left_out(listing.path + name, below)) continue;
     listing.order.push_back(static_cast<std::uint32_t>(listing.names.size()));
     listing.names.append(name).append(below ? "/" : "").push_back('\0');
@@ -102,7 +88,7 @@ bool FolderWalk::list(const std::string& folder) {
     return std::strcmp(names + a, names + b) > 0;
   });
   open_.push_back(std::move(listing));
-  return !error;
+  return !directory.error();
 }
 
 }  // namespace gltfx::tool

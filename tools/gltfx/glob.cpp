@@ -9,6 +9,8 @@
 
 #include <fnmatch.h>
 
+#include "base/directory.hpp"
+
 namespace gltfx::tool {
 namespace {
 
@@ -18,11 +20,8 @@ fs::path or_here(const fs::path& folder) { return folder.empty() ? fs::path(".")
 
 std::vector<fs::path> names_in(const fs::path& folder) {
   std::vector<fs::path> names;
-  std::error_code error;
-  fs::directory_iterator at(or_here(folder), fs::directory_options::skip_permission_denied, error);
-  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    names.push_back(at->path().filename());
-  }
+  DirectoryReader directory(folder);
+  while (const char* name = directory.next()) names.emplace_back(name);
   return names;
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "base/directory.hpp"
 #include "base/text.hpp"
 #include "read_input.hpp"
 #include "schema/compile.hpp"
@@ -21,13 +21,13 @@ constexpr std::string_view kEnding = ".schema.json";
 
 Result<std::vector<std::string>> schema_files_in(const std::string& folder) {
   std::vector<std::string> files;
-  std::error_code error;
-  fs::directory_iterator at(folder, error);
-  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    if (at->path().native().ends_with(kEnding)) files.push_back(at->path().native());
+  DirectoryReader directory(folder);
+  while (const char* entry = directory.next()) {
+    if (std::string_view(entry).ends_with(kEnding)) files.push_back(fs::path(folder) / entry);
   }
-  if (error) {
-    return Error{"--schema-dir: cannot list " + quoted(folder, 200) + ": " + error.message()};
+  if (directory.error()) {
+    return Error{"--schema-dir: cannot list " + quoted(folder, 200) + ": " +
+                 directory.error().message()};
   }
   if (files.empty()) {
     return Error{"--schema-dir: " + quoted(folder, 200) + " holds no file named *.schema.json"};
