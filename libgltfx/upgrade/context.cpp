@@ -40,7 +40,7 @@ bool Context::has_beside(const Carrier& carrier, const std::string& extension) c
   return value != json::kNoNode && gone.count(value) == 0;
 }
 
-Origin Context::origin_of(const Carrier& carrier, const std::string& path) const {
+MemberSource Context::source_of(const Carrier& carrier, const std::string& path) const {
   const auto elsewhere = moved.find({carrier.host, path});
   if (elsewhere != moved.end()) return elsewhere->second;
   std::vector<std::string> steps = split_path(path);

@@ -36,7 +36,7 @@ struct Carrier {
 };
 
 /// Where a member of a carrier comes from in this run.
-struct Origin {
+struct MemberSource {
   json::NodeId value = json::kNoNode;  ///< kNoNode: it is gone, so that its default holds
   std::vector<std::string> path;       ///< of the value, from the carrier
 };
@@ -78,7 +78,7 @@ struct Context {
   /// Values that are in the document no more, each with the pointer of the action that took it out.
   std::map<json::NodeId, std::string> taken_out;
   /// Members of carriers that have got another value, by the carrier's object and their path.
-  std::map<std::pair<json::NodeId, std::string>, Origin> moved;
+  std::map<std::pair<json::NodeId, std::string>, MemberSource> moved;
   std::unordered_map<json::NodeId, std::uint64_t> sizes;  ///< of arrays that somebody asked for
   std::optional<MaterialUses> uses;                       ///< once somebody asked
   std::vector<MaterialSplit> splits;
@@ -93,7 +93,7 @@ struct Context {
   /// Whether a carrier has an extension, as far as this run has come.
   bool has_beside(const Carrier& carrier, const std::string& extension) const;
   /// The value of a member of a carrier ("pbrMetallicRoughness/baseColorFactor"), likewise.
-  Origin origin_of(const Carrier& carrier, const std::string& path) const;
+  MemberSource source_of(const Carrier& carrier, const std::string& path) const;
   /// Number of elements of an array, which is counted once.
   std::uint64_t size_of(json::NodeId array);
   /// Number of textures in the document.

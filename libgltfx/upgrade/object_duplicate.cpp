@@ -93,7 +93,7 @@ void ObjectPlan::note_difference(const schema::UpgradeStep& step, json::NodeId o
   using Kind = schema::UpgradeStep::Kind;
   if (step.from.empty()) return;
   const bool copy = step.kind == Kind::copy;
-  const json::NodeId from = copy ? context_.origin_of(carrier_, step.from).value
+  const json::NodeId from = copy ? context_.source_of(carrier_, step.from).value
                                  : document_.find(carrier_.object, step.from);
   const json::NodeId to = step.kind == Kind::place
                               ? find_path(document_, carrier_.host, split_path(step.to))

@@ -185,7 +185,7 @@ ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
 }
 
 ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
-  const Origin origin = context_.origin_of(carrier_, step.from);
+  const MemberSource origin = context_.source_of(carrier_, step.from);
   Found found{&step, origin.value};
   if (origin.value != json::kNoNode) {
     if (Problem problem = fill_copy(found, origin.path)) return problem;

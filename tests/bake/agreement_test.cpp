@@ -85,7 +85,7 @@ Shot outdoors(Scene scene, int bounces = 4) {
 
 Scene on_floor(const SceneMaterial& material, Mesh mesh = sphere(1, 12)) {
   Scene scene = scene_of(std::move(mesh), material);
-  add(scene, square(4), plain({0.3, 0.6, 0.9}, 0.8), moved(0, 0, -1.2F));
+  add(scene, quad(4), plain({0.3, 0.6, 0.9}, 0.8), moved(0, 0, -1.2F));
   return scene;
 }
 
@@ -128,7 +128,7 @@ Shot textured() {
                                   Slot::emissive};
   for (std::uint32_t i = 0; i < slots.size(); ++i) material.use(slots[i]).texture = i;
   add(scene, sphere(1, 12), material, kIdentity);
-  add(scene, square(4), plain({0.3, 0.6, 0.9}, 0.8), moved(0, 0, -1.2F));
+  add(scene, quad(4), plain({0.3, 0.6, 0.9}, 0.8), moved(0, 0, -1.2F));
   return with_lamp(outdoors(std::move(scene)));
 }
 
@@ -157,7 +157,7 @@ Shot leaf() {
   material.factors.diffuse_transmission = 0.7;
   material.factors.diffuse_transmission_color = {0.3, 0.9, 0.1};
   material.double_sided = true;
-  Shot shot = outdoors(on_floor(material, square(1)));
+  Shot shot = outdoors(on_floor(material, quad(1)));
   Light sun = lamp(Light::Kind::directional, {}, {3, 2.5F, 2});
   sun.direction = {0, 0.6F, 0.8F};  // from below
   shot.stage.world.lights = {sun};
@@ -216,11 +216,11 @@ Shot veil() {
   grid.alpha_mode = AlphaMode::mask;
   grid.alpha = 1;
   curtain.use(Slot::base_color).texture = grid.use(Slot::base_color).texture = 0;
-  add(scene, square(1.5F), curtain, moved(0.2F, 0, 0.8F));
-  add(scene, square(0.6F), grid, moved(0.7F, 0.4F, 0.2F));
+  add(scene, quad(1.5F), curtain, moved(0.2F, 0, 0.8F));
+  add(scene, quad(0.6F), grid, moved(0.7F, 0.4F, 0.2F));
   scene.instances.push_back({1, moved(-0.6F, 0.2F, 0, -1)});
   scene.instances.push_back({1, moved(0, -0.7F, 0.4F, 0.8F)});
-  add(scene, square(4), plain({0.3, 0.6, 0.9}, 0.8), moved(0, 0, -1.2F));
+  add(scene, quad(4), plain({0.3, 0.6, 0.9}, 0.8), moved(0, 0, -1.2F));
   return with_lamp(outdoors(std::move(scene)));
 }
 
@@ -269,7 +269,7 @@ Shot frosted() {
 // A sheet of water that is no closed volume, over a ball.
 Shot pond() {
   Scene scene = on_floor(plain({0.8, 0.5, 0.3}, 0.6));
-  add(scene, square(3), glass(0.2, 1.33), moved(0, 0, 1.5F));
+  add(scene, quad(3), glass(0.2, 1.33), moved(0, 0, 1.5F));
   return outdoors(std::move(scene), 6);
 }
 

@@ -25,7 +25,7 @@ Bvh bvh_of(const Scene& scene) {
 }
 
 TEST(Bvh, ARayHitsWhereTheTriangleIs) {
-  const Scene scene = scene_of(square());
+  const Scene scene = scene_of(quad());
   const Bvh bvh = bvh_of(scene);
   const auto hit = bvh.intersect(kTowards, 0);
   ASSERT_TRUE(hit);
@@ -37,7 +37,7 @@ TEST(Bvh, ARayHitsWhereTheTriangleIs) {
 }
 
 TEST(Bvh, WeightsAreThoseOfTheSecondAndThirdVertex) {
-  const Scene scene = scene_of(square());
+  const Scene scene = scene_of(quad());
   const auto hit = bvh_of(scene).intersect({{0.5F, -0.9F, 5}, {0, 0, -1}}, 0);
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->triangle, 0U);
@@ -50,7 +50,7 @@ TEST(Bvh, WeightsAreThoseOfTheSecondAndThirdVertex) {
 }
 
 TEST(Bvh, BackFacesOfSingleSidedMaterialsAreNotThere) {
-  Scene scene = scene_of(square());
+  Scene scene = scene_of(quad());
   EXPECT_FALSE(bvh_of(scene).intersect(kFromBehind, 0));
   EXPECT_TRUE(bvh_of(scene).intersect(kFromBehind, 0, Backs::solid));
   scene.materials[0].double_sided = true;
@@ -61,7 +61,7 @@ TEST(Bvh, BackFacesOfSingleSidedMaterialsAreNotThere) {
 }
 
 TEST(Bvh, AMirrorTurnsTheWindingOver) {
-  Scene scene = scene_of(square());
+  Scene scene = scene_of(quad());
   scene.instances[0].to_world[0][0] = -1;
   EXPECT_TRUE(bvh_of(scene).intersect(kTowards, 0));
   EXPECT_FALSE(bvh_of(scene).intersect(kFromBehind, 0));
@@ -71,7 +71,7 @@ TEST(Bvh, AMirrorTurnsTheWindingOver) {
 }
 
 TEST(Bvh, InstancesShareAMesh) {
-  Scene scene = scene_of(square());
+  Scene scene = scene_of(quad());
   scene.instances.push_back({0, moved(10, 0, 2, 2)});
   scene.meshes.push_back(cube());
   scene.instances.push_back({1, moved(20, 0, 0)});
@@ -88,7 +88,7 @@ TEST(Bvh, InstancesShareAMesh) {
 }
 
 TEST(Bvh, AMaskCutsHoles) {
-  Scene scene = scene_of(square());
+  Scene scene = scene_of(quad());
   scene.materials[0].double_sided = true;
   scene.materials[0].alpha_mode = AlphaMode::mask;
   scene.materials[0].alpha = 0.49F;
@@ -100,7 +100,7 @@ TEST(Bvh, AMaskCutsHoles) {
 }
 
 TEST(Bvh, BlendingIsCoverage) {
-  Scene scene = scene_of(square());
+  Scene scene = scene_of(quad());
   scene.materials[0].double_sided = true;
   scene.materials[0].alpha_mode = AlphaMode::blend;
   scene.materials[0].alpha = 0.25F;
@@ -120,9 +120,9 @@ TEST(Bvh, BlendingIsCoverage) {
 
 TEST(Bvh, LeavesThreadsToThoseWhoTrace) {
   if (default_jobs() < 2) GTEST_SKIP() << "one processor";
-  const Scene scene = scene_of(square());
+  const Scene scene = scene_of(quad());
   const Bvh bvh = bvh_of(scene);
-  EXPECT_TRUE(test::two_run_at_once());
+  EXPECT_TRUE(gltfx::test::two_run_at_once());
 }
 
 TEST(Bvh, NothingToHitIsNoError) {
@@ -170,7 +170,7 @@ TEST(Bvh, WhatIsSmallIsCopiedAndWhatIsLargeIsShared) {
 
 // A hierarchy of triangles in one place would be a list.
 TEST(Bvh, TrianglesThatRepeatOthersAreLeftOut) {
-  Mesh mesh = square();
+  Mesh mesh = quad();
   for (int i = 0; i < 3; ++i) mesh.triangles.push_back({0, 1, 2});
   mesh.triangles.push_back({1, 2, 0});  // goes round from another corner
   EXPECT_THAT(find_repeats(mesh.triangles, mesh.positions), testing::ElementsAre(2, 3, 4));

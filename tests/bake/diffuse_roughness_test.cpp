@@ -14,7 +14,7 @@ using test::Chance;
 using test::direction_of_cosine;
 
 // Diffuse light alone.
-Material matte(const Rgb& color, double roughness) {
+Material rough_matte(const Rgb& color, double roughness) {
   Material m;
   m.metallic = 0;
   m.specular = 0;
@@ -61,7 +61,8 @@ TEST(DiffuseRoughness, AtZeroIsLambert) {
 TEST(DiffuseRoughness, WhiteLosesNothing) {
   for (const double roughness : {0.01, 0.3, 0.7, 1.0}) {
     for (const double cosine : {0.05, 0.3, 0.7, 1.0}) {
-      EXPECT_NEAR(integrate(matte(Rgb(1), roughness), direction_of_cosine(cosine)).total.x, 1, 2e-3)
+      EXPECT_NEAR(integrate(rough_matte(Rgb(1), roughness), direction_of_cosine(cosine)).total.x, 1,
+                  2e-3)
           << "roughness " << roughness << ", cosine " << cosine;
     }
   }
@@ -73,7 +74,7 @@ TEST(DiffuseRoughness, DarkColorsReflectTheFirstBounce) {
   for (const double roughness : {0.3, 1.0}) {
     for (const double cosine : {0.3, 0.8}) {
       const Vec3d v = direction_of_cosine(cosine);
-      const double albedo = integrate(matte(Rgb(kDark), roughness), v).total.x;
+      const double albedo = integrate(rough_matte(Rgb(kDark), roughness), v).total.x;
       EXPECT_NEAR(albedo / kDark, albedo_of_first_bounce(roughness, v), 1e-3);
     }
   }
@@ -95,22 +96,22 @@ TEST(DiffuseRoughness, ValuesAreThoseOfTheModel) {
     const double lost = (1 - albedo_of_first_bounce(r, v)) * (1 - albedo_of_first_bounce(r, l));
     const double again =
         rho * rho * mean_albedo / (1 - rho * (1 - mean_albedo)) * lost / (1 - mean_albedo);
-    EXPECT_NEAR(evaluate(matte(Rgb(rho), r), v, l).x * pi, rho * first_bounce(r, v, l) + again,
-                2e-3);
+    EXPECT_NEAR(evaluate(rough_matte(Rgb(rho), r), v, l).x * pi,
+                rho * first_bounce(r, v, l) + again, 2e-3);
   }
 }
 
 TEST(DiffuseRoughness, FlattensTheShading) {
   const Vec3d v = direction_of_cosine(0.4);
-  const Material smooth = matte(Rgb(0.5), 0);
-  const Material rough = matte(Rgb(0.5), 1);
+  const Material smooth = rough_matte(Rgb(0.5), 0);
+  const Material rough = rough_matte(Rgb(0.5), 1);
   EXPECT_GT(evaluate(rough, v, v).x, 1.3 * evaluate(smooth, v, v).x) << "towards the light";
   const Vec3d across(-v.x, -v.y, v.z);
   EXPECT_LT(evaluate(rough, v, across).x, 0.8 * evaluate(smooth, v, across).x);
 }
 
 TEST(DiffuseRoughness, BothFacesOfALeafAreRough) {
-  Material leaf = matte(Rgb(0.5), 0.9);
+  Material leaf = rough_matte(Rgb(0.5), 0.9);
   leaf.diffuse_transmission_color = Rgb(0.5);
   leaf.diffuse_transmission = 1;
   const Vec3d v = direction_of_cosine(0.4);
@@ -123,7 +124,7 @@ TEST(DiffuseRoughness, BothFacesOfALeafAreRough) {
 TEST(DiffuseRoughness, IsReciprocal) {
   Chance chance(33);
   for (int i = 0; i < 100; ++i) {
-    const Material m = matte(chance.color(), chance.number());
+    const Material m = rough_matte(chance.color(), chance.number());
     const Vec3d v = chance.upwards();
     const Vec3d l = chance.upwards();
     EXPECT_NEAR(evaluate(m, v, l).y, evaluate(m, l, v).y, 1e-12);
@@ -134,7 +135,7 @@ TEST(DiffuseRoughness, TheConservingModeNeverGainsBelowAnInterface) {
   for (const double roughness : {0.0, 0.2, 0.6, 1.0}) {
     for (const double ior : {1.1, 1.5, 2.5}) {
       for (const double rough_base : {0.2, 0.6, 1.0}) {
-        Material m = matte(Rgb(1), rough_base);
+        Material m = rough_matte(Rgb(1), rough_base);
         m.specular = 1;
         m.roughness = roughness;
         m.ior = ior;

@@ -19,8 +19,8 @@ SceneMaterial shining(const Rgb& color) {
 
 // A floor, and a square lamp of half the size above it.
 Scene lamp_above(bool towards_the_floor, const SceneMaterial& lamp) {
-  Scene scene = scene_of(square(20), matte(Rgb(0.5)));
-  Mesh above = square(0.5F);
+  Scene scene = scene_of(quad(20), matte(Rgb(0.5)));
+  Mesh above = quad(0.5F);
   if (towards_the_floor) {
     for (auto& triangle : above.triangles) std::swap(triangle[1], triangle[2]);
   }

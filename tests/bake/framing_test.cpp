@@ -73,7 +73,7 @@ TEST(Framing, AStrayVertexDoesNotCount) {
 TEST(Framing, AGroundIsShownWholeOrCountsAsNone) {
   for (const float half : {3.0F, 6.0F}) {
     Scene scene = scene_of(sphere(1, 30));
-    scene.meshes.push_back(square(half));
+    scene.meshes.push_back(quad(half));
     scene.instances.push_back({1, {{{1, 0, 0, 1}, {0, 0, 1, -1}, {0, -1, 0, 0}}}});
     const auto subject = find_subject(scene);
     EXPECT_NEAR(subject->greatest.x, half == 3.0F ? 4 : 1, 1e-5);
@@ -103,7 +103,7 @@ TEST(Framing, ManyOfOneSizeAreAllShown) {
 }
 
 TEST(Framing, LooksFromWhereFrontsAre) {
-  Scene scene = scene_of(square());
+  Scene scene = scene_of(quad());
   const auto direction = [&](const Matrix34& place) {
     scene.instances[0].to_world = place;
     return usual_direction(*find_subject(scene));
@@ -181,9 +181,9 @@ TEST(View, NothingThatACameraOfTheAssetShowsIsCutOff) {
   Camera camera;
   camera.yfov = 1;
   camera.aspect_ratio = 2;
-  const View square = view_of(camera, 1);
-  EXPECT_NEAR(square.half_width, 2 * std::tan(0.5), 1e-6);
-  EXPECT_NEAR(square.half_height, 2 * std::tan(0.5), 1e-6);
+  const View quad = view_of(camera, 1);
+  EXPECT_NEAR(quad.half_width, 2 * std::tan(0.5), 1e-6);
+  EXPECT_NEAR(quad.half_height, 2 * std::tan(0.5), 1e-6);
   const View wide = view_of(camera, 4);
   EXPECT_NEAR(wide.half_width, 4 * std::tan(0.5), 1e-6);
   EXPECT_NEAR(wide.half_height, std::tan(0.5), 1e-6);

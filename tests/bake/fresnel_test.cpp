@@ -9,15 +9,15 @@
 namespace gltfx::bake {
 namespace {
 
-Material glass() {
+Material smooth_glass() {
   Material m;
   m.metallic = 0;
   return m;
 }
 
 TEST(Fresnel, F0ComesFromTheIor) {
-  EXPECT_NEAR(dielectric_fresnel(glass(), 1, ShaderMode::spec).at(1).x, 0.04, 1e-12);
-  Material diamond = glass();
+  EXPECT_NEAR(dielectric_fresnel(smooth_glass(), 1, ShaderMode::spec).at(1).x, 0.04, 1e-12);
+  Material diamond = smooth_glass();
   diamond.ior = 2.42;
   EXPECT_NEAR(dielectric_fresnel(diamond, 1, ShaderMode::spec).at(1).x, square(1.42 / 3.42), 1e-12);
   EXPECT_NEAR(dielectric_fresnel(diamond, 1, ShaderMode::spec).at(0).x, 1, 1e-12);
@@ -26,7 +26,7 @@ TEST(Fresnel, F0ComesFromTheIor) {
 }
 
 TEST(Fresnel, SpecularColorIsCutOffBeforeTheFactorScalesIt) {
-  Material m = glass();
+  Material m = smooth_glass();
   m.specular_color = {50, 1, 0};
   m.specular = 0.5;
   const Fresnel fresnel = dielectric_fresnel(m, 1, ShaderMode::spec);
@@ -37,7 +37,7 @@ TEST(Fresnel, SpecularColorIsCutOffBeforeTheFactorScalesIt) {
 }
 
 TEST(Fresnel, AnIorOfZeroIsInfinite) {
-  Material m = glass();
+  Material m = smooth_glass();
   m.ior = 0;
   for (const double cosine : {0.0, 0.4, 1.0}) {
     EXPECT_EQ(dielectric_fresnel(m, 1, ShaderMode::spec).at(cosine), Rgb(1));
@@ -45,7 +45,7 @@ TEST(Fresnel, AnIorOfZeroIsInfinite) {
 }
 
 TEST(Fresnel, InsideTheCurveBelongsToTheAngleOutside) {
-  Material m = glass();
+  Material m = smooth_glass();
   m.specular = 0.3;
   const Fresnel inside = dielectric_fresnel(m, 1 / 1.5, ShaderMode::spec);
   const Fresnel outside = dielectric_fresnel(m, 1.5, ShaderMode::spec);
@@ -81,7 +81,7 @@ TEST(Film, AWhiteBaseStaysFinite) {
 }
 
 TEST(Film, StrengthMixesAndTheConservingModeEndsAtOne) {
-  Material m = glass();
+  Material m = smooth_glass();
   m.metallic = 1;
   m.base_color = Rgb(0.99);
   m.iridescence = 1;

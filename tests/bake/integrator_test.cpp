@@ -38,7 +38,7 @@ TEST(Integrator, BouncesEndAPath) {
 }
 
 TEST(Integrator, ADirectionalLightOnAPlane) {
-  Stage stage(scene_of(square(), matte({0.6, 0.4, 0.2})));
+  Stage stage(scene_of(quad(), matte({0.6, 0.4, 0.2})));
   Light light;
   light.kind = Light::Kind::directional;
   light.intensity = {3, 3, 3};
@@ -48,7 +48,7 @@ TEST(Integrator, ADirectionalLightOnAPlane) {
 }
 
 TEST(Integrator, APointLightFallsOffWithTheSquare) {
-  Stage stage(scene_of(square(), matte(Rgb(0.5))));
+  Stage stage(scene_of(quad(), matte(Rgb(0.5))));
   Light light;
   light.intensity = {10, 10, 10};
   light.position = {0.1F, 0.2F, 2};
@@ -57,7 +57,7 @@ TEST(Integrator, APointLightFallsOffWithTheSquare) {
 }
 
 TEST(Integrator, LampsAreChosenByWhatTheyGive) {
-  Stage stage(scene_of(square(), matte(Rgb(0.5))));
+  Stage stage(scene_of(quad(), matte(Rgb(0.5))));
   double expected = 0;
   for (int i = 1; i <= 100; ++i) {
     Light light;
@@ -111,7 +111,7 @@ TEST(Integrator, UnlitIsItsColour) {
   SceneMaterial material;
   material.factors.base_color = {0.1, 0.2, 0.3};
   material.factors.unlit = true;
-  Stage stage(scene_of(square(), material));
+  Stage stage(scene_of(quad(), material));
   stage.world.environment.emplace(even_light(5));
   expect_near(stage.path(kDown, 4), {0.1, 0.2, 0.3});
 }
@@ -120,14 +120,14 @@ TEST(Integrator, AlphaIsWhatHidesTheBackground) {
   SceneMaterial material = matte(Rgb(0.5));
   material.alpha_mode = AlphaMode::blend;
   material.alpha = 0.25F;
-  Stage stage(scene_of(square(), material));
+  Stage stage(scene_of(quad(), material));
   stage.world.background = Background::transparent;
   EXPECT_EQ(trace_path(stage.context(), kDown, {0, 0}, {0, 0, 0}).alpha, 0.25);
   EXPECT_EQ(trace_path(stage.context(), {{5, 5, 5}, {0, 0, -1}}, {0, 0}, {0, 0, 0}).alpha, 0);
 }
 
 TEST(Integrator, TheFirstSurfaceIsDescribed) {
-  Stage stage(scene_of(square(), matte({0.6, 0.4, 0.2})));
+  Stage stage(scene_of(quad(), matte({0.6, 0.4, 0.2})));
   const PathSample sample = trace_path(stage.context(), kDown, {0, 0}, {0, 0, 0});
   EXPECT_EQ(sample.features.albedo, Rgb(0.6, 0.4, 0.2));
   EXPECT_NEAR(sample.features.normal.z, 1, 1e-6);

@@ -26,13 +26,13 @@ Material read(Slot slot, const Material& factors) {
   return material_at(scene, mesh, material, {});
 }
 
-struct Case {
+struct SlotCase {
   Slot slot;
   double Material::*number;
   double factor;  // of the texel
 };
 
-class OneChannel : public testing::TestWithParam<Case> {};
+class OneChannel : public testing::TestWithParam<SlotCase> {};
 
 TEST_P(OneChannel, ScalesItsNumber) {
   const auto& [slot, number, factor] = GetParam();
@@ -43,19 +43,19 @@ TEST_P(OneChannel, ScalesItsNumber) {
 
 INSTANTIATE_TEST_SUITE_P(
     Slots, OneChannel,
-    testing::Values(Case{Slot::metallic_roughness, &Material::roughness, 0.4},
-                    Case{Slot::metallic_roughness, &Material::metallic, 0.6},
-                    Case{Slot::diffuse_roughness, &Material::diffuse_roughness, 0.2},
-                    Case{Slot::transmission, &Material::transmission, 0.2},
-                    Case{Slot::diffuse_transmission, &Material::diffuse_transmission, 0.8},
-                    Case{Slot::scatter_strength, &Material::scatter_strength, 0.8},
-                    Case{Slot::specular, &Material::specular, 0.8},
-                    Case{Slot::sheen_roughness, &Material::sheen_roughness, 0.8},
-                    Case{Slot::clearcoat, &Material::clearcoat, 0.2},
-                    Case{Slot::clearcoat_roughness, &Material::clearcoat_roughness, 0.4},
-                    Case{Slot::anisotropy, &Material::anisotropy, 0.6},
-                    Case{Slot::iridescence, &Material::iridescence, 0.2},
-                    Case{Slot::thickness, &Material::thickness, 1}),
+    testing::Values(SlotCase{Slot::metallic_roughness, &Material::roughness, 0.4},
+                    SlotCase{Slot::metallic_roughness, &Material::metallic, 0.6},
+                    SlotCase{Slot::diffuse_roughness, &Material::diffuse_roughness, 0.2},
+                    SlotCase{Slot::transmission, &Material::transmission, 0.2},
+                    SlotCase{Slot::diffuse_transmission, &Material::diffuse_transmission, 0.8},
+                    SlotCase{Slot::scatter_strength, &Material::scatter_strength, 0.8},
+                    SlotCase{Slot::specular, &Material::specular, 0.8},
+                    SlotCase{Slot::sheen_roughness, &Material::sheen_roughness, 0.8},
+                    SlotCase{Slot::clearcoat, &Material::clearcoat, 0.2},
+                    SlotCase{Slot::clearcoat_roughness, &Material::clearcoat_roughness, 0.4},
+                    SlotCase{Slot::anisotropy, &Material::anisotropy, 0.6},
+                    SlotCase{Slot::iridescence, &Material::iridescence, 0.2},
+                    SlotCase{Slot::thickness, &Material::thickness, 1}),
     [](const auto& one) {
       return "slot_" + std::to_string(static_cast<int>(one.param.slot)) + "_" +
              std::to_string(one.index);

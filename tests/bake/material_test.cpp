@@ -220,7 +220,7 @@ TEST(Reciprocity, RefractionIsReciprocalButForTheSquareOfTheIndex) {
 }
 
 // The same to the last bit, so that pictures are the same bytes.
-void expect_same(const Material& a, const Material& b, Chance& chance) {
+void expect_same_material(const Material& a, const Material& b, Chance& chance) {
   const Vec3d v = chance.anywhere();
   const Vec3d l = chance.anywhere();
   const Random3 random = chance.three();
@@ -246,7 +246,7 @@ TEST(Identity, LegacyTranslucencyIsItsUpgrade) {
     add_translucency(legacy, 0.4);
     upgraded.diffuse_transmission = 0.4;
     upgraded.diffuse_transmission_color = upgraded.base_color;
-    expect_same(legacy, upgraded, chance);
+    expect_same_material(legacy, upgraded, chance);
   }
 }
 
@@ -257,7 +257,7 @@ TEST(Identity, AFactorOfZeroIsTheCoreMaterial) {
     with.diffuse_transmission = 0;
     Material without = with;
     without.diffuse_transmission_color = Rgb(1);
-    expect_same(with, without, chance);
+    expect_same_material(with, without, chance);
   }
 }
 
@@ -268,7 +268,7 @@ TEST(Identity, FullTransmissionHidesDiffuseTransmission) {
     m.transmission = 1;
     Material hidden = m;
     hidden.diffuse_transmission = 0;
-    expect_same(m, hidden, chance);
+    expect_same_material(m, hidden, chance);
   }
 }
 
@@ -279,7 +279,7 @@ TEST(Identity, MetalTransmitsNothing) {
     m.metallic = 1;
     Material plain = m;
     plain.transmission = plain.diffuse_transmission = 0;
-    expect_same(m, plain, chance);
+    expect_same_material(m, plain, chance);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace gltfx::bake {
 namespace {
 
-Material glass(double ior) {
+Material clear_glass(double ior) {
   Material material;
   material.ior = ior;
   material.transmission = 1;
@@ -22,10 +22,10 @@ TEST(MediaStack, WhatIsEnteredLastIsLeftFirst) {
   MediaStack media;
   EXPECT_TRUE(media.empty());
   EXPECT_EQ(media.ior_around(0), 1);
-  media.enter(glass(1.33), 0);
+  media.enter(clear_glass(1.33), 0);
   EXPECT_EQ(media.ior_around(1), 1.33);
   EXPECT_EQ(media.ior_around(0), 1) << "of the instance itself: what lies around it";
-  media.enter(glass(1.5), 1);
+  media.enter(clear_glass(1.5), 1);
   media.leave(1);
   EXPECT_EQ(media.ior_around(5), 1.33);
   media.leave(7);
@@ -35,7 +35,7 @@ TEST(MediaStack, WhatIsEnteredLastIsLeftFirst) {
 
 TEST(MediaStack, HasABottom) {
   MediaStack media;
-  for (std::uint32_t i = 0; i < 1000; ++i) media.enter(glass(1.5), i);
+  for (std::uint32_t i = 0; i < 1000; ++i) media.enter(clear_glass(1.5), i);
   for (std::uint32_t i = 0; i < 1000; ++i) media.leave(i);
   EXPECT_TRUE(media.empty());
 }

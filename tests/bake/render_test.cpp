@@ -19,7 +19,7 @@ namespace {
 
 // A square without noise and a ball with some, before nothing.
 Stage square_and_ball() {
-  Scene scene = scene_of(square(), matte(Rgb(1)));
+  Scene scene = scene_of(quad(), matte(Rgb(1)));
   scene.materials[0].factors.unlit = true;
   scene.instances[0].to_world = {{{2, 0.3F, 0, -1.4F}, {-0.3F, 2, 0, 0}, {0, 0, 1, 0}}};  // turned
   scene.materials.push_back(matte(Rgb(0.8)));
@@ -46,7 +46,7 @@ Film render_film(const TraceContext& context, const View& view, const RenderOpti
   return film;
 }
 
-Framebuffer plain(const Film& film) {
+Framebuffer plain_framebuffer(const Film& film) {
   Framebuffer buffer(film.width(), film.height(), {.alpha = true});
   resolve(film, film.held(), buffer);
   return buffer;
@@ -88,7 +88,7 @@ PictureOptions with_layers(std::uint32_t width, std::uint32_t height, std::uint3
 }
 
 TEST(Render, ATriangleBecomesAPicture) {
-  Stage stage(scene_of(square(), matte(Rgb(1))));
+  Stage stage(scene_of(quad(), matte(Rgb(1))));
   stage.world.environment.emplace(even_light());
   stage.world.background = Background::transparent;
   View view;
@@ -211,10 +211,10 @@ TEST(Render, ProgressEndsAtTheEnd) {
 // Nearer to the picture of many samples than the noise was.
 TEST(Denoise, ComesNearer) {
   const Stage stage = studio_stage();
-  const Framebuffer noisy = plain(render_film(stage.context(), front(), small(16)));
+  const Framebuffer noisy = plain_framebuffer(render_film(stage.context(), front(), small(16)));
   RenderOptions many = small(512);
   many.seed = 9;
-  const Framebuffer wanted = plain(render_film(stage.context(), front(), many));
+  const Framebuffer wanted = plain_framebuffer(render_film(stage.context(), front(), many));
   const Framebuffer clean = render(stage.context(), front(), denoised(16));
   const Picture reference = tone_mapped_picture(wanted, false, PixelType::bytes);
   const auto difference = [&](const Framebuffer& buffer) {
@@ -242,7 +242,7 @@ TEST(Denoise, FewSamplesMissNoEdge) {
 }
 
 TEST(Denoise, WhatHasNoNoiseStays) {
-  Stage stage(scene_of(square(), matte(Rgb(0.5))));
+  Stage stage(scene_of(quad(), matte(Rgb(0.5))));
   Light light;
   light.kind = Light::Kind::directional;
   light.intensity = {2, 2, 2};
@@ -251,7 +251,7 @@ TEST(Denoise, WhatHasNoNoiseStays) {
   View view;
   view.origin = {0, 0, 4};
   view.half_width = view.half_height = 0.2;
-  const Framebuffer noisy = plain(render_film(stage.context(), view, small(4)));
+  const Framebuffer noisy = plain_framebuffer(render_film(stage.context(), view, small(4)));
   const Framebuffer clean = render(stage.context(), view, denoised(4));
   for (std::size_t i = 0; i < noisy.size(); ++i) {
     EXPECT_NEAR(clean.radiance[i][0], noisy.radiance[i][0], 1e-3F);

@@ -13,7 +13,7 @@
 namespace gltfx::bake {
 namespace {
 
-RenderOptions small(std::uint32_t samples) {
+RenderOptions small_adaptive(std::uint32_t samples) {
   RenderOptions options;
   options.width = 50;  // no multiple of anything
   options.height = 39;
@@ -31,7 +31,7 @@ void for_pixels(const RenderOptions& options, const Visit& visit) {
 TEST(SampleMap, SharesOutWhatThereIs) {
   const Stage stage = studio_stage();
   for (const std::uint32_t samples : {16U, 20U, 33U, 64U}) {
-    const RenderOptions options = small(samples);
+    const RenderOptions options = small_adaptive(samples);
     const SampleMap shares(stage.context(), front(), options);
     double sum = 0;
     std::uint32_t least = samples;
@@ -54,7 +54,7 @@ TEST(SampleMap, SharesOutWhatThereIs) {
 
 TEST(SampleMap, NoiseGetsMore) {
   const Stage stage = studio_stage();
-  const RenderOptions options = small(32);
+  const RenderOptions options = small_adaptive(32);
   const SampleMap shares(stage.context(), front(), options);
   EXPECT_EQ(shares.samples(1, 1), 8U) << "the backdrop, which has none";
   EXPECT_GT(shares.samples(25, 20), 16U) << "the ball";
@@ -63,16 +63,16 @@ TEST(SampleMap, NoiseGetsMore) {
 // Looks do not go through glass: what is seen behind it counts as noise.
 TEST(SampleMap, EdgesBehindGlassGetMore) {
   const auto at_edge = [](double transmission) {
-    Scene scene = scene_of(square(), matte(Rgb(1)));
+    Scene scene = scene_of(quad(), matte(Rgb(1)));
     scene.materials[0].factors.unlit = true;
     scene.materials.push_back(matte(Rgb(1)));
     scene.materials[1].factors.transmission = transmission;
     scene.materials[1].factors.roughness = 0;
-    scene.meshes.push_back(square());
+    scene.meshes.push_back(quad());
     scene.meshes[1].material = 1;
     scene.instances.push_back({1, moved(0, 0, 1, 8)});
     const Stage stage(std::move(scene));
-    const RenderOptions options = small(32);
+    const RenderOptions options = small_adaptive(32);
     return SampleMap(stage.context(), front(), options).samples(16, 16);
   };
   EXPECT_EQ(at_edge(0), 8U) << "nothing is seen through it";
@@ -81,7 +81,7 @@ TEST(SampleMap, EdgesBehindGlassGetMore) {
 
 TEST(SampleMap, TheNumberOfThreadsDoesNotShow) {
   const Stage stage = studio_stage();
-  RenderOptions options = small(16);
+  RenderOptions options = small_adaptive(16);
   const SampleMap one(stage.context(), front(), options);
   options.jobs = 2;
   const SampleMap two(stage.context(), front(), options);
@@ -92,11 +92,11 @@ TEST(SampleMap, TheNumberOfThreadsDoesNotShow) {
 
 // Nothing but an even backdrop.
 TEST(SampleMap, WithoutNoiseFewAreEnough) {
-  Stage stage(scene_of(square(), matte(Rgb(0.5))));
+  Stage stage(scene_of(quad(), matte(Rgb(0.5))));
   View away;
   away.origin = {0, 0, 4};
   away.backward = {0, 0, -1};
-  const RenderOptions options = small(16);
+  const RenderOptions options = small_adaptive(16);
   const SampleMap shares(stage.context(), away, options);
   EXPECT_EQ(shares.most(), 4U);
 }
@@ -109,8 +109,8 @@ TEST(SampleMap, FewSamplesOrAnEndOfTheirOwnAreTheSameEverywhere) {
       ASSERT_EQ(shares.samples(x, y), options.samples);
     });
   };
-  expect_even(small(15));
-  RenderOptions options = small(64);
+  expect_even(small_adaptive(15));
+  RenderOptions options = small_adaptive(64);
   options.seconds = 10;
   expect_even(options);
   options.seconds = 0;

@@ -12,7 +12,7 @@ namespace gltfx::bake {
 
 /// A square in the plane of x and y, its middle at the origin, front towards +z, uv from the upper
 /// left.
-inline Mesh square(float half = 1) {
+inline Mesh quad(float half = 1) {
   Mesh mesh;
   mesh.positions = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};
   mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};

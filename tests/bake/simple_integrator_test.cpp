@@ -9,7 +9,7 @@
 namespace gltfx::bake {
 namespace {
 
-struct Case {
+struct SceneCase {
   std::string name;
   SceneMaterial material;
 };
@@ -22,11 +22,11 @@ SceneMaterial rough(double roughness, double metallic = 0) {
   return material;
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all{{"matte", matte({0.8, 0.5, 0.2})},
-                        {"plastic", rough(0.5)},
-                        {"metal", rough(0.6, 1)},
-                        {"half metal", rough(0.8, 0.5)}};
+std::vector<SceneCase> cases() {
+  std::vector<SceneCase> all{{"matte", matte({0.8, 0.5, 0.2})},
+                             {"plastic", rough(0.5)},
+                             {"metal", rough(0.6, 1)},
+                             {"half metal", rough(0.8, 0.5)}};
   SceneMaterial leaf = rough(0.7);
   leaf.factors.diffuse_transmission = 0.6;
   leaf.factors.diffuse_transmission_color = {0.2, 0.9, 0.1};
@@ -56,7 +56,7 @@ std::vector<Case> cases() {
 // An object on a floor, under a sky with a bright side, and a lamp.
 Stage stage_of(const SceneMaterial& material) {
   Scene scene = scene_of(sphere(1, 12), material);
-  Mesh floor = square(4);
+  Mesh floor = quad(4);
   floor.material = 1;
   scene.meshes.push_back(floor);
   scene.materials.push_back(matte({0.3, 0.6, 0.9}));
@@ -78,7 +78,7 @@ Stage stage_of(const SceneMaterial& material) {
 }
 
 TEST(SimpleIntegrator, AgreesWithTheFastOne) {
-  for (const Case& each : cases()) {
+  for (const SceneCase& each : cases()) {
     const Stage stage = stage_of(each.material);
     EXPECT_EQ(stage.world.emitters.empty(), each.name != "lamp");
     for (const Ray& ray :

@@ -16,10 +16,10 @@
 namespace gltfx::bake {
 namespace {
 
-const Ray kTowards{{0.25, 0.5, 5}, {0, 0, -1}};
-const Ray kFromBehind{{0.25, 0.5, -5}, {0, 0, 1}};
+const Ray kWallTowards{{0.25, 0.5, 5}, {0, 0, -1}};
+const Ray kWallFromBehind{{0.25, 0.5, -5}, {0, 0, 1}};
 
-Bvh bvh_of(const Scene& scene) {
+Bvh wall_bvh(const Scene& scene) {
   auto bvh = Bvh::build(scene);
   EXPECT_TRUE(bvh);
   return *std::move(bvh);
@@ -33,7 +33,7 @@ Eye eye_at(const Vec3d& place) {
 
 // A square of a material, seen from its front at +z: alone, mirrored, and as a shared mesh.
 std::vector<Scene> squares(const SceneMaterial& material) {
-  std::vector<Scene> scenes(3, scene_of(square(), material));
+  std::vector<Scene> scenes(3, scene_of(quad(), material));
   scenes[1].instances[0].to_world[0][0] = -1;
   Mesh far = sphere(1, 40);
   for (Float3& p : far.positions) p[1] += 50;
@@ -45,32 +45,32 @@ std::vector<Scene> squares(const SceneMaterial& material) {
 
 TEST(Wall, AFrontThrowsAShadowAndABackLetsLightIn) {
   for (const Scene& scene : squares({})) {
-    const Bvh bvh = bvh_of(scene);
-    EXPECT_EQ(bvh.visibility(kFromBehind), 0) << "light meets the front";
-    EXPECT_EQ(bvh.visibility(kTowards), 1) << "light meets the back";
-    EXPECT_EQ(bvh.visibility(kTowards, eye_at({0, 0, -9})), 1) << "the eye sees the back, too";
-    EXPECT_EQ(bvh.visibility(kTowards, eye_at({0, 0, 9})), 0) << "the eye sees the front";
-    EXPECT_EQ(bvh.visibility(kFromBehind, eye_at({0, 0, -9})), 0);
+    const Bvh bvh = wall_bvh(scene);
+    EXPECT_EQ(bvh.visibility(kWallFromBehind), 0) << "light meets the front";
+    EXPECT_EQ(bvh.visibility(kWallTowards), 1) << "light meets the back";
+    EXPECT_EQ(bvh.visibility(kWallTowards, eye_at({0, 0, -9})), 1) << "the eye sees the back, too";
+    EXPECT_EQ(bvh.visibility(kWallTowards, eye_at({0, 0, 9})), 0) << "the eye sees the front";
+    EXPECT_EQ(bvh.visibility(kWallFromBehind, eye_at({0, 0, -9})), 0);
     View level;
     level.perspective = false;
     level.backward = {0, 0.6, -0.8};
-    EXPECT_EQ(bvh.visibility(kTowards, Eye(level)), 1);
+    EXPECT_EQ(bvh.visibility(kWallTowards, Eye(level)), 1);
     level.backward = {0, 0.6, 0.8};
-    EXPECT_EQ(bvh.visibility(kTowards, Eye(level)), 0);
+    EXPECT_EQ(bvh.visibility(kWallTowards, Eye(level)), 0);
   }
 }
 
 // A lamp in a closed body lights nothing outside, whichever sides the eye sees.
 TEST(Wall, AClosedBodyIsSolid) {
   EXPECT_TRUE(is_closed(cube()));
-  EXPECT_FALSE(is_closed(square()));
+  EXPECT_FALSE(is_closed(quad()));
   Mesh open = cube();
   open.triangles.pop_back();
   EXPECT_FALSE(is_closed(open));
   Mesh inside = cube();
   for (auto& triangle : inside.triangles) std::swap(triangle[1], triangle[2]);
   EXPECT_FALSE(is_closed(inside));
-  const Bvh bvh = bvh_of(scene_of(cube()));
+  const Bvh bvh = wall_bvh(scene_of(cube()));
   const Ray to_the_middle{{0.25, 0.5, 5}, {0, 0, -1}, 5};
   EXPECT_EQ(bvh.visibility(to_the_middle), 0);
   EXPECT_EQ(bvh.visibility(to_the_middle, eye_at({0, 0, -9})), 0);
@@ -83,15 +83,15 @@ TEST(Wall, WhatIsClearOrDoubleSidedIsNone) {
   SceneMaterial material;
   material.double_sided = true;
   for (const Scene& scene : squares(material)) {
-    EXPECT_EQ(bvh_of(scene).visibility(kFromBehind), 0);
-    EXPECT_EQ(bvh_of(scene).visibility(kTowards), 0);
+    EXPECT_EQ(wall_bvh(scene).visibility(kWallFromBehind), 0);
+    EXPECT_EQ(wall_bvh(scene).visibility(kWallTowards), 0);
   }
   for (const bool diffuse : {false, true}) {
     material = {};
     (diffuse ? material.factors.diffuse_transmission : material.factors.transmission) = 0.5;
     for (const Scene& scene : squares(material)) {
-      EXPECT_EQ(bvh_of(scene).visibility(kFromBehind), 1);
-      EXPECT_EQ(bvh_of(scene).visibility(kTowards), 0);
+      EXPECT_EQ(wall_bvh(scene).visibility(kWallFromBehind), 1);
+      EXPECT_EQ(wall_bvh(scene).visibility(kWallTowards), 0);
     }
   }
 }
@@ -101,13 +101,13 @@ TEST(Wall, HolesCountFromBothSides) {
   material.alpha_mode = AlphaMode::blend;
   material.alpha = 0.25F;
   for (const Scene& scene : squares(material)) {
-    EXPECT_FLOAT_EQ(bvh_of(scene).visibility(kFromBehind), 0.75F);
-    EXPECT_EQ(bvh_of(scene).visibility(kTowards), 1);
+    EXPECT_FLOAT_EQ(wall_bvh(scene).visibility(kWallFromBehind), 0.75F);
+    EXPECT_EQ(wall_bvh(scene).visibility(kWallTowards), 1);
   }
 }
 
 // A cube from the inside, whose walls are seen from there only.
-Scene room(const SceneMaterial& wall) {
+Scene walled_room(const SceneMaterial& wall) {
   Scene scene = scene_of(cube(2), wall);
   for (auto& triangle : scene.meshes[0].triangles) std::swap(triangle[1], triangle[2]);
   return scene;
@@ -125,10 +125,10 @@ TEST(Wall, ARoomUnderEvenLightIsAFurnace) {
   for (const double albedo : {0.3, 1.0}) {
     const Vec3d outside(3, 7, 9);
     const Ray look{outside, normalize(Vec3d(-0.3, -1.5, -1) - outside)};
-    const Stage inside = lit(room(matte(Rgb(albedo))), std::nullopt);
+    const Stage inside = lit(walled_room(matte(Rgb(albedo))), std::nullopt);
     expect_near(inside.path(look), Rgb(albedo), 1e-3);
     expect_near(inside.simply(look), Rgb(albedo), 1e-3);
-    Stage stage = lit(room(matte(Rgb(albedo))), outside);
+    Stage stage = lit(walled_room(matte(Rgb(albedo))), outside);
     stage.bounces = 64;
     const Estimate fast = stage.path(look);
     const Estimate simple = stage.simply(look);
@@ -141,23 +141,23 @@ TEST(Wall, ARoomUnderEvenLightIsAFurnace) {
 }
 
 TEST(Wall, ACameraInAClosedRoomHasNoEye) {
-  const Bvh bvh = bvh_of(room({}));
+  const Bvh bvh = wall_bvh(walled_room({}));
   View view;
   view.origin = {0.5, 0.2, 1};
   EXPECT_FALSE(eye_of(view, bvh));
   view.origin = {0.5, 0.2, 9};
   EXPECT_TRUE(eye_of(view, bvh));
-  const Scene ground = scene_of(square(100));
+  const Scene ground = scene_of(quad(100));
   view.origin = {0, 0, 2};
-  EXPECT_TRUE(eye_of(view, bvh_of(ground)));
+  EXPECT_TRUE(eye_of(view, wall_bvh(ground)));
 }
 
 // A sheet above the floor, once with its front to the lamp and once with its back.
 TEST(Wall, ASheetThrowsAShadowByTheSideThatFacesTheLamp) {
   const Ray look{{4, 0, 1.5}, normalize(Vec3d(-4, 0, -1.5))};
   for (const bool shone_on : {false, true}) {
-    Scene scene = scene_of(square(4), matte(Rgb(0.5)));
-    scene.meshes.push_back(square(1));
+    Scene scene = scene_of(quad(4), matte(Rgb(0.5)));
+    scene.meshes.push_back(quad(1));
     scene.meshes[1].material = 0;
     const float up = shone_on ? 1.0F : -1.0F;
     scene.instances.push_back({1, {{{1, 0, 0, 0}, {0, up, 0, 0}, {0, 0, up, 1}}}});
@@ -176,7 +176,7 @@ TEST(Wall, ASheetThrowsAShadowByTheSideThatFacesTheLamp) {
 
 // A lamp outside of the room, a panel that is a part of it, and things inside.
 TEST(Wall, BothIntegratorsAgreeInARoom) {
-  Scene scene = room(matte({0.8, 0.6, 0.4}));
+  Scene scene = walled_room(matte({0.8, 0.6, 0.4}));
   const auto add = [&scene](Mesh mesh, const SceneMaterial& material, const Matrix34& place) {
     mesh.material = static_cast<std::uint32_t>(scene.materials.size());
     scene.materials.push_back(material);

@@ -42,7 +42,7 @@ Settings test_settings() {
   return settings;
 }
 
-std::span<const std::byte> bytes_of(std::string_view text) {
+std::span<const std::byte> request_bytes(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
@@ -94,7 +94,7 @@ void kill_at_work(pid_t process, pid_t victim) {
 class Clients : public ::testing::Test {
  protected:
   DracoResult ask(const std::string& what, const Origin& origin = {}) {
-    return client_.decode_draco(bytes_of(what), origin);
+    return client_.decode_draco(request_bytes(what), origin);
   }
   DecodeError error(const std::string& what) {
     const DracoResult result = ask(what);
@@ -140,7 +140,7 @@ TEST(Client, AWorkerThatIsKilledAmidDecodingIsOneError) {
   settings.seconds = 3600;
   Client client(settings);
   const auto ask_it = [&](std::string_view what) {
-    return std::get<DecodeError>(client.decode_draco(bytes_of(what)));
+    return std::get<DecodeError>(client.decode_draco(request_bytes(what)));
   };
   const pid_t id = std::stoi(ask_it("process").message);
   std::thread killer([id] { kill_at_work(id, id); });
@@ -155,9 +155,9 @@ TEST(Client, EndlessWorkRunsOutOfProcessorTime) {
   settings.seconds = 0.5;
   Client client(settings);
   for (const char* work : {"spin", "disarm"}) {
-    const DracoResult result = client.decode_draco(bytes_of(work));
+    const DracoResult result = client.decode_draco(request_bytes(work));
     EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::timed_out) << work;
-    const DracoResult next = client.decode_draco(bytes_of("triangle"));
+    const DracoResult next = client.decode_draco(request_bytes("triangle"));
     EXPECT_TRUE(std::holds_alternative<DracoMesh>(next)) << work;
   }
 }
@@ -167,12 +167,13 @@ TEST(Client, AWorkerThatStandsStillIsEnded) {
   Settings settings = test_settings();
   settings.standstill_seconds = 10;
   Client client(settings);
-  const std::string id = std::get<DecodeError>(client.decode_draco(bytes_of("process"))).message;
-  const DecodeError error = std::get<DecodeError>(client.decode_draco(bytes_of("sleep")));
+  const std::string id =
+      std::get<DecodeError>(client.decode_draco(request_bytes("process"))).message;
+  const DecodeError error = std::get<DecodeError>(client.decode_draco(request_bytes("sleep")));
   EXPECT_EQ(error.kind, ErrorKind::stalled);
   EXPECT_TRUE(is_costly(error));
   wait_for_end(std::stoi(id));
-  EXPECT_TRUE(std::holds_alternative<DracoMesh>(client.decode_draco(bytes_of("triangle"))));
+  EXPECT_TRUE(std::holds_alternative<DracoMesh>(client.decode_draco(request_bytes("triangle"))));
 }
 
 #ifndef GLTFX_ADDRESS_SANITIZER
@@ -242,7 +243,7 @@ TEST(Client, WorkersOfOtherOriginsEnd) {
   settings.workers = 1;
   Client client(settings);
   const auto process = [&](const Origin& origin) {
-    return std::get<DecodeError>(client.decode_draco(bytes_of("process"), origin)).message;
+    return std::get<DecodeError>(client.decode_draco(request_bytes("process"), origin)).message;
   };
   const std::string first = process({1, 1});
   const std::string second = process({1, 2});
@@ -296,8 +297,8 @@ class Decoders : public ::testing::Test {
     settings.folder = folder.native();
     settings.standstill_seconds = kind == "mute" ? 1 : 30;
     Client client(settings);
-    for (int i = 0; i < 2; ++i) static_cast<void>(client.decode_draco(bytes_of("triangle")));
-    const DracoResult result = client.decode_draco(bytes_of("triangle"));
+    for (int i = 0; i < 2; ++i) static_cast<void>(client.decode_draco(request_bytes("triangle")));
+    const DracoResult result = client.decode_draco(request_bytes("triangle"));
     const auto* error = std::get_if<DecodeError>(&result);
     return error != nullptr ? *error : DecodeError{ErrorKind::malformed, "decoded"};
   }
@@ -342,9 +343,10 @@ TEST(Client, WorkersEndWithTheProcess) {
     Settings settings = test_settings();
     settings.seconds = 3600;
     Client client(settings);
-    const std::string id = std::get<DecodeError>(client.decode_draco(bytes_of("process"))).message;
+    const std::string id =
+        std::get<DecodeError>(client.decode_draco(request_bytes("process"))).message;
     if (::write(ends[1], id.data(), id.size()) < 0) ::_exit(1);
-    static_cast<void>(client.decode_draco(bytes_of("spin")));
+    static_cast<void>(client.decode_draco(request_bytes("spin")));
     ::_exit(0);
   }
   std::array<char, 32> id{};

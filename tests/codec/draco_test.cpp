@@ -22,17 +22,17 @@ using testing::ElementsAreArray;
 using testing::FloatNear;
 using testing::HasSubstr;
 
-std::span<const std::byte> bytes_of(const std::string& text) {
+std::span<const std::byte> draco_bytes(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
-DracoResult decode(const std::string& bytes) {
-  return Client::shared().decode_draco(bytes_of(bytes));
+DracoResult decode_draco(const std::string& bytes) {
+  return Client::shared().decode_draco(draco_bytes(bytes));
 }
 
 // The mesh, or an empty one and a failed test that says why.
 DracoMesh mesh_of(const std::string& bytes) {
-  DracoResult result = decode(bytes);
+  DracoResult result = decode_draco(bytes);
   if (const auto* error = std::get_if<DecodeError>(&result)) {
     ADD_FAILURE() << error->message;
     return {};
@@ -40,8 +40,8 @@ DracoMesh mesh_of(const std::string& bytes) {
   return std::get<DracoMesh>(std::move(result));
 }
 
-DecodeError error_of(const std::string& bytes) {
-  DracoResult result = decode(bytes);
+DecodeError draco_error(const std::string& bytes) {
+  DracoResult result = decode_draco(bytes);
   if (const auto* error = std::get_if<DecodeError>(&result)) return *error;
   ADD_FAILURE() << "decoded";
   return {};
@@ -135,10 +135,10 @@ TEST(Draco, BothEncodingsHoldTheSameTriangles) {
 }
 
 TEST(Draco, WhatIsNoMeshIsRefused) {
-  EXPECT_EQ(error_of("").kind, ErrorKind::malformed);
-  EXPECT_EQ(error_of("DRACO").kind, ErrorKind::malformed);
-  EXPECT_EQ(error_of(std::string(1000, 'x')).kind, ErrorKind::malformed);
-  const DecodeError cloud = error_of(test::draco_cloud_bytes(test::draco_square()));
+  EXPECT_EQ(draco_error("").kind, ErrorKind::malformed);
+  EXPECT_EQ(draco_error("DRACO").kind, ErrorKind::malformed);
+  EXPECT_EQ(draco_error(std::string(1000, 'x')).kind, ErrorKind::malformed);
+  const DecodeError cloud = draco_error(test::draco_cloud_bytes(test::draco_square()));
   EXPECT_EQ(cloud.kind, ErrorKind::malformed);
   EXPECT_THAT(cloud.message, HasSubstr("point cloud"));
 }
@@ -146,10 +146,10 @@ TEST(Draco, WhatIsNoMeshIsRefused) {
 TEST(Draco, EveryCutIsAnErrorOrAMesh) {
   const std::string whole = draco_bytes(test::draco_square());
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    const DracoResult result = decode(whole.substr(0, size));
+    const DracoResult result = decode_draco(whole.substr(0, size));
     EXPECT_TRUE(was_asked(result)) << size;
   }
-  EXPECT_TRUE(std::holds_alternative<DracoMesh>(decode(whole)));
+  EXPECT_TRUE(std::holds_alternative<DracoMesh>(decode_draco(whole)));
 }
 
 TEST(Draco, EveryByteMayBeAnother) {
@@ -160,10 +160,10 @@ TEST(Draco, EveryByteMayBeAnother) {
   for (std::size_t at = 0; at < whole.size(); ++at) {
     std::string changed = whole;
     changed[at] = static_cast<char>(changed[at] ^ 0xFF);
-    const DracoResult result = decode(changed);
+    const DracoResult result = decode_draco(changed);
     EXPECT_TRUE(was_asked(result)) << at;
   }
-  EXPECT_TRUE(std::holds_alternative<DracoMesh>(decode(whole)));
+  EXPECT_TRUE(std::holds_alternative<DracoMesh>(decode_draco(whole)));
 }
 
 TEST(Draco, ManyThreadsShareTheWorkers) {
@@ -173,7 +173,7 @@ TEST(Draco, ManyThreadsShareTheWorkers) {
   for (int i = 0; i < 8; ++i) {
     threads.emplace_back([&] {
       for (int k = 0; k < 20; ++k) {
-        const DracoResult result = decode(bytes);
+        const DracoResult result = decode_draco(bytes);
         const auto* mesh = std::get_if<DracoMesh>(&result);
         if (mesh != nullptr && mesh->points == 144) ++sound;
       }

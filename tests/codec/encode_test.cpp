@@ -39,7 +39,7 @@ std::span<const std::byte> bytes_of(const EncodeResult& result) {
   return image == nullptr ? std::span<const std::byte>() : image->bytes;
 }
 
-Image decode(std::span<const std::byte> file, ImageFormat format) {
+Image decode_again(std::span<const std::byte> file, ImageFormat format) {
   ImageRequest request;
   request.bytes = file;
   request.format = format;
@@ -62,7 +62,7 @@ TEST(Encode, PngOfEveryFormKeepsEveryBit) {
       const Raster raster{37, 29, channels, bits};
       const std::vector<std::byte> pixels = texels(raster);
       const EncodeResult result = encode(EncodedFormat::png, raster, pixels);
-      const Image image = decode(bytes_of(result), ImageFormat::png);
+      const Image image = decode_again(bytes_of(result), ImageFormat::png);
       EXPECT_EQ(image.width, 37U);
       EXPECT_EQ(image.height, 29U);
       EXPECT_EQ(image.channels, channels);
@@ -87,7 +87,7 @@ TEST(Encode, LosslessWebpKeepsColoursOfTransparentTexels) {
   const Raster raster{16, 16, 4, 8};
   const std::vector<std::byte> pixels = texels(raster);
   const EncodeResult result = encode(EncodedFormat::webp, raster, pixels, 0);
-  EXPECT_TRUE(equal(decode(bytes_of(result), ImageFormat::webp).pixels, pixels));
+  EXPECT_TRUE(equal(decode_again(bytes_of(result), ImageFormat::webp).pixels, pixels));
 }
 
 TEST(Encode, JpegAndLossyWebpComeNear) {
@@ -96,7 +96,7 @@ TEST(Encode, JpegAndLossyWebpComeNear) {
   for (const auto& [to, from] : {std::pair(EncodedFormat::jpeg, ImageFormat::jpeg),
                                  std::pair(EncodedFormat::webp, ImageFormat::webp)}) {
     const EncodeResult result = encode(to, raster, pixels);
-    const Image image = decode(bytes_of(result), from);
+    const Image image = decode_again(bytes_of(result), from);
     ASSERT_EQ(image.channels, 3U);
     EXPECT_NEAR(image.statistics[0].least, 100, 3);
     EXPECT_NEAR(image.statistics[0].greatest, 100, 3);
@@ -114,7 +114,7 @@ TEST(Encode, ExrHoldsFloats) {
   EXPECT_EQ(std::memcmp(file.data(), "\x76\x2F\x31\x01", 4), 0);
   const std::string text(reinterpret_cast<const char*>(file.data()), file.size());
   EXPECT_THAT(text, testing::Not(HasSubstr("capDate"))) << "bytes would differ by time";
-  EXPECT_TRUE(equal(decode(file, ImageFormat::openexr).pixels, pixels));
+  EXPECT_TRUE(equal(decode_again(file, ImageFormat::openexr).pixels, pixels));
   const EncodeResult again = encode(EncodedFormat::exr, raster, pixels);
   EXPECT_TRUE(equal(file, bytes_of(again)));
 }

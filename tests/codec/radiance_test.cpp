@@ -15,7 +15,7 @@ namespace {
 using namespace std::string_literals;
 using testing::HasSubstr;
 
-ImageResult decode(const std::string& bytes) {
+ImageResult decode_radiance(const std::string& bytes) {
   ImageRequest request;
   request.bytes = std::as_bytes(std::span(bytes));
   request.format = ImageFormat::radiance;
@@ -28,7 +28,7 @@ std::string picture(const std::string& size, const std::string& texels) {
 }
 
 std::vector<float> values_of(const std::string& bytes) {
-  const ImageResult result = decode(bytes);
+  const ImageResult result = decode_radiance(bytes);
   if (const auto* error = std::get_if<DecodeError>(&result)) {
     ADD_FAILURE() << error->message;
     return {};
@@ -42,7 +42,7 @@ std::vector<float> values_of(const std::string& bytes) {
 }
 
 std::string message_of(const std::string& bytes) {
-  const ImageResult result = decode(bytes);
+  const ImageResult result = decode_radiance(bytes);
   const auto* error = std::get_if<DecodeError>(&result);
   if (error == nullptr) return "decoded";
   EXPECT_EQ(error->kind, ErrorKind::malformed);

@@ -18,12 +18,12 @@ using test::problems;
 using test::read_ktx2_text;
 
 using Codes = std::vector<std::string>;
-constexpr std::size_t kScheme = 44;
+constexpr std::size_t kSchemeAt = 44;
 
 std::vector<std::string> mismatches(const Ktx2Builder& builder) {
   return problems(builder.file(), "KTX2_FORMAT_MISMATCH");
 }
-const std::vector<std::string> kNone;
+const std::vector<std::string> kNoIssues;
 
 TEST(Ktx2Format, OfUastcAndEtc1sIsZero) {
   Ktx2Builder uastc;
@@ -46,7 +46,7 @@ TEST(Ktx2Format, OfAstcIsThatOfItsBlocks) {
             std::vector<std::string>{"vkFormat is 166 (ASTC_6x6_SRGB_BLOCK), but the texel blocks "
                                      "of the descriptor are 4x4."});
   astc.block = std::string("\5\5\0\0", 4);
-  EXPECT_EQ(mismatches(astc), kNone);
+  EXPECT_EQ(mismatches(astc), kNoIssues);
   astc.vk_format = 145;
   EXPECT_EQ(mismatches(astc),
             std::vector<std::string>{"vkFormat is 145 (BC7_UNORM_BLOCK), but colorModel of the "
@@ -59,7 +59,7 @@ TEST(Ktx2Format, OfAstcIsThatOfItsBlocks) {
   hdr.vk_format = 1000066000;
   EXPECT_EQ(mismatches(hdr).size(), 1U) << "no floats";
   hdr.type = 0xC0;
-  EXPECT_EQ(mismatches(hdr), kNone);
+  EXPECT_EQ(mismatches(hdr), kNoIssues);
 }
 
 TEST(Ktx2Format, OfSrgbNeedsItsTransferFunction) {
@@ -75,7 +75,7 @@ TEST(Ktx2Format, OfSrgbNeedsItsTransferFunction) {
   EXPECT_TRUE(read_ktx2_text(linear.file()).is_sound());
   Ktx2Builder packed = Ktx2Builder::texels(64, 4, {0, 1, 2, 15}, {10, 10, 10, 2});
   packed.transfer = 2;
-  EXPECT_EQ(mismatches(packed), kNone) << "there is no format of sRGB like it";
+  EXPECT_EQ(mismatches(packed), kNoIssues) << "there is no format of sRGB like it";
 }
 
 TEST(Ktx2Format, TexelsAreThoseOfItsName) {
@@ -130,7 +130,7 @@ TEST(Ktx2Format, OfIntegersHasNoColourSpace) {
   EXPECT_EQ(mismatches(builder).size(), 1U);
   EXPECT_TRUE(read_ktx2_text(builder.file()).is_sound());
   builder.transfer = 0;
-  EXPECT_EQ(mismatches(builder), kNone);
+  EXPECT_EQ(mismatches(builder), kNoIssues);
 }
 
 TEST(Ktx2Format, OfScaledNumbersOrPlanesIsProhibited) {
@@ -151,7 +151,7 @@ TEST(Ktx2Format, SchemesGoWithTheirModel) {
   Ktx2Builder uastc;
   uastc.scheme = 1;
   EXPECT_EQ(codes(uastc.file()), bad);
-  EXPECT_EQ(codes(patched(Ktx2Builder().file(), kScheme, le(0x20000, 4))), bad) << "reserved";
+  EXPECT_EQ(codes(patched(Ktx2Builder().file(), kSchemeAt, le(0x20000, 4))), bad) << "reserved";
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
 
-constexpr int kByte = 5120, kUnsignedByte = 5121, kFloat = 5126;
+constexpr int kKeyByte = 5120, kKeyUnsignedByte = 5121, kKeyFloat = 5126;
 
 // One channel; accessor 0 has the times, 1 the values.
 std::string animation(const std::string& interpolation, const std::string& target) {
@@ -51,8 +51,8 @@ std::vector<float> value(const BytesAsset& asset, double time) {
 
 BytesAsset moving(const std::string& interpolation, std::initializer_list<float> values) {
   Accessors accessors;
-  accessors.add("SCALAR", kFloat, 2, floats({1, 3}));
-  accessors.add("VEC3", kFloat, values.size() / 3, floats(values));
+  accessors.add("SCALAR", kKeyFloat, 2, floats({1, 3}));
+  accessors.add("VEC3", kKeyFloat, values.size() / 3, floats(values));
   return {accessors, animation(interpolation, on_node("translation")) + R"(, "nodes": [{}])"};
 }
 
@@ -87,9 +87,9 @@ TEST(Keyframes, SplinesFollowTheirTangents) {
 TEST(Keyframes, RotationsTurnTheShortWayAround) {
   const float half = std::sqrt(0.5F);
   Accessors accessors;
-  accessors.add("SCALAR", kFloat, 2, floats({0, 1}));
+  accessors.add("SCALAR", kKeyFloat, 2, floats({0, 1}));
   // 90 degrees about z, with all signs turned around: the same rotation.
-  accessors.add("VEC4", kFloat, 2, floats({0, 0, 0, 1, 0, 0, -half, -half}));
+  accessors.add("VEC4", kKeyFloat, 2, floats({0, 0, 0, 1, 0, 0, -half, -half}));
   const BytesAsset asset(accessors,
                          animation("LINEAR", on_node("rotation")) + R"(, "nodes": [{}])");
   const float angle = 3.14159265F / 12;  // half of a third of it
@@ -100,8 +100,8 @@ TEST(Keyframes, RotationsTurnTheShortWayAround) {
 
 TEST(Keyframes, NormalizedRotationsAndSplinesHaveLengthOne) {
   Accessors accessors;
-  accessors.add("SCALAR", kFloat, 2, floats({0, 1}));
-  accessors.add("VEC4", kByte, 2, packed<std::int8_t>({0, 0, 0, 127, 0, 0, 90, 90}),
+  accessors.add("SCALAR", kKeyFloat, 2, floats({0, 1}));
+  accessors.add("VEC4", kKeyByte, 2, packed<std::int8_t>({0, 0, 0, 127, 0, 0, 90, 90}),
                 R"(, "normalized": true)");
   const BytesAsset asset(accessors,
                          animation("LINEAR", on_node("rotation")) + R"(, "nodes": [{}])");
@@ -111,8 +111,8 @@ TEST(Keyframes, NormalizedRotationsAndSplinesHaveLengthOne) {
 
 TEST(Keyframes, WeightsOfAllTargetsMoveTogether) {
   Accessors accessors;
-  accessors.add("SCALAR", kFloat, 2, floats({0, 1}));
-  accessors.add("SCALAR", kFloat, 4, floats({0, 1, 1, 0.5F}));
+  accessors.add("SCALAR", kKeyFloat, 2, floats({0, 1}));
+  accessors.add("SCALAR", kKeyFloat, 4, floats({0, 1, 1, 0.5F}));
   const BytesAsset asset(
       accessors, animation("LINEAR", on_node("weights")) + R"(, "nodes": [{"mesh": 0}], "meshes": [
  {"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}, {"POSITION": 0}]}]}])");
@@ -124,8 +124,8 @@ TEST(Keyframes, WeightsOfAllTargetsMoveTogether) {
 
 TEST(Keyframes, PointersLeadToPropertiesWithDefaults) {
   Accessors accessors;
-  accessors.add("SCALAR", kFloat, 2, floats({0, 1}));
-  accessors.add("SCALAR", kUnsignedByte, 2, packed<std::uint8_t>({0, 255}),
+  accessors.add("SCALAR", kKeyFloat, 2, floats({0, 1}));
+  accessors.add("SCALAR", kKeyUnsignedByte, 2, packed<std::uint8_t>({0, 255}),
                 R"(, "normalized": true)");
   const BytesAsset asset(
       accessors,
@@ -138,8 +138,8 @@ TEST(Keyframes, PointersLeadToPropertiesWithDefaults) {
 
 TEST(Keyframes, OneWeightMayMoveByItself) {
   Accessors accessors;
-  accessors.add("SCALAR", kFloat, 2, floats({0, 1}));
-  accessors.add("SCALAR", kFloat, 2, floats({0, 1}));
+  accessors.add("SCALAR", kKeyFloat, 2, floats({0, 1}));
+  accessors.add("SCALAR", kKeyFloat, 2, floats({0, 1}));
   const BytesAsset asset(
       accessors, animation("LINEAR", on_pointer("/nodes/0/weights/1")) +
                      R"(, "nodes": [{"mesh": 0, "weights": [0.5, 0.5]}], "meshes": [{"primitives": [
@@ -151,8 +151,8 @@ TEST(Keyframes, OneWeightMayMoveByItself) {
 TEST(Keyframes, ChannelsThatCannotBeUsedAreNamed) {
   const auto notes = [](const std::string& members, std::size_t values = 2) {
     Accessors accessors;
-    accessors.add("SCALAR", kFloat, 2, floats({0, 1}));
-    accessors.add("VEC3", kFloat, values, std::string(values * 12, '\0'));
+    accessors.add("SCALAR", kKeyFloat, 2, floats({0, 1}));
+    accessors.add("VEC3", kKeyFloat, values, std::string(values * 12, '\0'));
     return sample(BytesAsset(accessors, members + R"(, "nodes": [{}])"), 0.5).notes;
   };
   EXPECT_THAT(notes(animation("LINEAR", on_node("translation"))), IsEmpty());
@@ -170,7 +170,7 @@ TEST(Keyframes, ChannelsThatCannotBeUsedAreNamed) {
 
 TEST(Keyframes, SparseKeyframesAreFound) {
   Accessors accessors;
-  accessors.add("SCALAR", kFloat, 3, floats({0, 1, 2}));
+  accessors.add("SCALAR", kKeyFloat, 3, floats({0, 1, 2}));
   const int indices = accessors.add_view(packed<std::uint8_t>({0, 2}));
   const int values = accessors.add_view(floats({1, 2, 3, 7, 8, 9}));
   accessors.add_plain(R"({"type": "VEC3", "componentType": 5126, "count": 3, "sparse": {"count": 2,

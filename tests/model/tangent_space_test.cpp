@@ -16,7 +16,7 @@ using testing::FloatNear;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-testing::Matcher<std::array<float, 4>> near(float x, float y, float z, float w) {
+testing::Matcher<std::array<float, 4>> near_tangent(float x, float y, float z, float w) {
   return ElementsAre(FloatNear(x, 1e-5F), FloatNear(y, 1e-5F), FloatNear(z, 1e-5F), w);
 }
 
@@ -27,7 +27,7 @@ bool generate(Geometry& geometry, std::uint64_t budget = 1U << 20U) {
 }
 
 // Two triangles in the plane z = 0; texture coordinates run to the right and, as images do, down.
-Geometry square() {
+Geometry square_geometry() {
   Geometry geometry;
   geometry.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   geometry.normals.assign(4, {0, 0, 1});
@@ -37,32 +37,32 @@ Geometry square() {
 }
 
 TEST(TangentSpace, FollowsUAndIsRightHanded) {
-  Geometry geometry = square();
+  Geometry geometry = square_geometry();
   ASSERT_TRUE(generate(geometry));
   EXPECT_THAT(geometry.tangents, SizeIs(4));
-  EXPECT_THAT(geometry.tangents, Each(near(1, 0, 0, 1)));
+  EXPECT_THAT(geometry.tangents, Each(near_tangent(1, 0, 0, 1)));
 }
 
 TEST(TangentSpace, MirroredCoordinatesAreLeftHanded) {
-  Geometry geometry = square();
+  Geometry geometry = square_geometry();
   for (auto& uv : geometry.tex_coords[0]) uv[0] = -uv[0];
   ASSERT_TRUE(generate(geometry));
-  EXPECT_THAT(geometry.tangents, Each(near(-1, 0, 0, -1)));
+  EXPECT_THAT(geometry.tangents, Each(near_tangent(-1, 0, 0, -1)));
 }
 
 TEST(TangentSpace, ScaleOfCoordinatesDoesNotMatterButTheirTurnDoes) {
-  Geometry geometry = square();
+  Geometry geometry = square_geometry();
   for (auto& uv : geometry.tex_coords[0]) uv = {uv[1] * 0.01F, -uv[0] * 7};
   ASSERT_TRUE(generate(geometry));
-  EXPECT_THAT(geometry.tangents, Each(near(0, -1, 0, 1)));
+  EXPECT_THAT(geometry.tangents, Each(near_tangent(0, -1, 0, 1)));
 }
 
 TEST(TangentSpace, LiesAcrossTheNormalOfTheVertex) {
-  Geometry geometry = square();
+  Geometry geometry = square_geometry();
   const float half = std::sqrt(0.5F);
   geometry.normals.assign(4, {half, 0, half});
   ASSERT_TRUE(generate(geometry));
-  EXPECT_THAT(geometry.tangents, Each(near(half, 0, -half, 1)));
+  EXPECT_THAT(geometry.tangents, Each(near_tangent(half, 0, -half, 1)));
 }
 
 // Like a book that stands open: two squares that meet at an edge along y.
@@ -79,7 +79,7 @@ TEST(TangentSpace, SmoothEdgesShareATangent) {
   Geometry geometry = book();
   ASSERT_TRUE(generate(geometry));
   EXPECT_THAT(geometry.positions, SizeIs(6));
-  EXPECT_THAT(geometry.tangents, Each(near(1, 0, 0, 1)));
+  EXPECT_THAT(geometry.tangents, Each(near_tangent(1, 0, 0, 1)));
 }
 
 TEST(TangentSpace, EqualVerticesCountAsOne) {
@@ -106,7 +106,7 @@ TEST(TangentSpace, EqualVerticesCountAsOne) {
   for (const Triangle& triangle : indexed.triangles) {
     for (const std::uint32_t i : triangle) {
       const auto& [x, y, z, w] = indexed.tangents[i];
-      EXPECT_THAT(loose.tangents[corner++], near(x, y, z, w));
+      EXPECT_THAT(loose.tangents[corner++], near_tangent(x, y, z, w));
     }
   }
 }
@@ -125,8 +125,8 @@ TEST(TangentSpace, ACornerCountsByItsAngle) {
   const float x = 2 * quarter + 2 * quarter * std::sqrt(0.5F);
   const float y = -2 * quarter * std::sqrt(0.5F);
   const float length = std::sqrt(x * x + y * y);
-  EXPECT_THAT(geometry.tangents[0], near(x / length, y / length, 0, 1));
-  EXPECT_THAT(geometry.tangents[1], near(1, 0, 0, 1));
+  EXPECT_THAT(geometry.tangents[0], near_tangent(x / length, y / length, 0, 1));
+  EXPECT_THAT(geometry.tangents[1], near_tangent(1, 0, 0, 1));
 }
 
 TEST(TangentSpace, VerticesAreSplitWhereHandednessChanges) {
@@ -144,25 +144,27 @@ TEST(TangentSpace, VerticesAreSplitWhereHandednessChanges) {
   EXPECT_THAT(geometry.colors[geometry.triangles[2][0]], ElementsAre(1, 0, 0, 1));
   for (std::size_t t = 0; t < 4; ++t) {
     for (const std::uint32_t i : geometry.triangles[t]) {
-      EXPECT_THAT(geometry.tangents[i], t < 2 ? near(1, 0, 0, 1) : near(-1, 0, 0, -1)) << t;
+      EXPECT_THAT(geometry.tangents[i],
+                  t < 2 ? near_tangent(1, 0, 0, 1) : near_tangent(-1, 0, 0, -1))
+          << t;
     }
   }
 }
 
 TEST(TangentSpace, CoordinatesWithoutAreaTakeWhatIsBesideThem) {
-  Geometry geometry = square();
+  Geometry geometry = square_geometry();
   geometry.positions.push_back({0, 2, 0});
   geometry.normals.push_back({0, 0, 1});
   geometry.tex_coords[0].push_back({0, 0});
   geometry.triangles.push_back({3, 2, 4});
   ASSERT_TRUE(generate(geometry));
   EXPECT_THAT(geometry.positions, SizeIs(5)) << "nothing is split for it";
-  EXPECT_THAT(geometry.tangents[2], near(1, 0, 0, 1));
+  EXPECT_THAT(geometry.tangents[2], near_tangent(1, 0, 0, 1));
   EXPECT_EQ(geometry.tangents[4][2], 0) << "any direction across the normal";
 }
 
 TEST(TangentSpace, NothingToGoByGivesTangentsAllTheSame) {
-  Geometry geometry = square();
+  Geometry geometry = square_geometry();
   for (auto& uv : geometry.tex_coords[0]) uv = {0.5F, 0.5F};
   geometry.positions[1] = geometry.positions[0];
   geometry.tex_coords[0][2] = {std::nanf(""), 0};
@@ -174,7 +176,7 @@ TEST(TangentSpace, NothingToGoByGivesTangentsAllTheSame) {
 }
 
 TEST(TangentSpace, MemoryIsAskedForFirst) {
-  Geometry geometry = square();
+  Geometry geometry = square_geometry();
   EXPECT_FALSE(generate(geometry, 4 * 16 - 1));
   EXPECT_THAT(geometry.tangents, IsEmpty());
   EXPECT_TRUE(generate(geometry, 4 * 16));

@@ -13,18 +13,16 @@
 namespace gltfx::test {
 namespace {
 
-using bake::square;
+using bake::quad;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-Json plain() { return dielectric({0.8, 0.5, 0.3, 1}, 0.5); }
-
 // A mesh of n times the same primitive; `change` makes a joint or a target of it.
 using Change = std::function<void(AssetText&, Json&)>;
 int mesh_of(AssetText& asset, int n, const Change& change = {}) {
-  const int mesh = asset.mesh(square(), asset.material(plain()));
+  const int mesh = asset.mesh(quad(), asset.material(plastic()));
   Json& primitives = asset.json()["meshes"][static_cast<std::size_t>(mesh)]["primitives"];
   Json primitive = primitives[0];
   if (change) change(asset, primitive);
@@ -156,14 +154,14 @@ TEST(BakeGrowth, JointsEndWithTheMemory) {
   EXPECT_THAT(scene.notes, Contains(HasSubstr("Skin 0 asks for more memory")));
 }
 
-struct Case {
+struct GrowthCase {
   const char* name;
   void (*fill)(AssetText& asset, int n);
   bool limited;
 };
-void PrintTo(const Case& shown, std::ostream* out) { *out << shown.name; }
+void PrintTo(const GrowthCase& shown, std::ostream* out) { *out << shown.name; }
 
-class BakeGrowthOf : public Baking, public testing::WithParamInterface<Case> {};
+class BakeGrowthOf : public Baking, public testing::WithParamInterface<GrowthCase> {};
 
 // Of some 100 kB each; what they ask for is 30,000 times as much.
 TEST_P(BakeGrowthOf, IsDrawnOrLimited) {
@@ -180,12 +178,13 @@ TEST_P(BakeGrowthOf, IsDrawnOrLimited) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Constructs, BakeGrowthOf,
-                         testing::Values(Case{"primitives_in_nodes", primitives_in_nodes, false},
-                                         Case{"in_one_place", in_one_place, false},
-                                         Case{"shining", shining, false},
-                                         Case{"poses", poses, true}, Case{"skins", skins, true}),
-                         [](const auto& chosen) { return std::string(chosen.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Constructs, BakeGrowthOf,
+    testing::Values(GrowthCase{"primitives_in_nodes", primitives_in_nodes, false},
+                    GrowthCase{"in_one_place", in_one_place, false},
+                    GrowthCase{"shining", shining, false}, GrowthCase{"poses", poses, true},
+                    GrowthCase{"skins", skins, true}),
+    [](const auto& chosen) { return std::string(chosen.param.name); });
 
 }  // namespace
 }  // namespace gltfx::test

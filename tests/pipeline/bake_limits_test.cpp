@@ -8,19 +8,10 @@ namespace gltfx::test {
 namespace {
 
 using bake::cube;
-using bake::square;
+using bake::quad;
 using testing::HasSubstr;
 
 using BakeLimits = Baking;
-
-Json plain() { return dielectric({0.8, 0.5, 0.3, 1}, 0.5); }
-
-bake::Mesh scaled(bake::Mesh mesh, float factor) {
-  for (auto& p : mesh.positions) {
-    for (float& part : p) part *= factor;
-  }
-  return mesh;
-}
 
 // What is drawn fills a good part of the picture whatever its size.
 TEST_F(BakeLimits, EverySizeIsFramedAlike) {
@@ -29,7 +20,7 @@ TEST_F(BakeLimits, EverySizeIsFramedAlike) {
   std::vector<std::uint8_t> usual;
   for (const float size : {1.0F, 1e-12F, 1e-3F, 1e4F, 1e12F}) {
     AssetText asset;
-    asset.draw(scaled(cube(), size), plain());
+    asset.draw(scaled(cube(), size), plastic());
     const BakeReport done = report(asset);
     ASSERT_EQ(done.problem, BakeProblem::none) << done.error;
     if (usual.empty()) usual = done.pixels.bytes;
@@ -45,14 +36,14 @@ TEST_F(BakeLimits, CamerasAtTheirLimits) {
         Json{{"yfov", 3.14159}, {"znear", 1e30}, {"zfar", 2e30}},
         Json{{"yfov", 0.5}, {"znear", 1}, {"zfar", 1.0000001}, {"aspectRatio", 1e-30}}}) {
     AssetText asset;
-    asset.draw(cube(), plain());
+    asset.draw(cube(), plastic());
     asset.camera({{"type", "perspective"}, {"perspective", lens}}, {{"scale", {0, 0, 0}}});
     options.force = true;
     EXPECT_EQ(report(asset).problem, BakeProblem::none) << lens;
   }
   for (const double magnification : {0.0, -1.0, 1e-30, 1e30}) {
     AssetText asset;
-    asset.draw(cube(), plain());
+    asset.draw(cube(), plastic());
     asset.camera({{"type", "orthographic"},
                   {"orthographic",
                    {{"xmag", magnification}, {"ymag", magnification}, {"znear", 0}, {"zfar", 0}}}},
@@ -65,7 +56,7 @@ TEST_F(BakeLimits, CamerasAtTheirLimits) {
 
 TEST_F(BakeLimits, SizesAtTheirLimits) {
   AssetText asset;
-  asset.draw(cube(), plain());
+  asset.draw(cube(), plastic());
   options.camera.clear();
   options.samples = 1;
   for (const BakeSize size : {BakeSize{1, 1}, BakeSize{2048, 1}, BakeSize{1, 2048}}) {
@@ -80,7 +71,7 @@ TEST_F(BakeLimits, SizesAtTheirLimits) {
 // What a caller of the library may hand over without a program that looks at it first.
 TEST_F(BakeLimits, NumbersThatMakeNoPictureAreRefused) {
   AssetText asset;
-  asset.draw(cube(), plain());
+  asset.draw(cube(), plastic());
   options.camera.clear();
   const auto refused = [&](const auto& change, const char* expected) {
     const BakeOptions usual = options;
@@ -111,7 +102,7 @@ TEST_F(BakeLimits, AThumbnailGoesIntoAGlbWithOddChunks) {
     while (data.size() % 4 != 0) data += filler;
     return packed<std::uint32_t>({static_cast<std::uint32_t>(data.size())}) + type + data;
   };
-  const std::string bin = packed(square().positions) + packed(square().triangles);
+  const std::string bin = packed(quad().positions) + packed(quad().triangles);
   const std::string json_text =
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"

@@ -287,14 +287,14 @@ TEST(BakeNames, Angles) {
   }
 }
 
-BakedPixels plain(std::uint32_t width, std::uint32_t height) {
+BakedPixels plain_pixels(std::uint32_t width, std::uint32_t height) {
   return {width, height, 3, std::vector<std::uint8_t>(std::size_t{width} * height * 3, 10)};
 }
 
 TEST(ContactSheet, CellsKeepTheShapeOfPictures) {
   ContactSheet sheet(3, {64, 64});
   sheet.add({}, "");
-  sheet.add(plain(64, 32), "no room for words");
+  sheet.add(plain_pixels(64, 32), "no room for words");
   const bake::Picture picture = sheet.take();
   EXPECT_EQ(picture.width, 128U);
   EXPECT_EQ(picture.height, 128U);
@@ -306,7 +306,7 @@ TEST(ContactSheet, CellsKeepTheShapeOfPictures) {
 
 TEST(ContactSheet, LargePicturesBecomeSmallerAndHaveTheirShape) {
   ContactSheet sheet(1, {1024, 512});
-  sheet.add(plain(1024, 512), "");
+  sheet.add(plain_pixels(1024, 512), "");
   const bake::Picture picture = sheet.take();
   EXPECT_EQ(picture.width, 256U);
   EXPECT_EQ(picture.height, 128U + 26U);

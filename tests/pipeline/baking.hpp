@@ -146,6 +146,16 @@ inline Json dielectric(const Json& color, double roughness, const Json& extensio
   return material;
 }
 
+/// A material of no account.
+inline Json plastic() { return dielectric({0.8, 0.5, 0.3, 1}, 0.5); }
+
+inline bake::Mesh scaled(bake::Mesh mesh, float factor) {
+  for (auto& p : mesh.positions) {
+    for (float& part : p) part *= factor;
+  }
+  return mesh;
+}
+
 /// Neither mirrors nor shines: all that is scattered is diffuse.
 inline Json no_specular() { return {{"KHR_materials_specular", {{"specularFactor", 0}}}}; }
 

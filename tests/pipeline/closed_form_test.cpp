@@ -14,8 +14,8 @@ namespace gltfx::test {
 namespace {
 
 using bake::cube;
+using bake::quad;
 using bake::sphere;
-using bake::square;
 using std::numbers::pi;
 
 class ClosedForm : public Baking {
@@ -201,7 +201,7 @@ TEST_F(ClosedForm, WhatShinesIsSeenAsItIs) {
                           {"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}});
   lamp["emissiveFactor"] = {0.25, 0.5, 1};
   AssetText asset;
-  asset.draw(square(), lamp);
+  asset.draw(quad(), lamp);
   asset.orthographic(0.5, 2);
   expect_everywhere(asset, {1.5, 3, 6}, 1e-5);
   options.exposure = -1;
@@ -212,7 +212,7 @@ TEST_F(ClosedForm, WhatShinesIsSeenAsItIs) {
 TEST_F(ClosedForm, ALampOnAWallByTheSquareOfItsDistance) {
   surround(0);
   AssetText asset;
-  asset.draw(square(1), dielectric({0.9, 0.6, 0.3, 1}, 1, no_specular()));
+  asset.draw(quad(1), dielectric({0.9, 0.6, 0.3, 1}, 1, no_specular()));
   asset.light({{"type", "point"}, {"intensity", 0.7}, {"color", {1, 0.5, 1}}},
               {{"translation", {0.25, 0.5, 1.5}}});
   asset.orthographic(1, 4);
@@ -221,8 +221,8 @@ TEST_F(ClosedForm, ALampOnAWallByTheSquareOfItsDistance) {
     for (std::uint32_t x = 1; x < 7; ++x) {
       const double px = (x + 0.5) / 4 - 1;
       const double py = 1 - (y + 0.5) / 4;
-      const double square = std::pow(px - 0.25, 2) + std::pow(py - 0.5, 2) + 1.5 * 1.5;
-      const double lux = 0.7 * 1.5 / std::pow(square, 1.5);
+      const double quad = std::pow(px - 0.25, 2) + std::pow(py - 0.5, 2) + 1.5 * 1.5;
+      const double lux = 0.7 * 1.5 / std::pow(quad, 1.5);
       EXPECT_NEAR(picture.at(x, y, 0), 0.9 * lux / pi, 0.003) << x << ' ' << y;
       EXPECT_NEAR(picture.at(x, y, 1), 0.3 * lux / pi, 0.001) << x << ' ' << y;
     }
@@ -238,7 +238,7 @@ TEST_F(ClosedForm, ALeafLitFromBehind) {
   leaf["doubleSided"] = true;
   for (const bool behind : {true, false}) {
     AssetText asset;
-    asset.draw(square(1), leaf);
+    asset.draw(quad(1), leaf);
     // 60 degrees from the normal; without a turn it shines down -z.
     const double half_turn = behind ? pi / 3 : pi / 6;
     asset.light({{"type", "directional"}, {"intensity", 2}},
@@ -271,7 +271,7 @@ TEST_F(ClosedForm, CamerasPutPointsWhereTheyBelong) {
       const double half_width = half_height * size.width / size.height;
       const double x = (3.5 / size.width * 2 - 1) * half_width;
       const double y = (1 - 9.5 / size.height * 2) * half_height;
-      asset.draw(square(static_cast<float>(half_width / size.width)), lamp,
+      asset.draw(quad(static_cast<float>(half_width / size.width)), lamp,
                  {{"translation", {10 + x, y, -5}}});
       if (perspective) {
         asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", yfov}, {"znear", 0.01}}}},
@@ -313,7 +313,7 @@ TEST_F(ClosedForm, BytesAreToneMappedAndEncoded) {
                             {"KHR_materials_emissive_strength", {{"emissiveStrength", radiance}}}});
     lamp["emissiveFactor"] = {1, 1, 1};
     AssetText asset;
-    asset.draw(square(), lamp);
+    asset.draw(quad(), lamp);
     asset.orthographic(0.5, 2);
     for (const double stops : {0.0, 1.0}) {
       options.exposure = stops;

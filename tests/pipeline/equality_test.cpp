@@ -209,12 +209,12 @@ void expect_alpha_is_red(const Shown& before, const Shown& after, std::size_t ma
   }
 }
 
-struct Case {
+struct GenerationCase {
   const char* generation;
   bool pack;
 };
 
-class Equality : public testing::TestWithParam<Case> {};
+class Equality : public testing::TestWithParam<GenerationCase> {};
 
 TEST_P(Equality, UpgradedMaterialsScatterAsTheLegacyOnesDid) {
   constexpr int kDocuments = 5, kMaterials = 20, kSituations = 120;
@@ -254,7 +254,8 @@ TEST_P(Equality, UpgradedMaterialsScatterAsTheLegacyOnesDid) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Generations, Equality,
-                         testing::Values(Case{"v1", false}, Case{"v1", true}, Case{"v2", false}),
+                         testing::Values(GenerationCase{"v1", false}, GenerationCase{"v1", true},
+                                         GenerationCase{"v2", false}),
                          [](const auto& chosen) {
                            return std::string(chosen.param.generation) +
                                   (chosen.param.pack ? "_packed" : "");

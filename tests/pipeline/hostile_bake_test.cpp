@@ -9,24 +9,15 @@ namespace gltfx::test {
 namespace {
 
 using bake::cube;
+using bake::quad;
 using bake::sphere;
-using bake::square;
 
-struct Case {
+struct HostileCase {
   std::string name;
   std::function<void(AssetText&)> fill;
   bool seen = true;  ///< there is a picture; else there is nothing to see
 };
-void PrintTo(const Case& shown, std::ostream* out) { *out << shown.name; }
-
-Json plain() { return dielectric({0.8, 0.5, 0.3, 1}, 0.5); }
-
-bake::Mesh scaled(bake::Mesh mesh, float factor) {
-  for (auto& p : mesh.positions) {
-    for (float& part : p) part *= factor;
-  }
-  return mesh;
-}
+void PrintTo(const HostileCase& shown, std::ostream* out) { *out << shown.name; }
 
 bake::Mesh moved(bake::Mesh mesh, float x) {
   for (auto& p : mesh.positions) p[0] += x;
@@ -39,7 +30,7 @@ void add_lamps(AssetText& asset, int count, const Json& light) {
 
 // A chain of nodes, the mesh at its end.
 void chain(AssetText& asset, int length) {
-  const int mesh = asset.mesh(cube(), asset.material(plain()));
+  const int mesh = asset.mesh(cube(), asset.material(plastic()));
   for (int i = 0; i + 1 < length; ++i) asset.add("nodes", {{"children", {i + 1}}});
   asset.add("nodes", {{"mesh", mesh}});
   asset.json()["scenes"][0]["nodes"] = {0};
@@ -52,7 +43,7 @@ void copies(AssetText& asset, int count) {
   }
   asset.uses("EXT_mesh_gpu_instancing");
   const int accessor = asset.accessor("VEC3", 5126, places.size(), packed(places));
-  asset.draw(cube(0.4F), plain(),
+  asset.draw(cube(0.4F), plastic(),
              {{"extensions",
                {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", accessor}}}}}}}});
 }
@@ -69,7 +60,7 @@ Json& primitive(AssetText& asset, int mesh) {
 }
 
 void skinned(AssetText& asset, float weight) {
-  const int mesh = asset.mesh(square(), asset.material(plain()));
+  const int mesh = asset.mesh(quad(), asset.material(plastic()));
   const std::vector<std::array<std::uint8_t, 4>> joints(4);
   const std::vector<std::array<float, 4>> weights(4, {weight, 0, 0, 0});
   Json& attributes = primitive(asset, mesh)["attributes"];
@@ -83,21 +74,21 @@ void skinned(AssetText& asset, float weight) {
 }
 
 void morphed(AssetText& asset, double weight) {
-  const int mesh = asset.mesh(square(), asset.material(plain()));
+  const int mesh = asset.mesh(quad(), asset.material(plastic()));
   const int target = asset.positions({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}});
   primitive(asset, mesh)["targets"] = Json::array({Json::object({{"POSITION", target}})});
   asset.node({{"mesh", mesh}, {"weights", Json::array({weight})}});
 }
 
 void only_mode(AssetText& asset, int mode) {
-  const int mesh = asset.mesh(square(), -1);
+  const int mesh = asset.mesh(quad(), -1);
   primitive(asset, mesh)["mode"] = mode;
   asset.node({{"mesh", mesh}});
 }
 
 // Copies of one mesh, each in a place of its own.
 void twice(AssetText& asset, const Json& first, const Json& second) {
-  const int mesh = asset.mesh(cube(), asset.material(plain()));
+  const int mesh = asset.mesh(cube(), asset.material(plastic()));
   for (Json place : {first, second}) {
     place["mesh"] = mesh;
     asset.node(place);
@@ -111,52 +102,53 @@ Json with(Json extensions, const char* name, const Json& value) {
   return extensions;
 }
 
-const Case kCases[] = {
+const HostileCase kCases[] = {
     {"degenerate_triangles",
      [](AssetText& asset) {
-       bake::Mesh mesh = square();
+       bake::Mesh mesh = quad();
        mesh.triangles.push_back({0, 0, 0});
        mesh.triangles.push_back({0, 1, 1});
-       asset.draw(mesh, plain());
+       asset.draw(mesh, plastic());
      }},
     {"all_triangles_degenerate",
      [](AssetText& asset) {
-       bake::Mesh mesh = square();
+       bake::Mesh mesh = quad();
        mesh.triangles = {{0, 0, 0}, {1, 1, 2}};
-       asset.draw(mesh, plain());
+       asset.draw(mesh, plastic());
      },
      false},
-    {"one_point", [](AssetText& asset) { asset.draw(scaled(square(), 0), plain()); }},
-    {"enormous", [](AssetText& asset) { asset.draw(scaled(cube(), 1e30F), plain()); }, false},
-    {"large", [](AssetText& asset) { asset.draw(scaled(cube(), 1e15F), plain()); }},
-    {"tiny", [](AssetText& asset) { asset.draw(scaled(cube(), 1e-15F), plain()); }},
-    {"tinier", [](AssetText& asset) { asset.draw(scaled(cube(), 1e-30F), plain()); }},
-    {"far_away", [](AssetText& asset) { asset.draw(moved(cube(), 1e8F), plain()); }},
+    {"one_point", [](AssetText& asset) { asset.draw(scaled(quad(), 0), plastic()); }},
+    {"enormous", [](AssetText& asset) { asset.draw(scaled(cube(), 1e30F), plastic()); }, false},
+    {"large", [](AssetText& asset) { asset.draw(scaled(cube(), 1e15F), plastic()); }},
+    {"tiny", [](AssetText& asset) { asset.draw(scaled(cube(), 1e-15F), plastic()); }},
+    {"tinier", [](AssetText& asset) { asset.draw(scaled(cube(), 1e-30F), plastic()); }},
+    {"far_away", [](AssetText& asset) { asset.draw(moved(cube(), 1e8F), plastic()); }},
     {"tiny_scale",
      [](AssetText& asset) {
-       asset.draw(cube(), plain(), {{"scale", {1e-30, 1e-30, 1e-30}}});
+       asset.draw(cube(), plastic(), {{"scale", {1e-30, 1e-30, 1e-30}}});
      }},
     {"enormous_scale",
      [](AssetText& asset) {
-       asset.draw(cube(), plain(), {{"scale", {1e38, 1e38, 1e38}}});
+       asset.draw(cube(), plastic(), {{"scale", {1e38, 1e38, 1e38}}});
      },
      false},
     {"overflowing_scale",
      [](AssetText& asset) {
-       asset.draw(scaled(cube(), 1e20F), plain(), {{"scale", {1e30, 1e30, 1e30}}});
+       asset.draw(scaled(cube(), 1e20F), plastic(), {{"scale", {1e30, 1e30, 1e30}}});
      },
      false},
     {"flattened",
      [](AssetText& asset) {
-       asset.draw(cube(), plain(), {{"scale", {1, 0, 1}}});
+       asset.draw(cube(), plastic(), {{"scale", {1, 0, 1}}});
      }},
     {"flattened_to_a_point",
      [](AssetText& asset) {
-       asset.draw(cube(), plain(), {{"scale", {0, 0, 0}}});
+       asset.draw(cube(), plastic(), {{"scale", {0, 0, 0}}});
      }},
     {"singular_matrix",
      [](AssetText& asset) {
-       asset.draw(cube(), plain(), {{"matrix", {1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
+       asset.draw(cube(), plastic(),
+                  {{"matrix", {1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
      }},
     {"copies_without_extent",
      [](AssetText& asset) {
@@ -228,35 +220,35 @@ const Case kCases[] = {
     {"transparent", [](AssetText& asset) { asset.draw(cube(), alpha("BLEND", 0, 0)); }, false},
     {"hundred_veils",
      [](AssetText& asset) {
-       const int mesh = asset.mesh(square(), asset.material(alpha("BLEND", 0, 0.01)));
+       const int mesh = asset.mesh(quad(), asset.material(alpha("BLEND", 0, 0.01)));
        for (int i = 0; i < 100; ++i)
          asset.node({{"mesh", mesh}, {"translation", {0, 0, i * 0.01}}});
      }},
     {"range_0",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        add_lamps(asset, 2, {{"type", "point"}, {"range", 1e-38}});
      }},
     {"lamp_without_light",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        add_lamps(asset, 2, {{"type", "point"}, {"intensity", 0}});
        add_lamps(asset, 1, {{"type", "spot"}, {"color", {0, 0, 0}}, {"spot", Json::object()}});
      }},
     {"lamp_too_bright",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        add_lamps(asset, 3, {{"type", "directional"}, {"intensity", 3e38}});
        add_lamps(asset, 3, {{"type", "point"}, {"intensity", 3e38}});
      }},
     {"lamp_in_a_corner",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        asset.light({{"type", "point"}}, {{"translation", {1, 1, 1}}});
      }},
     {"equal_cones",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        add_lamps(asset, 1,
                  {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}});
        add_lamps(asset, 1,
@@ -264,12 +256,12 @@ const Case kCases[] = {
      }},
     {"lamp_of_no_direction",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        asset.light({{"type", "directional"}}, {{"scale", {0, 0, 0}}});
      }},
     {"ten_thousand_lamps",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        add_lamps(asset, 1, {{"type", "point"}, {"intensity", 0.1}});
        for (int i = 0; i < 10000; ++i) {
          asset.node({{"translation", {i % 100 * 0.1, i / 100 * 0.1, 2}},
@@ -281,14 +273,14 @@ const Case kCases[] = {
     {"empty_scene", [](AssetText&) {}, false},
     {"no_scene",
      [](AssetText& asset) {
-       asset.draw(cube(), plain());
+       asset.draw(cube(), plastic());
        asset.json().erase("scenes");
        asset.json().erase("scene");
      }},
     {"all_hidden",
      [](AssetText& asset) {
        asset.uses("KHR_node_visibility");
-       asset.draw(cube(), plain(),
+       asset.draw(cube(), plastic(),
                   {{"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
      },
      false},
@@ -302,7 +294,7 @@ const Case kCases[] = {
     {"infinite_morph", [](AssetText& asset) { morphed(asset, 3e38); }, false},
 };
 
-class Hostile : public Baking, public testing::WithParamInterface<Case> {
+class Hostile : public Baking, public testing::WithParamInterface<HostileCase> {
  protected:
   Hostile() {
     options.camera.clear();

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-BakeOptions quick() {
+BakeOptions quick_legacy() {
   BakeOptions options;
   options.sizes = {{32, 24}};
   options.samples = 4;
@@ -44,8 +44,8 @@ TEST(LegacyFixturesBaked, LookAsTheyDidToTheLastBit) {
       options.pack = pack;
       options.output = (folder.path() / entry.path().filename()).native();
       if (!loses_nothing(upgrade_file(entry.path().native(), options))) continue;
-      const BakeReport before = bake_file(entry.path().native(), quick());
-      const BakeReport after = bake_file(options.output, quick());
+      const BakeReport before = bake_file(entry.path().native(), quick_legacy());
+      const BakeReport after = bake_file(options.output, quick_legacy());
       EXPECT_EQ(before.problem, after.problem) << entry.path() << after.error;
       EXPECT_EQ(before.pixels.bytes, after.pixels.bytes) << entry.path();
       if (!before.pixels.bytes.empty()) ++drawn;
@@ -67,11 +67,11 @@ class LegacyBaked : public testing::TestWithParam<Generation> {};
 // Squares side by side that face either way, each of a material of its own, with lamps on both
 // sides.
 Json with_squares(Json document) {
-  const std::vector<bake::Float3> points = bake::square(0.45F).positions;
+  const std::vector<bake::Float3> points = bake::quad(0.45F).positions;
   std::string bytes = packed(points);
-  bytes += packed(bake::square().uvs[0]);
+  bytes += packed(bake::quad().uvs[0]);
   bytes += floats({0.2F, 0.1F, 0.9F, 0.3F, 0.7F, 1.1F, -0.2F, 0.6F});
-  bytes += packed(bake::square().triangles);
+  bytes += packed(bake::quad().triangles);
   document["buffers"] = {{{"byteLength", bytes.size()}, {"uri", buffer_uri(bytes)}}};
   const auto view = [&](std::size_t offset, std::size_t length, const char* type, int component,
                         int count) {
@@ -127,7 +127,7 @@ TEST_P(LegacyBaked, LooksAsItDidToTheLastBit) {
     options.output = (folder.path() / "after.gltf").native();
     const UpgradeReport report = upgrade_file(before, options);
     ASSERT_TRUE(loses_nothing(report)) << report.error;
-    BakeOptions baked = quick();
+    BakeOptions baked = quick_legacy();
     baked.sizes = {{48, 40}};
     baked.camera = "20,10";
     const BakeReport old = bake_file(before, baked);
@@ -179,7 +179,7 @@ TEST(BakedAgain, TheSameBytesByAnyNumberOfThreadsAndEachTime) {
   const container::test::TempFolder folder;
   const std::string path = folder.write("a.gltf", document.dump()).native();
   for (const bool denoise : {false, true}) {
-    BakeOptions options = quick();
+    BakeOptions options = quick_legacy();
     options.sizes = {{56, 40}};
     options.denoise = denoise;
     options.noise = denoise ? 0 : 0.02;

@@ -38,14 +38,14 @@ Work work_of(const std::function<void()>& verb) {
           after.validated - before.validated};
 }
 
-std::string fixture(const std::string& name) {
+std::string copied_fixture(const std::string& name) {
   return std::string(GLTFX_SOURCE_DIR) + "/fixtures/" + name;
 }
 
 // Legacy textures: the upgrade looks for images that are left over, and adds some to the GLB.
-const std::string kLegacyText = fixture("legacy/shop.gltf");
-const std::string kLegacyBinary = fixture("legacy/lantern.glb");
-const std::string kCurrent = fixture("good/bowl.glb");
+const std::string kLegacyText = copied_fixture("legacy/shop.gltf");
+const std::string kLegacyBinary = copied_fixture("legacy/lantern.glb");
+const std::string kCurrent = copied_fixture("good/bowl.glb");
 
 PageAsset page_of(const std::string& path, ValidateOptions options = {}) {
   options.jobs = 1;

@@ -18,6 +18,7 @@
 #include "container/base64.hpp"
 #include "container/temp_folder.hpp"
 #include "json/parse.hpp"
+#include "pipeline/scene_asset.hpp"
 #include "upgrade/accessor_values.hpp"
 
 namespace gltfx::test {
@@ -29,7 +30,6 @@ inline constexpr const char* kOld = "KHR_materials_translucency";
 inline constexpr const char* kNew = "KHR_materials_diffuse_transmission";
 inline constexpr int kByte = 5121;
 inline constexpr int kShort = 5123;
-inline constexpr int kFloat = 5126;
 
 template <typename T>
 std::string bytes_of(const std::vector<T>& values) {

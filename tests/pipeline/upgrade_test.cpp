@@ -22,7 +22,7 @@ const std::string kLegacy = R"({"asset":{"version":"2.0"},
 "extensionsUsed":["KHR_materials_translucency"],
 "materials":[{"extensions":{"KHR_materials_translucency":{"translucencyFactor":1}}}]})";
 
-std::string content(const std::string& path) {
+std::string file_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -39,7 +39,7 @@ TEST(UpgradeFile, TellsThePlanAndWritesNothingUnasked) {
   EXPECT_TRUE(report.changes);
   EXPECT_FALSE(report.written);
   EXPECT_NE(report.diff.find("\n+\"extensionsUsed\""), std::string::npos);
-  EXPECT_EQ(content(path), kLegacy);
+  EXPECT_EQ(file_text(path), kLegacy);
 }
 
 TEST(UpgradeFile, TooManyObjectsAreAReasonNotAnEmptyPlan) {
@@ -57,7 +57,7 @@ TEST(UpgradeFile, TooManyObjectsAreAReasonNotAnEmptyPlan) {
 }
 
 // A leaf whose map has no alpha, which the first generation does not read and later ones do.
-std::string leaf(const std::string& legacy) {
+std::string leaf_text(const std::string& legacy) {
   return R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_translucency"],
 "scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"mode":0,"material":0}]}],
@@ -71,7 +71,8 @@ std::string leaf(const std::string& legacy) {
 TEST(UpgradeFile, SaysInThePlanWhatWarningTheNewDocumentBrings) {
   const TempFolder folder;
   const std::string path =
-      folder.write("a.gltf", leaf(R"("translucencyFactor":1,"translucencyTexture":{"index":0})"))
+      folder
+          .write("a.gltf", leaf_text(R"("translucencyFactor":1,"translucencyTexture":{"index":0})"))
           .native();
   UpgradeOptions options;
   options.generation = "v2";
@@ -80,7 +81,7 @@ TEST(UpgradeFile, SaysInThePlanWhatWarningTheNewDocumentBrings) {
   EXPECT_EQ(planned[0].find("TEXTURE"), 0U) << planned[0];
   options.in_place = true;
   EXPECT_EQ(upgrade_file(path, options).new_warnings, planned);
-  const std::string plain = folder.write("b.gltf", leaf(R"("translucencyFactor":1)")).native();
+  const std::string plain = folder.write("b.gltf", leaf_text(R"("translucencyFactor":1)")).native();
   EXPECT_TRUE(upgrade_file(plain, {}).new_warnings.empty());
 }
 
@@ -106,7 +107,7 @@ TEST(ProposedFix, IsWhatAnUpgradeWrites) {
   UpgradeOptions options;
   options.in_place = true;
   ASSERT_TRUE(upgrade_file(path, options).written);
-  EXPECT_EQ(with_fix(kLegacy, *fix), content(path));
+  EXPECT_EQ(with_fix(kLegacy, *fix), file_text(path));
 }
 
 TEST(ProposedFix, IsNotMadeUnaskedNorWhereThereIsDoubt) {
@@ -178,7 +179,7 @@ TEST(UpgradeFile, AFileThatWouldHaveANewErrorIsNotWritten) {
   EXPECT_EQ(report.problem, UpgradeProblem::refused);
   EXPECT_NE(report.error.find("UNDEFINED_PROPERTY"), std::string::npos) << report.error;
   EXPECT_EQ(report.left(), 1U);
-  EXPECT_EQ(content(path), text);
+  EXPECT_EQ(file_text(path), text);
 }
 
 TEST(UpgradeFiles, ReportInTheOrderOfTheInputs) {

@@ -60,7 +60,7 @@ Json run(const std::vector<InspectReport>& reports) {
   return Json::parse(text);
 }
 
-testing::SchemaCheck published_schema() {
+testing::SchemaCheck published_facts_schema() {
   return testing::SchemaCheck(Json::parse(inspect_report_schema()));
 }
 
@@ -70,7 +70,7 @@ TEST(FactsJson, IsAsThePublishedSchemaSays) {
   const InspectReport broken{"b.gltf", "it holds no glTF", {}, {}, {}};
   const InspectReport bare{"c.gltf", {}, bare_facts(), {}, {}};
   const Json report = run({whole, broken, bare});
-  EXPECT_THAT(published_schema().errors(report), IsEmpty());
+  EXPECT_THAT(published_facts_schema().errors(report), IsEmpty());
   EXPECT_EQ(report["assets"].size(), 3U);
   EXPECT_EQ(report["assets"][0]["facts"]["bytes"]["total"], 120);
   EXPECT_EQ(report["assets"][0]["facts"]["generator"], "\x1b[31m##vso[x]</script>");

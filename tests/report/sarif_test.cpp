@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr std::array<RuleDescription, 2> kRules{
+constexpr std::array<RuleDescription, 2> kSarifRules{
     {{.code = "TYPE_MISMATCH",
       .severity = Severity::error,
       .summary = "A value has the wrong type",
@@ -37,17 +37,18 @@ constexpr std::array<RuleDescription, 2> kRules{
       .bad = "",
       .good = ""}}};
 
-FormatOptions options() {
-  FormatOptions options;
-  options.profile = "default";
-  options.pixel_level = "headers";
-  options.rules = kRules;
-  options.folder = "/home/anna b/assets";
-  options.sarif_notes = true;
-  return options;
+FormatOptions sarif_options() {
+  FormatOptions sarif_options;
+  sarif_options.profile = "default";
+  sarif_options.pixel_level = "headers";
+  sarif_options.rules = kSarifRules;
+  sarif_options.folder = "/home/anna b/assets";
+  sarif_options.sarif_notes = true;
+  return sarif_options;
 }
 
-json sarif_run(const std::vector<FileReport>& reports, const FormatOptions& with = options()) {
+json sarif_run(const std::vector<FileReport>& reports,
+               const FormatOptions& with = sarif_options()) {
   const json log = json::parse(run(ReportFormat::sarif, reports, with));
   EXPECT_EQ(log["version"], "2.1.0");
   EXPECT_EQ(log["runs"].size(), 1U);
@@ -228,8 +229,8 @@ TEST(Sarif, NotesAreForThoseWhoAskForThem) {
     }
     return all;
   };
-  EXPECT_EQ(codes(options()), "XYZZ");
-  FormatOptions quiet = options();
+  EXPECT_EQ(codes(sarif_options()), "XYZZ");
+  FormatOptions quiet = sarif_options();
   quiet.sarif_notes = false;
   EXPECT_EQ(codes(quiet), "X");
   const json run = sarif_run(reports, quiet);

@@ -78,9 +78,9 @@ TEST_F(Leaf, SlotIsRecordedWithItsChannels) {
 }
 
 TEST_F(Leaf, OtherHomesAreRefused) {
-  const std::string json =
+  const std::string text =
       asset_using("ACME_leaf", R"("nodes": [{"extensions": {"ACME_leaf": {"age": 1}}}])");
-  const Found found = only(json, *set_);
+  const Found found = only(text, *set_);
   EXPECT_EQ(found.code, "UNEXPECTED_EXTENSION_OBJECT");
   EXPECT_THAT(found.help, HasSubstr("material"));
 }
@@ -105,16 +105,16 @@ TEST(UserSchema, ReplacesABuiltInExtension) {
   }
   const auto set = set_with(text);
   ASSERT_NE(set, nullptr);
-  const auto json = [](const char* object) {
+  const auto asset_of = [](const char* object) {
     return asset_using(
         "KHR_materials_ior",
         std::string(R"("materials": [{"extensions": {"KHR_materials_ior": )") + object + "}}]");
   };
-  EXPECT_THAT(verdict(json(R"({"age": 1})"), {}, *set), IsEmpty());
-  EXPECT_THAT(verdict(json(R"({"ior": 1.5})"), {}, *set),
+  EXPECT_THAT(verdict(asset_of(R"({"age": 1})"), {}, *set), IsEmpty());
+  EXPECT_THAT(verdict(asset_of(R"({"ior": 1.5})"), {}, *set),
               ElementsAre("UNEXPECTED_PROPERTY /materials/0/extensions/KHR_materials_ior/ior",
                           "UNDEFINED_PROPERTY /materials/0/extensions/KHR_materials_ior"));
-  EXPECT_THAT(verdict(json(R"({"ior": 1.5})")), IsEmpty()) << "the built-in set stays as it is";
+  EXPECT_THAT(verdict(asset_of(R"({"ior": 1.5})")), IsEmpty()) << "the built-in set stays as it is";
   EXPECT_EQ(set->extensions().size(), schema::builtin_set()->extensions().size());
 }
 

@@ -167,7 +167,7 @@ Problems check_directories(const Source& source) {
 }
 
 template <class Check>
-Problems over_all(const Check& check) {
+Problems over_everything(const Check& check) {
   Problems problems;
   for (const Source& source : files_below(kEverything)) {
     const Problems found = check(source);
@@ -176,11 +176,17 @@ Problems over_all(const Check& check) {
   return problems;
 }
 
-TEST(Text, EverySourceFileNamesItsLicence) { EXPECT_THAT(over_all(check_licence), IsEmpty()); }
-TEST(Text, NothingIsLeftToBeDone) { EXPECT_THAT(over_all(check_leftovers), IsEmpty()); }
-TEST(Text, LinksLeadToKnownPlaces) { EXPECT_THAT(over_all(check_hosts), IsEmpty()); }
-TEST(Text, TheLibraryNeverPrintsOrEndsTheProgram) { EXPECT_THAT(over_all(check_quiet), IsEmpty()); }
-TEST(Text, DirectoriesAreReadInOneWay) { EXPECT_THAT(over_all(check_directories), IsEmpty()); }
+TEST(Text, EverySourceFileNamesItsLicence) {
+  EXPECT_THAT(over_everything(check_licence), IsEmpty());
+}
+TEST(Text, NothingIsLeftToBeDone) { EXPECT_THAT(over_everything(check_leftovers), IsEmpty()); }
+TEST(Text, LinksLeadToKnownPlaces) { EXPECT_THAT(over_everything(check_hosts), IsEmpty()); }
+TEST(Text, TheLibraryNeverPrintsOrEndsTheProgram) {
+  EXPECT_THAT(over_everything(check_quiet), IsEmpty());
+}
+TEST(Text, DirectoriesAreReadInOneWay) {
+  EXPECT_THAT(over_everything(check_directories), IsEmpty());
+}
 
 TEST(Text, AMissingLicenceIsFound) {
   EXPECT_THAT(check_licence({"a.cpp", "#include <map>\n"}), ElementsAre(HasSubstr("SPDX")));

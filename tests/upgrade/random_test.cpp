@@ -13,9 +13,9 @@ namespace gltfx::upgrade::test {
 namespace {
 
 // Materials whole and faulty, in every layout.
-class Factory {
+class RandomFactory {
  public:
-  explicit Factory(std::uint32_t seed) : random_(seed) {}
+  explicit RandomFactory(std::uint32_t seed) : random_(seed) {}
 
   std::string document() {
     Json root = Json::object();
@@ -143,7 +143,7 @@ TEST(Random, OneRunIsEnough) {
   scatter.only.clear();
   scatter.to = {"KHR_materials_scatter"};
   for (std::uint32_t seed = 0; seed < 1000 && !testing::Test::HasFatalFailure(); ++seed) {
-    const std::string text = Factory(seed).document();
+    const std::string text = RandomFactory(seed).document();
     for (const UpgradeOptions& options : {plain, unsafe, all, all_unsafe, scatter}) {
       expect_settled(text, options);
     }

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-UpgradeOptions unsafe() {
+UpgradeOptions unsafe_removal() {
   UpgradeOptions options;
   options.unsafe = true;
   return options;
@@ -46,7 +46,7 @@ TEST(Removal, WhereNothingTakesItsPlaceTheObjectStaysUnlessAskedFor) {
     EXPECT_EQ(left.text, text);
     EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
     EXPECT_THAT(left.only().notes, Contains("this also removes 'ACME_a'"));
-    const Upgraded gone = upgraded(text, unsafe());
+    const Upgraded gone = upgraded(text, unsafe_removal());
     EXPECT_TRUE(gone.only().removed);
     EXPECT_FALSE(gone.json().contains("extensionsUsed")) << gone.text;
     EXPECT_THAT(gone.only().notes,

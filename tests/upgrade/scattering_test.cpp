@@ -163,7 +163,7 @@ TEST_P(ScatteringLeft, Alone) {
   EXPECT_THAT(result.only().notes, Contains(HasSubstr(GetParam().says)));
 }
 
-std::string animated(const std::string& pointer) {
+std::string animated_scattering(const std::string& pointer) {
   return R"({"animations":[{"p":"/materials/0/extensions/)" + pointer + R"("}],)" +
          document("", kLegacy).substr(1);
 }
@@ -185,8 +185,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"attenuation_color", document(R"("attenuationColor":[1,1,1,1])", kLegacy),
              "attenuation"},
         Case{"unlit", document("", kLegacy, R"("KHR_materials_unlit":{},)"), "KHR_materials_unlit"},
-        Case{"animated", animated("KHR_materials_sss/scatterColor"), "scatterColor is animated"},
-        Case{"animated_volume", animated("KHR_materials_volume/attenuationDistance"),
+        Case{"animated", animated_scattering("KHR_materials_sss/scatterColor"),
+             "scatterColor is animated"},
+        Case{"animated_volume", animated_scattering("KHR_materials_volume/attenuationDistance"),
              "attenuationDistance of the volume is animated"}),
     [](const auto& test) { return std::string(test.param.name); });
 

@@ -15,21 +15,21 @@ const std::string kName = "KHR_materials_pbrSpecularGlossiness";
 const std::string kQuoted = R"("KHR_materials_pbrSpecularGlossiness":)";
 
 // A document with one material: members of it, of the legacy object, of the root.
-std::string document(const std::string& legacy, const std::string& material = "",
-                     const std::string& root = "") {
+std::string glossy_document(const std::string& legacy, const std::string& material = "",
+                            const std::string& root = "") {
   return R"({"extensionsUsed":[")" + kName + R"("],"textures":[{},{}],)" + root +
          R"("materials":[{)" + material + R"("extensions":{")" + kName + R"(":{)" + legacy +
          "}}}]}";
 }
 
 Json material_after(const std::string& legacy, const std::string& material = "") {
-  return upgraded(document(legacy, material)).json()["materials"][0];
+  return upgraded(glossy_document(legacy, material)).json()["materials"][0];
 }
 
 TEST(SpecularGlossiness, FactorsAndTexturesGoWhereTheyAreReadToday) {
-  const Upgraded result = upgraded(
-      document(R"("diffuseFactor":[0.50,0.8,0.2,1e0],"diffuseTexture":{"index":1,"texCoord":1},)"
-               R"("specularFactor":[1,0.766,0.336],"glossinessFactor":0.9)"));
+  const Upgraded result = upgraded(glossy_document(
+      R"("diffuseFactor":[0.50,0.8,0.2,1e0],"diffuseTexture":{"index":1,"texCoord":1},)"
+      R"("specularFactor":[1,0.766,0.336],"glossinessFactor":0.9)"));
   EXPECT_EQ(result.json()["materials"][0].dump(),
             R"({"extensions":{"KHR_materials_specular":{"specularColorFactor":[1,0.766,0.336]},)"
             R"("KHR_materials_ior":{"ior":0}},"pbrMetallicRoughness":)"
@@ -50,7 +50,7 @@ TEST(SpecularGlossiness, DefaultsAreThoseOfTheOldModel) {
 
 TEST(SpecularGlossiness, RoughnessIsADecimalNumber) {
   const auto roughness = [](const std::string& glossiness) {
-    const std::string text = upgraded(document(R"("glossinessFactor":)" + glossiness)).text;
+    const std::string text = upgraded(glossy_document(R"("glossinessFactor":)" + glossiness)).text;
     const std::string name = R"("roughnessFactor":)";
     const std::size_t begin = text.find(name) + name.size();
     return text.substr(begin, text.find('}', begin) - begin);
@@ -63,7 +63,7 @@ TEST(SpecularGlossiness, RoughnessIsADecimalNumber) {
 }
 
 TEST(SpecularGlossiness, TheFallbackGivesWay) {
-  const Upgraded result = upgraded(document(
+  const Upgraded result = upgraded(glossy_document(
       R"("diffuseFactor":[0,0,0,1])",
       R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,0,1],"baseColorTexture":{"index":0},)"
       R"("metallicFactor":0.0,"metallicRoughnessTexture":{"index":0},"extras":1},)"));
@@ -77,7 +77,7 @@ TEST(SpecularGlossiness, TheFallbackGivesWay) {
 
 TEST(SpecularGlossiness, ARequiredExtensionLeavesRequiredOnes) {
   const Json root =
-      upgraded(document("", "", R"("extensionsRequired":[")" + kName + R"("],)")).json();
+      upgraded(glossy_document("", "", R"("extensionsRequired":[")" + kName + R"("],)")).json();
   EXPECT_THAT(root["extensionsRequired"],
               ElementsAre("KHR_materials_specular", "KHR_materials_ior"));
 }
@@ -85,7 +85,7 @@ TEST(SpecularGlossiness, ARequiredExtensionLeavesRequiredOnes) {
 TEST(SpecularGlossiness, AnotherIndexOfRefractionIsALoss) {
   UpgradeOptions options;
   options.ior = 1000;
-  const Upgraded result = upgraded(document(""), options);
+  const Upgraded result = upgraded(glossy_document(""), options);
   EXPECT_EQ(result.json()["materials"][0]["extensions"]["KHR_materials_ior"].dump(),
             R"({"ior":1000})");
   EXPECT_TRUE(result.only().done);
@@ -93,7 +93,7 @@ TEST(SpecularGlossiness, AnotherIndexOfRefractionIsALoss) {
 }
 
 TEST(SpecularGlossiness, WhatItMustNotStandBesideIsSeenAfterwards) {
-  std::string text = document("");
+  std::string text = glossy_document("");
   text.insert(text.find(kQuoted), R"("KHR_materials_clearcoat":{},)");
   EXPECT_EQ(upgraded(text).text, text);
   EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::unsafe);
@@ -105,7 +105,7 @@ TEST(SpecularGlossiness, WhatItMustNotStandBesideIsSeenAfterwards) {
 TEST(SpecularGlossiness, BesideWhatTheSuccessorWouldBreakItStays) {
   for (const std::string other :
        {"KHR_materials_volume", "KHR_materials_specular", "KHR_materials_ior"}) {
-    std::string text = document("");
+    std::string text = glossy_document("");
     text.insert(text.find(kQuoted), std::string("\"").append(other).append("\":{},"));
     UpgradeOptions unsafe;
     unsafe.unsafe = true;
@@ -118,7 +118,7 @@ TEST(SpecularGlossiness, BesideWhatTheSuccessorWouldBreakItStays) {
 
 // The texts do not say which of two models of the whole material counts; most readers draw unlit.
 Upgraded beside_unlit(const std::string& legacy, const std::string& material, bool unsafe) {
-  std::string text = document(legacy, material);
+  std::string text = glossy_document(legacy, material);
   text.insert(text.find(kQuoted), R"("KHR_materials_unlit":{},)");
   UpgradeOptions options;
   options.unsafe = unsafe;
@@ -153,8 +153,9 @@ TEST(SpecularGlossiness, BesideUnlitABaseColourThatIsThereStays) {
 }
 
 TEST(SpecularGlossiness, TranslucencyBesideItTakesItsDiffuseColour) {
-  std::string text = document(R"("diffuseFactor":[0.5,0.8,0.2,1],"diffuseTexture":{"index":1})",
-                              R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]},)");
+  std::string text =
+      glossy_document(R"("diffuseFactor":[0.5,0.8,0.2,1],"diffuseTexture":{"index":1})",
+                      R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]},)");
   text.insert(text.find(kQuoted), R"("KHR_materials_translucency":{"translucencyFactor":0.7},)");
   const Upgraded result = upgraded(text);
   EXPECT_EQ(extension_of(result).dump(),
@@ -164,7 +165,8 @@ TEST(SpecularGlossiness, TranslucencyBesideItTakesItsDiffuseColour) {
 }
 
 TEST(SpecularGlossiness, ADefaultDiffuseColourIsNoTint) {
-  std::string text = document("", R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]},)");
+  std::string text =
+      glossy_document("", R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]},)");
   text.insert(text.find(kQuoted), R"("KHR_materials_translucency":{"translucencyFactor":0.7},)");
   EXPECT_EQ(extension_of(upgraded(text)).dump(), R"({"diffuseTransmissionFactor":0.7})");
 }
@@ -192,7 +194,7 @@ class OneImage : public Pictures {
 const std::string kTextures = R"("samplers":[{}],"images":[{}],)";
 
 std::string textured(const std::string& legacy, const std::string& root = "") {
-  std::string text = document(
+  std::string text = glossy_document(
       R"("specularGlossinessTexture":{"index":1,"texCoord":1,"extras":{"index":1}})" + legacy, "",
       kTextures + root);
   const std::string plain = R"("textures":[{},{}])";
@@ -243,7 +245,7 @@ TEST(SpecularGlossiness, ATextureThatCannotBeReadKeepsTheMaterial) {
   EXPECT_EQ(upgraded(text).text, text);
   EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::needs_image);
   OneImage image(0, 255);
-  const std::string without = document(R"("specularGlossinessTexture":{"index":0})");
+  const std::string without = glossy_document(R"("specularGlossinessTexture":{"index":0})");
   const Upgraded result = upgraded(without, {}, &image);
   EXPECT_EQ(result.text, without);
   EXPECT_THAT(result.only().notes, Contains(HasSubstr("no image")));
@@ -265,30 +267,31 @@ TEST(SpecularGlossiness, AnAnimatedTransformWouldDriveTwoTextures) {
 
 // Pointers of animations.
 
-std::string animated(const std::string& pointer) {
+std::string animated_gloss(const std::string& pointer) {
   return R"("animations":[{"p":"/materials/0/)" + pointer + R"("}],)";
 }
 
-std::string pointer_after(const std::string& member, const std::string& legacy) {
-  const std::string root = animated("extensions/" + kName + "/" + member);
-  return upgraded(document(legacy, "", root)).json()["animations"][0]["p"];
+std::string gloss_pointer_after(const std::string& member, const std::string& legacy) {
+  const std::string root = animated_gloss("extensions/" + kName + "/" + member);
+  return upgraded(glossy_document(legacy, "", root)).json()["animations"][0]["p"];
 }
 
 TEST(SpecularGlossiness, PointersFollow) {
-  EXPECT_EQ(pointer_after("diffuseFactor", R"("diffuseFactor":[1,1,1,1])"),
+  EXPECT_EQ(gloss_pointer_after("diffuseFactor", R"("diffuseFactor":[1,1,1,1])"),
             "/materials/0/pbrMetallicRoughness/baseColorFactor");
-  EXPECT_EQ(pointer_after("diffuseFactor", ""),
+  EXPECT_EQ(gloss_pointer_after("diffuseFactor", ""),
             "/materials/0/pbrMetallicRoughness/baseColorFactor");
-  EXPECT_EQ(pointer_after("specularFactor", ""),
+  EXPECT_EQ(gloss_pointer_after("specularFactor", ""),
             "/materials/0/extensions/KHR_materials_specular/specularColorFactor");
-  EXPECT_EQ(pointer_after("diffuseTexture/extensions/KHR_texture_transform/offset",
-                          R"("diffuseTexture":{"index":0})"),
+  EXPECT_EQ(gloss_pointer_after("diffuseTexture/extensions/KHR_texture_transform/offset",
+                                R"("diffuseTexture":{"index":0})"),
             "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/"
             "offset");
 }
 
 TEST(SpecularGlossiness, AnAnimatedGlossinessIsLeftAlone) {
-  const std::string text = document("", "", animated("extensions/" + kName + "/glossinessFactor"));
+  const std::string text =
+      glossy_document("", "", animated_gloss("extensions/" + kName + "/glossinessFactor"));
   EXPECT_EQ(upgraded(text).text, text);
   EXPECT_THAT(upgraded(text).only().notes, Contains(HasSubstr("glossinessFactor is animated")));
 }
@@ -296,8 +299,8 @@ TEST(SpecularGlossiness, AnAnimatedGlossinessIsLeftAlone) {
 TEST(SpecularGlossiness, AnAnimationOfTheFallbackStandsInTheWay) {
   for (const char* member : {"baseColorFactor", "roughnessFactor",
                              "metallicRoughnessTexture/extensions/KHR_texture_transform/scale"}) {
-    const std::string text =
-        document("", "", animated(std::string("pbrMetallicRoughness/").append(member)));
+    const std::string text = glossy_document(
+        "", "", animated_gloss(std::string("pbrMetallicRoughness/").append(member)));
     EXPECT_EQ(upgraded(text).text, text);
     EXPECT_THAT(upgraded(text).only().notes, Contains(HasSubstr("no effect before")));
   }
@@ -307,11 +310,11 @@ TEST(SpecularGlossiness, ErrorsAreNotCarriedOver) {
   for (const char* legacy :
        {R"("diffuseFactor":[1,1,1])", R"("glossinessFactor":2)", R"("glossinessFactor":"1")",
         R"("specularFactor":[2,0,0])", R"("diffuseTexture":{"index":2})"}) {
-    const std::string text = document(legacy);
+    const std::string text = glossy_document(legacy);
     EXPECT_EQ(upgraded(text).text, text);
     EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::impossible) << legacy;
   }
-  const std::string text = document("", R"("pbrMetallicRoughness":7,)");
+  const std::string text = glossy_document("", R"("pbrMetallicRoughness":7,)");
   EXPECT_EQ(upgraded(text).text, text);
 }
 

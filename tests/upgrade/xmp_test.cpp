@@ -14,19 +14,20 @@ using testing::IsEmpty;
 const std::string kDublinCore = R"("dc":"http://purl.org/dc/elements/1.1/")";
 const std::string kRdf = R"("rdf":"http://www.w3.org/1999/02/22-rdf-syntax-ns#")";
 
-std::string document(const std::string& packets, const std::string& context = kDublinCore,
-                     const std::string& others = "") {
+std::string xmp_document(const std::string& packets, const std::string& context = kDublinCore,
+                         const std::string& others = "") {
   return R"({"extensionsUsed":["KHR_xmp"],)" + others + R"("extensions":{"KHR_xmp":{"@context":{)" +
          context + R"(},"packets":[)" + packets + "]}}}";
 }
 
 Json packet_after(const std::string& packet, const std::string& context = kDublinCore) {
-  const Json root = upgraded(document(packet, context)).json();
+  const Json root = upgraded(xmp_document(packet, context)).json();
   return root["extensions"]["KHR_xmp_json_ld"]["packets"][0];
 }
 
 TEST(Xmp, TheContextGoesIntoEveryPacket) {
-  const Upgraded result = upgraded(document(R"({"dc:format":"a"},{"@id":"x","dc:format":"b"})"));
+  const Upgraded result =
+      upgraded(xmp_document(R"({"dc:format":"a"},{"@id":"x","dc:format":"b"})"));
   EXPECT_EQ(result.json()["extensions"].dump(),
             R"({"KHR_xmp_json_ld":{"packets":[{"dc:format":"a","@context":{)" + kDublinCore +
                 R"(},"@id":""},{"@id":"x","dc:format":"b","@context":{)" + kDublinCore + "}}]}}");
@@ -45,7 +46,7 @@ TEST(Xmp, ArraysSayWhetherTheirOrderCounts) {
 
 TEST(Xmp, ArraysThatNobodyKnowsKeepTheirOrder) {
   const Upgraded result =
-      upgraded(document(R"({"a:numbers":[1,2]},{"a:numbers":[3]})", R"("a":"urn:a")"));
+      upgraded(xmp_document(R"({"a:numbers":[1,2]},{"a:numbers":[3]})", R"("a":"urn:a")"));
   EXPECT_EQ(result.json()["extensions"]["KHR_xmp_json_ld"]["packets"][0]["a:numbers"].dump(),
             R"({"@list":[1,2]})");
   EXPECT_THAT(result.only().notes,
@@ -95,7 +96,7 @@ TEST(Xmp, EveryReferenceIsRenamed) {
   for (const char* array : {"scenes", "nodes", "meshes", "materials", "images", "animations"}) {
     others.append("\"").append(array).append(R"(":[{},)").append(reference).append("],");
   }
-  const Upgraded result = upgraded(document(R"({"dc:format":"a"})", kDublinCore, others));
+  const Upgraded result = upgraded(xmp_document(R"({"dc:format":"a"})", kDublinCore, others));
   EXPECT_EQ(result.plan.actions.size(), 8U);
   EXPECT_EQ(result.text.find("\"KHR_xmp\""), std::string::npos) << result.text;
   EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());
@@ -104,7 +105,7 @@ TEST(Xmp, EveryReferenceIsRenamed) {
 // Packets of both extensions, and objects that refer to them.
 std::string beside(const std::string& packets, const std::string& there,
                    const std::string& others = "") {
-  std::string text = document(packets, kDublinCore, others);
+  std::string text = xmp_document(packets, kDublinCore, others);
   const std::string name = R"("KHR_xmp":{)";
   return text.insert(text.find(name, text.find(R"("@context")") - name.size()),
                      R"("KHR_xmp_json_ld":{"packets":[)" + there + "]},");
@@ -189,30 +190,31 @@ TEST_P(XmpLeft, Alone) {
 INSTANTIATE_TEST_SUITE_P(
     Upgrade, XmpLeft,
     testing::Values(
-        std::pair{document("{},7"), "a packet is not an object"},
+        std::pair{xmp_document("{},7"), "a packet is not an object"},
         std::pair{beside("{}", ""), "KHR_xmp_json_ld is invalid"},
         std::pair{beside("{}", "7"), "KHR_xmp_json_ld is invalid"},
         std::pair{
             beside("{}", kThere, R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":2}}}],)"),
             "/nodes/0/extensions/KHR_xmp_json_ld is invalid"},
-        std::pair{document("{}", kDublinCore,
-                           R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":0}}}],)"),
+        std::pair{xmp_document("{}", kDublinCore,
+                               R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":0}}}],)"),
                   "/nodes/0/extensions/KHR_xmp_json_ld is invalid"},
-        std::pair{document("{}", kDublinCore, R"("x":"/extensions/KHR_xmp/packets/0/dc:title",)"),
-                  "references it"},
-        std::pair{document(R"({"@context":{}})"), "already has an @context"},
-        std::pair{document("{}", R"("dc":7)"), "@context is invalid"},
-        std::pair{document(R"({"dc:title":{"en":"x"}})", R"("rdf":"urn:x")"),
+        std::pair{
+            xmp_document("{}", kDublinCore, R"("x":"/extensions/KHR_xmp/packets/0/dc:title",)"),
+            "references it"},
+        std::pair{xmp_document(R"({"@context":{}})"), "already has an @context"},
+        std::pair{xmp_document("{}", R"("dc":7)"), "@context is invalid"},
+        std::pair{xmp_document(R"({"dc:title":{"en":"x"}})", R"("rdf":"urn:x")"),
                   "does not have the RDF namespace"},
         std::pair{std::string(R"({"extensions":{"KHR_xmp":{"@context":{}}}})"), "packets"},
         std::pair{std::string(R"({"asset":{"extensions":{"KHR_xmp":{"packet":0}}}})"),
                   "does not reference a packet"},
-        std::pair{
-            document("{}", kDublinCore, R"("nodes":[{"extensions":{"KHR_xmp":{"packet":1}}}],)"),
-            "only all together can"},
-        std::pair{
-            document("{}", kDublinCore, R"("textures":[{"extensions":{"KHR_xmp":{"packet":0}}}],)"),
-            "only all together can"}));
+        std::pair{xmp_document("{}", kDublinCore,
+                               R"("nodes":[{"extensions":{"KHR_xmp":{"packet":1}}}],)"),
+                  "only all together can"},
+        std::pair{xmp_document("{}", kDublinCore,
+                               R"("textures":[{"extensions":{"KHR_xmp":{"packet":0}}}],)"),
+                  "only all together can"}));
 
 }  // namespace
 }  // namespace gltfx::upgrade::test

@@ -6,7 +6,7 @@
 namespace gltfx::test {
 namespace {
 
-Lines of_accessor(const std::string& members, Profile profile = Profile::khronos) {
+Lines of_values(const std::string& members, Profile profile = Profile::khronos) {
   return selected(
       asset_with(
           R"("buffers": [{"byteLength": 99}], "bufferViews": [{"buffer": 0, "byteLength": 99}],
@@ -19,8 +19,8 @@ Lines of_accessor(const std::string& members, Profile profile = Profile::khronos
 
 TEST(AccessorBounds, HaveOneNumberForEachComponent) {
   const auto of_length = [](const char* type, const char* bound) {
-    return of_accessor(std::string(R"("componentType": 5126, "type": ")") + type + R"(", "min": )" +
-                       bound);
+    return of_values(std::string(R"("componentType": 5126, "type": ")") + type + R"(", "min": )" +
+                     bound);
   };
   const Lines found{"ARRAY_LENGTH_NOT_IN_LIST /accessors/0/min"};
   EXPECT_EQ(of_length("SCALAR", "[1]"), Lines{});
@@ -32,14 +32,14 @@ TEST(AccessorBounds, HaveOneNumberForEachComponent) {
 }
 
 TEST(AccessorBounds, OfAnUnknownTypeAreNotJudged) {
-  EXPECT_EQ(of_accessor(R"("componentType": 5126, "min": [1, 2])"), Lines{});
-  EXPECT_EQ(of_accessor(R"("componentType": 1, "type": "VEC3", "min": [1, 2])"), Lines{});
+  EXPECT_EQ(of_values(R"("componentType": 5126, "min": [1, 2])"), Lines{});
+  EXPECT_EQ(of_values(R"("componentType": 1, "type": "VEC3", "min": [1, 2])"), Lines{});
 }
 
 TEST(AccessorBounds, OfIntegersAreIntegersThatTheTypeCanHold) {
   const auto of_type = [](const char* type, const char* bound) {
-    return of_accessor(std::string(R"("type": "SCALAR", "componentType": )") + type +
-                       R"(, "max": )" + bound);
+    return of_values(std::string(R"("type": "SCALAR", "componentType": )") + type + R"(, "max": )" +
+                     bound);
   };
   const Lines out{"INVALID_GL_VALUE /accessors/0/max"};
   EXPECT_EQ(of_type("5120", "[127]"), Lines{});
@@ -61,8 +61,7 @@ TEST(AccessorBounds, OfIntegersAreIntegersThatTheTypeCanHold) {
 }
 
 TEST(AccessorBounds, EachBadNumberIsSaid) {
-  const Lines found =
-      of_accessor(R"("type": "VEC3", "componentType": 5121, "min": [0.5, -1, 1000])");
+  const Lines found = of_values(R"("type": "VEC3", "componentType": 5121, "min": [0.5, -1, 1000])");
   EXPECT_EQ(found,
             (Lines{"ARRAY_TYPE_MISMATCH /accessors/0/min", "INVALID_GL_VALUE /accessors/0/min",
                    "INVALID_GL_VALUE /accessors/0/min"}));
@@ -72,26 +71,26 @@ TEST(AccessorNormalized, IsForSmallIntegersOnly) {
   const Lines found{"ACCESSOR_NORMALIZED_INVALID /accessors/0/normalized"};
   for (const char* type : {"5120", "5121", "5122", "5123"}) {
     EXPECT_EQ(
-        of_accessor(std::string(R"("type": "VEC2", "normalized": true, "componentType": )") + type),
+        of_values(std::string(R"("type": "VEC2", "normalized": true, "componentType": )") + type),
         Lines{})
         << type;
   }
   for (const char* type : {"5125", "5126"}) {
     EXPECT_EQ(
-        of_accessor(std::string(R"("type": "VEC2", "normalized": true, "componentType": )") + type),
+        of_values(std::string(R"("type": "VEC2", "normalized": true, "componentType": )") + type),
         found)
         << type;
-    EXPECT_EQ(of_accessor(std::string(R"("type": "VEC2", "normalized": false, "componentType": )") +
-                          type),
-              Lines{})
+    EXPECT_EQ(
+        of_values(std::string(R"("type": "VEC2", "normalized": false, "componentType": )") + type),
+        Lines{})
         << type;
   }
 }
 
 TEST(AccessorMatrices, BeginAtMultiplesOfFourBytes) {
   const auto at = [](const char* type, const char* offset) {
-    return of_accessor(std::string(R"("bufferView": 0, "componentType": 5121, "type": ")") + type +
-                       R"(", "byteOffset": )" + offset);
+    return of_values(std::string(R"("bufferView": 0, "componentType": 5121, "type": ")") + type +
+                     R"(", "byteOffset": )" + offset);
   };
   const Lines found{"ACCESSOR_MATRIX_ALIGNMENT /accessors/0/byteOffset"};
   EXPECT_EQ(at("MAT2", "4"), Lines{});

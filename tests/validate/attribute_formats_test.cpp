@@ -9,7 +9,7 @@
 namespace gltfx::test {
 namespace {
 
-const std::string kAt = "/meshes/0/primitives/0/attributes/";
+const std::string kAttributeAt = "/meshes/0/primitives/0/attributes/";
 
 // "5121n VEC4" as an accessor: n for normalized.
 std::string accessor(const std::string& format) {
@@ -35,7 +35,8 @@ Lines of_format(const std::string& name, const std::string& format,
 bool good(const std::string& name, const std::string& format, const std::string& extension = {}) {
   const Lines found = of_format(name, format, extension);
   if (found.empty()) return true;
-  EXPECT_EQ(found, Lines{"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT " + kAt + name});
+  EXPECT_EQ(found,
+            Lines{"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT " + kAttributeAt + name});
   return false;
 }
 
@@ -88,13 +89,14 @@ TEST(AttributeFormats, TheHelpNamesTheExtensionThatAllowsOne) {
 TEST(AttributeFormats, AttributesOfOnesOwnMayBeAnythingBut32BitIntegers) {
   EXPECT_EQ(of_format("_A", "5120 MAT3"), Lines{});
   EXPECT_EQ(of_format("_A", "5125 SCALAR"),
-            Lines{"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT " + kAt + "_A"});
+            Lines{"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_UNSIGNED_INT " + kAttributeAt + "_A"});
 }
 
 TEST(AttributeFormats, AttributesWithAWrongNameAreOnlyJudgedInTheKhronosProfile) {
   EXPECT_EQ(of_format("NORMAL_0", "5126 VEC4"), Lines{});
-  EXPECT_EQ(of_format("NORMAL_0", "5126 VEC4", "", Profile::khronos),
-            Lines{"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT " + kAt + "NORMAL_0"});
+  EXPECT_EQ(
+      of_format("NORMAL_0", "5126 VEC4", "", Profile::khronos),
+      Lines{"MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT " + kAttributeAt + "NORMAL_0"});
 }
 
 TEST(AttributeFormats, AnUnknownFormatIsNotJudged) {
@@ -112,14 +114,14 @@ Lines without_bounds(const std::string& bounds, Profile profile = Profile::stand
 }
 
 TEST(AttributeBounds, PositionsHaveMinAndMax) {
-  EXPECT_EQ(without_bounds(""), Lines{kAt + "POSITION"});
-  EXPECT_EQ(without_bounds(R"(, "min": [0, 0, 0])"), Lines{kAt + "POSITION"});
-  EXPECT_EQ(without_bounds(R"(, "max": [0, 0, 0])"), Lines{kAt + "POSITION"});
+  EXPECT_EQ(without_bounds(""), Lines{kAttributeAt + "POSITION"});
+  EXPECT_EQ(without_bounds(R"(, "min": [0, 0, 0])"), Lines{kAttributeAt + "POSITION"});
+  EXPECT_EQ(without_bounds(R"(, "max": [0, 0, 0])"), Lines{kAttributeAt + "POSITION"});
   EXPECT_EQ(without_bounds(R"(, "min": [0, 0, 0], "max": [0, 0, 0])"), Lines{});
   EXPECT_EQ(without_bounds(R"(, "min": [0, 0], "max": [0, 0, 0])"), Lines{})
       << "the length is reported";
   EXPECT_EQ(without_bounds(R"(, "min": [0, 0], "max": [0, 0, 0])", Profile::khronos),
-            Lines{kAt + "POSITION"});
+            Lines{kAttributeAt + "POSITION"});
 }
 
 // --- Alignment ---
@@ -142,7 +144,7 @@ std::string bytes(int components, int offset) {
 }
 
 TEST(AttributeAlignment, AttributesLieOnMultiplesOfFourBytes) {
-  const Lines found{"MESH_PRIMITIVE_ACCESSOR_UNALIGNED " + kAt + "_A"};
+  const Lines found{"MESH_PRIMITIVE_ACCESSOR_UNALIGNED " + kAttributeAt + "_A"};
   EXPECT_EQ(of_layout(bytes(4, 0), R"("_A": 0)", ""), Lines{});
   EXPECT_EQ(of_layout(bytes(3, 0), R"("_A": 0)", ""), found);
   EXPECT_EQ(of_layout(bytes(3, 0), R"("_A": 0)", R"(, "byteStride": 4)"), Lines{});
@@ -165,7 +167,7 @@ TEST(AttributeAlignment, AttributesThatShareAViewNeedAStride) {
   const std::string code = "MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE ";
   EXPECT_EQ(of_layout(three, R"("_A": 0, "_B": 1, "_C": 2)", R"(, "byteStride": 12)"), Lines{});
   EXPECT_EQ(of_layout(three, R"("_A": 0, "_B": 1, "_C": 2)", "", Profile::khronos),
-            (Lines{code + kAt + "_B", code + kAt + "_C"}));
+            (Lines{code + kAttributeAt + "_B", code + kAttributeAt + "_C"}));
   EXPECT_EQ(of_layout(three, R"("_A": 0, "_B": 0)", ""), Lines{}) << "the same accessor twice";
 }
 

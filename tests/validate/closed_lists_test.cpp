@@ -86,7 +86,7 @@ std::vector<Case> outsiders() {
   };
 }
 
-std::optional<Diagnostic> at(const Case& each, Profile profile) {
+std::optional<Diagnostic> finding_at(const Case& each, Profile profile) {
   ValidateOptions options;
   options.profile = profile;
   options.select = {"VALUE_NOT_IN_LIST"};
@@ -100,11 +100,11 @@ std::optional<Diagnostic> at(const Case& each, Profile profile) {
 TEST(ClosedLists, AValueOutsideIsAnError) {
   for (const Case& each : outsiders()) {
     for (const Profile profile : {Profile::standard, Profile::strict}) {
-      const auto found = at(each, profile);
+      const auto found = finding_at(each, profile);
       ASSERT_TRUE(found) << each.members;
       EXPECT_EQ(found->severity, Severity::error) << each.members;
     }
-    const auto khronos = at(each, Profile::khronos);
+    const auto khronos = finding_at(each, Profile::khronos);
     if (!khronos) continue;  // of an extension that validator does not know
     EXPECT_EQ(khronos->severity, Severity::warning) << each.members;
   }
@@ -141,10 +141,10 @@ TEST(ClosedLists, WhatADeclaredExtensionAddsIsListed) {
 
 TEST(ClosedLists, AnExtensionOfWhichNothingIsKnownMayAddAValueButNoMisspeltOne) {
   const auto found = [](const std::string& mode, const std::string& extension = "ACME_glass") {
-    return at({R"("extensionsUsed": [")" + extension + R"("], "materials": [{"alphaMode": ")" +
-                   mode + "\"}]",
-               "/materials/0/alphaMode"},
-              Profile::standard);
+    return finding_at({R"("extensionsUsed": [")" + extension +
+                           R"("], "materials": [{"alphaMode": ")" + mode + "\"}]",
+                       "/materials/0/alphaMode"},
+                      Profile::standard);
   };
   const auto added = found("REFRACT");
   ASSERT_TRUE(added);

@@ -17,8 +17,8 @@ using testing::Not;
 using Kind = DracoSource::Kind;
 using Type = DracoSource::Type;
 
-const std::string kPrimitive = "/meshes/0/primitives/0";
-const std::string kExtension = kPrimitive + "/extensions/KHR_draco_mesh_compression";
+const std::string kDracoPrimitive = "/meshes/0/primitives/0";
+const std::string kExtension = kDracoPrimitive + "/extensions/KHR_draco_mesh_compression";
 
 // An asset with one compressed primitive. Members are text, to be changed by a test.
 struct Compressed {
@@ -182,7 +182,7 @@ TEST(Draco, MoreOrFewerIndicesThanTheAccessor) {
     Compressed asset = square();
     asset.indices =
         std::string(R"({"componentType": 5123, "type": "SCALAR", "count": )") + count + "}";
-    EXPECT_EQ(found(asset), Lines{"DRACO_COUNT_MISMATCH " + kPrimitive + "/indices"});
+    EXPECT_EQ(found(asset), Lines{"DRACO_COUNT_MISMATCH " + kDracoPrimitive + "/indices"});
   }
 }
 
@@ -191,7 +191,7 @@ TEST(Draco, AnIndexTypeThatCannotCountThePoints) {
   asset.accessors =
       R"({"componentType": 5126, "type": "VEC3", "count": 289, "min": [0, 0, 0], "max": [1, 1, 0]})";
   asset.indices = R"({"componentType": 5121, "type": "SCALAR", "count": 1536})";
-  EXPECT_EQ(found(asset), Lines{"DRACO_INDEX_TYPE_TOO_SMALL " + kPrimitive + "/indices"});
+  EXPECT_EQ(found(asset), Lines{"DRACO_INDEX_TYPE_TOO_SMALL " + kDracoPrimitive + "/indices"});
 }
 
 TEST(Draco, BoundsAreThoseOfTheDecodedValues) {
@@ -268,7 +268,7 @@ TEST(Draco, ValuesAreCheckedAsPlainOnesAre) {
   const std::string vec3 = R"({"componentType": 5126, "type": "VEC3", "count": 4})";
   const std::string vec4 = R"({"componentType": 5126, "type": "VEC4", "count": 4})";
   const auto at = [](const std::string& code, const std::string& name) {
-    return Lines{code + " " + kPrimitive + "/attributes/" + name};
+    return Lines{code + " " + kDracoPrimitive + "/attributes/" + name};
   };
   EXPECT_EQ(found(square_with({"NORMAL", Kind::normal, Type::float32, 3,
                                floats({0, 0, 1, 0, 0, 1, 0, 0, 2, 0, 0, 1}), vec3})),
@@ -324,19 +324,19 @@ TEST(Draco, JointsAndWeightsAreCheckedAsPlainOnesAre) {
   std::vector<std::uint8_t> too_many = joints;
   too_many[5] = 2;
   EXPECT_EQ(found(skinned(too_many, halves, 0))[0],
-            "ACCESSOR_JOINTS_INDEX_OOB " + kPrimitive + "/attributes/JOINTS_0");
+            "ACCESSOR_JOINTS_INDEX_OOB " + kDracoPrimitive + "/attributes/JOINTS_0");
   std::vector<std::uint8_t> twice = joints;
   twice[1] = 0;
   EXPECT_EQ(found(skinned(twice, halves, 0))[0],
-            "ACCESSOR_JOINTS_INDEX_DUPLICATE " + kPrimitive + "/attributes/JOINTS_0");
+            "ACCESSOR_JOINTS_INDEX_DUPLICATE " + kDracoPrimitive + "/attributes/JOINTS_0");
   const std::string uneven =
       floats({0.5F, 0.4F, 0, 0, 0.5F, 0.5F, 0, 0, 0.5F, 0.5F, 0, 0, 0.5F, 0.5F, 0, 0});
   EXPECT_EQ(found(skinned(joints, uneven, 0)),
-            Lines{"ACCESSOR_WEIGHTS_NON_NORMALIZED " + kPrimitive + "/attributes/WEIGHTS_0"});
+            Lines{"ACCESSOR_WEIGHTS_NON_NORMALIZED " + kDracoPrimitive + "/attributes/WEIGHTS_0"});
   const std::string negative =
       floats({1.5F, -0.5F, 0, 0, 0.5F, 0.5F, 0, 0, 0.5F, 0.5F, 0, 0, 0.5F, 0.5F, 0, 0});
   EXPECT_THAT(found(skinned(joints, negative, 0)),
-              Contains("ACCESSOR_WEIGHTS_NEGATIVE " + kPrimitive + "/attributes/WEIGHTS_0"));
+              Contains("ACCESSOR_WEIGHTS_NEGATIVE " + kDracoPrimitive + "/attributes/WEIGHTS_0"));
 }
 
 TEST(Draco, QuantisedWeightsNeedNotSumUpExactly) {
@@ -347,7 +347,7 @@ TEST(Draco, QuantisedWeightsNeedNotSumUpExactly) {
   const std::string uneven =
       floats({0.7F, 0.1F, 0, 0, 0.333F, 0.667F, 0, 0, 0.999F, 0.001F, 0, 0, 0.123F, 0.877F, 0, 0});
   EXPECT_EQ(found(skinned(joints, uneven, 8)),
-            Lines{"ACCESSOR_WEIGHTS_NON_NORMALIZED " + kPrimitive + "/attributes/WEIGHTS_0"});
+            Lines{"ACCESSOR_WEIGHTS_NON_NORMALIZED " + kDracoPrimitive + "/attributes/WEIGHTS_0"});
 }
 
 TEST(Draco, DegenerateTrianglesAreCounted) {
@@ -355,7 +355,7 @@ TEST(Draco, DegenerateTrianglesAreCounted) {
   source.indices = {0, 1, 1, 2, 1, 3};
   Compressed asset{draco_bytes(source)};
   EXPECT_EQ(found(asset, Profile::strict),
-            Lines{"ACCESSOR_INDEX_TRIANGLE_DEGENERATE " + kPrimitive + "/indices"});
+            Lines{"ACCESSOR_INDEX_TRIANGLE_DEGENERATE " + kDracoPrimitive + "/indices"});
 }
 
 TEST(Draco, APlainCopyIsCheckedByItself) {

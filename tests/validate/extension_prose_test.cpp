@@ -29,7 +29,8 @@ TEST(Required, NotWhereEverythingHasAFallback) {
       << "of which the text says nothing";
 }
 
-Lines packed(const std::string& attributes, const std::string& ids, const std::string& more = {}) {
+Lines packed_lines(const std::string& attributes, const std::string& ids,
+                   const std::string& more = {}) {
   return findings(R"("extensionsUsed": ["KHR_draco_mesh_compression"], )" + more +
                       R"("meshes": [{"primitives": [{"attributes": {)" + attributes +
                       R"(}, "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0,
@@ -45,18 +46,18 @@ const std::string kPacked = " /meshes/0/primitives/0/extensions/KHR_draco_mesh_c
 
 TEST(Draco, EachAttributeHasItsOwnIdentifier) {
   const std::string both = R"("POSITION": 0, "NORMAL": 0)";
-  EXPECT_EQ(packed(both, R"("POSITION": 0, "NORMAL": 1)"), Lines{});
-  EXPECT_EQ(packed(both, R"("POSITION": 1, "NORMAL": 1)"),
+  EXPECT_EQ(packed_lines(both, R"("POSITION": 0, "NORMAL": 1)"), Lines{});
+  EXPECT_EQ(packed_lines(both, R"("POSITION": 1, "NORMAL": 1)"),
             Lines{"DRACO_ATTRIBUTE_ID_REPEATED" + kPacked + "/attributes/NORMAL"});
 }
 
 TEST(Draco, RequiredGeometryNeedsNoPlainCopy) {
   const std::string required = R"("extensionsRequired": ["KHR_draco_mesh_compression"], )";
-  EXPECT_EQ(packed(R"("POSITION": 0)", R"("POSITION": 0)", required), Lines{});
-  EXPECT_EQ(packed(R"("POSITION": 1)", R"("POSITION": 0)", required),
+  EXPECT_EQ(packed_lines(R"("POSITION": 0)", R"("POSITION": 0)", required), Lines{});
+  EXPECT_EQ(packed_lines(R"("POSITION": 1)", R"("POSITION": 0)", required),
             Lines{"DRACO_COPY_UNREAD" + kPacked});
-  EXPECT_EQ(packed(R"("POSITION": 1)", R"("POSITION": 0)"), Lines{}) << "which is a fallback";
-  EXPECT_EQ(packed(R"("POSITION": 0, "_MORE": 1)", R"("POSITION": 0)", required), Lines{})
+  EXPECT_EQ(packed_lines(R"("POSITION": 1)", R"("POSITION": 0)"), Lines{}) << "which is a fallback";
+  EXPECT_EQ(packed_lines(R"("POSITION": 0, "_MORE": 1)", R"("POSITION": 0)", required), Lines{})
       << "what is not compressed is read as it is";
 }
 

@@ -8,10 +8,12 @@
 namespace gltfx::test {
 namespace {
 
-Lines khronos(const std::string& members) { return verdict(asset(members), Profile::khronos); }
+Lines khronos_links(const std::string& members) {
+  return verdict(asset(members), Profile::khronos);
+}
 
 TEST(KhronosAccessor, ThatIsIncompleteIsUsedButNotFollowed) {
-  EXPECT_EQ(khronos(R"("accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3"},
+  EXPECT_EQ(khronos_links(R"("accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3"},
     {"bufferView": 1, "componentType": 5126, "type": 3, "count": 1},
     {"bufferView": 9, "componentType": 5126, "type": "VEC3"}],
     "bufferViews": [{"buffer": 0, "byteLength": 4}, {"buffer": 0, "byteLength": 4}],
@@ -27,7 +29,7 @@ TEST(KhronosAccessor, ThatIsIncompleteIsUsedButNotFollowed) {
 }
 
 TEST(KhronosAccessor, WithAnUnknownTypeHasNoComponents) {
-  EXPECT_EQ(khronos(R"("accessors": [{"bufferView": 0, "byteOffset": 8, "componentType": 5126,
+  EXPECT_EQ(khronos_links(R"("accessors": [{"bufferView": 0, "byteOffset": 8, "componentType": 5126,
     "type": "VEC5", "count": 2}], "bufferViews": [{"buffer": 0, "byteLength": 4}],
     "buffers": [{"byteLength": 4}])"),
             (Lines{"VALUE_NOT_IN_LIST /accessors/0/type",
@@ -35,7 +37,7 @@ TEST(KhronosAccessor, WithAnUnknownTypeHasNoComponents) {
 }
 
 TEST(KhronosAccessor, SparsePartsAreFollowedTogether) {
-  EXPECT_EQ(khronos(R"("accessors": [{"componentType": 5126, "type": "SCALAR", "count": 2,
+  EXPECT_EQ(khronos_links(R"("accessors": [{"componentType": 5126, "type": "SCALAR", "count": 2,
     "sparse": {"count": 0, "indices": {"bufferView": 9, "componentType": 5121},
     "values": {"bufferView": 0}}}, {"componentType": 5126, "type": "SCALAR",
     "count": 2, "sparse": {"count": 3, "indices": {"bufferView": 9,
@@ -51,30 +53,31 @@ TEST(KhronosAccessor, SparsePartsAreFollowedTogether) {
 }
 
 TEST(KhronosAnimation, NeedsBothListsToBeFollowed) {
-  EXPECT_EQ(
-      khronos(R"("accessors": [{"componentType": 5126, "type": "SCALAR", "count": 2, "min": [0],
+  EXPECT_EQ(khronos_links(
+                R"("accessors": [{"componentType": 5126, "type": "SCALAR", "count": 2, "min": [0],
     "max": [1]}], "nodes": [{"extras": {}}], "animations": [{"channels": [],
     "samplers": [{"input": 0, "output": 9}]}, {"channels": [{"sampler": 9,
     "target": {"node": 0, "path": "scale"}}]}])"),
-      (Lines{"EMPTY_ENTITY /animations/0/channels", "UNDEFINED_PROPERTY /animations/1",
-             "UNUSED_OBJECT /accessors/0", "UNUSED_OBJECT /nodes/0"}));
+            (Lines{"EMPTY_ENTITY /animations/0/channels", "UNDEFINED_PROPERTY /animations/1",
+                   "UNUSED_OBJECT /accessors/0", "UNUSED_OBJECT /nodes/0"}));
 }
 
 TEST(KhronosAnimation, PointersAreToldWithoutSamplers) {
-  EXPECT_EQ(khronos(R"("extensionsUsed": ["KHR_animation_pointer"], "animations": [{"samplers": 3,
+  EXPECT_EQ(
+      khronos_links(R"("extensionsUsed": ["KHR_animation_pointer"], "animations": [{"samplers": 3,
     "channels": [{"sampler": 0, "target": {"path": 3,
     "extensions": {"KHR_animation_pointer": {"pointer": "/nodes"}}}}]}])"),
-            (Lines{"TYPE_MISMATCH /animations/0/channels/0/target/path",
-                   "TYPE_MISMATCH /animations/0/samplers",
-                   "INCOMPLETE_EXTENSION_SUPPORT "
-                   "/animations/0/channels/0/target/extensions/KHR_animation_pointer",
-                   "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH "
-                   "/animations/0/channels/0/target/extensions/KHR_animation_pointer"}));
+      (Lines{"TYPE_MISMATCH /animations/0/channels/0/target/path",
+             "TYPE_MISMATCH /animations/0/samplers",
+             "INCOMPLETE_EXTENSION_SUPPORT "
+             "/animations/0/channels/0/target/extensions/KHR_animation_pointer",
+             "KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH "
+             "/animations/0/channels/0/target/extensions/KHR_animation_pointer"}));
 }
 
 TEST(KhronosAnimation, AccessorsWithoutAFormatHaveTheWrongOne) {
   EXPECT_EQ(
-      khronos(R"("accessors": [{"componentType": 5126, "count": 2}, {"componentType": 5126,
+      khronos_links(R"("accessors": [{"componentType": 5126, "count": 2}, {"componentType": 5126,
     "type": "SCALAR", "count": "a"}], "nodes": [{"extras": {}}],
     "animations": [{"channels": [{"sampler": 0, "target": {"node": 0,
     "path": "scale"}}], "samplers": [{"input": 0, "output": 0}]},
@@ -96,29 +99,29 @@ TEST(KhronosAnimation, AccessorsWithoutAFormatHaveTheWrongOne) {
 }
 
 TEST(KhronosAnimation, EveryPairOfTargetsIsTold) {
-  EXPECT_EQ(
-      khronos(R"("accessors": [{"componentType": 5126, "type": "SCALAR", "count": 2, "min": [0],
+  EXPECT_EQ(khronos_links(
+                R"("accessors": [{"componentType": 5126, "type": "SCALAR", "count": 2, "min": [0],
     "max": [1]}], "animations": [{"channels": [{"sampler": 9, "target": {"node": 9,
     "path": "x"}}, {"sampler": 9, "target": {"node": 9, "path": "x"}},
     {"target": {"node": 9, "path": "x"}}], "samplers": [{"input": 0, "output": 0}]}])"),
-      (Lines{"VALUE_NOT_IN_LIST /animations/0/channels/0/target/path",
-             "VALUE_NOT_IN_LIST /animations/0/channels/1/target/path",
-             "UNDEFINED_PROPERTY /animations/0/channels/2",
-             "VALUE_NOT_IN_LIST /animations/0/channels/2/target/path",
-             "ACCESSOR_USAGE_OVERRIDE /animations/0/samplers/0/output",
-             "UNRESOLVED_REFERENCE /animations/0/channels/0/target/node",
-             "UNRESOLVED_REFERENCE /animations/0/channels/0/sampler",
-             "ANIMATION_DUPLICATE_TARGETS /animations/0/channels/0/target",
-             "ANIMATION_DUPLICATE_TARGETS /animations/0/channels/0/target",
-             "UNRESOLVED_REFERENCE /animations/0/channels/1/target/node",
-             "UNRESOLVED_REFERENCE /animations/0/channels/1/sampler",
-             "ANIMATION_DUPLICATE_TARGETS /animations/0/channels/1/target",
-             "UNRESOLVED_REFERENCE /animations/0/channels/2/target/node",
-             "UNUSED_OBJECT /animations/0/channels/samplers/0"}));
+            (Lines{"VALUE_NOT_IN_LIST /animations/0/channels/0/target/path",
+                   "VALUE_NOT_IN_LIST /animations/0/channels/1/target/path",
+                   "UNDEFINED_PROPERTY /animations/0/channels/2",
+                   "VALUE_NOT_IN_LIST /animations/0/channels/2/target/path",
+                   "ACCESSOR_USAGE_OVERRIDE /animations/0/samplers/0/output",
+                   "UNRESOLVED_REFERENCE /animations/0/channels/0/target/node",
+                   "UNRESOLVED_REFERENCE /animations/0/channels/0/sampler",
+                   "ANIMATION_DUPLICATE_TARGETS /animations/0/channels/0/target",
+                   "ANIMATION_DUPLICATE_TARGETS /animations/0/channels/0/target",
+                   "UNRESOLVED_REFERENCE /animations/0/channels/1/target/node",
+                   "UNRESOLVED_REFERENCE /animations/0/channels/1/sampler",
+                   "ANIMATION_DUPLICATE_TARGETS /animations/0/channels/1/target",
+                   "UNRESOLVED_REFERENCE /animations/0/channels/2/target/node",
+                   "UNUSED_OBJECT /animations/0/channels/samplers/0"}));
 }
 
 TEST(KhronosSkin, CommonRootsAreSoughtAnewBehindNone) {
-  EXPECT_EQ(khronos(R"("nodes": [{"extras": {}}, {"children": [2]}, {}],
+  EXPECT_EQ(khronos_links(R"("nodes": [{"extras": {}}, {"children": [2]}, {}],
     "skins": [{"joints": [0, 1, 2], "skeleton": 1}, {"joints": [1, 0]},
     {"skeleton": 0}])"),
             (Lines{"UNDEFINED_PROPERTY /skins/2", "SKIN_NO_COMMON_ROOT /skins/1/joints",
@@ -127,7 +130,7 @@ TEST(KhronosSkin, CommonRootsAreSoughtAnewBehindNone) {
 }
 
 TEST(KhronosSkin, CountsWithoutAMesh) {
-  EXPECT_EQ(khronos(R"("nodes": [{"skin": 0, "mesh": 3, "scale": [1, 1, 2]}, {}],
+  EXPECT_EQ(khronos_links(R"("nodes": [{"skin": 0, "mesh": 3, "scale": [1, 1, 2]}, {}],
     "skins": [{"joints": [1]}])"),
             (Lines{"UNRESOLVED_REFERENCE /nodes/0/mesh", "NODE_EMPTY /nodes/0",
                    "NODE_SKINNED_MESH_LOCAL_TRANSFORMS /nodes/0", "UNUSED_OBJECT /nodes/0"}));
@@ -135,7 +138,7 @@ TEST(KhronosSkin, CountsWithoutAMesh) {
 
 TEST(KhronosLinks, BrokenReferencesComeInTheirTurn) {
   EXPECT_EQ(
-      khronos(R"("scene": 7, "scenes": [{"nodes": [9, 1]}], "nodes": [{"children": [1, 8, 1],
+      khronos_links(R"("scene": 7, "scenes": [{"nodes": [9, 1]}], "nodes": [{"children": [1, 8, 1],
     "mesh": 9, "camera": 9}, {}],
     "meshes": [{"primitives": [{"attributes": {"TEXCOORD_0": 0, "POSITION": 9},
     "indices": 9, "material": 9}]}], "accessors": [{"bufferView": 9,
@@ -173,7 +176,7 @@ TEST(KhronosLinks, BrokenReferencesComeInTheirTurn) {
 
 TEST(KhronosLinks, OffsetsThatCannotBeReadLieBeforeTheStart) {
   EXPECT_EQ(
-      khronos(R"("accessors": [{"bufferView": 0, "componentType": 5126, "type": "SCALAR",
+      khronos_links(R"("accessors": [{"bufferView": 0, "componentType": 5126, "type": "SCALAR",
     "count": 9}, {"bufferView": 1, "byteOffset": 2, "componentType": 5126,
     "type": "SCALAR", "count": 9}], "bufferViews": [{"buffer": 0, "byteLength": 5,
     "byteOffset": "a"}, {"buffer": 0, "byteLength": 6, "byteOffset": "a"},
@@ -186,9 +189,10 @@ TEST(KhronosLinks, OffsetsThatCannotBeReadLieBeforeTheStart) {
 }
 
 TEST(KhronosLinks, WeightsOfAMeshWithoutPrimitivesAreOverridden) {
-  EXPECT_EQ(khronos(R"("nodes": [{"mesh": 0}], "meshes": [{"weights": [1], "primitives": 3}])"),
-            (Lines{"TYPE_MISMATCH /meshes/0/primitives", "UNUSED_OBJECT /nodes/0",
-                   "UNUSED_MESH_WEIGHTS /meshes/0/weights"}));
+  EXPECT_EQ(
+      khronos_links(R"("nodes": [{"mesh": 0}], "meshes": [{"weights": [1], "primitives": 3}])"),
+      (Lines{"TYPE_MISMATCH /meshes/0/primitives", "UNUSED_OBJECT /nodes/0",
+             "UNUSED_MESH_WEIGHTS /meshes/0/weights"}));
 }
 
 }  // namespace

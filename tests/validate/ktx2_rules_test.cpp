@@ -15,8 +15,8 @@ const std::string kBasis = "KHR_texture_basisu";
 // A sampler without mipmaps.
 const std::string kPlainSampler = R"(, "samplers": [{"minFilter": 9729}])";
 
-Textured shown(const Ktx2Builder& image, const std::string& material = base_color(),
-               const std::string& name = kBasis) {
+Textured shown_ktx2(const Ktx2Builder& image, const std::string& material = base_color(),
+                    const std::string& name = kBasis) {
   return {material,
           {image.file()},
           R"({"sampler": 0, "extensions": {")" + name + R"(": {"source": 0}}})",
@@ -24,24 +24,25 @@ Textured shown(const Ktx2Builder& image, const std::string& material = base_colo
           kPlainSampler};
 }
 
-Lines about(const Ktx2Builder& image, const std::string& material = base_color()) {
-  return about_textures(shown(image, material));
+Lines about_ktx2(const Ktx2Builder& image, const std::string& material = base_color()) {
+  return about_textures(shown_ktx2(image, material));
 }
 
 const std::string kOcclusion = R"("occlusionTexture": {"index": 0})";
 
 TEST(Ktx2Images, ThatAreRightAreSilent) {
-  EXPECT_EQ(about(Ktx2Builder()), Lines{});
-  EXPECT_EQ(about(Ktx2Builder::etc1s()), Lines{});
-  EXPECT_EQ(about(Ktx2Builder::etc1s({0, 15}), base_color(R"(, "alphaMode": "BLEND")")), Lines{});
-  EXPECT_EQ(about(Ktx2Builder::etc1s({3}).linear(), kOcclusion), Lines{});
+  EXPECT_EQ(about_ktx2(Ktx2Builder()), Lines{});
+  EXPECT_EQ(about_ktx2(Ktx2Builder::etc1s()), Lines{});
+  EXPECT_EQ(about_ktx2(Ktx2Builder::etc1s({0, 15}), base_color(R"(, "alphaMode": "BLEND")")),
+            Lines{});
+  EXPECT_EQ(about_ktx2(Ktx2Builder::etc1s({3}).linear(), kOcclusion), Lines{});
   Ktx2Builder zstd;
   zstd.scheme = 2;
-  EXPECT_EQ(about(zstd), Lines{});
+  EXPECT_EQ(about_ktx2(zstd), Lines{});
 }
 
 TEST(Ktx2Images, ErrorsOfTheFileAreAtTheImage) {
-  Textured textured = shown(Ktx2Builder());
+  Textured textured = shown_ktx2(Ktx2Builder());
   const auto with = [&](std::size_t offset, const std::string& bytes) {
     Textured broken = textured;
     broken.images[0] = patched(broken.images[0], offset, bytes);
@@ -57,17 +58,17 @@ TEST(Ktx2Images, ErrorsOfTheFileAreAtTheImage) {
 TEST(Ktx2Images, HaveAFormatThatTheirDescriptorDescribes) {
   Ktx2Builder uastc;
   uastc.vk_format = 37;
-  EXPECT_EQ(about(uastc), Lines{"KTX2_FORMAT_MISMATCH" + kImage});
+  EXPECT_EQ(about_ktx2(uastc), Lines{"KTX2_FORMAT_MISMATCH" + kImage});
   Ktx2Builder linear = Ktx2Builder::astc();
   linear.vk_format = 157;
-  EXPECT_EQ(about_textures(shown(linear, base_color(), "EXT_texture_astc")),
+  EXPECT_EQ(about_textures(shown_ktx2(linear, base_color(), "EXT_texture_astc")),
             Lines{"KTX2_FORMAT_MISMATCH" + kImage});
 }
 
 TEST(Ktx2Images, ThatReadersShowAllTheSameAreCheckedFurther) {
   Ktx2Builder linear = Ktx2Builder::astc();
   linear.vk_format = 157;
-  const Textured textured = shown(linear, kOcclusion, "EXT_texture_astc");
+  const Textured textured = shown_ktx2(linear, kOcclusion, "EXT_texture_astc");
   EXPECT_EQ(about_textures(textured),
             (Lines{"KTX2_FORMAT_MISMATCH" + kImage,
                    "KTX2_COLOR_SPACE_INVALID /materials/0/occlusionTexture"}));
@@ -81,48 +82,48 @@ TEST(Ktx2Images, ThatReadersShowAllTheSameAreCheckedFurther) {
 TEST(Ktx2Images, AreFlat) {
   Ktx2Builder layered;
   layered.layers = 1;
-  EXPECT_EQ(about(layered), Lines{"KTX2_NOT_2D" + kImage});
+  EXPECT_EQ(about_ktx2(layered), Lines{"KTX2_NOT_2D" + kImage});
 }
 
 TEST(Ktx2Images, HaveExtentsOfWholeBlocks) {
   Ktx2Builder odd;
   odd.width = 6;
-  EXPECT_EQ(about(odd), Lines{"KTX2_DIMENSIONS_NOT_MULTIPLE_OF_4" + kImage});
+  EXPECT_EQ(about_ktx2(odd), Lines{"KTX2_DIMENSIONS_NOT_MULTIPLE_OF_4" + kImage});
 }
 
 TEST(Ktx2Images, HaveNoOrientationOrSwizzleOfTheirOwn) {
   Ktx2Builder builder;
   builder.metadata = {{"KTXorientation", "ru"}};
-  EXPECT_EQ(about(builder), Lines{"KTX2_ORIENTATION_INVALID" + kImage});
+  EXPECT_EQ(about_ktx2(builder), Lines{"KTX2_ORIENTATION_INVALID" + kImage});
   builder.metadata = {{"KTXswizzle", "bgra"}};
-  EXPECT_EQ(about(builder), Lines{"KTX2_SWIZZLE_INVALID" + kImage});
+  EXPECT_EQ(about_ktx2(builder), Lines{"KTX2_SWIZZLE_INVALID" + kImage});
   builder.metadata = {{"KTXorientation", "rd"}, {"KTXswizzle", "rgba"}};
-  EXPECT_EQ(about(builder), Lines{});
+  EXPECT_EQ(about_ktx2(builder), Lines{});
 }
 
 TEST(Ktx2Images, HaveStraightAlpha) {
   Ktx2Builder builder;
   builder.flags = 1;
-  EXPECT_EQ(about(builder), Lines{"KTX2_PREMULTIPLIED_ALPHA" + kImage});
+  EXPECT_EQ(about_ktx2(builder), Lines{"KTX2_PREMULTIPLIED_ALPHA" + kImage});
 }
 
 TEST(Ktx2Images, HoldWhatTheirExtensionAllows) {
   const Lines bad{"KTX2_PAYLOAD_INVALID" + kImage};
   const Ktx2Builder astc = Ktx2Builder::astc();
-  EXPECT_EQ(about(astc), bad);
-  EXPECT_EQ(about_textures(shown(astc, base_color(), "EXT_texture_astc")), Lines{});
-  EXPECT_EQ(about_textures(shown(Ktx2Builder(), base_color(), "EXT_texture_astc")), bad);
+  EXPECT_EQ(about_ktx2(astc), bad);
+  EXPECT_EQ(about_textures(shown_ktx2(astc, base_color(), "EXT_texture_astc")), Lines{});
+  EXPECT_EQ(about_textures(shown_ktx2(Ktx2Builder(), base_color(), "EXT_texture_astc")), bad);
   Ktx2Builder unknown_channel;
   unknown_channel.channels = {5};
-  EXPECT_EQ(about(unknown_channel), bad);
+  EXPECT_EQ(about_ktx2(unknown_channel), bad);
   Ktx2Builder zlib;
   zlib.scheme = 3;
-  EXPECT_EQ(about(zlib), bad);
+  EXPECT_EQ(about_ktx2(zlib), bad);
 }
 
 TEST(Ktx2Images, HaveTheLevelsThatSamplersRead) {
   Ktx2Builder one;
-  Textured textured = shown(one);
+  Textured textured = shown_ktx2(one);
   const Lines missing{"KTX2_MIP_LEVELS_MISSING /textures/0/extensions/KHR_texture_basisu/source"};
   textured.more = R"(, "samplers": [{"minFilter": 9987}])";
   EXPECT_EQ(about_textures(textured), missing);
@@ -140,14 +141,14 @@ TEST(Ktx2Slots, ReadTheColourSpaceThatIsDeclared) {
   const std::string color =
       "KTX2_COLOR_SPACE_INVALID "
       "/materials/0/pbrMetallicRoughness/baseColorTexture";
-  EXPECT_EQ(about(Ktx2Builder().linear()), Lines{color});
-  EXPECT_EQ(about(Ktx2Builder(), kOcclusion),
+  EXPECT_EQ(about_ktx2(Ktx2Builder().linear()), Lines{color});
+  EXPECT_EQ(about_ktx2(Ktx2Builder(), kOcclusion),
             Lines{"KTX2_COLOR_SPACE_INVALID /materials/0/occlusionTexture"});
-  EXPECT_EQ(about(Ktx2Builder().linear(), kOcclusion), Lines{});
+  EXPECT_EQ(about_ktx2(Ktx2Builder().linear(), kOcclusion), Lines{});
 }
 
 TEST(Ktx2Slots, OneOfTwoIsWrong) {
-  EXPECT_EQ(about(Ktx2Builder(), base_color(R"(, "occlusionTexture": {"index": 0})")),
+  EXPECT_EQ(about_ktx2(Ktx2Builder(), base_color(R"(, "occlusionTexture": {"index": 0})")),
             Lines{"KTX2_COLOR_SPACE_INVALID /materials/0/occlusionTexture"});
 }
 
@@ -157,7 +158,7 @@ TEST(Ktx2Slots, WrongPrimariesAreOnlyAWarning) {
   const auto severity = [&](const Ktx2Builder& image) {
     ValidateOptions options;
     options.select = {"KTX2_COLOR_SPACE_INVALID"};
-    const auto report = validate_bytes(shown(image, kOcclusion).text(), "test", options);
+    const auto report = validate_bytes(shown_ktx2(image, kOcclusion).text(), "test", options);
     return report.diagnostics.empty() ? Severity::hint : report.diagnostics[0].severity;
   };
   EXPECT_EQ(severity(tagged), Severity::warning);
@@ -169,16 +170,16 @@ TEST(Ktx2Slots, ReadChannelsThatAreThere) {
       R"("pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}})";
   const Lines missing{
       "KTX2_CHANNELS_MISSING /materials/0/pbrMetallicRoughness/metallicRoughnessTexture"};
-  EXPECT_EQ(about(Ktx2Builder::etc1s({3}).linear(), roughness), missing);
-  EXPECT_EQ(about(Ktx2Builder::etc1s({3, 4}).linear(), roughness), missing);
-  EXPECT_EQ(about(Ktx2Builder::etc1s({0}).linear(), roughness), Lines{});
+  EXPECT_EQ(about_ktx2(Ktx2Builder::etc1s({3}).linear(), roughness), missing);
+  EXPECT_EQ(about_ktx2(Ktx2Builder::etc1s({3, 4}).linear(), roughness), missing);
+  EXPECT_EQ(about_ktx2(Ktx2Builder::etc1s({0}).linear(), roughness), Lines{});
 }
 
 TEST(Ktx2Slots, AlphaIsASampleOfItsOwn) {
   const std::string specular =
       extension("KHR_materials_specular", R"("specularTexture": {"index": 0})");
   const auto said = [&](const Ktx2Builder& image) {
-    return selected(shown(image, specular).text(), {"TEXTURE_ALPHA_MISSING"});
+    return selected(shown_ktx2(image, specular).text(), {"TEXTURE_ALPHA_MISSING"});
   };
   EXPECT_EQ(said(Ktx2Builder::etc1s({0, 15}).linear()), Lines{});
   EXPECT_EQ(said(Ktx2Builder::etc1s({0}).linear()),

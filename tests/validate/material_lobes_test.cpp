@@ -9,7 +9,7 @@
 namespace gltfx::test {
 namespace {
 
-const std::string kAt = " /materials/0/extensions/KHR_materials_";
+const std::string kLobeAt = " /materials/0/extensions/KHR_materials_";
 
 Lines lobes(const std::string& material, const std::string& more = {},
             Profile profile = Profile::standard) {
@@ -32,7 +32,7 @@ TEST(Lobes, AnIndexOfZeroDoesNotRefract) {
     return lobes(with(kGlass + R"(, "KHR_materials_ior": {"ior": )" + ior +
                       R"(}, "KHR_materials_volume": {"thicknessFactor": )" + thickness + "}"));
   };
-  EXPECT_EQ(volume("0", "1"), Lines{"KHR_MATERIALS_IOR_ZERO_VOLUME" + kAt + "ior/ior"});
+  EXPECT_EQ(volume("0", "1"), Lines{"KHR_MATERIALS_IOR_ZERO_VOLUME" + kLobeAt + "ior/ior"});
   EXPECT_EQ(volume("1.5", "1"), Lines{});
   EXPECT_EQ(volume("0", "0"), Lines{}) << "a thin wall";
 }
@@ -48,7 +48,7 @@ TEST(Lobes, AnIndexOfZeroIsNotAnimated) {
     return lobes(with(R"("KHR_materials_ior": {"ior": )" + ior + "}"),
                  animating("/materials/0/extensions/KHR_materials_ior/" + property));
   };
-  EXPECT_EQ(animated("0", "ior"), Lines{"KHR_MATERIALS_IOR_ZERO_ANIMATED" + kAt + "ior/ior"});
+  EXPECT_EQ(animated("0", "ior"), Lines{"KHR_MATERIALS_IOR_ZERO_ANIMATED" + kLobeAt + "ior/ior"});
   EXPECT_EQ(animated("1", "ior"), Lines{});
   EXPECT_EQ(animated("0", "other"), Lines{});
 }
@@ -58,7 +58,7 @@ TEST(Lobes, MetalLetsNoLightThrough) {
     return lobes(R"("pbrMetallicRoughness": {)" + base + R"(}, "extensions": {)" + kGlass + "}",
                  more, Profile::strict);
   };
-  const Lines metal{"KHR_MATERIALS_TRANSMISSION_METAL" + kAt + "transmission"};
+  const Lines metal{"KHR_MATERIALS_TRANSMISSION_METAL" + kLobeAt + "transmission"};
   EXPECT_EQ(transmitting(""), metal) << "metallicFactor is 1 by default";
   EXPECT_EQ(transmitting(R"("metallicFactor": 1)"), metal);
   EXPECT_EQ(transmitting(R"("metallicFactor": 0.9)"), Lines{});
@@ -68,7 +68,7 @@ TEST(Lobes, MetalLetsNoLightThrough) {
   EXPECT_EQ(lobes(R"("extensions": {"KHR_materials_diffuse_transmission":
                      {"diffuseTransmissionFactor": 0.5}})",
                   "", Profile::strict),
-            Lines{"KHR_MATERIALS_TRANSMISSION_METAL" + kAt + "diffuse_transmission"});
+            Lines{"KHR_MATERIALS_TRANSMISSION_METAL" + kLobeAt + "diffuse_transmission"});
 }
 
 TEST(Lobes, TransmissionIsNoCoverage) {
@@ -78,7 +78,7 @@ TEST(Lobes, TransmissionIsNoCoverage) {
                      base + R"(}, "extensions": {)" + kGlass + "}",
                  more);
   };
-  const Lines blended{"KHR_MATERIALS_TRANSMISSION_ALPHA_MODE" + kAt + "transmission"};
+  const Lines blended{"KHR_MATERIALS_TRANSMISSION_ALPHA_MODE" + kLobeAt + "transmission"};
   EXPECT_EQ(glass("BLEND"), blended);
   EXPECT_EQ(glass("MASK"), blended);
   EXPECT_EQ(glass("OPAQUE"), Lines{});
@@ -95,7 +95,7 @@ TEST(Lobes, UnlitMaterialsNeedNoTexturesForLighting) {
       R"("normalTexture": {"index": 0}, "extensions": {"KHR_materials_unlit": {}})";
   EXPECT_EQ(lobes(material), Lines{});
   EXPECT_EQ(lobes(material, "", Profile::strict),
-            (Lines{"KHR_MATERIALS_UNLIT_FALLBACK" + kAt + "unlit",
+            (Lines{"KHR_MATERIALS_UNLIT_FALLBACK" + kLobeAt + "unlit",
                    "KHR_MATERIALS_UNLIT_TEXTURE /materials/0/normalTexture"}));
   EXPECT_EQ(lobes(R"("pbrMetallicRoughness": {"metallicFactor": 0, "metallicRoughnessTexture":
       {"index": 0}}, "extensions": {"KHR_materials_unlit": {}})",
@@ -108,7 +108,7 @@ TEST(Lobes, UnlitMaterialsLookAlikeWithoutTheExtension) {
   const auto unlit = [](const std::string& members, const std::string& more = {}) {
     return lobes(members + R"("extensions": {"KHR_materials_unlit": {}})", more, Profile::strict);
   };
-  const Lines wrong{"KHR_MATERIALS_UNLIT_FALLBACK" + kAt + "unlit"};
+  const Lines wrong{"KHR_MATERIALS_UNLIT_FALLBACK" + kLobeAt + "unlit"};
   EXPECT_EQ(unlit(""), wrong) << "metal, by default";
   EXPECT_EQ(unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0}, )"), Lines{});
   EXPECT_EQ(unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0.5}, )"),
@@ -129,7 +129,7 @@ TEST(Lobes, AColourThatIsBlackSwitchesOff) {
   const auto sheen = [](const std::string& color) {
     return lobes(with(R"("KHR_materials_sheen": {"sheenRoughnessFactor": 0.5)" + color + "}"));
   };
-  const Lines off{"MATERIAL_LOBE_OFF" + kAt + "sheen"};
+  const Lines off{"MATERIAL_LOBE_OFF" + kLobeAt + "sheen"};
   EXPECT_EQ(sheen(""), off);
   EXPECT_EQ(sheen(R"(, "sheenColorFactor": [0, 0, 0])"), off);
   EXPECT_EQ(sheen(R"(, "sheenColorFactor": [0, 0, 0.1])"), Lines{});
@@ -142,7 +142,7 @@ TEST(Lobes, AnAbbeNumberIsNoDispersion) {
                  Profile::strict);
   };
   EXPECT_EQ(dispersion("55"),
-            Lines{"KHR_MATERIALS_DISPERSION_UNUSUAL" + kAt + "dispersion/dispersion"});
+            Lines{"KHR_MATERIALS_DISPERSION_UNUSUAL" + kLobeAt + "dispersion/dispersion"});
   EXPECT_EQ(dispersion("2.04"), Lines{});
 }
 
@@ -150,7 +150,7 @@ TEST(Lobes, ThatAreOffAreSetUpForNothing) {
   const auto clearcoat = [](const std::string& members, const std::string& more = {}) {
     return lobes(with(R"("KHR_materials_clearcoat": {)" + members + "}"), more);
   };
-  const Lines off{"MATERIAL_LOBE_OFF" + kAt + "clearcoat"};
+  const Lines off{"MATERIAL_LOBE_OFF" + kLobeAt + "clearcoat"};
   EXPECT_EQ(clearcoat(R"("clearcoatRoughnessFactor": 0.3)"), off);
   EXPECT_EQ(clearcoat(R"("clearcoatFactor": 0, "clearcoatRoughnessFactor": 0.3)"), off);
   EXPECT_EQ(clearcoat(R"("clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.3)"), Lines{});
@@ -161,7 +161,7 @@ TEST(Lobes, ThatAreOffAreSetUpForNothing) {
             Lines{});
   EXPECT_EQ(clearcoat(R"("clearcoatTexture": {"index": 0})"), Lines{}) << "said of the texture";
   EXPECT_EQ(lobes(with(kGlass + R"(, "KHR_materials_volume": {"attenuationDistance": 1})")),
-            Lines{"MATERIAL_LOBE_OFF" + kAt + "volume"});
+            Lines{"MATERIAL_LOBE_OFF" + kLobeAt + "volume"});
 }
 
 }  // namespace

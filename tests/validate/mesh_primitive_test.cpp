@@ -6,10 +6,10 @@
 namespace gltfx::test {
 namespace {
 
-const std::string kPrimitive = "/meshes/0/primitives/0";
+const std::string kMeshPrimitive = "/meshes/0/primitives/0";
 
 // Accessors 0 to 8 are positions, one more than their index of them; 9 are two UNSIGNED_SHORT.
-std::string asset(const std::string& primitive, const std::string& more = {}) {
+std::string asset_of(const std::string& primitive, const std::string& more = {}) {
   std::string accessors;
   for (int i = 0; i < 9; ++i) {
     accessors +=
@@ -23,11 +23,11 @@ std::string asset(const std::string& primitive, const std::string& more = {}) {
 
 TEST(Primitive, AllAttributesHaveTheSameCount) {
   const std::string code = "MESH_PRIMITIVE_UNEQUAL_ACCESSOR_COUNT";
-  EXPECT_EQ(places(asset(R"("attributes": {"POSITION": 2, "NORMAL": 2})"), code), Lines{});
-  EXPECT_EQ(places(asset(R"("attributes": {"POSITION": 2, "NORMAL": 3})"), code),
-            Lines{kPrimitive + "/attributes/NORMAL"});
-  EXPECT_EQ(places(asset(R"("attributes": {"NORMAL": 3, "POSITION": 2})"), code),
-            Lines{kPrimitive + "/attributes/POSITION"})
+  EXPECT_EQ(places(asset_of(R"("attributes": {"POSITION": 2, "NORMAL": 2})"), code), Lines{});
+  EXPECT_EQ(places(asset_of(R"("attributes": {"POSITION": 2, "NORMAL": 3})"), code),
+            Lines{kMeshPrimitive + "/attributes/NORMAL"});
+  EXPECT_EQ(places(asset_of(R"("attributes": {"NORMAL": 3, "POSITION": 2})"), code),
+            Lines{kMeshPrimitive + "/attributes/POSITION"})
       << "the first one counts";
 }
 
@@ -46,7 +46,8 @@ Lines of_indices(const std::string& accessor, Profile profile = Profile::standar
 }
 
 TEST(PrimitiveIndices, ArePlainUnsignedIntegers) {
-  const Lines found{"MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT " + kPrimitive + "/indices"};
+  const Lines found{"MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT " + kMeshPrimitive +
+                    "/indices"};
   for (const char* type : {"5121", "5123", "5125"}) {
     EXPECT_EQ(of_indices(std::string(R"("type": "SCALAR", "componentType": )") + type), Lines{})
         << type;
@@ -62,7 +63,7 @@ TEST(PrimitiveIndices, ArePlainUnsignedIntegers) {
 
 TEST(PrimitiveIndices, HaveNoStrideAndAreToldOnce) {
   const std::string at_use =
-      "MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE " + kPrimitive + "/indices";
+      "MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE " + kMeshPrimitive + "/indices";
   const std::string indices = R"("type": "SCALAR", "componentType": 5121, "bufferView": )";
   EXPECT_EQ(of_indices(indices + "0"), Lines{at_use});
   EXPECT_EQ(of_indices(indices + "1"), Lines{}) << "the view itself is at fault";
@@ -78,9 +79,10 @@ TEST(PrimitiveMode, TellsHowManyVerticesThereMayBe) {
       {3, 4, 5, 6, 7, 8, 9}};
   for (std::size_t mode = 0; mode < good.size(); ++mode) {
     for (int count = 1; count <= 9; ++count) {
-      const std::string text = asset(R"("attributes": {"POSITION": )" + std::to_string(count - 1) +
-                                     R"(}, "mode": )" + std::to_string(mode));
-      EXPECT_EQ(places(text, code), good[mode].count(count) ? Lines{} : Lines{kPrimitive})
+      const std::string text =
+          asset_of(R"("attributes": {"POSITION": )" + std::to_string(count - 1) + R"(}, "mode": )" +
+                   std::to_string(mode));
+      EXPECT_EQ(places(text, code), good[mode].count(count) ? Lines{} : Lines{kMeshPrimitive})
           << mode << " " << count;
     }
   }
@@ -89,15 +91,15 @@ TEST(PrimitiveMode, TellsHowManyVerticesThereMayBe) {
 TEST(PrimitiveMode, CountsIndicesWhereThereAreSome) {
   const std::string code = "MESH_PRIMITIVE_INCOMPATIBLE_MODE";
   const std::string two = R"("attributes": {"POSITION": 2}, "indices": 9)";
-  EXPECT_EQ(places(asset(two), code), Lines{kPrimitive});
-  EXPECT_EQ(message(asset(two), code),
+  EXPECT_EQ(places(asset_of(two), code), Lines{kMeshPrimitive});
+  EXPECT_EQ(message(asset_of(two), code),
             "The primitive has 2 indices; for TRIANGLES it must have a multiple of 3.");
-  EXPECT_EQ(places(asset(R"("attributes": {"POSITION": 3}, "indices": 99)"), code), Lines{})
+  EXPECT_EQ(places(asset_of(R"("attributes": {"POSITION": 3}, "indices": 99)"), code), Lines{})
       << "the broken index is reported";
   EXPECT_EQ(
-      places(asset(R"("attributes": {"POSITION": 3}, "indices": 99)"), code, Profile::khronos),
-      Lines{kPrimitive});
-  EXPECT_EQ(places(asset(R"("attributes": {"POSITION": 3}, "mode": 9)"), code), Lines{});
+      places(asset_of(R"("attributes": {"POSITION": 3}, "indices": 99)"), code, Profile::khronos),
+      Lines{kMeshPrimitive});
+  EXPECT_EQ(places(asset_of(R"("attributes": {"POSITION": 3}, "mode": 9)"), code), Lines{});
 }
 
 TEST(MorphTargets, MoveAttributesThatThePrimitiveHas) {
@@ -106,13 +108,14 @@ TEST(MorphTargets, MoveAttributesThatThePrimitiveHas) {
       "MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT"};
   const auto of_target = [&](const std::string& target) {
     return selected(
-        asset(R"("attributes": {"POSITION": 2, "_A": 2}, "targets": [{)" + target + "}]"), codes);
+        asset_of(R"("attributes": {"POSITION": 2, "_A": 2}, "targets": [{)" + target + "}]"),
+        codes);
   };
   EXPECT_EQ(of_target(R"("POSITION": 2, "_A": 2)"), Lines{});
   EXPECT_EQ(of_target(R"("NORMAL": 2)"), Lines{"MESH_PRIMITIVE_MORPH_TARGET_NO_BASE_ACCESSOR " +
-                                               kPrimitive + "/targets/0/NORMAL"});
+                                               kMeshPrimitive + "/targets/0/NORMAL"});
   EXPECT_EQ(of_target(R"("_A": 3)"), Lines{"MESH_PRIMITIVE_MORPH_TARGET_INVALID_ATTRIBUTE_COUNT " +
-                                           kPrimitive + "/targets/0/_A"});
+                                           kMeshPrimitive + "/targets/0/_A"});
 }
 
 TEST(MorphTargets, HaveFormatsOfTheirOwn) {
@@ -122,22 +125,24 @@ TEST(MorphTargets, HaveFormatsOfTheirOwn) {
     {"componentType": 5126, "type": "VEC4", "count": 3}, {"componentType": 5125, "type": "VEC4", "count": 3})";
   const auto of_target = [&](const std::string& target) {
     return places(
-        asset(R"("attributes": {"POSITION": 2, "NORMAL": 2, "TANGENT": 11, "COLOR_0": 11, "_A": 2},
+        asset_of(
+            R"("attributes": {"POSITION": 2, "NORMAL": 2, "TANGENT": 11, "COLOR_0": 11, "_A": 2},
       "targets": [{)" +
-                  target + "}]",
-              more),
+                target + "}]",
+            more),
         code);
   };
   EXPECT_EQ(of_target(R"("TANGENT": 2, "COLOR_0": 10, "POSITION": 2)"), Lines{});
-  EXPECT_EQ(of_target(R"("TANGENT": 11)"), Lines{kPrimitive + "/targets/0/TANGENT"});
+  EXPECT_EQ(of_target(R"("TANGENT": 11)"), Lines{kMeshPrimitive + "/targets/0/TANGENT"});
   EXPECT_EQ(of_target(R"("_A": 12)"), Lines{});
 }
 
 TEST(MorphTargets, PositionsHaveBoundsToo) {
   const std::string more = R"(, {"componentType": 5126, "type": "VEC3", "count": 3})";
-  EXPECT_EQ(places(asset(R"("attributes": {"POSITION": 2}, "targets": [{"POSITION": 10}])", more),
-                   "MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS"),
-            Lines{kPrimitive + "/targets/0/POSITION"});
+  EXPECT_EQ(
+      places(asset_of(R"("attributes": {"POSITION": 2}, "targets": [{"POSITION": 10}])", more),
+             "MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS"),
+      Lines{kMeshPrimitive + "/targets/0/POSITION"});
 }
 
 TEST(Primitive, CompressedGeometryRaisesNothingOfItsOwn) {

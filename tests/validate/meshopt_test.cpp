@@ -14,7 +14,7 @@ namespace {
 
 const std::string kExt = "EXT_meshopt_compression";
 const std::string kKhr = "KHR_meshopt_compression";
-const std::string kAt = " /bufferViews/0/extensions/" + kKhr;
+const std::string kMeshoptAt = " /bufferViews/0/extensions/" + kKhr;
 
 // One compressed view, an accessor on it, and how the accessor is used. The placeholder for decoded
 // bytes is buffer 1.
@@ -111,7 +111,7 @@ TEST(Meshopt, TheKhronosProfileDecodesNothing) {
 }
 
 // Streams with something wrong, each with what is said.
-struct Case {
+struct FilterCase {
   std::string name;
   Packed packed;
   Lines wanted;
@@ -130,9 +130,10 @@ Packed with_stream(std::string stream, std::size_t count = 2) {
   return packed;
 }
 
-std::vector<Case> attribute_cases() {
+std::vector<FilterCase> attribute_cases() {
   const std::string zero = stream_of(0, 12, kPositions), one = stream_of(1, 12, kPositions);
-  const Lines failed{"MESHOPT_DECODE_FAILED" + kAt}, header{"MESHOPT_INVALID_HEADER" + kAt};
+  const Lines failed{"MESHOPT_DECODE_FAILED" + kMeshoptAt},
+      header{"MESHOPT_INVALID_HEADER" + kMeshoptAt};
   std::string noise(300, '\xaa');
   noise[0] = '\xa1';
   return {
@@ -145,10 +146,10 @@ std::vector<Case> attribute_cases() {
       {"version 2", with_stream(changed(zero, 0, 0xa2)), header},
       {"a byte too many in version 0",
        with_stream(zero.substr(0, zero.size() - 32) + '\0' + zero.substr(zero.size() - 32)),
-       {"MESHOPT_TRAILING_BYTES" + kAt}},
+       {"MESHOPT_TRAILING_BYTES" + kMeshoptAt}},
       {"a byte too many in version 1",
        with_stream(one.substr(0, one.size() - 24) + '\0' + one.substr(one.size() - 24)),
-       {"MESHOPT_TRAILING_BYTES" + kAt}},
+       {"MESHOPT_TRAILING_BYTES" + kMeshoptAt}},
       {"data cut off before the tail",
        with_stream(zero.substr(0, zero.size() - 34) + zero.substr(zero.size() - 32)), failed},
       {"an unknown mode of a channel", with_stream(changed(one, one.size() - 1, 3)), failed},
@@ -167,9 +168,10 @@ Packed index_case(const std::string& mode, const std::string& stream, std::size_
 
 const std::string kTable("\x00\x76\x87\x56\x67\x78\xa9\x86\x65\x89\x68\x98\x01\x69\x00\x00", 16);
 
-std::vector<Case> index_cases() {
-  const Lines failed{"MESHOPT_DECODE_FAILED" + kAt}, header{"MESHOPT_INVALID_HEADER" + kAt};
-  const Lines trailing{"MESHOPT_TRAILING_BYTES" + kAt};
+std::vector<FilterCase> index_cases() {
+  const Lines failed{"MESHOPT_DECODE_FAILED" + kMeshoptAt},
+      header{"MESHOPT_INVALID_HEADER" + kMeshoptAt};
+  const Lines trailing{"MESHOPT_TRAILING_BYTES" + kMeshoptAt};
   const auto triangles = [](const std::string& bytes, std::size_t count = 3) {
     return index_case("TRIANGLES", bytes + kTable, count);
   };
@@ -209,8 +211,8 @@ Packed filter_case(const std::string& filter, const Octets& element) {
   return packed;
 }
 
-std::vector<Case> filter_cases() {
-  const Lines misfit{"MESHOPT_FILTER_INPUT_INVALID" + kAt};
+std::vector<FilterCase> filter_cases() {
+  const Lines misfit{"MESHOPT_FILTER_INPUT_INVALID" + kMeshoptAt};
   Packed floats = filter_case("EXPONENTIAL", {1, 0, 0, 0x7f});
   floats.accessor = R"("type": "SCALAR", "componentType": 5126)";
   Packed color = filter_case("COLOR", {1, 0, 0, 1});
@@ -237,7 +239,7 @@ std::vector<Case> filter_cases() {
 
 TEST(Meshopt, ErrorsOfStreamsAreToldAtTheirView) {
   for (const auto& cases : {attribute_cases(), index_cases(), filter_cases()}) {
-    for (const Case& each : cases) EXPECT_EQ(said(each.packed), each.wanted) << each.name;
+    for (const FilterCase& each : cases) EXPECT_EQ(said(each.packed), each.wanted) << each.name;
   }
 }
 
@@ -276,7 +278,7 @@ std::string mesh_of(const std::string& attributes) {
 }
 
 // Positions without data beside the accessor.
-Packed with_attribute(Packed packed, const std::string& name) {
+Packed packed_with_attribute(Packed packed, const std::string& name) {
   std::string& accessor = packed.accessor;
   accessor += R"(, "count": )" + std::to_string(packed.count) +
               R"(}, {"type": "VEC3", "componentType": 5126, "min": [0, 0, 0], "max": [0, 0, 0])";
@@ -300,7 +302,7 @@ TEST(Meshopt, IndicesBehindTheLastVertexAreFound) {
 TEST(Meshopt, UnitVectorsMayBeRoundedByTheDecoder) {
   Packed packed = filter_case("OCTAHEDRAL", {40, 30, 127, 0});
   packed.accessor = R"("type": "VEC3", "componentType": 5120, "normalized": true)";
-  const Packed normals = with_attribute(packed, "NORMAL");
+  const Packed normals = packed_with_attribute(packed, "NORMAL");
   EXPECT_EQ(about_data(normals.text()), Lines());
 }
 
@@ -309,7 +311,7 @@ TEST(Meshopt, UnitVectorsInFewerBitsAreOnlyWarnedOf) {
   const auto normals = [](std::int16_t z) {
     Packed packed{stream_of(1, 8, octets<std::int16_t>({0, 0, z, 0})), 1, 8};
     packed.accessor = R"("type": "VEC3", "componentType": 5122, "normalized": true)";
-    return with_attribute(packed, "NORMAL").text();
+    return packed_with_attribute(packed, "NORMAL").text();
   };
   const auto severity = [](const std::string& text) {
     ValidateOptions options;
@@ -348,7 +350,7 @@ std::string with_plain_copy(float last, const std::string& filter = {}) {
 
 TEST(Meshopt, PlainCopiesAreComparedWhereDecodingIsExact) {
   EXPECT_EQ(said(with_plain_copy(3)), Lines());
-  EXPECT_EQ(said(with_plain_copy(4)), Lines{"MESHOPT_FALLBACK_DIFFERS" + kAt});
+  EXPECT_EQ(said(with_plain_copy(4)), Lines{"MESHOPT_FALLBACK_DIFFERS" + kMeshoptAt});
   // What a filter gives may differ; bounds are those of the plain copy.
   EXPECT_EQ(said(with_plain_copy(0, "OCTAHEDRAL")), Lines());
 }
@@ -362,7 +364,7 @@ Packed zeros(std::size_t blocks) {
 
 TEST(Meshopt, ZerosInFewBytesAreDecodedUpToALimit) {
   EXPECT_EQ(said(zeros(10)), Lines());
-  EXPECT_EQ(said(zeros(200000)), Lines{"MESHOPT_NOT_DECODED" + kAt});
+  EXPECT_EQ(said(zeros(200000)), Lines{"MESHOPT_NOT_DECODED" + kMeshoptAt});
 }
 
 TEST(Meshopt, ViewsThatShareAStreamShareTheLimit) {

@@ -11,9 +11,10 @@ namespace gltfx::test {
 namespace {
 
 // One channel of path `path`, with `output` as its values.
-std::string animation(std::initializer_list<float> times, const std::string& path,
-                      const std::string& type, Component component, const std::string& output,
-                      const std::string& interpolation = "LINEAR") {
+std::string animation_of_weights(std::initializer_list<float> times, const std::string& path,
+                                 const std::string& type, Component component,
+                                 const std::string& output,
+                                 const std::string& interpolation = "LINEAR") {
   DataAsset asset;
   asset.accessor("SCALAR", kFloat, times.size(), floats(times), R"(, "min": [0], "max": [1])");
   const std::size_t size = component == kFloat ? 16 : 4;
@@ -34,8 +35,8 @@ Lines about_animation(const std::string& asset, Profile profile = Profile::stand
 }
 
 Lines times(std::initializer_list<float> values, Profile profile = Profile::standard) {
-  return about_animation(animation(values, "scale", "VEC4", kFloat, std::string(16, '\0')),
-                         profile);
+  return about_animation(
+      animation_of_weights(values, "scale", "VEC4", kFloat, std::string(16, '\0')), profile);
 }
 
 TEST(Times, Increase) {
@@ -62,7 +63,8 @@ const std::string kChannel =
     "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION /animations/0/channels/0/sampler";
 
 Lines rotation(const std::string& values, const std::string& interpolation = "LINEAR") {
-  return about_animation(animation({0}, "rotation", "VEC4", kFloat, values, interpolation));
+  return about_animation(
+      animation_of_weights({0}, "rotation", "VEC4", kFloat, values, interpolation));
 }
 
 TEST(Rotations, AreOfUnitLengthWithinWhatEightBitsLose) {
@@ -75,8 +77,9 @@ TEST(Rotations, AreOfUnitLengthWithinWhatEightBitsLose) {
 }
 
 TEST(Rotations, OfOtherPathsMayHaveAnyLength) {
-  EXPECT_EQ(about_animation(animation({0}, "weights", "VEC4", kFloat, floats({5, 5, 5, 5}))),
-            Lines());
+  EXPECT_EQ(
+      about_animation(animation_of_weights({0}, "weights", "VEC4", kFloat, floats({5, 5, 5, 5}))),
+      Lines());
 }
 
 TEST(Rotations, OfSplinesAreTheMiddleOnesOfThree) {
@@ -88,11 +91,11 @@ TEST(Rotations, OfSplinesAreTheMiddleOnesOfThree) {
 }
 
 TEST(Rotations, OfNormalizedIntegersAreConvertedFirst) {
-  EXPECT_EQ(about_animation(
-                animation({0}, "rotation", "VEC4", kInt8, packed<std::int8_t>({0, 0, 0, -127}))),
+  EXPECT_EQ(about_animation(animation_of_weights({0}, "rotation", "VEC4", kInt8,
+                                                 packed<std::int8_t>({0, 0, 0, -127}))),
             Lines());
-  EXPECT_EQ(about_animation(
-                animation({0}, "rotation", "VEC4", kInt8, packed<std::int8_t>({0, 0, 0, 100}))),
+  EXPECT_EQ(about_animation(animation_of_weights({0}, "rotation", "VEC4", kInt8,
+                                                 packed<std::int8_t>({0, 0, 0, 100}))),
             (Lines{kChannel}));
 }
 

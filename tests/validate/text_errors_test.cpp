@@ -12,7 +12,7 @@
 namespace gltfx {
 namespace {
 
-struct Case {
+struct TextCase {
   const char* name;
   std::string text;
   const char* code;
@@ -20,12 +20,12 @@ struct Case {
   std::uint32_t column;
 };
 
-void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+void PrintTo(const TextCase& one, std::ostream* out) { *out << one.name; }
 
-class TextErrors : public ::testing::TestWithParam<Case> {};
+class TextErrors : public ::testing::TestWithParam<TextCase> {};
 
 TEST_P(TextErrors, NameTheirPlace) {
-  const Case& wanted = GetParam();
+  const TextCase& wanted = GetParam();
   const FileReport report = validate_bytes(wanted.text, "test.gltf");
   ASSERT_EQ(report.diagnostics.size(), 1U);
   const Diagnostic& found = report.diagnostics[0];
@@ -40,27 +40,28 @@ const std::string kAsset = "{\"asset\": {\"version\": \"2.0\"}";
 INSTANTIATE_TEST_SUITE_P(
     Json, TextErrors,
     ::testing::Values(
-        Case{"trailing_comma", "{\n \"asset\": {\"version\": \"2.0\",}\n}", "JSON_TRAILING_COMMA",
-             2, 28},
-        Case{"missing_comma", "{\"asset\": {\"version\": \"2.0\"}\n \"extras\": {}}",
-             "JSON_MISSING_COMMA", 2, 2},
-        Case{"trailing_data", kAsset + "}\n}", "JSON_TRAILING_DATA", 2, 1},
-        Case{"duplicate_key", "{\"asset\": {\"version\": \"2.0\", \"version\": \"2.0\"}}",
-             "JSON_DUPLICATE_KEY", 1, 30},
-        Case{"escaped_duplicate", "{\"asset\": {\"version\": \"2.0\", \"v\\u0065rsion\": \"2.0\"}}",
-             "JSON_DUPLICATE_KEY", 1, 30},
-        Case{"bom", "\xef\xbb\xbf" + kAsset + "}", "JSON_BYTE_ORDER_MARK", 1, 1},
-        Case{"lone_surrogate", kAsset + ", \"extras\": {\"a\": \"\\ud800\"}}",
-             "JSON_LONE_SURROGATE", 1, 48},
-        Case{"out_of_range", kAsset + ", \"extras\": {\"a\": 1e400}}", "JSON_NUMBER_OUT_OF_RANGE",
-             1, 47},
-        Case{"bad_utf8", "{\"asset\": {\"version\": \"2.0\", \"generator\": \"\xff\"}}",
-             "JSON_INVALID_UTF8", 1, 44},
-        Case{"columns_count_characters",
-             "{\"asset\": {\"version\": \"2.0\", \"generator\": \"\xc3\xa9\xc3\xa9\"}, tru}",
-             "INVALID_JSON", 1, 50},
-        Case{"too_deep", std::string(2000, '['), "JSON_TOO_DEEP", 1, 1025},
-        Case{"unclosed", "{\"asset\": {\"version\": \"2.0\"}", "INVALID_JSON", 1, 29}),
+        TextCase{"trailing_comma", "{\n \"asset\": {\"version\": \"2.0\",}\n}",
+                 "JSON_TRAILING_COMMA", 2, 28},
+        TextCase{"missing_comma", "{\"asset\": {\"version\": \"2.0\"}\n \"extras\": {}}",
+                 "JSON_MISSING_COMMA", 2, 2},
+        TextCase{"trailing_data", kAsset + "}\n}", "JSON_TRAILING_DATA", 2, 1},
+        TextCase{"duplicate_key", "{\"asset\": {\"version\": \"2.0\", \"version\": \"2.0\"}}",
+                 "JSON_DUPLICATE_KEY", 1, 30},
+        TextCase{"escaped_duplicate",
+                 "{\"asset\": {\"version\": \"2.0\", \"v\\u0065rsion\": \"2.0\"}}",
+                 "JSON_DUPLICATE_KEY", 1, 30},
+        TextCase{"bom", "\xef\xbb\xbf" + kAsset + "}", "JSON_BYTE_ORDER_MARK", 1, 1},
+        TextCase{"lone_surrogate", kAsset + ", \"extras\": {\"a\": \"\\ud800\"}}",
+                 "JSON_LONE_SURROGATE", 1, 48},
+        TextCase{"out_of_range", kAsset + ", \"extras\": {\"a\": 1e400}}",
+                 "JSON_NUMBER_OUT_OF_RANGE", 1, 47},
+        TextCase{"bad_utf8", "{\"asset\": {\"version\": \"2.0\", \"generator\": \"\xff\"}}",
+                 "JSON_INVALID_UTF8", 1, 44},
+        TextCase{"columns_count_characters",
+                 "{\"asset\": {\"version\": \"2.0\", \"generator\": \"\xc3\xa9\xc3\xa9\"}, tru}",
+                 "INVALID_JSON", 1, 50},
+        TextCase{"too_deep", std::string(2000, '['), "JSON_TOO_DEEP", 1, 1025},
+        TextCase{"unclosed", "{\"asset\": {\"version\": \"2.0\"}", "INVALID_JSON", 1, 29}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(TextErrors, RecoverableOnesDoNotHideTheRest) {

@@ -30,7 +30,7 @@ std::string broken_png() {
   return bytes.replace(bytes.find("IDAT") + 6, 4, "....");  // behind what the header checks read
 }
 
-const std::string kBase = "/materials/0/pbrMetallicRoughness/baseColorTexture";
+const std::string kBasePixels = "/materials/0/pbrMetallicRoughness/baseColorTexture";
 
 // --- Levels ---
 
@@ -102,7 +102,7 @@ TEST(PixelLevels, ManyImagesEndSomewhere) {
 // --- Constant channels ---
 
 TEST(ConstantTextures, AreAHint) {
-  const Lines hint{"TEXTURE_CONSTANT " + kBase};
+  const Lines hint{"TEXTURE_CONSTANT " + kBasePixels};
   EXPECT_EQ(hints({base_color(), {rgb_png("\1\2\3\1\2\3")}}, "TEXTURE_CONSTANT"), hint);
   EXPECT_EQ(hints({base_color(), {rgb_png("\1\2\3\1\2\4")}}, "TEXTURE_CONSTANT"), Lines{});
   EXPECT_EQ(hints({base_color(), {rgb_png("\1\2\3")}}, "TEXTURE_CONSTANT"), Lines{})
@@ -139,13 +139,13 @@ TEST(ConstantAlpha, OfAnotherValueIsAHint) {
 
 TEST(ConstantAlpha, IsNoCoverage) {
   const std::string opaque = rgba_png("\1\2\3\xFF\4\5\6\xFF");
-  const Lines missing{"MATERIAL_ALPHA_MISSING " + kBase};
+  const Lines missing{"MATERIAL_ALPHA_MISSING " + kBasePixels};
   EXPECT_EQ(needed({base_color(R"(, "alphaMode": "BLEND")"), {opaque}}), missing);
   EXPECT_EQ(needed({base_color(R"(, "alphaMode": "BLEND")"), {rgba_png("\1\2\3\xFF\4\5\6\x10")}}),
             Lines{})
       << "there are holes";
   EXPECT_EQ(hints({base_color(), {opaque}}, "TEXTURE_ALPHA_OPAQUE"),
-            Lines{"TEXTURE_ALPHA_OPAQUE " + kBase});
+            Lines{"TEXTURE_ALPHA_OPAQUE " + kBasePixels});
   EXPECT_EQ(hints({base_color(), {rgba_png("\1\2\3\xFF\4\5\6\x80")}}, "TEXTURE_ALPHA_OPAQUE"),
             Lines{});
 }
@@ -162,7 +162,7 @@ TEST(ColorSpacePixels, BlackAndWhiteAreTheSameInBoth) {
   EXPECT_EQ(shared(grey_png("\x80\x81")).size(), 1U);
 }
 
-Textured diffuse(const std::string& image) {
+Textured diffuse_pixels(const std::string& image) {
   return {extension("KHR_materials_diffuse_transmission",
                     R"("diffuseTransmissionFactor": 1,
                        "diffuseTransmissionTexture": {"index": 0})",
@@ -175,11 +175,13 @@ Textured diffuse(const std::string& image) {
 TEST(TranslucencyPixels, GreyMapsInRgbAreNamedAsSuch) {
   const std::string at =
       " /materials/0/extensions/KHR_materials_diffuse_transmission/diffuseTransmissionTexture";
-  EXPECT_EQ(needed(diffuse(rgb_png("\1\1\1\2\2\2"))), Lines{"TEXTURE_TRANSLUCENCY_IN_RED" + at});
-  EXPECT_EQ(needed(diffuse(rgb_png(std::string("\1\0\0\2\0\0", 6)))),
+  EXPECT_EQ(needed(diffuse_pixels(rgb_png("\1\1\1\2\2\2"))),
             Lines{"TEXTURE_TRANSLUCENCY_IN_RED" + at});
-  EXPECT_EQ(needed(diffuse(rgb_png("\1\2\3\2\3\4"))), Lines{"TEXTURE_ALPHA_MISSING" + at});
-  EXPECT_EQ(about_textures(diffuse(rgb_png("\1\1\1\2\2\2"))), Lines{"TEXTURE_ALPHA_MISSING" + at});
+  EXPECT_EQ(needed(diffuse_pixels(rgb_png(std::string("\1\0\0\2\0\0", 6)))),
+            Lines{"TEXTURE_TRANSLUCENCY_IN_RED" + at});
+  EXPECT_EQ(needed(diffuse_pixels(rgb_png("\1\2\3\2\3\4"))), Lines{"TEXTURE_ALPHA_MISSING" + at});
+  EXPECT_EQ(about_textures(diffuse_pixels(rgb_png("\1\1\1\2\2\2"))),
+            Lines{"TEXTURE_ALPHA_MISSING" + at});
 }
 
 // --- Normal maps ---

@@ -81,7 +81,8 @@ TEST(ColorSpace, OnceForAnImage) {
 
 // --- Packing ---
 
-std::string packed(const std::string& occlusion, const std::string& other = R"("index": 0)") {
+std::string packed_textures(const std::string& occlusion,
+                            const std::string& other = R"("index": 0)") {
   return R"("pbrMetallicRoughness": {"metallicRoughnessTexture": {)" + other +
          R"(}}, "occlusionTexture": {)" + occlusion + "}";
 }
@@ -94,30 +95,31 @@ Lines packing(const std::string& material, const std::string& textures = {},
 }
 
 TEST(Packing, ChannelsLieOnOnePlace) {
-  EXPECT_EQ(packing(packed(R"("index": 0)")), Lines{});
-  EXPECT_EQ(packing(packed(R"("index": 0, "texCoord": 1)")), kDisagree);
-  EXPECT_EQ(packing(packed(R"("index": 0, "texCoord": 1)", R"("index": 0, "texCoord": 1)")),
-            Lines{});
+  EXPECT_EQ(packing(packed_textures(R"("index": 0)")), Lines{});
+  EXPECT_EQ(packing(packed_textures(R"("index": 0, "texCoord": 1)")), kDisagree);
+  EXPECT_EQ(
+      packing(packed_textures(R"("index": 0, "texCoord": 1)", R"("index": 0, "texCoord": 1)")),
+      Lines{});
 }
 
 TEST(Packing, WithOneTransform) {
   const auto transform = [](const std::string& members) {
     return R"("index": 0, "extensions": {"KHR_texture_transform": {)" + members + "}}";
   };
-  EXPECT_EQ(packing(packed(transform(R"("scale": [2, 2])"))), kDisagree);
-  EXPECT_EQ(packing(packed(transform(R"("rotation": 1)"))), kDisagree);
-  EXPECT_EQ(packing(packed(transform(R"("offset": [0, 0.5])"))), kDisagree);
-  EXPECT_EQ(packing(packed(transform(R"("texCoord": 1)"))), kDisagree);
-  EXPECT_EQ(packing(packed(transform(R"("scale": [1, 1], "offset": [0, 0])"))), Lines{})
+  EXPECT_EQ(packing(packed_textures(transform(R"("scale": [2, 2])"))), kDisagree);
+  EXPECT_EQ(packing(packed_textures(transform(R"("rotation": 1)"))), kDisagree);
+  EXPECT_EQ(packing(packed_textures(transform(R"("offset": [0, 0.5])"))), kDisagree);
+  EXPECT_EQ(packing(packed_textures(transform(R"("texCoord": 1)"))), kDisagree);
+  EXPECT_EQ(packing(packed_textures(transform(R"("scale": [1, 1], "offset": [0, 0])"))), Lines{})
       << "that is none";
   const std::string both = transform(R"("scale": [2, 2])");
-  EXPECT_EQ(packing(packed(both, both)), Lines{});
+  EXPECT_EQ(packing(packed_textures(both, both)), Lines{});
 }
 
 TEST(Packing, WithOneSampler) {
   const std::string textures = R"({"source": 0, "sampler": 0}, {"source": 0, "sampler": 1})";
   const auto samplers = [&](const std::string& list) {
-    return packing(packed(R"("index": 1)"), textures, R"(, "samplers": [)" + list + "]");
+    return packing(packed_textures(R"("index": 1)"), textures, R"(, "samplers": [)" + list + "]");
   };
   EXPECT_EQ(samplers(R"({}, {"wrapS": 33071})"), kDisagree);
   EXPECT_EQ(samplers(R"({}, {"wrapS": 10497, "name": "again"})"), Lines{});
@@ -151,15 +153,16 @@ TEST(Packing, TransformsOfClampedTexturesStayInside) {
 }
 
 TEST(Packing, OcclusionWouldFitIntoTheOtherImage) {
-  const std::string material = packed(R"("index": 1)");
+  const std::string material = packed_textures(R"("index": 1)");
   const Lines hint{"TEXTURE_PACKABLE /materials/0/occlusionTexture"};
   const auto strict = [](const Textured& textured) {
     return selected(textured.text(), {"TEXTURE_PACKABLE"}, Profile::strict);
   };
   EXPECT_EQ(strict({material, {rgb_png(), grey_png()}}), hint);
   EXPECT_EQ(strict({material, {rgb_png(), grey_png("\1\2")}}), Lines{}) << "another size";
-  EXPECT_EQ(strict({packed(R"("index": 0)"), {rgb_png()}}), Lines{}) << "it does";
-  EXPECT_EQ(strict({packed(R"("index": 1, "texCoord": 1)"), {rgb_png(), grey_png()}}), Lines{});
+  EXPECT_EQ(strict({packed_textures(R"("index": 0)"), {rgb_png()}}), Lines{}) << "it does";
+  EXPECT_EQ(strict({packed_textures(R"("index": 1, "texCoord": 1)"), {rgb_png(), grey_png()}}),
+            Lines{});
 }
 
 }  // namespace
