@@ -7,7 +7,7 @@
 namespace gltfx::ground_truth {
 namespace {
 
-constexpr int kResolution = 128;
+constexpr int kFurnaceResolution = 128;
 
 // What reaches the eye from a wall in an environment that is the same all around.
 Value of_wall(const Albedo& albedo, double environment, const std::string& key) {
@@ -44,7 +44,7 @@ Value white_furnace(Inputs& inputs, const Value& expected) {
   inputs.ignore("geometry");  // volumes are closed, walls are plane or convex: no light comes twice
   if (inputs.has("NdotV")) {
     const Vec3d v = direction_of_cosine(inputs.number("NdotV", 1));
-    const Albedo albedo = integrate(material, v, kSpec, kResolution);
+    const Albedo albedo = integrate(material, v, kSpec, kFurnaceResolution);
     return for_each_key(expected, [&](const std::string& key, const Value&) {
       return of_wall(albedo, environment, key);
     });
@@ -52,8 +52,9 @@ Value white_furnace(Inputs& inputs, const Value& expected) {
   return for_each_key(expected, [&](const std::string& key, const Value& wanted) -> Value {
     if (key != "total") return {};
     return worst_over_angles(wanted, [&](const Vec3d& v) {
-      const Rgb seen = material.volumetric() ? sphere_radiance(material, 1, v)
-                                             : integrate(material, v, kSpec, kResolution).total;
+      const Rgb seen = material.volumetric()
+                           ? sphere_radiance(material, 1, v)
+                           : integrate(material, v, kSpec, kFurnaceResolution).total;
       return seen * environment;
     });
   });
@@ -62,8 +63,8 @@ Value white_furnace(Inputs& inputs, const Value& expected) {
 Value model_property(Inputs& inputs, const Value& expected) {
   const Material material = read_material(inputs);
   const Vec3d v = direction_of_cosine(inputs.number("NdotV", 1));
-  const Rgb literal = integrate(material, v, kSpec, kResolution).total;
-  const Rgb conserving = integrate(material, v, {}, kResolution).total;
+  const Rgb literal = integrate(material, v, kSpec, kFurnaceResolution).total;
+  const Rgb conserving = integrate(material, v, {}, kFurnaceResolution).total;
   return for_each_key(expected, [&](const std::string& key, const Value&) -> Value {
     if (key == "literal_total") return literal;
     if (max_value(conserving) > 1 + 1e-3) return std::string("the conserving mode gains energy");
