@@ -76,16 +76,20 @@ std::string remove_dot_segments(std::string_view path) {
 bool leads_up(std::string_view path) { return path == ".." || path.starts_with("../"); }
 
 /// Where readers end up that take a decoded path for one of the file system: doubled slashes are
-/// one, and '\\' may be a slash. Only told where it leads out of the folder; empty otherwise.
+/// one, '\\' may be a slash, and nothing is above "/". Only told where it leads out of the folder;
+/// empty otherwise.
 std::string way_out(std::string_view decoded) {
   std::string path;
   for (const char c : decoded) {
     const char next = c == '\\' ? '/' : c;
     if (next != '/' || !path.ends_with('/')) path += next;
   }
-  if (path.starts_with('/')) return path;
-  path = remove_dot_segments(path);
-  return leads_up(path) ? path : std::string();
+  const bool rooted = path.starts_with('/');
+  path = remove_dot_segments(rooted ? std::string_view(path).substr(1) : path);
+  if (!rooted) return leads_up(path) ? path : std::string();
+  std::string_view rest = path;
+  while (leads_up(rest)) rest.remove_prefix(std::min<std::size_t>(3, rest.size()));
+  return fmt::format("/{}", rest);
 }
 
 /// A ':' in the first segment would read as the end of a scheme.
