@@ -18,7 +18,7 @@
 #include "container/base64.hpp"
 #include "container/temp_folder.hpp"
 #include "json/parse.hpp"
-#include "upgrade/accessor_values.hpp"
+#include "upgrade/vertex_colors.hpp"
 
 namespace gltfx::test {
 
