@@ -9,7 +9,7 @@
 namespace gltfx::container {
 namespace {
 
-constexpr std::string_view kMagic = "glTF";
+constexpr std::string_view kGlbMagic = "glTF";
 constexpr std::string_view kGlbSuffix = ".glb";
 // https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md: the version line comes first and the
 // whole pointer has less than 1024 bytes.
@@ -25,7 +25,7 @@ bool named_glb(std::string_view name) {
 
 /// A whole magic, or a file that was cut inside it.
 bool begins_glb(std::string_view head) {
-  return head.starts_with(kMagic) || kMagic.starts_with(head);
+  return head.starts_with(kGlbMagic) || kGlbMagic.starts_with(head);
 }
 
 bool is_binary_byte(char c) {

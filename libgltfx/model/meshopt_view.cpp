@@ -11,7 +11,7 @@
 namespace gltfx::model {
 namespace {
 
-constexpr std::array<std::string_view, 3> kModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::array<std::string_view, 3> kStreamModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
 constexpr std::array<std::string_view, 5> kFilters{"NONE", "OCTAHEDRAL", "QUATERNION",
                                                    "EXPONENTIAL", "COLOR"};
 
@@ -31,7 +31,7 @@ std::optional<meshopt::Layout> read_layout(const json::Document& document, json:
                                            std::string_view extension) {
   const auto count = unsigned_member(document, object, "count");
   const auto stride = unsigned_member(document, object, "byteStride");
-  const auto mode = named<meshopt::Mode>(kModes, string_member(document, object, "mode"));
+  const auto mode = named<meshopt::Mode>(kStreamModes, string_member(document, object, "mode"));
   const bool filtered = document.find(object, "filter") != json::kNoNode;
   const auto filter = named<meshopt::Filter>(
       kFilters, filtered ? string_member(document, object, "filter") : std::string(kFilters[0]),

@@ -72,7 +72,9 @@ std::span<const Family> families() {
   return sorted;
 }
 
-const RuleDescription& description(Code code) { return rules()[static_cast<std::size_t>(code)]; }
+const RuleDescription& description(Code code) {
+  return gltfx::rules()[static_cast<std::size_t>(code)];
+}
 
 }  // namespace validate
 
