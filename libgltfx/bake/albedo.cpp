@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "bake/microfacet.hpp"
-#include "bake/sheen.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/background.hpp"
 
+#include "bake/lighting.hpp"
 #include "bake/storage.hpp"
-#include "bake/studio.hpp"
 
 namespace gltfx::bake {
 

@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "bake/bvh_state.hpp"
-#include "bake/coverage.hpp"
 #include "bake/embree.hpp"
 #include "bake/sampler.hpp"
-#include "bake/storage.hpp"
+#include "bake/surface.hpp"
 
 namespace gltfx::bake {
 

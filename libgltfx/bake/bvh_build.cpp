@@ -7,7 +7,7 @@
 
 #include <tbb/task_arena.h>
 
-#include "bake/bvh_repeats.hpp"
+#include "bake/bvh_groups.hpp"
 #include "bake/bvh_state.hpp"
 #include "bake/embree.hpp"
 #include "bake/storage.hpp"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which triangles of a scene are one geometry of its hierarchy, and what they cost in memory.
+/// Which triangles of a scene are one geometry of its hierarchy, which lie in one place, and what
+/// they cost in memory.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bake/scene.hpp"
@@ -65,5 +67,11 @@ bool is_closed(const Mesh& mesh);
 /// A shape is shared where that costs less memory, unless a transform has no inverse in floats.
 /// Linear in meshes and instances.
 Groups group_instances(const Scene& scene);
+
+/// Numbers of the triangles that repeat an earlier one, corner for corner, in ascending order. A
+/// hierarchy cannot separate them, so that each ray would test them all. Empty where a sample of
+/// some thousand triangles has no repeats.
+std::vector<std::uint32_t> find_repeats(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                        std::span<const Float3> points);
 
 }  // namespace gltfx::bake

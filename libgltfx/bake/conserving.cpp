@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bake/albedo.hpp"
-#include "bake/quadrature.hpp"
+#include "bake/integration.hpp"
 
 namespace gltfx::bake {
 namespace {

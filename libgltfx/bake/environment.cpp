@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
+#include "bake/sin_cos.hpp"
 #include "bake/storage.hpp"
 
 namespace gltfx::bake {

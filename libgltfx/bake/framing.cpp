@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "bake/coverage.hpp"
 #include "bake/framing_strays.hpp"
 #include "bake/storage.hpp"
+#include "bake/surface.hpp"
 
 namespace gltfx::bake {
 namespace {

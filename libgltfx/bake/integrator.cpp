@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "bake/background.hpp"
-#include "bake/coverage.hpp"
 #include "bake/radiance.hpp"
 #include "bake/storage.hpp"
+#include "bake/surface.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -6,12 +6,64 @@
 #include <cmath>
 #include <numbers>
 
+#include "bake/environment.hpp"
 #include "bake/light.hpp"
 #include "bake/storage.hpp"
-#include "bake/studio.hpp"
 
 namespace gltfx::bake {
 namespace {
+
+constexpr std::uint32_t kStudioWidth = 256;
+constexpr std::uint32_t kStudioHeight = 128;
+constexpr double kDegree = std::numbers::pi / 180;
+
+// A lamp behind a screen: a rectangle of directions with soft edges.
+struct SoftBox {
+  double azimuth, elevation;  // degrees; azimuth to the right of the camera
+  double width, height;       // degrees, half
+  Rgb radiance;
+};
+
+constexpr std::array<SoftBox, 4> kBoxes{{
+    {-42, 46, 24, 20, {9.6, 9.3, 8.8}},   // key
+    {62, 18, 20, 34, {1.9, 2.0, 2.2}},    // fill
+    {158, 40, 26, 16, {6.2, 6.4, 6.8}},   // rim
+    {-120, 20, 10, 40, {2.4, 2.4, 2.4}},  // edge
+}};
+
+double smooth_step(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+// Ambient light: bright above, and reflected by the ground below.
+Rgb ambient(double elevation) {
+  const double above = smooth_step(-8, 70, elevation);
+  const double below = smooth_step(-2, -60, elevation);
+  const Rgb horizon(0.50, 0.51, 0.53);
+  return horizon + Rgb(0.55, 0.56, 0.58) * above - Rgb(0.20, 0.22, 0.25) * below;
+}
+
+double within(const SoftBox& box, double azimuth, double elevation) {
+  constexpr double kEdge = 6;  // degrees
+  double across = std::fabs(azimuth - box.azimuth);
+  if (across > 180) across = 360 - across;
+  across *= std::cos(elevation * kDegree);
+  const double upwards = std::fabs(elevation - box.elevation);
+  return smooth_step(box.width + kEdge, box.width, across) *
+         smooth_step(box.height + kEdge, box.height, upwards);
+}
+
+// A white surface that faces the camera becomes as bright as this.
+constexpr double kWhite = 1.0;
+
+void scale_to_white(EnvironmentImage& image, const Vec3d& normal) {
+  const Rgb light = irradiance(image, normal);
+  const auto scale = static_cast<float>(kWhite * std::numbers::pi / luminance(light));
+  for (Float3& texel : image.radiance) {
+    for (float& part : texel) part *= scale;
+  }
+}
 
 // Lux at which a white surface is white.
 constexpr double kFull = std::numbers::pi;
@@ -57,6 +109,52 @@ bool is_emissive(const Scene& scene) {
 }
 
 }  // namespace
+
+Rgb irradiance(const EnvironmentImage& image, const Vec3d& normal) {
+  Rgb sum;
+  const double texel =
+      2 * std::numbers::pi * std::numbers::pi / (double{1} * image.width * image.height);
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    const float v = (static_cast<float>(y) + 0.5F) / static_cast<float>(image.height);
+    const double solid = texel * std::sin(static_cast<double>(v) * std::numbers::pi);
+    for (std::uint32_t x = 0; x < image.width; ++x) {
+      const float u = (static_cast<float>(x) + 0.5F) / static_cast<float>(image.width);
+      const double cosine = dot(direction_of({u, v}), normal);
+      if (cosine <= 0) continue;
+      sum += to_vec(image.radiance[std::size_t{y} * image.width + x]) * (cosine * solid);
+    }
+  }
+  return sum;
+}
+
+EnvironmentImage studio_environment(const Vec3d& backward) {
+  EnvironmentImage image;
+  image.width = kStudioWidth;
+  image.height = kStudioHeight;
+  const double own = std::atan2(backward.x, backward.z) / kDegree;
+  for (std::uint32_t y = 0; y < kStudioHeight; ++y) {
+    for (std::uint32_t x = 0; x < kStudioWidth; ++x) {
+      const Vec3d d = direction_of({(static_cast<float>(x) + 0.5F) / kStudioWidth,
+                                    (static_cast<float>(y) + 0.5F) / kStudioHeight});
+      const double elevation = std::asin(std::clamp(d.y, -1.0, 1.0)) / kDegree;
+      const double azimuth = std::remainder(std::atan2(d.x, d.z) / kDegree - own, 360.0);
+      Rgb radiance = ambient(elevation);
+      for (const SoftBox& box : kBoxes) {
+        radiance += box.radiance * within(box, azimuth, elevation);
+      }
+      image.radiance.push_back(to_float3(radiance));
+    }
+  }
+  scale_to_white(image, backward);
+  return image;
+}
+
+Rgb backdrop(double x, double y) {
+  const double dx = x - 0.5;
+  const double dy = y - 0.46;
+  const double away = smooth_step(0.1, 0.85, std::sqrt(dx * dx + dy * dy));
+  return Rgb(0.76, 0.765, 0.775) * (1 - away) + Rgb(0.47, 0.48, 0.50) * away;
+}
 
 World make_world(const Scene& scene, const Subject& subject, const View& view,
                  const LightingOptions& options) {

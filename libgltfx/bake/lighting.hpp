@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The lighting of a picture.
+/// The lighting of a picture, and what an object without its own stands in.
 #pragma once
+
+#include <gltfx/vec3.hpp>
 
 #include <optional>
 
@@ -11,6 +13,18 @@
 #include "bake/world.hpp"
 
 namespace gltfx::bake {
+
+/// Soft boxes around a bright room: a key light from the upper left of a camera that looks along
+/// -`backward`, a fill from the right, a rim light from behind. White surfaces come out a little
+/// below white.
+EnvironmentImage studio_environment(const Vec3d& backward);
+
+/// The unoccluded irradiance of a surface: the integral of the radiance of the environment times
+/// the cosine to the normal.
+Rgb irradiance(const EnvironmentImage& image, const Vec3d& normal);
+
+/// Radiance of the backdrop at a point of the picture, x and y from 0 to 1 from the upper left.
+Rgb backdrop(double x, double y);
 
 enum class Lamps : std::uint8_t { studio, asset, both };
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "bake/microfacet.hpp"
-#include "bake/sheen.hpp"
 
 namespace gltfx::bake {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bake/coverage.hpp"
 #include "bake/storage.hpp"
+#include "bake/surface.hpp"
 #include "bake/texture.hpp"
 
 namespace gltfx::bake {

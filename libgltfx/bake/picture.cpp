@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "bake/sampler.hpp"
-#include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 
 namespace gltfx::bake {

@@ -2,13 +2,165 @@
 #include "bake/render.hpp"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+#include <vector>
 
 #include "bake/denoise.hpp"
-#include "bake/sample_map.hpp"
+#include "bake/storage.hpp"
+#include "bake/tonemap.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {
 namespace {
+
+constexpr std::uint32_t kRound = 8;  // samples of a pixel between two checks of time and noise
+constexpr std::uint32_t kSure = 16;  // samples of the features that miss no edge
+
+class Renderer {
+ public:
+  Renderer(const TraceContext& context, const View& view, const RenderOptions& options,
+           const SampleMap& samples, const Rows& rows, Film& film)
+      : context_(context),
+        view_(view),
+        options_(options),
+        samples_(samples),
+        rows_(rows),
+        film_(film),
+        columns_((options.width + kTileWidth - 1) / kTileWidth),
+        done_(std::size_t{columns_} * ((rows.last - rows.first + kTileHeight - 1) / kTileHeight),
+              0) {}
+
+  void run() {
+    const bool steady = options_.seconds <= 0 && options_.noise <= 0;
+    const std::uint32_t most = samples_.most();
+    const std::uint32_t round = steady ? most : kRound;
+    for (std::uint32_t first = 0; first < most; first += round) {
+      const std::uint32_t last = std::min(first + round, most);
+      if (!render_round(first, last) || out_of_time()) break;
+    }
+    if (options_.feature_samples > 0) add_feature_samples();
+  }
+
+ private:
+  // False if all tiles have enough samples.
+  bool render_round(std::uint32_t first, std::uint32_t last) {
+    bool any = false;
+    parallel_ordered(
+        done_.size(), options_.jobs,
+        [&](std::size_t tile) {
+          if (done_[tile] == 0) render_tile(static_cast<std::uint32_t>(tile), first, last);
+        },
+        [&](std::size_t tile) {
+          any = any || done_[tile] == 0;
+          report((first + static_cast<double>(last - first) * static_cast<double>(tile + 1) /
+                              static_cast<double>(done_.size())) /
+                 samples_.most());
+        });
+    return any;
+  }
+
+  struct PixelFeatures {
+    std::size_t pixel;
+    FeatureSums sums;
+    std::uint32_t material;
+  };
+
+  // Edges and textures are finer than the samples of the light.
+  void add_feature_samples() {
+    std::vector<std::vector<PixelFeatures>> found(done_.size());
+    parallel_ordered(
+        done_.size(), options_.jobs,
+        [&](std::size_t tile) {
+          for_pixels(static_cast<std::uint32_t>(tile), [&](std::uint32_t x, std::uint32_t y) {
+            if (const auto seen = sample_pixel_features(x, y)) found[tile].push_back(*seen);
+          });
+        },
+        [&](std::size_t tile) {
+          for (const auto& [pixel, sums, material] : found[tile]) {
+            film_.add_features(pixel, sums, material);
+          }
+          found[tile] = {};
+        });
+  }
+
+  // Nothing where all samples of the pixel see the same.
+  std::optional<PixelFeatures> sample_pixel_features(std::uint32_t x, std::uint32_t y) const {
+    const std::size_t pixel = std::size_t{y} * options_.width + x;
+    const std::uint32_t enough = std::min(kSure, options_.samples);
+    PixelSums sums = film_.at(pixel);
+    FeatureSums more;
+    for (std::uint32_t i = 0; i < options_.feature_samples; ++i) {
+      if (sums.clear || (sums.features.count >= enough && !sums.is_mixed())) return {};
+      const auto [ray, point, random] = sample_of(x, y, samples_.samples(x, y) + i);
+      const PathSample sample = sample_features(context_, ray, point, random);
+      more.add(sample);
+      sums.add_features(sample);
+    }
+    return PixelFeatures{pixel, more, sums.material};
+  }
+
+  template <class Visit>
+  void for_pixels(std::uint32_t tile, const Visit& visit) const {
+    const std::uint32_t left = tile % columns_ * kTileWidth;
+    const std::uint32_t top = rows_.first + tile / columns_ * kTileHeight;
+    for (std::uint32_t y = top; y < std::min(top + kTileHeight, rows_.last); ++y) {
+      for (std::uint32_t x = left; x < std::min(left + kTileWidth, options_.width); ++x)
+        visit(x, y);
+    }
+  }
+
+  void report(double part) {
+    if (options_.progress) options_.progress(part);
+  }
+
+  // A tile has enough samples if its worst row has.
+  void render_tile(std::uint32_t tile, std::uint32_t first, std::uint32_t last) {
+    std::array<double, kTileHeight> errors{};
+    for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
+      const std::uint32_t end = std::min(last, samples_.samples(x, y));
+      for (std::uint32_t sample = first; sample < end; ++sample) render_sample(x, y, sample);
+      errors[(y - rows_.first) % kTileHeight] += visible_error(std::size_t{y} * options_.width + x);
+    });
+    const double worst = *std::max_element(errors.begin(), errors.end()) / kTileWidth;
+    if (options_.noise > 0 && last >= 2 * kRound && worst < options_.noise) done_[tile] = 1;
+  }
+
+  // The standard error in the tone mapped picture.
+  double visible_error(std::size_t pixel) const {
+    if (options_.noise <= 0) return 0;
+    const double error = film_.error(pixel);
+    const Rgb mean = film_.radiance(pixel);
+    const double y = luminance(mean);
+    return shown_luminance(y + error) - shown_luminance(y);
+  }
+
+  CameraSample sample_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample) const {
+    return camera_sample(view_, options_.width, options_.height, options_.seed, x, y, sample);
+  }
+
+  void render_sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
+    const auto [ray, point, random] = sample_of(x, y, sample);
+    film_.add(std::size_t{y} * options_.width + x, trace_path(context_, ray, point, random));
+  }
+
+  bool out_of_time() const {
+    if (options_.seconds <= 0) return false;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
+    return passed.count() >= options_.seconds;
+  }
+
+  const TraceContext& context_;
+  const View& view_;
+  const RenderOptions& options_;
+  const SampleMap& samples_;
+  const Rows rows_;
+  Film& film_;
+  std::uint32_t columns_;
+  std::vector<std::uint8_t> done_;  // by tile; not bool, as neighbours would share a byte
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
 
 // An estimate by a grid of rays.
 DepthRange depth_range(const TraceContext& context, const View& view) {
@@ -48,6 +200,11 @@ RenderOptions part_of(const RenderOptions& options, const Rows& rows) {
 }
 
 }  // namespace
+
+void render_rows(const TraceContext& context, const View& view, const RenderOptions& options,
+                 const SampleMap& samples, const Rows& rows, Film& film) {
+  Renderer(context, view, options, samples, rows, film).run();
+}
 
 Framebuffer render(const TraceContext& context, const View& view, const PictureOptions& options) {
   const RenderOptions& render = options.render;

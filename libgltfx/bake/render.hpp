@@ -1,11 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rendering of a scene to a framebuffer, in memory that does not grow with the samples.
+/// Rendering of a scene: to samples, pixel by pixel, and to a framebuffer, in memory that does not
+/// grow with the samples.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
+#include "bake/film.hpp"
 #include "bake/framebuffer.hpp"
-#include "bake/render_rows.hpp"
+#include "bake/integrator.hpp"
+#include "bake/sample_map.hpp"
+#include "bake/view.hpp"
 
 namespace gltfx::bake {
+
+/// Pixels that are rendered together, and have enough samples together.
+constexpr std::uint32_t kTileWidth = 16;
+constexpr std::uint32_t kTileHeight = 8;
+
+struct RenderOptions {
+  std::uint32_t width = 512, height = 512;
+  std::uint32_t samples = 64;  ///< of each pixel, at most; on average with an adaptive SampleMap
+  /// More samples of the features only, where they may differ within a pixel.
+  std::uint32_t feature_samples = 0;
+  std::uint32_t seed = 0;
+  unsigned jobs = 1;
+  /// Seconds after which no more samples are begun; 0: no limit. What is rendered then depends on
+  /// the machine.
+  double seconds = 0;
+  /// Standard error, as part of the range of the finished picture, at which a tile of pixels has
+  /// enough; 0: all samples.
+  double noise = 0;
+  /// Called now and then with the part that is done, from 0 to 1, one call at a time.
+  std::function<void(double)> progress;
+};
+
+/// Renders rows that the film holds and that are new to it. Without a time limit the values do not
+/// depend on the number of jobs, or on how many rows are rendered at a time.
+void render_rows(const TraceContext& context, const View& view, const RenderOptions& options,
+                 const SampleMap& samples, const Rows& rows, Film& film);
 
 struct PictureOptions {
   RenderOptions render;  ///< progress is that of the whole picture

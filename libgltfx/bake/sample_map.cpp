@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bake/camera_sample.hpp"
-#include "bake/render_rows.hpp"
+#include "bake/render.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
+#include "bake/view.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {

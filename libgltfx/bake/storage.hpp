@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "bake/scene.hpp"
-#include "bake/sin_cos.hpp"
 
 namespace gltfx::bake {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Surfaces at hits: position, orientation and material.
+/// Surfaces at hits: position, orientation and material, alpha, and the culling of back faces.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -49,5 +49,23 @@ inline Rgb scattering_color(const Material& m) {
 bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface);
 
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray);
+
+/// The material of a mesh, or the default one.
+const SceneMaterial& material_of(const Scene& scene, const Mesh& mesh);
+
+/// Whether alpha can make holes into surfaces of the material.
+bool has_holes(const SceneMaterial& material);
+
+/// Whether rays from behind pass through surfaces of the material. The surface of a volume has two
+/// sides whatever `doubleSided` says: light has to get out again.
+bool is_culled(const SceneMaterial& material);
+
+/// Texture coordinates and vertex colour at a hit; zeros and ones where the mesh has none.
+Float2 uv_at(const Mesh& mesh, std::uint32_t set, const Hit& hit);
+Float4 color_at(const Mesh& mesh, const Hit& hit);
+
+/// The coverage at a hit by alpha and alphaMode, from 0 (a hole) to 1 (solid).
+float coverage_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& material,
+                  const Hit& hit);
 
 }  // namespace gltfx::bake

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "bake/storage.hpp"
+#include "bake/sin_cos.hpp"
 #include "bake/tonemap.hpp"
 
 namespace gltfx::bake {

@@ -2,6 +2,8 @@
 /// Reading textures.
 #pragma once
 
+#include <cmath>
+
 #include "bake/scene.hpp"
 
 namespace gltfx::bake {
@@ -13,6 +15,17 @@ Float4 sample_texture(const Texture& texture, float u, float v, bool srgb);
 
 /// One channel of a texture, linear: 0 to 3 for R, G, B, A.
 float sample_channel(const Texture& texture, float u, float v, std::uint32_t channel);
+
+/// TextureUse::transform. The text of KHR_texture_transform contradicts itself: its words and its
+/// example turn coordinates counter-clockwise as they are seen, with v running down the image; its
+/// lines of GLSL turn them the other way. Words and example it is, as in other renderers.
+inline std::array<Float3, 2> texture_transform(const Float2& offset, float rotation,
+                                               const Float2& scale) {
+  const float sine = std::sin(rotation);
+  const float cosine = std::cos(rotation);
+  const auto& [x, y] = scale;
+  return {{{cosine * x, sine * y, offset[0]}, {-sine * x, cosine * y, offset[1]}}};
+}
 
 /// Transforms the coordinates of a set to those of a texture use.
 inline Float2 transform_uv(const TextureUse& use, const Float2& uv) {

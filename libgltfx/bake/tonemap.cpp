@@ -2,7 +2,6 @@
 #include "bake/tonemap.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace gltfx::bake {

@@ -2,7 +2,6 @@
 #include "bake/view.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bake/storage.hpp"
 

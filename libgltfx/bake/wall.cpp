@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/wall.hpp"
 
-#include "bake/coverage.hpp"
 #include "bake/storage.hpp"
+#include "bake/surface.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "bake/emitters.hpp"
 #include "bake/environment.hpp"
+#include "bake/light.hpp"
 #include "bake/ray.hpp"
 #include "bake/scene.hpp"
 #include "bake/wall.hpp"

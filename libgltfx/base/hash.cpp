@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/hash.hpp"
 
-#include "base/keyed_hash.hpp"
-
 // Its speed comes from being compiled with the options of the caller; nothing is left to link.
 #define XXH_INLINE_ALL
 #include <xxhash.h>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Hashes that tell contents apart: XXH3 with 128 bits. Not against somebody who looks for two
-/// contents with one hash.
+/// contents with one hash; for contents that come from strangers there is KeyedHash.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -27,6 +28,20 @@ class HashParts {
 
  private:
   std::string bytes_;
+};
+
+/// Hashes of contents that come from strangers, with a secret of 192 bytes. Who does not know the
+/// secret cannot prepare two contents with one hash. It is no seal: for that, see
+/// pipeline/seal.hpp.
+class KeyedHash {
+ public:
+  using Secret = std::array<unsigned char, 192>;  ///< bytes that look random
+
+  explicit KeyedHash(const Secret& secret) : secret_(secret) {}
+  Hash128 of(std::string_view bytes) const;
+
+ private:
+  Secret secret_;
 };
 
 }  // namespace gltfx

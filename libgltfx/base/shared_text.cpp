@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/shared_text.hpp"
 
-#include <cstdint>
 #include <new>
 #include <utility>
 

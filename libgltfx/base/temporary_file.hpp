@@ -1,17 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A file that is written beside its place and takes it when it is whole.
+/// Files that are written beside their place and take it when they are whole, others that are only
+/// there meanwhile, and what processes that were killed have left behind of both.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/result.hpp"
-#include "base/temporary_files.hpp"
 #include "base/unique_fd.hpp"
 
 namespace gltfx {
+
+/// Keeps the name of a temporary file where remove_temporaries() finds it, from before the file is
+/// created until its place is taken or it is gone. There is room for a fixed number; names beyond,
+/// and those longer than a path may be, are not kept.
+class TemporaryName {
+ public:
+  explicit TemporaryName(const std::string& path);
+  ~TemporaryName();
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+
+ private:
+  std::size_t slot_;
+};
 
 /// Gone at the end of its life unless it was moved to its place; remove_temporaries() knows it. The
 /// calls give nothing when they succeed, else why they did not. Not thread-safe.
@@ -53,5 +68,19 @@ bool write_all(int fd, std::string_view bytes);
 
 /// "cannot <action> '<path>': " and what the system says of `error`, a value of errno.
 Error file_error(std::string_view action, const std::filesystem::path& path, int error);
+
+/// Deletes the temporary files of this process. For signal handlers of a program that is about to
+/// end: async-signal-safe, keeps errno. The library installs no handler.
+void remove_temporaries() noexcept;
+
+/// The name of a temporary file beside `target`: that, and what tells whose it is. `number` tells
+/// those of one process apart.
+std::string temporary_name(const std::filesystem::path& target, int number);
+
+/// Deletes temporary files that processes which no longer run have left beside `target`. Numbers of
+/// processes say nothing of other machines, which may share the folder: what they have left is
+/// deleted when nobody wrote to it for a day. A folder is read once in the life of a process. Any
+/// number of threads may call.
+void remove_stale_files(const std::filesystem::path& target);
 
 }  // namespace gltfx

@@ -8,10 +8,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "base/utf8.hpp"
 
 namespace gltfx {
 namespace {
@@ -65,6 +64,87 @@ std::string without_exponent_padding(std::string_view digits) {
   std::string_view rest = digits.substr(exponent + 2);
   while (rest.size() > 1 && rest.front() == '0') rest.remove_prefix(1);
   return text.append(rest);
+}
+
+// Length that a lead byte announces, 0 when it leads nothing.
+std::uint32_t announced_size(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return 2;
+  if (lead >= 0xE0 && lead < 0xF0) return 3;
+  if (lead >= 0xF0 && lead < 0xF5) return 4;
+  return 0;
+}
+
+bool is_scalar(std::uint32_t value, std::uint32_t size) {
+  if (size == 3) return value >= 0x800 && (value < 0xD800 || value > 0xDFFF);
+  if (size == 4) return value >= 0x10000 && value <= 0x10FFFF;
+  return true;
+}
+
+// Distances are counted in half edits, because a wrong case is half of one.
+constexpr std::size_t kEdit = 2;
+// Longer words are no misspelt names; the limit keeps the quadratic distance small.
+constexpr std::size_t kLongestWord = 128;
+
+std::size_t substitution(char a, char b) {
+  if (a == b) return 0;
+  return ascii_lower(a) == ascii_lower(b) ? kEdit / 2 : kEdit;
+}
+
+// Damerau-Levenshtein distance (optimal string alignment) over three rolling rows.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1);
+  std::vector<std::size_t> above(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j * kEdit;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before, above);
+    std::swap(above, row);
+    row[0] = i * kEdit;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min(
+          {above[j] + kEdit, row[j - 1] + kEdit, above[j - 1] + substitution(a[i - 1], b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && a[i - 1] != b[j - 1]) {
+        row[j] = std::min(row[j], before[j - 2] + kEdit);
+      }
+    }
+  }
+  return row[b.size()];
+}
+
+// What is left where neither case nor '_' count: "base_color_factor" is "baseColorFactor".
+std::string letters_of(std::string_view word) {
+  std::string letters = lower_case(word);
+  letters.erase(std::remove(letters.begin(), letters.end(), '_'), letters.end());
+  return letters;
+}
+
+// Farther words are a guess.
+constexpr std::size_t kMostEdits = 2;
+
+// Whether one of the words is the other one's beginning, as of "MASKED".
+bool begins(std::string_view a, std::string_view b) {
+  const std::size_t length = std::min(a.size(), b.size());
+  return length >= 3 && lower_case(a.substr(0, length)) == lower_case(b.substr(0, length));
+}
+
+// A third of the letters may be wrong, but no more than two; an ending may have two in any word.
+std::size_t tolerance(std::string_view a, std::string_view b) {
+  const std::size_t edits = begins(a, b) ? kMostEdits : std::min(a.size(), b.size()) / 3;
+  return std::min(edits, kMostEdits) * kEdit;
+}
+
+// The only candidate of which the word is another spelling, or empty.
+std::string_view only_other_spelling(std::string_view word,
+                                     std::span<const std::string_view> candidates) {
+  const std::string letters = letters_of(word);
+  std::string_view found;
+  for (const std::string_view candidate : candidates) {
+    if (letters.empty() || candidate == found || letters_of(candidate) != letters) continue;
+    if (!found.empty()) return {};
+    found = candidate;
+  }
+  return found;
 }
 
 }  // namespace
@@ -146,6 +226,60 @@ std::string number_text(double value) {
   const std::string_view digits(buffer.data(),
                                 static_cast<std::size_t>(result.ptr - buffer.data()));
   return fixed ? std::string(digits) : without_exponent_padding(digits);
+}
+
+CodePoint decode_utf8(std::string_view text, std::size_t at) {
+  const auto lead = static_cast<unsigned char>(text[at]);
+  const CodePoint invalid{lead, 1, false};
+  const std::uint32_t size = announced_size(lead);
+  if (size == 0 || size > text.size() - at) return invalid;
+  std::uint32_t value = size == 1 ? lead : lead & (0x7Fu >> size);
+  for (std::uint32_t i = 1; i < size; ++i) {
+    const auto next = static_cast<unsigned char>(text[at + i]);
+    if ((next & 0xC0) != 0x80) return invalid;
+    value = value << 6 | (next & 0x3Fu);
+  }
+  if (!is_scalar(value, size)) return invalid;
+  return {value, size, true};
+}
+
+void append_utf8(std::string& out, std::uint32_t code_point) {
+  const auto tail = [&](unsigned shift) {
+    out += static_cast<char>(0x80u | (code_point >> shift & 0x3Fu));
+  };
+  if (code_point < 0x80) {
+    out += static_cast<char>(code_point);
+  } else if (code_point < 0x800) {
+    out += static_cast<char>(0xC0u | code_point >> 6);
+    tail(0);
+  } else if (code_point < 0x10000) {
+    out += static_cast<char>(0xE0u | code_point >> 12);
+    tail(6);
+    tail(0);
+  } else {
+    out += static_cast<char>(0xF0u | code_point >> 18);
+    tail(12);
+    tail(6);
+    tail(0);
+  }
+}
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
+  std::string_view best;
+  if (word.empty() || word.size() > kLongestWord) return best;
+  std::size_t best_distance = SIZE_MAX;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t allowed = tolerance(word, candidate);
+    const std::size_t longer = std::max(word.size(), candidate.size());
+    const std::size_t shorter = std::min(word.size(), candidate.size());
+    if (candidate.empty() || (longer - shorter) * kEdit > allowed) continue;
+    const std::size_t found = distance(word, candidate);
+    if (found <= allowed && found < best_distance) {
+      best = candidate;
+      best_distance = found;
+    }
+  }
+  return best.empty() ? only_other_spelling(word, candidates) : best;
 }
 
 }  // namespace gltfx

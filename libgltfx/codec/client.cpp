@@ -7,7 +7,6 @@
 #include <exception>
 #include <utility>
 
-#include "codec/chance.hpp"
 #include "codec/pool.hpp"
 #include "codec/program_path.hpp"
 

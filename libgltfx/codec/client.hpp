@@ -216,4 +216,9 @@ class Client {
   std::unique_ptr<State> state_;
 };
 
+/// How often, since this process began, a worker had no result for a reason that does not lie in
+/// the bytes alone: missing memory or time, a crash, no worker. What was made meanwhile might be
+/// another thing on another machine. Any number of threads may call.
+std::uint64_t errors_by_chance();
+
 }  // namespace gltfx::codec

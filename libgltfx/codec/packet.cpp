@@ -10,6 +10,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include "codec/fields.hpp"
 #include "codec/protocol.hpp"
 
 namespace gltfx::codec {
@@ -42,6 +43,8 @@ void take_descriptors(msghdr& message, std::vector<UniqueFd>& to) {
     }
   }
 }
+
+constexpr std::uint32_t kControlMagic = 0x314C5847;  // "GXL1": the last character is the version
 
 }  // namespace
 
@@ -92,6 +95,23 @@ Wait wait_for_packet(int socket, std::chrono::milliseconds time) {
     if (ready > 0 || (ready < 0 && errno != EINTR)) return Wait::ready;
     if (ready == 0 && left <= INT_MAX) return Wait::timed_out;
   }
+}
+
+std::vector<std::byte> write_control(const Control& control) {
+  FieldWriter out;
+  out.number(kControlMagic);
+  out.name(control.kind);
+  out.number(control.value);
+  return out.take();
+}
+
+std::optional<Control> read_control(std::span<const std::byte> frame) {
+  FieldReader in(frame);
+  in.require(in.number<std::uint32_t>() == kControlMagic);
+  Control control;
+  control.kind = in.name(Control::Kind::ended);
+  control.value = in.number<std::uint64_t>();
+  return in.complete() ? std::optional(control) : std::nullopt;
 }
 
 }  // namespace gltfx::codec

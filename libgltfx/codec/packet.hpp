@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Frames and descriptors over a socket that keeps packets whole.
+/// Frames and descriptors over a socket that keeps packets whole, and what the client and the
+/// launcher of workers say to each other: one frame a packet.
+///
+/// The launcher is the decoder program as the client starts it: it loads the decoders, says `ready`
+/// and never sees a payload. For each `start` it forks a worker, which gets the two descriptors
+/// that come along as its ends, and answers `started`. For each `finish` it ends that worker and
+/// answers `ended`.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,5 +37,22 @@ std::optional<Packet> receive_packet(int socket);
 enum class Wait { ready, timed_out };
 /// Waits until there is a packet, or the other side has closed.
 Wait wait_for_packet(int socket, std::chrono::milliseconds time);
+
+struct Control {
+  enum class Kind : std::uint8_t {
+    ready,
+    start,    ///< value: bytes of memory that no job of the worker may exceed
+    started,  ///< value: the process id of the worker; 0 when there is none
+    finish,   ///< value: a process id
+    ended,    ///< value: the signal that had ended the worker; 0 when it ended otherwise
+  };
+  Kind kind = Kind::ready;
+  std::uint64_t value = 0;
+  bool operator==(const Control&) const = default;
+};
+
+std::vector<std::byte> write_control(const Control& control);
+/// Nothing for anything but such a frame.
+std::optional<Control> read_control(std::span<const std::byte> frame);
 
 }  // namespace gltfx::codec

@@ -1,21 +1,92 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Workers of one kind, shared by threads: one request a worker at a time.
+/// Workers of one kind, shared by threads: one request a worker at a time. One process loads the
+/// decoders, and each worker is a fork of it, which takes a hundredth of the time.
 #pragma once
 
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "codec/launcher.hpp"
+#include "base/origin.hpp"
+#include "base/unique_fd.hpp"
+#include "codec/client.hpp"
+#include "codec/packet.hpp"
+#include "codec/process.hpp"
 #include "codec/protocol.hpp"
 #include "codec/shared_memory.hpp"
 
 namespace gltfx::codec {
+
+class Worker;
+
+/// Thread-safe. Workers must not outlive it.
+class Launcher {
+ public:
+  /// A program that uses no processor time for `standstill` before it greets is not started again.
+  Launcher(std::string program, std::chrono::milliseconds standstill)
+      : program_(std::move(program)), standstill_(standstill) {}
+
+  /// Starts the program, without waiting for it, unless it runs.
+  void prepare();
+  /// Errors are of kind `unavailable`.
+  std::variant<std::unique_ptr<Worker>, DecodeError> start(std::uint64_t memory_bytes);
+  /// Ends a worker, see Worker::end().
+  int finish(pid_t worker);
+
+ private:
+  // Half a sentence about what went wrong, or nothing.
+  using Trouble = std::optional<std::string>;
+  Trouble launch();
+  Trouble greet();
+  Trouble greet(Worker& worker);
+  std::optional<Control> ask(const Control& control, std::span<const int> descriptors);
+  DecodeError not_started(const std::string& why) const;
+
+  const std::string program_;
+  const std::chrono::milliseconds standstill_;
+  std::mutex mutex_;
+  std::unique_ptr<Process> process_;  ///< null: not started, or it has failed
+  bool ready_ = false;                ///< the process has greeted
+  bool silent_ = false;               ///< it did not respond; it is not started again
+};
+
+/// A worker process; its end ends the process.
+class Worker {
+ public:
+  Worker(Launcher& launcher, pid_t id, Ends ends, std::uint64_t memory_bytes)
+      : launcher_(launcher),
+        id_(id),
+        socket_(std::move(ends.socket)),
+        lifeline_(std::move(ends.lifeline)),
+        memory_bytes_(memory_bytes) {}
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  ~Worker();
+
+  pid_t id() const { return id_; }
+  int socket() const { return socket_.get(); }
+  /// No job may ask for more memory.
+  std::uint64_t memory_bytes() const { return memory_bytes_; }
+  /// Ends the process. Gives the signal that it ended by; 0 when there was none.
+  int end() { return id_ > 0 ? launcher_.finish(std::exchange(id_, -1)) : 0; }
+
+  Origin origin;  ///< of all that it has been given
+
+ private:
+  Launcher& launcher_;
+  pid_t id_;
+  UniqueFd socket_, lifeline_;
+  std::uint64_t memory_bytes_;
+};
 
 /// An answer with its spans attached, and the memory they lie in.
 struct Reply {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A process that decodes, and the socket to it.
+/// A process that decodes, the socket to it, and waiting for it by what it does, not by the clock
+/// on the wall: on a busy machine a process may get any share of a processor.
 #pragma once
 
-#include <cstdint>
+#include <chrono>
+#include <optional>
 #include <string>
 
 #include <sys/types.h>
@@ -10,6 +12,24 @@
 #include "base/unique_fd.hpp"
 
 namespace gltfx::codec {
+
+/// Processor time that a process and its threads have used. Nothing when there is no such process.
+std::optional<std::chrono::nanoseconds> processor_time(pid_t process);
+
+/// What a process may take.
+struct Patience {
+  std::chrono::milliseconds processor_time;  ///< from the beginning of the wait
+  std::chrono::milliseconds standstill;      ///< without using 10 ms of processor time
+};
+
+enum class Watch {
+  ready,       ///< there is a packet, or the other side has closed
+  overrun,     ///< more processor time
+  standstill,  ///< the process uses next to no processor time and does not answer
+};
+
+/// Waits for a packet of `process` at `socket`.
+Watch watch(int socket, pid_t process, const Patience& patience);
 
 /// Where a worker finds its ends.
 inline constexpr int kSocketDescriptor = 3;

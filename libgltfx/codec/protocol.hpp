@@ -3,7 +3,7 @@
 /// (both run on one machine). Payloads and results are not in frames but in shared memory, whose
 /// descriptors go along.
 ///
-/// A worker, started as control.hpp says, greets with a Hello. The client sends a Job with two
+/// A worker, started as packet.hpp says, greets with a Hello. The client sends a Job with two
 /// descriptors, the payload and the empty result; the worker fills the result and sends an Answer.
 /// Neither side trusts a frame: what is read here is complete, in range and has nothing behind it.
 #pragma once

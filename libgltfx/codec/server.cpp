@@ -10,7 +10,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "codec/control.hpp"
 #include "codec/packet.hpp"
 #include "codec/process.hpp"
 #include "codec/sandbox.hpp"

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Read-only bytes with an owner: a mapping, a vector, or a part of either.
+/// Read-only bytes with an owner (a mapping, a vector, or a part of either), and bytes that are put
+/// together from those.
 #pragma once
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/replace_file.hpp"
 #include "base/shared_text.hpp"
 
 namespace gltfx::container {
@@ -40,5 +44,15 @@ class Bytes {
   std::span<const std::byte> view_;
   std::shared_ptr<const void> owner_;
 };
+
+/// All of them in one text.
+std::string join(const std::vector<Bytes>& pieces);
+
+/// Writes one behind the other. Of a mapped file a few megabytes are resident at a time. Nothing
+/// when all is written, else why it is not.
+std::optional<Error> write_pieces(FileDraft& draft, const std::vector<Bytes>& pieces);
+
+/// Whether the bytes are the same; as careful with memory.
+bool same_bytes(const Bytes& one, const Bytes& other);
 
 }  // namespace gltfx::container

@@ -7,13 +7,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
-#include "base/text.hpp"
 #include "base/work_count.hpp"
+#include "container/content.hpp"
 #include "container/file.hpp"
 #include "container/glb.hpp"
-#include "container/open_file.hpp"
-#include "container/sniff.hpp"
-#include "container/source.hpp"
 
 namespace gltfx::container {
 namespace {

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "base/shared_text.hpp"
 #include "base/span.hpp"
 #include "container/bytes.hpp"
+#include "container/file.hpp"
 
 namespace gltfx::container {
 
@@ -87,5 +87,9 @@ Result<Container> open_file(const std::filesystem::path& path, const OpenLimits&
 /// The same for bytes that are already in memory, which the container keeps. `name` is looked at as
 /// `Format` says and may be left out.
 Container open_bytes(Bytes bytes, std::string_view name = {});
+
+/// As open_file() of container.hpp; `path` is the name of the asset.
+Result<Container> open_file(const File& file, const std::filesystem::path& path,
+                            const OpenLimits& limits = {});
 
 }  // namespace gltfx::container

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Regular files as descriptors: opened without blocking, copied with pread or mapped.
+/// Regular files as descriptors: opened without blocking, copied with pread or mapped; also below a
+/// folder and nowhere else, whatever "..", links and races try.
 #pragma once
 
 #include <cstdint>
 #include <string>
-#include <string_view>
+#include <utility>
 
 #include "base/file_state.hpp"
 #include "base/unique_fd.hpp"
@@ -58,5 +59,40 @@ inline constexpr std::uint64_t kCopyBelow = 16384;
 
 /// The whole file: a copy when it is small, else a mapping.
 Loaded load_file(const File& file);
+
+/// How the root is enforced. `automatic` asks the kernel (openat2 with RESOLVE_BENEATH) and does it
+/// by hand where the kernel refuses; `by_hand` is for tests and old kernels. Both behave alike.
+enum class Confinement : std::uint8_t { automatic, by_hand };
+
+/// Opens `path` below the folder `root` (any descriptor of it, O_PATH will do).
+///
+/// Symbolic links are followed, at most 40; an absolute one only when it leads back into the root.
+/// ".." above the root is `outside_root`, and so is anything a link finds or misses out there, so
+/// that nothing can be learnt about files outside. Only regular files are opened, without blocking.
+File open_beneath(int root, const std::string& path, Confinement confinement);
+
+/// The way by hand: component after component, each through a descriptor of the folder above it.
+File walk_beneath(int root, const std::string& path);
+
+/// Does not own the descriptor; shares the memory.
+class Source {
+ public:
+  explicit Source(Bytes bytes) : bytes_(std::move(bytes)), size_(bytes_.size()) {}
+  /// `size` is what the file had when it was opened; it may have become shorter since.
+  Source(int fd, std::uint64_t size) : fd_(fd), size_(size) {}
+
+  std::uint64_t size() const { return size_; }
+  /// A copy of [offset, offset + length), which lies inside [0, size()). `truncated` when the file
+  /// has become shorter.
+  Copied copy(std::uint64_t offset, std::uint64_t length) const {
+    if (fd_ >= 0) return copy_range(fd_, offset, length);
+    return {ResolveError::none, share_text(std::string(bytes_.text().substr(offset, length))), {}};
+  }
+
+ private:
+  Bytes bytes_;
+  int fd_ = -1;
+  std::uint64_t size_ = 0;
+};
 
 }  // namespace gltfx::container

@@ -8,7 +8,6 @@
 #include "base/checked.hpp"
 #include "container/content.hpp"
 #include "container/glb_errors.hpp"
-#include "container/sniff.hpp"
 
 namespace gltfx::container {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "container/container.hpp"
-#include "container/source.hpp"
+#include "container/file.hpp"
 
 namespace gltfx::container {
 

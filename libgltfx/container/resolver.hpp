@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "base/origin.hpp"
+#include "base/result.hpp"
 #include "container/bytes.hpp"
-#include "container/confined_open.hpp"
+#include "container/file.hpp"
 #include "container/resolve_error.hpp"
 
 namespace gltfx::container {
@@ -82,5 +83,9 @@ class Resolver {
   std::shared_ptr<LookupLog> log_;  ///< may be null
   Origin origin_ = new_origin();
 };
+
+/// Decodes a data URI or opens the file of a relative path inside of the resolver's root. The Error
+/// is one sentence, with or without its full stop; `error` gets what the resolver says of a file.
+Result<Bytes> fetch(const Resolver& resolver, std::string_view uri, ResolveError* error = nullptr);
 
 }  // namespace gltfx::container

@@ -2,18 +2,66 @@
 #include "container/uri.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "container/uri_characters.hpp"
+#include "container/base64.hpp"
 
 namespace gltfx::container {
 namespace {
 
+constexpr std::string_view kDataScheme = "data:";
+
+constexpr bool is_alpha(char c) { return ascii_lower(c) >= 'a' && ascii_lower(c) <= 'z'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+// RFC 3986 section 2.3: means the same escaped or not.
+constexpr bool is_unreserved(char c) {
+  return is_alpha(c) || is_digit(c) || c == '-' || c == '.' || c == '_' || c == '~';
+}
+// RFC 3986 section 3.3: may stand in a path as it is, '/' included.
+constexpr bool is_path_character(char c) {
+  return is_unreserved(c) || std::string_view("!$&'()*+,;=:@/").find(c) != std::string_view::npos;
+}
+// C0 controls and DEL.
+constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7f'; }
+
+// 0 to 15, or -1.
+constexpr int hex_value(char c) {
+  if (is_digit(c)) return c - '0';
+  const char low = ascii_lower(c);
+  return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
+}
+
+// Whether `text` has a whole percent escape at `at`.
+constexpr bool is_escape(std::string_view text, std::size_t at) {
+  return text[at] == '%' && text.size() - at > 2 && hex_value(text[at + 1]) >= 0 &&
+         hex_value(text[at + 2]) >= 0;
+}
+// The byte that the escape at `at` stands for.
+constexpr char escaped_byte(std::string_view text, std::size_t at) {
+  return static_cast<char>(hex_value(text[at + 1]) * 16 + hex_value(text[at + 2]));
+}
+
+// Whether it begins with "data:", in whatever case.
+bool has_data_scheme(std::string_view uri) {
+  return uri.size() >= kDataScheme.size() &&
+         std::equal(kDataScheme.begin(), kDataScheme.end(), uri.begin(),
+                    [](char a, char b) { return a == ascii_lower(b); });
+}
+
 constexpr std::size_t npos = std::string_view::npos;
+
+// Where the first '%' stands that begins no escape, or npos.
+std::size_t find_bad_escape(std::string_view text) {
+  std::size_t at = text.find('%');
+  while (at != npos && is_escape(text, at)) at = text.find('%', at + 3);
+  return at;
+}
 
 void append_escaped(std::string& out, char c) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -23,7 +71,7 @@ void append_escaped(std::string& out, char c) {
   out += kDigits[byte & 15U];
 }
 
-/// RFC 3986 section 6.2.2, and as lenient readers do: '\' is '/', what may not stand there is
+// RFC 3986 section 6.2.2, and as lenient readers do: '\' is '/', what may not stand there is
 /// escaped. `kept` are further characters that stay as they are.
 std::string normalize_escapes(std::string_view text, std::string_view kept = {}) {
   std::string out;
@@ -43,7 +91,7 @@ std::string normalize_escapes(std::string_view text, std::string_view kept = {})
   return out;
 }
 
-/// RFC 3986 section 5.2.4 for a relative path: ".." stays only in front, a folder keeps its '/'.
+// RFC 3986 section 5.2.4 for a relative path: ".." stays only in front, a folder keeps its '/'.
 std::string remove_dot_segments(std::string_view path) {
   std::vector<std::string_view> segments;
   std::size_t parents = 0;  // leading ".." in `segments`
@@ -156,6 +204,33 @@ Uri absolute(std::string_view uri, std::size_t scheme) {
   return out;
 }
 
+constexpr std::string_view kBase64 = "base64";
+
+/// Cuts the part before the next ';' off the front.
+std::string_view next_part(std::string_view& rest) {
+  const std::size_t end = rest.find(';');
+  const std::string_view part = rest.substr(0, end);
+  rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+  return part;
+}
+
+/// "attribute=value", or "base64" as the last part.
+std::optional<Error> take_parameter(std::string_view part, bool last, DataUri& out) {
+  if (last && part == kBase64) {
+    out.base64 = true;
+    return std::nullopt;
+  }
+  if (part.find('=') != std::string_view::npos) return std::nullopt;
+  if (lower_case(part) == kBase64) {
+    return Error{last ? "';base64' in the data URI must be lower case."
+                      : "';base64' must be directly before the comma of the data URI."};
+  }
+  return Error{
+      fmt::format("The parameter {} of the data URI has no value; it must have the form "
+                  "';charset=utf-8', or be ';base64'.",
+                  quoted(part))};
+}
+
 }  // namespace
 
 std::string percent_decode(std::string_view text) {
@@ -167,18 +242,6 @@ std::string percent_decode(std::string_view text) {
     if (escape) i += 2;
   }
   return out;
-}
-
-std::size_t find_bad_escape(std::string_view text) {
-  std::size_t at = text.find('%');
-  while (at != npos && is_escape(text, at)) at = text.find('%', at + 3);
-  return at;
-}
-
-bool has_data_scheme(std::string_view uri) {
-  return uri.size() >= kDataScheme.size() &&
-         std::equal(kDataScheme.begin(), kDataScheme.end(), uri.begin(),
-                    [](char a, char b) { return a == ascii_lower(b); });
 }
 
 Uri classify_uri(std::string_view uri) {
@@ -211,6 +274,42 @@ Uri classify_uri(std::string_view uri) {
   if (out.path.find('\0') != npos) out.path.clear();
   out.lenient_path = out.kind == UriKind::invalid && !out.path.empty();
   return out;
+}
+
+Result<DataUri> split_data_uri(std::string_view uri) {
+  if (!has_data_scheme(uri)) return Error{"The data URI does not start with 'data:'."};
+  const std::string_view content = uri.substr(kDataScheme.size());
+  const std::size_t comma = content.find(',');
+  if (comma == std::string_view::npos) {
+    return Error{"The data URI has no comma between the media type and the data."};
+  }
+  DataUri out;
+  out.payload = content.substr(comma + 1);
+  std::string_view rest = content.substr(0, comma);
+  bool more = rest.find(';') != std::string_view::npos;
+  const std::string_view type = next_part(rest);
+  if (!type.empty() && type.find('/') == std::string_view::npos) {
+    return Error{
+        fmt::format("{} is not a media type, such as 'application/octet-stream'.", quoted(type))};
+  }
+  out.media_type = type.empty() ? "text/plain" : lower_case(type);
+  while (more) {
+    more = rest.find(';') != std::string_view::npos;
+    if (auto error = take_parameter(next_part(rest), !more, out)) return std::move(*error);
+  }
+  return out;
+}
+
+Result<std::string> decode_payload(const DataUri& uri) {
+  if (uri.base64) return decode_base64(uri.payload);
+  const std::size_t bad = find_bad_escape(uri.payload);
+  if (bad != std::string_view::npos) {
+    return Error{
+        fmt::format("Byte {} of the data is a '%' without two hexadecimal digits after it; write a "
+                    "percent sign as '%25'.",
+                    bad + 1)};
+  }
+  return percent_decode(uri.payload);
 }
 
 }  // namespace gltfx::container

@@ -7,11 +7,11 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
-#include "base/file_draft.hpp"
-#include "base/stale_files.hpp"
+#include "base/replace_file.hpp"
+#include "base/temporary_file.hpp"
 #include "base/text.hpp"
+#include "container/bytes.hpp"
 #include "container/file.hpp"
-#include "container/pieces.hpp"
 #include "container/uri.hpp"
 
 namespace gltfx::edit {

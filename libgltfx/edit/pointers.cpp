@@ -2,7 +2,6 @@
 #include "edit/pointers.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "base/json_pointer.hpp"
 

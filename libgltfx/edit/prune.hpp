@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "edit/glb_rewrite.hpp"
 #include "edit/orphans.hpp"
+#include "edit/rewrite.hpp"
 #include "json/edit.hpp"
 
 namespace gltfx::edit {

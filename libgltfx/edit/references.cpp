@@ -2,7 +2,6 @@
 #include "edit/references.hpp"
 
 #include "schema/check.hpp"
-#include "schema/no_findings.hpp"
 
 namespace gltfx::edit {
 namespace {

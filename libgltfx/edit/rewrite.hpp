@@ -1,17 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The bytes of an asset with edits made.
+/// The bytes of an asset with edits made, among them a GLB with another JSON chunk and more in its
+/// BIN chunk (glTF 2.0 section 4.4).
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
 #include "container/container.hpp"
-#include "edit/glb_rewrite.hpp"
 #include "json/edit.hpp"
 
 namespace gltfx::edit {
+
+/// Bytes [begin, end).
+struct ByteRange {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+};
+
+/// What becomes of the BIN chunk.
+struct BinChange {
+  std::string more;            ///< behind its data; a chunk is made when there is none
+  std::vector<ByteRange> cut;  ///< of its data, in order, none overlaps; taken out
+  bool empty() const { return more.empty() && cut.empty(); }
+};
+
+/// What error of a GLB leaves open where its chunks lie, or nothing: the file can be rewritten,
+/// also when its lengths are wrong. A sentence.
+std::optional<std::string> find_glb_obstacle(const container::Container& container);
+
+/// The file with `json` in place of its JSON and a changed BIN chunk: header and lengths follow,
+/// all else stays byte for byte, as does what may follow the last chunk uncounted. An Error when
+/// the new file would be too long for its header. Precondition: a GLB without obstacle. The pieces,
+/// in order, are the file; what stays is shown where it is, not copied.
+Result<std::vector<container::Bytes>> rewrite_glb(const container::Container& container,
+                                                  std::string_view json, const BinChange& bin = {});
 
 /// The bytes of the container with edits of its JSON text and a changed BIN chunk, as pieces one
 /// behind the other; what stays is shown where it is, not copied. An Error when a GLB would be too

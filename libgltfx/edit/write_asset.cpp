@@ -4,10 +4,9 @@
 #include <system_error>
 #include <utility>
 
-#include "base/file_draft.hpp"
 #include "base/replace_file.hpp"
-#include "container/open_file.hpp"
-#include "container/pieces.hpp"
+#include "container/bytes.hpp"
+#include "container/container.hpp"
 #include "edit/companions.hpp"
 
 namespace gltfx::edit {

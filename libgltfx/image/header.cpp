@@ -4,7 +4,6 @@
 #include <array>
 
 #include "image/cursor.hpp"
-#include "image/formats.hpp"
 
 namespace gltfx::image {
 

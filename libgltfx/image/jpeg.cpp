@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "image/cursor.hpp"
-#include "image/formats.hpp"
 
 namespace gltfx::image {
 namespace {

@@ -4,7 +4,6 @@
 // specification says.
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "image/cursor.hpp"
-#include "image/formats.hpp"
 
 namespace gltfx::image {
 namespace {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "image/cursor.hpp"
-#include "image/formats.hpp"
 
 namespace gltfx::image {
 namespace {

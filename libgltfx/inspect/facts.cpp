@@ -14,7 +14,7 @@
 #include "model/fields.hpp"
 #include "model/info.hpp"
 #include "model/light.hpp"
-#include "model/load_resources.hpp"
+#include "model/resource_data.hpp"
 #include "model/scene_extent.hpp"
 #include "model/skin.hpp"
 

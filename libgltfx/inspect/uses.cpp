@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "schema/no_findings.hpp"
+#include "schema/check.hpp"
 
 namespace gltfx::inspect {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "base/replace_file.hpp"
 #include "base/text.hpp"
+#include "container/bytes.hpp"
 #include "container/container.hpp"
-#include "container/pieces.hpp"
-#include "edit/glb_rewrite.hpp"
+#include "edit/rewrite.hpp"
 #include "interop/model_text.hpp"
 #include "interop/stored_bytes.hpp"
 #include "validate/validated_asset.hpp"

@@ -6,10 +6,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace gltfx::interop {
 

@@ -12,7 +12,6 @@
 #include "interop/model_fields.hpp"
 #include "interop/model_text.hpp"
 #include "interop/values.hpp"
-#include "json/token.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::interop {

@@ -5,7 +5,6 @@
 #include <new>
 #include <utility>
 
-#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include "container/container.hpp"
@@ -13,7 +12,7 @@
 #include "interop/image_data.hpp"
 #include "interop/model_text.hpp"
 #include "model/fields.hpp"
-#include "model/load_resources.hpp"
+#include "model/resource_data.hpp"
 #include "schema/compile.hpp"
 #include "validate/validated_asset.hpp"
 #include "validate/validator.hpp"

@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "base/utf8.hpp"
+#include "json/literals.hpp"
 #include "json/scan.hpp"
 #include "json/syntax_errors.hpp"
-#include "json/token.hpp"
-#include "json/utf8.hpp"
 
 namespace gltfx::json {
 namespace {

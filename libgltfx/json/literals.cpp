@@ -6,7 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "base/utf8.hpp"
+#include <simdjson.h>
+
+#include "base/text.hpp"
 #include "json/scan.hpp"
 
 namespace gltfx::json {
@@ -70,6 +72,10 @@ Escape read_unicode_escape(std::string_view text) {
   return {*unit, kSize, false};
 }
 
+// simdjson looks for the best implementation when it is first asked, in functions that end the
+// program when memory is missing. So it is asked before anybody's work begins.
+[[maybe_unused]] const bool kReady = simdjson::validate_utf8("", 0);
+
 }  // namespace
 
 double number_value(std::string_view literal) {
@@ -106,6 +112,21 @@ void append_unescaped(std::string& out, std::string_view content) {
     append_utf8(out, escape.value);
     content.remove_prefix(escape.size);
   }
+}
+
+bool is_utf8(std::string_view text) { return simdjson::validate_utf8(text.data(), text.size()); }
+
+Span first_invalid_utf8(std::string_view text) {
+  std::size_t at = 0;
+  for (CodePoint point; at < text.size(); at += point.size) {
+    point = decode_utf8(text, at);
+    if (!point.valid) break;
+  }
+  const auto lead = static_cast<unsigned char>(text[at]);
+  const std::size_t announced = lead < 0xC0 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+  std::size_t end = at + 1;
+  while (end < text.size() && end - at < announced && (text[end] & 0xC0) == 0x80) ++end;
+  return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
 }
 
 }  // namespace gltfx::json

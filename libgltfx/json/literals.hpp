@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the spelling of a string or number to its value.
+/// From the spelling of a string or number to its value; whether a text is UTF-8.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+
+#include "base/span.hpp"
 
 namespace gltfx::json {
 
@@ -25,5 +27,12 @@ Escape read_escape(std::string_view text);
 /// The content of a string, given without its quotes, appended to `out`. An escape that JSON does
 /// not have is copied as it is.
 void append_unescaped(std::string& out, std::string_view content);
+
+/// One vectorised pass over the text.
+bool is_utf8(std::string_view text);
+
+/// The bytes of the first sequence that is not UTF-8: the lead and the tails that follow it, as
+/// far as it announces them. Precondition: there is one.
+Span first_invalid_utf8(std::string_view text);
 
 }  // namespace gltfx::json

@@ -10,8 +10,7 @@
 #include "json/literals.hpp"
 #include "json/parser.hpp"
 #include "json/scan.hpp"
-#include "json/token.hpp"
-#include "json/utf8.hpp"
+#include "json/syntax_errors.hpp"
 
 namespace gltfx::json {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "json/literals.hpp"
 #include "json/scan.hpp"
-#include "json/token.hpp"
+#include "json/syntax_errors.hpp"
 
 namespace gltfx::json {
 

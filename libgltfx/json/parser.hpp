@@ -39,7 +39,6 @@ class Parser {
   const char* element(const char* p);
   const char* name(const char* p);
   const char* name_as_guessed(const char* p);
-  const char* name_by_hash(const char* p);
   const char* string(const char* p, Kind kind);
   const char* string_with_escapes(const char* quote, const char* p);
   const char* number(const char* p);

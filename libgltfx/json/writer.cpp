@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "base/utf8.hpp"
 
 namespace gltfx::json {
 namespace {

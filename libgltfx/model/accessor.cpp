@@ -14,6 +14,17 @@
 namespace gltfx::model {
 namespace {
 
+std::optional<std::uint64_t> in_range(std::optional<std::uint64_t> value, std::uint64_t least,
+                                      std::uint64_t most) {
+  return value && *value >= least && *value <= most ? value : std::nullopt;
+}
+
+ViewTarget read_target(const json::Document& document, json::NodeId value) {
+  const auto number = document.unsigned_integer(value);
+  if (number == 34962U) return ViewTarget::vertices;
+  return number == 34963U ? ViewTarget::indices : ViewTarget::none;
+}
+
 struct TypeRow {
   std::string_view name;
   std::uint8_t components, columns, rows;
@@ -114,6 +125,39 @@ SparsePart read_part(const Asset& asset, json::NodeId sparse, std::string_view m
 }
 
 }  // namespace
+
+BufferView read_buffer_view(const Asset& asset, json::NodeId object) {
+  BufferView view;
+  view.node = object;
+  if (object == json::kNoNode) return view;
+  const json::Document& document = asset.document();
+  for (const auto member : document.members(object)) {
+    const std::string_view name = document.key(member.key_id);
+    if (name == "buffer") {
+      const bool number = document.is_number(member.value);
+      view.buffer = number ? asset.index(document.number(member.value).value, RootArray::buffers)
+                           : std::nullopt;
+    } else if (name == "byteOffset") {
+      view.byte_offset = document.unsigned_integer(member.value);
+    } else if (name == "byteLength") {
+      view.byte_length = in_range(document.unsigned_integer(member.value), 1, UINT64_MAX);
+    } else if (name == "byteStride") {
+      view.byte_stride = in_range(document.unsigned_integer(member.value), 4, 252);
+    } else if (name == "target") {
+      view.target = read_target(document, member.value);
+    }
+  }
+  return view;
+}
+
+std::vector<BufferView> read_buffer_views(const Asset& asset) {
+  std::vector<BufferView> views;
+  views.reserve(asset.count(RootArray::buffer_views));
+  for (const json::NodeId object : asset.elements(RootArray::buffer_views)) {
+    views.push_back(read_buffer_view(asset, object));
+  }
+  return views;
+}
 
 std::string_view element_type_name(ElementType type) { return row(type).name; }
 

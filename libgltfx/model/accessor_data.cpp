@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/accessor_data.hpp"
 
+#include <cstring>
 #include <utility>
 
 #include "base/checked.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The root arrays of a glTF document, opened once: where every index of the file leads.
+/// The root arrays of a glTF document, opened once: where every index of the file leads. Which
+/// version of glTF it is.
 #pragma once
 
 #include <array>
@@ -12,6 +13,10 @@
 #include "json/document.hpp"
 
 namespace gltfx::model {
+
+/// Whether a document is glTF 1.0 by its `asset.version`, a string or a number, or without one by
+/// its shaders and the dictionaries that stood in place of arrays.
+bool is_gltf_1(const json::Document& document);
 
 /// The arrays of the root object, in the specification's order.
 enum class RootArray : std::uint8_t {

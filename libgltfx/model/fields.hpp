@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Members of a JSON object as the types glTF gives them. What has another type counts as absent:
-/// the schema walk has reported it.
+/// Members of a JSON object as the types glTF gives them; members and elements by name and
+/// position, many times in one document. What has another type counts as absent: the schema walk
+/// has reported it.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "json/document.hpp"
 
@@ -34,5 +37,28 @@ json::NodeId object_member(const json::Document& document, json::NodeId object,
 /// The object of an extension on `object`, or json::kNoNode.
 json::NodeId extension_object(const json::Document& document, json::NodeId object,
                               std::string_view extension);
+
+/// Keeps tables of the arrays and of the large objects it was asked about, so that many questions
+/// take time linear in them and in the document, whatever its form. The document must outlive it.
+/// Not thread-safe.
+class Lookup {
+ public:
+  explicit Lookup(const json::Document& document) : document_(document) {}
+
+  /// As Document::find().
+  json::NodeId member(json::NodeId object, std::string_view name);
+  /// The element nodes of an `array` (not of a `number_array`).
+  const std::vector<json::NodeId>& elements(json::NodeId array);
+  /// Number of elements of any array.
+  std::uint64_t size(json::NodeId array);
+
+ private:
+  using MembersByKey = std::unordered_map<json::KeyId, json::NodeId>;
+
+  const json::Document& document_;
+  std::unordered_map<json::NodeId, std::vector<json::NodeId>> elements_;
+  std::unordered_map<json::NodeId, MembersByKey> members_;
+  std::unordered_map<json::NodeId, std::uint64_t> sizes_;
+};
 
 }  // namespace gltfx::model

@@ -2,12 +2,11 @@
 /// Nodes that draw their mesh many times: EXT_mesh_gpu_instancing.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "model/affine.hpp"
 #include "model/memory_budget.hpp"
+#include "model/node.hpp"
 #include "model/resource_data.hpp"
 #include "model/views.hpp"
 

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
-#include "model/affine.hpp"
 #include "model/elements.hpp"
 #include "model/fields.hpp"
 #include "model/memory_budget.hpp"
+#include "model/node.hpp"
 #include "model/object_model.hpp"
 
 namespace gltfx::model {

@@ -6,7 +6,6 @@
 #include <meshoptimizer.h>
 
 #include "base/checked.hpp"
-#include "model/meshopt_streams.hpp"
 
 namespace gltfx::model::meshopt {
 namespace {

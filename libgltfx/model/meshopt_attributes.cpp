@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "model/meshopt_streams.hpp"
+#include "model/meshopt.hpp"
 
 namespace gltfx::model::meshopt {
 namespace {

@@ -2,9 +2,8 @@
 // Index streams. Triangles are told by the edges and vertices that came before them, other indices
 // by the difference to one of two that did.
 #include <array>
-#include <cstring>
 
-#include "model/meshopt_streams.hpp"
+#include "model/meshopt.hpp"
 
 namespace gltfx::model::meshopt {
 namespace {

@@ -9,6 +9,26 @@
 namespace gltfx::model {
 namespace {
 
+// Nearly parallel rotations are blended straight: the sine of their angle is no divisor.
+constexpr double kNearlyParallel = 1 - 1e-9;
+
+template <std::size_t N>
+std::array<double, N> combine(const std::array<double, N>& a, double by_a,
+                              const std::array<double, N>& b, double by_b) {
+  std::array<double, N> sum{};
+  for (std::size_t i = 0; i < N; ++i) sum[i] = a[i] * by_a + b[i] * by_b;
+  return sum;
+}
+
+template <std::size_t N>
+double inner_product(const std::array<double, N>& a, const std::array<double, N>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+Vector3 times(const Vector3& a, double factor) { return combine(a, factor, a, 0); }
+
 constexpr std::array<float, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 std::optional<std::uint32_t> index_of(const Asset& asset, json::NodeId value, RootArray array) {
@@ -55,6 +75,79 @@ bool is_absent_or(const std::optional<std::array<float, N>>& value,
 }
 
 }  // namespace
+
+Affine Affine::from_matrix(const std::array<float, 16>& matrix) {
+  Affine affine;
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      affine.columns[column][row] = static_cast<double>(matrix[column * 4 + row]);
+    }
+  }
+  return affine;
+}
+
+Affine Affine::from_parts(const Vector3& translation, const Quaternion& rotation,
+                          const Vector3& scale) {
+  const auto [x, y, z, w] = unit(rotation);
+  Affine affine;
+  affine.columns[0] =
+      times({1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)}, scale[0]);
+  affine.columns[1] =
+      times({2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)}, scale[1]);
+  affine.columns[2] =
+      times({2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}, scale[2]);
+  affine.columns[3] = translation;
+  return affine;
+}
+
+Vector3 Affine::vector(const Vector3& along) const {
+  Vector3 result{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    result[row] =
+        columns[0][row] * along[0] + columns[1][row] * along[1] + columns[2][row] * along[2];
+  }
+  return result;
+}
+
+Vector3 Affine::point(const Vector3& at) const { return combine(vector(at), 1, columns[3], 1); }
+
+double Affine::determinant() const { return dot(cross(columns[0], columns[1]), columns[2]); }
+
+Affine operator*(const Affine& outer, const Affine& inner) {
+  Affine product;
+  for (std::size_t i = 0; i < 3; ++i) product.columns[i] = outer.vector(inner.columns[i]);
+  product.columns[3] = outer.point(inner.columns[3]);
+  return product;
+}
+
+double dot(const Vector3& a, const Vector3& b) { return inner_product(a, b); }
+
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector3 unit(const Vector3& a) {
+  const double length = std::sqrt(dot(a, a));
+  return length > 0 ? times(a, 1 / length) : Vector3{};
+}
+
+Quaternion unit(const Quaternion& q) {
+  const double length = std::sqrt(inner_product(q, q));
+  return length > 0 ? combine(q, 1 / length, q, 0) : Quaternion{0, 0, 0, 1};
+}
+
+Quaternion slerp(const Quaternion& from, const Quaternion& to, double t) {
+  const Quaternion a = unit(from);
+  Quaternion b = unit(to);
+  double cosine = inner_product(a, b);
+  if (cosine < 0) {
+    b = combine(b, -1, b, 0);
+    cosine = -cosine;
+  }
+  if (cosine > kNearlyParallel) return unit(combine(a, 1 - t, b, t));
+  const double angle = std::acos(cosine);
+  return unit(combine(a, std::sin((1 - t) * angle), b, std::sin(t * angle)));
+}
 
 Node read_node(const Asset& asset, json::NodeId object) {
   Node node;

@@ -185,7 +185,8 @@ bool ObjectModel::missing_member(Walk& walk, const schema::ObjectType& type) {
       schemas_.find_property(
           walk.owner, std::string_view(name).substr(0, name.size() - kLength.size())) != nullptr;
   if (last && (state || length)) {
-    return walk.fail(Status::immutable, fmt::format("{} is read-only at run time", quoted(name)));
+    return walk.fail(Status::immutable,
+                     fmt::format("{} is read-only at run time", gltfx::quoted(name)));
   }
   if (lookup_.member(walk.node, name) != json::kNoNode) {
     if (type.open) return into_unknown(walk);

@@ -11,7 +11,7 @@
 #include <unordered_map>
 
 #include "model/asset.hpp"
-#include "model/lookup.hpp"
+#include "model/fields.hpp"
 #include "schema/set.hpp"
 
 namespace gltfx::model {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/affine.hpp"
+#include "model/node.hpp"
 #include "model/properties.hpp"
 #include "model/resource_data.hpp"
 #include "model/views.hpp"

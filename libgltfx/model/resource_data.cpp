@@ -1,9 +1,113 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/resource_data.hpp"
 
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
 #include "base/checked.hpp"
+#include "model/fields.hpp"
+#include "model/meshopt_view.hpp"
 
 namespace gltfx::model {
+namespace {
+
+using container::Bytes;
+
+// Some say a sentence with its full stop.
+std::string_view without_stop(std::string_view sentence) {
+  return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
+}
+
+class Loader {
+ public:
+  Loader(const container::Container& container, const container::Resolver& resolver,
+         const Asset& asset, const Views& views)
+      : container_(container), resolver_(resolver), asset_(asset), views_(views) {}
+
+  LoadedResources run(unsigned jobs) {
+    loaded_.data.origin = resolver_.origin();
+    const auto& buffers = asset_.elements(RootArray::buffers);
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+      loaded_.data.buffers.push_back(load_buffer(buffers[i], i));
+    }
+    decode_views(jobs);
+    const auto& images = asset_.elements(RootArray::images);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      loaded_.data.images.push_back(load_image(images[i], i));
+    }
+    return std::move(loaded_);
+  }
+
+ private:
+  const json::Document& document() const { return asset_.document(); }
+
+  void note(std::string_view what, std::size_t index, std::string_view why) {
+    loaded_.notes.push_back(fmt::format("{} {} {}.", what, index, why));
+  }
+
+  std::optional<Bytes> load_buffer(json::NodeId object, std::size_t index) {
+    if (object == json::kNoNode) return std::nullopt;
+    const auto length = unsigned_member(document(), object, "byteLength");
+    const bool has_uri = document().holds(object, "uri");
+    const bool glb = !has_uri && index == 0 && container_.bin.has_value();
+    auto bytes =
+        glb ? std::optional(container_.bytes.part(static_cast<std::size_t>(container_.bin->offset),
+                                                  static_cast<std::size_t>(container_.bin->length)))
+            : fetch("Buffer", object, index);
+    if (!bytes || !length || bytes->size() >= *length) return bytes;
+    note("Buffer", index, "is shorter than its byteLength");
+    return std::nullopt;
+  }
+
+  // The bytes that `uri` names. Without one there is nothing to fetch and nothing to say.
+  std::optional<Bytes> fetch(std::string_view what, json::NodeId object, std::size_t index) {
+    const json::NodeId member = document().find(object, "uri");
+    if (member == json::kNoNode || !document().is_string(member)) return std::nullopt;
+    std::string buffer;
+    auto bytes = container::fetch(resolver_, document().string(member, buffer));
+    if (bytes) return *std::move(bytes);
+    loaded_.notes.push_back(fmt::format("{} {} cannot be loaded: {}.", what, index,
+                                        without_stop(bytes.error().message)));
+    return std::nullopt;
+  }
+
+  void decode_views(unsigned jobs) {
+    for (DecodedStream& stream : decode_streams(asset_, views_, loaded_.data, jobs)) {
+      if (!stream.problem().empty()) note("Buffer view", stream.index, stream.problem());
+      if (stream.plain || stream.elements.empty()) continue;
+      const bool rounded = stream.view.layout.filter != meshopt::Filter::none;
+      loaded_.data.decoded_views.emplace(views_.buffer_views[stream.index].node,
+                                         DecodedView{std::move(stream.elements), rounded});
+    }
+  }
+
+  ImageData load_image(json::NodeId object, std::size_t index) {
+    ImageData image;
+    if (object == json::kNoNode) return image;
+    image.bytes = fetch("Image", object, index);
+    const auto view = asset_.index(object, "bufferView", RootArray::buffer_views);
+    if (!image.bytes && view) {
+      const BufferView& source = views_.buffer_views[*view];
+      image.bytes = loaded_.data.part(document(), source, 0, source.byte_length.value_or(0));
+    }
+    if (!image.bytes) return image;
+    const image::Sniffed sniffed = image::sniff(image.bytes->view());
+    if (sniffed.known) image.format = sniffed.format;
+    const auto header = image::read_header(image.bytes->view());
+    if (const auto* read = std::get_if<image::Header>(&header)) image.header = *read;
+    return image;
+  }
+
+  const container::Container& container_;
+  const container::Resolver& resolver_;
+  const Asset& asset_;
+  const Views& views_;
+  LoadedResources loaded_;
+};
+
+}  // namespace
 
 std::optional<std::uint64_t> start_of(const json::Document& document, json::NodeId object,
                                       const std::optional<std::uint64_t>& byte_offset) {
@@ -32,6 +136,12 @@ std::optional<container::Bytes> ResourceData::part(const json::Document& documen
 const DecodedView* ResourceData::decoded(const BufferView& view) const {
   const auto found = decoded_views.find(view.node);
   return found == decoded_views.end() ? nullptr : &found->second;
+}
+
+LoadedResources load_resources(const container::Container& container,
+                               const container::Resolver& resolver, const Asset& asset,
+                               const Views& views, unsigned jobs) {
+  return Loader(container, resolver, asset, views).run(jobs);
 }
 
 }  // namespace gltfx::model

@@ -4,14 +4,18 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "base/origin.hpp"
 #include "container/bytes.hpp"
+#include "container/container.hpp"
+#include "container/resolver.hpp"
 #include "image/header.hpp"
 #include "image/ktx2.hpp"
-#include "model/buffer_view.hpp"
+#include "model/accessor.hpp"
+#include "model/views.hpp"
 
 namespace gltfx::model {
 
@@ -54,5 +58,17 @@ struct ResourceData {
 /// nothing when it is malformed.
 std::optional<std::uint64_t> start_of(const json::Document& document, json::NodeId object,
                                       const std::optional<std::uint64_t>& byte_offset);
+
+struct LoadedResources {
+  ResourceData data;
+  std::vector<std::string> notes;  ///< what is missing and why, a sentence each
+};
+
+/// Opens or decodes all buffers and images, maps files, reads headers of images, and decodes buffer
+/// views that come as streams of meshoptimizer, on up to `jobs` threads. Nothing outside of the
+/// resolver's root is opened.
+LoadedResources load_resources(const container::Container& container,
+                               const container::Resolver& resolver, const Asset& asset,
+                               const Views& views, unsigned jobs);
 
 }  // namespace gltfx::model

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "base/checked.hpp"

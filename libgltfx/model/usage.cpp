@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include "model/fields.hpp"
-
 namespace gltfx::model {
 
 // Walks everything that uses an accessor or a view, in the order in which uses count.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "model/accessor.hpp"
-#include "model/buffer_view.hpp"
 #include "model/mesh.hpp"
 
 namespace gltfx::model {

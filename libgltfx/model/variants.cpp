@@ -6,7 +6,7 @@
 namespace gltfx::model {
 namespace {
 
-constexpr std::string_view kExtension = "KHR_materials_variants";
+constexpr std::string_view kVariants = "KHR_materials_variants";
 
 bool lists(const json::Document& document, json::NodeId variants, std::uint32_t wanted) {
   if (variants == json::kNoNode || document.kind(variants) != json::Kind::number_array) {
@@ -32,7 +32,7 @@ std::vector<json::NodeId> elements_of(const json::Document& document, json::Node
 
 std::vector<std::string> variant_names(const Asset& asset) {
   const json::Document& document = asset.document();
-  const json::NodeId object = extension_object(document, document.root(), kExtension);
+  const json::NodeId object = extension_object(document, document.root(), kVariants);
   std::vector<std::string> names;
   for (const json::NodeId variant : elements_of(document, object, "variants")) {
     names.push_back(string_member(document, variant, "name"));
@@ -44,7 +44,7 @@ std::optional<std::uint32_t> material_of(const Asset& asset, const Primitive& pr
                                          std::optional<std::uint32_t> variant) {
   if (!variant || primitive.node == json::kNoNode) return primitive.material;
   const json::Document& document = asset.document();
-  const json::NodeId object = extension_object(document, primitive.node, kExtension);
+  const json::NodeId object = extension_object(document, primitive.node, kVariants);
   for (const json::NodeId mapping : elements_of(document, object, "mappings")) {
     if (!lists(document, document.find(mapping, "variants"), *variant)) continue;
     if (const auto material = asset.index(mapping, "material", RootArray::materials)) {

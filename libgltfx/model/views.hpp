@@ -6,7 +6,6 @@
 
 #include "model/accessor.hpp"
 #include "model/animation.hpp"
-#include "model/buffer_view.hpp"
 #include "model/mesh.hpp"
 #include "model/node.hpp"
 #include "model/usage.hpp"

@@ -2,9 +2,7 @@
 #include <gltfx/bake.hpp>
 #include <gltfx/pipeline.hpp>
 
-#include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,7 +14,6 @@
 #include "base/pages.hpp"
 #include "codec/client.hpp"
 #include "pipeline/bake_asset.hpp"
-#include "pipeline/bake_guard.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/cached_picture.hpp"

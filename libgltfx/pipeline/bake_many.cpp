@@ -8,10 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "pipeline/bake_asset.hpp"
-#include "pipeline/bake_guard.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/cached_picture.hpp"

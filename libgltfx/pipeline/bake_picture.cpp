@@ -2,6 +2,8 @@
 #include "pipeline/bake_picture.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <new>
 #include <utility>
 
 #include "bake/lighting.hpp"
@@ -27,6 +29,25 @@ bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& opti
 }
 
 }  // namespace
+
+BakeReport unreadable(const std::string& path, std::string why) {
+  BakeReport report;
+  report.path = path;
+  report.validation.path = path;
+  report.problem = BakeProblem::unreadable;
+  report.error = std::move(why);
+  return report;
+}
+
+BakeReport guarded(const std::string& path, const std::function<BakeReport()>& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return unreadable(path, "there is not enough memory to draw this file");
+  } catch (const std::filesystem::filesystem_error&) {
+    return unreadable(path, "the path cannot be looked up");
+  }
+}
 
 bake::Layers layers_of(const BakeOptions& options) {
   const auto wants = [&options](BakeLayer layer) {

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One picture of a scene.
+/// One picture of a scene, or what becomes of a file that cannot be drawn at all.
 #pragma once
 
 #include <gltfx/bake.hpp>
 
 #include <functional>
+#include <string>
 
 #include "bake/framebuffer.hpp"
 #include "bake/view.hpp"
 #include "pipeline/bake_scene.hpp"
 
 namespace gltfx {
+
+/// The report on a file that could not be read.
+BakeReport unreadable(const std::string& path, std::string why);
+
+/// What `work` says of the file; the library does not throw.
+BakeReport guarded(const std::string& path, const std::function<BakeReport()>& work);
 
 /// What the options ask for beside the picture itself.
 bake::Layers layers_of(const BakeOptions& options);

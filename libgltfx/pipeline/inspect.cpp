@@ -7,10 +7,9 @@
 
 #include "base/pages.hpp"
 #include "inspect/facts.hpp"
+#include "pipeline/asset_verbs.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/inspect_asset.hpp"
 #include "pipeline/open_asset.hpp"
-#include "pipeline/upgrade_asset.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {

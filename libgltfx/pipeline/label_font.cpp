@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/utf8.hpp"
+#include "base/text.hpp"
 
 // The font is a trusted one, and the library never aborts.
 #define STBTT_assert(condition) static_cast<void>(0)

@@ -2,13 +2,11 @@
 #include "pipeline/open_asset.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "model/limits.hpp"
-#include "pipeline/resolver_for.hpp"
+#include "model/memory_budget.hpp"
 
 namespace gltfx {
 

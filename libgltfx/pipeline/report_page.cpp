@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <new>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,12 +12,10 @@
 
 #include "codec/client.hpp"
 #include "container/base64.hpp"
+#include "pipeline/asset_verbs.hpp"
 #include "pipeline/bake_asset.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/inspect_asset.hpp"
 #include "pipeline/open_asset.hpp"
-#include "pipeline/upgrade_asset.hpp"
-#include "pipeline/validate_asset.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {

@@ -25,7 +25,6 @@
 #include "base/directory.hpp"
 #include "base/file_state.hpp"
 #include "base/temporary_file.hpp"
-#include "base/text.hpp"
 
 namespace gltfx {
 namespace {

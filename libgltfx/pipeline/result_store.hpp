@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "base/hash.hpp"
-#include "base/keyed_hash.hpp"
 #include "base/result.hpp"
 #include "base/unique_fd.hpp"
 #include "pipeline/seal.hpp"

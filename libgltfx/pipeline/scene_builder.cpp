@@ -15,8 +15,8 @@
 #include "model/instancing.hpp"
 #include "model/keyframes.hpp"
 #include "model/light.hpp"
-#include "model/load_resources.hpp"
 #include "model/meshopt_view.hpp"
+#include "model/resource_data.hpp"
 #include "pipeline/scene_meshes.hpp"
 
 namespace gltfx {

@@ -12,7 +12,6 @@
 #include "model/geometry.hpp"
 #include "model/pose.hpp"
 #include "pipeline/scene_materials.hpp"
-#include "pipeline/scene_notes.hpp"
 
 namespace gltfx {
 

@@ -8,10 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "base/replace_file.hpp"
 #include "container/base64.hpp"
+#include "container/bytes.hpp"
 #include "container/container.hpp"
-#include "container/pieces.hpp"
 #include "edit/rewrite.hpp"
 #include "json/edit.hpp"
 #include "json/parse.hpp"

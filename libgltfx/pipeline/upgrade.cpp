@@ -15,15 +15,14 @@
 #include "base/file_state.hpp"
 #include "base/material_table.hpp"
 #include "edit/write_asset.hpp"
+#include "pipeline/asset_verbs.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
-#include "pipeline/resolver_for.hpp"
-#include "pipeline/upgrade_asset.hpp"
 #include "schema/compile.hpp"
-#include "upgrade/old_format.hpp"
+#include "upgrade/ambiguity.hpp"
 #include "upgrade/plan.hpp"
 
 namespace gltfx {

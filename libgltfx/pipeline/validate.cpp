@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 #include <gltfx/result_cache.hpp>
+#include <gltfx/validate.hpp>
+#include <gltfx/version.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -11,19 +15,141 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/build_id.hpp"
+#include "base/hash.hpp"
 #include "container/container.hpp"
+#include "json/lines.hpp"
+#include "json/parse.hpp"
+#include "pipeline/asset_verbs.hpp"
 #include "pipeline/cached_verb.hpp"
 #include "pipeline/in_order.hpp"
+#include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
-#include "pipeline/proposed_fix.hpp"
-#include "pipeline/resolver_for.hpp"
-#include "pipeline/validate_asset.hpp"
-#include "pipeline/validation_key.hpp"
 #include "report/packed.hpp"
+#include "schema/compile.hpp"
+#include "schema/set.hpp"
+#include "upgrade/plan.hpp"
+#include "validate/validated_asset.hpp"
 #include "validate/validator.hpp"
 
 namespace gltfx {
 namespace {
+
+bool asks_for_upgrade(const Diagnostic& finding) {
+  return finding.code == "EXTENSION_LEGACY" || finding.code == "EXTENSION_ARCHIVED";
+}
+
+// The place of the first finding that names an extension of which the plan upgrades something.
+std::optional<std::size_t> first_mended(const FileReport& report, const json::Document& document,
+                                        const upgrade::Plan& plan) {
+  for (std::size_t i = 0; i < report.diagnostics.size(); ++i) {
+    const Diagnostic& finding = report.diagnostics[i];
+    if (!asks_for_upgrade(finding)) continue;
+    const json::NodeId entry = document.resolve(finding.pointer);
+    if (entry == json::kNoNode || !document.is_string(entry)) continue;
+    const std::string name = document.string(entry);
+    for (const UpgradeAction& action : plan.actions) {
+      if (action.done && action.from == name) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string description_of(const upgrade::Plan& plan) {
+  std::uint64_t done = 0;
+  for (const UpgradeAction& action : plan.actions) done += action.done ? 1U : 0U;
+  return fmt::format(
+      "Bring {} of {} legacy object{} to the successor, with the same picture, as 'gltfx upgrade' "
+      "does.",
+      done, plan.actions.size(), plan.actions.size() == 1 ? "" : "s");
+}
+
+ProposedFix fix_of(const upgrade::Plan& plan, std::string_view text) {
+  ProposedFix fix;
+  fix.description = description_of(plan);
+  const json::LineIndex lines(text);
+  for (const json::Edit& edit : plan.edits) {
+    fix.replacements.push_back({lines.locate(edit.span), edit.text});
+  }
+  return fix;
+}
+
+bool is_sound(const container::Container& container, const json::Parsed& parsed) {
+  return parsed.ok() && container.errors.empty() && container.late_errors.empty() &&
+         container.format == container::Format::gltf;
+}
+
+// Gives the first finding about an extension that was replaced the edits that bring all objects to
+// their successors for which that is safe. Nothing where the text has errors, the new text would
+// have an error that the old one has not, or the asset is binary.
+void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& options) {
+  const model::OpenedAsset& asset = validated.asset();
+  const auto& findings = validated.report().diagnostics;
+  const bool asked = std::any_of(findings.begin(), findings.end(), asks_for_upgrade);
+  if (!asked || asset.document().empty()) return;
+  if (!is_sound(asset.container(), asset.parsed())) return;
+  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
+  const upgrade::Plan plan = upgrade::make_plan(asset.document(), *schemas, {});
+  const auto finding = first_mended(validated.report(), asset.document(), plan);
+  if (!finding || plan.edits.empty()) return;
+  const std::string_view text = *asset.container().json;
+  container::Container fixed = container::open_bytes(
+      container::Bytes::from_string(json::apply_edits(text, plan.edits)), asset.name());
+  const validate::ValidatedAsset after({asset.name(), std::move(fixed), asset.resolver()},
+                                       default_judgement(schemas));
+  if (!new_findings(validated, after, schemas).error.empty()) return;
+  validated.propose(*finding, std::make_shared<const ProposedFix>(fix_of(plan, text)));
+}
+
+void add(HashParts& parts, const Budgets& budgets) {
+  const auto& [texture_size, total_pixels, triangles, draw_calls, file_size] = budgets;
+  for (const std::uint64_t limit : {texture_size, total_pixels, triangles, draw_calls, file_size}) {
+    parts.add(limit);
+  }
+}
+
+template <class Names>
+void add_names(HashParts& parts, const Names& names) {
+  parts.add(std::uint64_t{names.size()});
+  for (const auto& name : names) parts.add(name);
+}
+
+// Of everything in the options that bears on a report, and of the build of the program. `folder`:
+// where relative paths start from.
+// Taken apart by name: a member that is added to the options has to be decided upon here.
+Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
+  const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, max_issues, changed_lines,
+               propose_fixes, jobs, select, ignore, severity, schemas, cache] = options;
+  // The same report comes of any number of threads, with and without cache; with lines that changed
+  // nothing is kept.
+  static_cast<void>(changed_lines);
+  static_cast<void>(jobs);
+  static_cast<void>(cache);
+  HashParts parts;
+  parts.add(version());
+  parts.add(build_id());
+  parts.add(static_cast<std::uint64_t>(profile));
+  parts.add(static_cast<std::uint64_t>(pixel_level(options)));
+  static_cast<void>(pixels);
+  add(parts, budgets);
+  parts.add(static_cast<std::uint64_t>(lfs));
+  parts.add(std::uint64_t{inline_suppressions});
+  parts.add(root.empty() ? root
+                         : (std::filesystem::path(folder) / root).lexically_normal().native());
+  parts.add(max_issues);
+  parts.add(std::uint64_t{propose_fixes});
+  add_names(parts, select);
+  add_names(parts, ignore);
+  parts.add(std::uint64_t{severity.size()});
+  for (const auto& [code, level] : severity) {
+    parts.add(code);
+    parts.add(static_cast<std::uint64_t>(level));
+  }
+  parts.add(schemas ? schemas->sources() : Hash128());
+  return parts.finish();
+}
 
 namespace fs = std::filesystem;
 

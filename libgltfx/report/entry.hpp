@@ -10,6 +10,10 @@
 
 namespace gltfx::report {
 
+/// Writes `info` as one object: members of the Khronos report, in its order, those left out that
+/// have nothing to say.
+void write_asset_info(json::Writer& writer, const AssetInfo& info);
+
 /// Raised when a reader of the format before could misread the next.
 inline constexpr std::uint64_t kJsonFormat = 1;
 

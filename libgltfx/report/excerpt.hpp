@@ -4,11 +4,18 @@
 
 #include <gltfx/diagnostic.hpp>
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
-#include "report/style.hpp"
+#include "report/wording.hpp"
 
 namespace gltfx::report {
+
+/// Columns of a printable text: 2 for East Asian wide characters and emoji (Unicode Standard Annex
+/// 11), 0 for combining marks and variation selectors, else 1. Terminals disagree about what is
+/// drawn from several code points, such as flags; that is not followed.
+std::size_t display_width(std::string_view text);
 
 /// Columns of the gutter that holds the line number, without the bar: at least 1.
 std::size_t gutter_width(const Diagnostic& diagnostic);

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "report/long_value.hpp"
 #include "report/safe_text.hpp"
 
 namespace gltfx {

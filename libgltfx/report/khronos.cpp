@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "json/writer.hpp"
-#include "report/asset_info.hpp"
+#include "report/entry.hpp"
 #include "report/safe_text.hpp"
 #include "report/writers.hpp"
 

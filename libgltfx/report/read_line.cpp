@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 

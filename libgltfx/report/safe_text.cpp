@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
-#include "base/utf8.hpp"
-
 namespace gltfx::report {
 namespace {
 

@@ -3,7 +3,6 @@
 // only known at the end of a run (rules that were met, files, outcome) stands behind the results.
 // Each repeat of a finding is a result of its own, because services follow results from run to run.
 // https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/sarif-v2.1.0-errata01.html
-#include <gltfx/version.hpp>
 
 #include <string>
 #include <string_view>
@@ -13,11 +12,9 @@
 #include "base/hash.hpp"
 #include "json/writer.hpp"
 #include "report/file_uri.hpp"
-#include "report/long_value.hpp"
 #include "report/occurrences.hpp"
 #include "report/safe_text.hpp"
 #include "report/sarif_parts.hpp"
-#include "report/sarif_results.hpp"
 #include "report/wording.hpp"
 #include "report/writers.hpp"
 

@@ -2,9 +2,8 @@
 #include "schema/set.hpp"
 
 #include <algorithm>
-#include <array>
 
-#include "schema/set_parts.hpp"
+#include "schema/build.hpp"
 #include "schema/vocabulary.hpp"
 #include "schema/walk_tables.hpp"
 

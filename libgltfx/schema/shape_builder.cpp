@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/text.hpp"
-#include "schema/members.hpp"
-
 namespace gltfx::schema {
 namespace {
 

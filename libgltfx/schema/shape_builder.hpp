@@ -75,4 +75,8 @@ std::vector<std::string> read_names(const Build& build, Site list);
 Literal read_literal(const json::Document& document, json::NodeId node);
 std::vector<Literal> read_literals(const Build& build, Site list);
 
+struct ShapeBuilder::Members {
+  Site properties, required, additional, annotation;
+};
+
 }  // namespace gltfx::schema

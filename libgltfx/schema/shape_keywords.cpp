@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "schema/members.hpp"
 #include "schema/shape_builder.hpp"
 
 namespace gltfx::schema {

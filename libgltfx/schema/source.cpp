@@ -2,7 +2,6 @@
 #include "schema/source.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <unordered_map>
 
 #include "base/text.hpp"

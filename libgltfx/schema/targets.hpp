@@ -2,7 +2,6 @@
 /// The arrays of one document that references point into, and which of their elements are used.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>

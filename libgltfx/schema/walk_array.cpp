@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
 

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Indices and names that refer to other objects.
+// What holds for several members, or for one value in several ways.
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
@@ -90,6 +95,148 @@ void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const
                           {},
                           values_.span(value),
                           std::nullopt});
+}
+
+void Walker::constraints(const Frame& frame) {
+  if (frame.mode == Mode::object && frame.type != kNone) dependencies(frame);
+  if (!tables_.shapes[frame.shape].combined) return;
+  const std::size_t before = pending_.size();
+  combine(frame.shape, {frame.node}, frame.path, true);
+  std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(before), pending_.end());
+}
+
+// `walked`: the value is a container on the walk, so further shapes are put on the list for it.
+void Walker::combine(ShapeId id, Value value, const Path& path, bool walked) {
+  const Shape& shape = set_.shape(id);
+  for (const ShapeId all : shape.all_of) further(all, value, path, walked);
+  if (!shape.any_of.empty()) alternatives(id, shape.any_of, false, value, path, walked);
+  if (!shape.one_of.empty()) alternatives(id, shape.one_of, true, value, path, walked);
+  if (shape.not_shape != kNone && holds_(shape.not_shape, value))
+    forbidden(set_.shape(shape.not_shape), value, path);
+  for (const Condition& condition : shape.conditions) {
+    const bool then = holds_(condition.if_shape, value);
+    further(then ? condition.then_shape : condition.else_shape, value, path, walked);
+  }
+}
+
+// Another shape that has to hold for the value. On the call stack only for scalars and number
+// arrays, and no deeper than the compiler lets combinators nest.
+void Walker::further(ShapeId id, Value value, const Path& path, bool walked) {
+  if (id == kNone) return;
+  if (walked) {
+    pending_.push_back(id);
+  } else if (values_.kind(value) != json::Kind::number_array) {
+    judge(id, value, path);
+  } else if (!holds_(id, value)) {
+    report(path, Code::CONDITION_MISMATCH, values_.span(value),
+           name_of(path) + " does not have the required form.");
+  }
+}
+
+void Walker::alternatives(ShapeId id, const std::vector<ShapeId>& branches, bool exactly_one,
+                          Value value, const Path& path, bool walked) {
+  const auto fits = [&](ShapeId branch) { return holds_(branch, value); };
+  const auto first = std::find_if(branches.begin(), branches.end(), fits);
+  if (first == branches.end()) return no_alternative(branches, exactly_one, value, path);
+  if (exactly_one && std::any_of(first + 1, branches.end(), fits)) {
+    std::vector<std::string> both;
+    for (const ShapeId branch : branches) {
+      for (const std::string& name : required_only(branch)) {
+        const bool there = document_.find(value.node, name) != json::kNoNode;
+        if (there && std::find(both.begin(), both.end(), name) == both.end()) both.push_back(name);
+      }
+    }
+    report(path, both.empty() ? Code::CONDITION_MISMATCH : Code::ONE_OF_MISMATCH,
+           both.empty() || value.element != nullptr ? values_.span(value) : opening(value.node),
+           both.empty() ? name_of(path) + " matches several forms that are mutually exclusive."
+                        : all_of_phrase(both) + " are mutually exclusive.");
+    return;
+  }
+  // The branch that holds may have references to follow; a scalar has none but its own shape's.
+  if (*first != kNone && walked && tables_.shapes[*first].plan != Plan::any && *first != id) {
+    if (required_only(*first).empty()) further(*first, value, path, true);
+  }
+}
+
+void Walker::no_alternative(const std::vector<ShapeId>& branches, bool exactly_one, Value value,
+                            const Path& path) {
+  std::vector<std::string> wanted;
+  std::vector<std::string> forms;
+  for (const ShapeId branch : branches) {
+    const std::vector<std::string> names = required_only(branch);
+    if (!names.empty()) wanted.push_back(all_of_phrase(names));
+    forms.push_back(branch == kNone ? "anything" : scalar_phrase(set_, set_.shape(branch)));
+  }
+  const json::Kind kind = values_.kind(value);
+  if (kind == json::Kind::object && wanted.size() == branches.size()) {
+    report(path, exactly_one ? Code::ONE_OF_MISMATCH : Code::UNDEFINED_PROPERTY,
+           opening(value.node),
+           name_of(path) + " must have " + join_or(wanted) + "; it has " +
+               (wanted.size() == 2 ? "neither" : "none") + ".");
+    return;
+  }
+  const bool number = kind == json::Kind::number;
+  const auto listed = [&](ShapeId b) { return b != kNone && !set_.shape(b).literals.empty(); };
+  const bool list = std::all_of(branches.begin(), branches.end(), listed);
+  const Span span = kind == json::Kind::object ? opening(value.node) : values_.span(value);
+  std::string message =
+      name_of(path) + " is " + shown(values_, value) + "; it must be " + join_or(forms) + ".";
+  if (list) return report_unlisted(path, span, std::move(message), {});
+  report(path, number ? Code::VALUE_NOT_IN_RANGE : Code::CONDITION_MISMATCH, span,
+         std::move(message));
+}
+
+void Walker::forbidden(const Shape& shape, Value value, const Path& path) {
+  const bool object = values_.kind(value) == json::Kind::object;
+  std::vector<std::string> names;
+  if (object && shape.type != kNone) {
+    for (const Property& property : set_.type(shape.type).properties) {
+      if (property.required) names.push_back(property.name);
+    }
+  }
+  if (names.size() == 1) {
+    const json::NodeId member = document_.find(value.node, names.front());
+    const Path place(path, key_of(member));
+    report(place, Code::CONDITION_MISMATCH, document_.span(member - 1),
+           quoted(names.front()) + " is not allowed with the other members.", "remove the member");
+  } else if (names.size() > 1) {
+    report(path, Code::ONE_OF_MISMATCH, opening(value.node),
+           all_of_phrase(names) + " are mutually exclusive.");
+  } else {
+    report(path, Code::CONDITION_MISMATCH, object ? opening(value.node) : values_.span(value),
+           name_of(path) + " is " + shown(values_, value) + ", which is not allowed here.");
+  }
+}
+
+void Walker::dependencies(const Frame& frame) {
+  const auto value_of = [&](std::uint32_t property, const std::string& name) {
+    return property == kNone ? document_.find(frame.node, name)
+                             : members_[frame.scratch + property];
+  };
+  for (const DependencyPlan& plan : tables_.types[frame.type].dependencies) {
+    const json::NodeId member = value_of(plan.property, *plan.name);
+    const json::NodeId needed = value_of(plan.needed, *plan.other);
+    if (member == json::kNoNode || is_hidden(member)) continue;
+    if (needed != json::kNoNode && !is_hidden(needed)) continue;
+    const std::string name = quoted(*plan.name);
+    const std::string other = quoted(*plan.other);
+    report({frame.path, key_of(member)}, Code::UNSATISFIED_DEPENDENCY, document_.span(member - 1),
+           fmt::format("{} requires {}.", name, other),
+           fmt::format("add {}, or remove {}", other, name));
+  }
+}
+
+// The names of a shape that says nothing but that members must be there.
+std::vector<std::string> Walker::required_only(ShapeId id) const {
+  std::vector<std::string> names;
+  if (id == kNone) return names;
+  const Shape& shape = set_.shape(id);
+  if (shape.type == kNone || tables_.shapes[id].combined) return names;
+  for (const Property& property : set_.type(shape.type).properties) {
+    if (!property.required || property.shape != kNone) return {};
+    names.push_back(property.name);
+  }
+  return names;
 }
 
 }  // namespace gltfx::schema

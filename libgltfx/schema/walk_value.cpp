@@ -40,25 +40,6 @@ bool Walker::is_small_index(json::NodeId node, std::uint64_t& index) const {
   return true;
 }
 
-// One of an enum's numbers or strings, both written plainly.
-bool Walker::is_choice(const Shape& shape, json::NodeId node, json::Kind kind) const {
-  std::uint64_t number = 0;
-  if (kind == json::Kind::number && is_small_index(node, number)) {
-    for (const Literal& literal : shape.literals) {
-      if (literal.number == static_cast<double>(number))
-        return literal.kind == Literal::Kind::number;
-    }
-  } else if (kind == json::Kind::string) {
-    const std::string_view raw = document_.raw(node);
-    const std::string_view text = raw.substr(1, raw.size() - 2);
-    for (const Literal& literal : shape.literals) {
-      if (literal.kind == Literal::Kind::string && literal.string == text)
-        return !document_.node(node).escaped;
-    }
-  }
-  return false;
-}
-
 bool Walker::value(ShapeId id, json::NodeId node, Step step) {
   if (id == kNone) return false;
   const ShapePlan& plan = tables_.shapes[id];

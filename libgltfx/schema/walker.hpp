@@ -106,7 +106,6 @@ class Walker {
   void judge_text(ShapeId id, Value value, const Path& path);
   bool is_added(ShapeId shape, Value value) const;
   bool is_small_index(json::NodeId node, std::uint64_t& index) const;
-  bool is_choice(const Shape& shape, json::NodeId node, json::Kind kind) const;
 
   // walk_array.cpp
   bool array(ShapeId shape, json::NodeId node, Step step);
@@ -132,7 +131,6 @@ class Walker {
   Targets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
   bool lacks_root_extension(const Target& target) const;
 
-  // walk_condition.cpp
   void constraints(const Frame& frame);
   void combine(ShapeId shape, Value value, const Path& path, bool walked);
   void further(ShapeId shape, Value value, const Path& path, bool walked);
@@ -160,7 +158,7 @@ class Walker {
   bool has_effect(const Frame& frame, const RelationPlan& relation) const;
   bool looks_into(ExtensionId id, std::string_view name) const;
 
-  // walk_declaration.cpp
+  // walk.cpp
   void read_declarations();
   void declarations();
   /// is_declared() of a member's name, looked up once.

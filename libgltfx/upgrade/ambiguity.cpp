@@ -5,10 +5,13 @@
 #include <array>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "json/lines.hpp"
+#include "model/asset.hpp"
+#include "model/fields.hpp"
 
 namespace gltfx::upgrade {
 namespace {
@@ -106,6 +109,28 @@ class Touched {
 };
 
 }  // namespace
+
+UpgradeAction old_format(const UpgradeOptions& options, std::string pointer,
+                         const std::string& version) {
+  const bool limited = !options.only.empty() || !options.to.empty();
+  UpgradeAction action;
+  action.pointer = std::move(pointer);
+  action.from = "glTF " + version;
+  action.fate = limited ? UpgradeFate::no_successor : UpgradeFate::impossible;
+  action.notes.emplace_back("glTF 1.0 is not supported; convert it with gltf-pipeline:");
+  action.notes.emplace_back("npx gltf-pipeline -i OLD -o NEW");
+  return action;
+}
+
+std::optional<UpgradeAction> find_old_format(const json::Document& document,
+                                             const UpgradeOptions& options) {
+  if (!model::is_gltf_1(document)) return std::nullopt;
+  const json::NodeId asset = document.find(document.root(), "asset");
+  const json::NodeId version = document.find(asset, "version");
+  if (version == json::kNoNode) return old_format(options);
+  const std::string text = model::string_member(document, asset, "version");
+  return old_format(options, "/asset/version", text.empty() ? "1.0" : text);
+}
 
 std::optional<std::string> find_ambiguity(const json::Parsed& parsed, const Plan& plan) {
   if (plan.edits.empty() || parsed.ok()) return std::nullopt;

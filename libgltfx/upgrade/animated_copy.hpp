@@ -2,7 +2,6 @@
 /// Animations of a value of which there is a copy from now on: the copy moves along.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "upgrade/asset_bytes.hpp"
 
-#include <optional>
-#include <utility>
-
 #include "base/checked.hpp"
-#include "container/fetch.hpp"
+#include "container/resolver.hpp"
 #include "container/uri.hpp"
-#include "model/buffer_view.hpp"
+#include "model/accessor.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::upgrade {

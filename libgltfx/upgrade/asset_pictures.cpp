@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "upgrade/content_hash.hpp"
+#include "upgrade/image_cache.hpp"
 
 namespace gltfx::upgrade {
 

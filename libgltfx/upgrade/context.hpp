@@ -2,6 +2,7 @@
 /// What the parts of a plan share.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -16,11 +17,25 @@
 #include "json/edit.hpp"
 #include "model/asset.hpp"
 #include "schema/holds.hpp"
-#include "upgrade/material_split.hpp"
 #include "upgrade/plan.hpp"
 #include "upgrade/vertex_colors.hpp"
 
 namespace gltfx::upgrade {
+
+struct Context;
+
+/// A copy of an element of the root's materials as the plan leaves it.
+struct MaterialSplit {
+  json::NodeId material = json::kNoNode;
+  std::vector<std::string> member;  ///< path of what is different in the copy
+  std::string json;                 ///< its value there
+  std::vector<json::NodeId> users;  ///< numbers that lead to the copy from now on
+};
+
+/// Plans a copy. Gives its index in the root's materials.
+std::uint64_t split_material(Context& context, MaterialSplit split);
+/// Adds the copies, when all edits of the plan are known.
+void settle_splits(Context& context);
 
 /// An object with extensions, one of which is legacy.
 struct Carrier {

@@ -11,8 +11,8 @@
 #include "base/text.hpp"
 #include "json/writer.hpp"
 #include "model/fields.hpp"
-#include "upgrade/carriers.hpp"
 #include "upgrade/conversion.hpp"
+#include "upgrade/generation.hpp"
 
 namespace gltfx::upgrade {
 namespace {

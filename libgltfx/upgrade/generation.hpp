@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-/// As which of the shapes that went by an extension's name an object is read.
+/// Objects of a document that carry an extension where it is at home, and as which of the shapes
+/// that went by its name each is read.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "json/document.hpp"
 #include "schema/set.hpp"
+#include "upgrade/context.hpp"
 
 namespace gltfx::upgrade {
+
+/// The root, members of the root, and elements of its arrays, in the order of the schema and then
+/// of the document. Homes further below are not looked at.
+std::vector<Carrier> carriers_of(const json::Document& document, const schema::Set& set,
+                                 const schema::Extension& extension);
 
 struct Decision {
   const schema::Generation* generation =

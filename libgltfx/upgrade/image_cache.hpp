@@ -7,14 +7,17 @@
 #include <deque>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
+#include <string_view>
 
 #include "container/bytes.hpp"
 #include "upgrade/image_job.hpp"
 #include "upgrade/pictures.hpp"
 
 namespace gltfx::upgrade {
+
+/// The same on every machine, today and later: names of files are made of it.
+std::uint64_t content_hash(std::string_view bytes);
 
 /// A picture, and its pixels behind `picture.image`.
 struct Decoded {

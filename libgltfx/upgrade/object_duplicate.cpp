@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "edit/removal.hpp"
 #include "json/equal.hpp"
 #include "json/parse.hpp"
 #include "upgrade/generation.hpp"

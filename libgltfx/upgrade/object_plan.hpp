@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "upgrade/animated_copy.hpp"
-#include "upgrade/channel_move.hpp"
 #include "upgrade/context.hpp"
 #include "upgrade/conversion.hpp"
 #include "upgrade/placements.hpp"
+#include "upgrade/texture_source.hpp"
 
 namespace gltfx::upgrade {
 

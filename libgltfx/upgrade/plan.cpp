@@ -15,13 +15,12 @@
 #include "edit/name_list.hpp"
 #include "edit/removal.hpp"
 #include "json/writer.hpp"
-#include "model/format_version.hpp"
-#include "upgrade/carriers.hpp"
+#include "model/asset.hpp"
+#include "upgrade/ambiguity.hpp"
 #include "upgrade/choice.hpp"
 #include "upgrade/context.hpp"
 #include "upgrade/generation.hpp"
 #include "upgrade/object_plan.hpp"
-#include "upgrade/old_format.hpp"
 
 namespace gltfx {
 

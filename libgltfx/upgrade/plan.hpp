@@ -6,7 +6,6 @@
 #include <gltfx/upgrade.hpp>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "json/document.hpp"

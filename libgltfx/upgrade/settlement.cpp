@@ -11,7 +11,7 @@
 #include "container/uri.hpp"
 #include "json/writer.hpp"
 #include "model/fields.hpp"
-#include "upgrade/content_hash.hpp"
+#include "upgrade/image_cache.hpp"
 
 namespace gltfx::upgrade {
 namespace {

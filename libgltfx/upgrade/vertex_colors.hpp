@@ -5,14 +5,35 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <vector>
 
-#include "upgrade/accessor_values.hpp"
+#include "model/accessor_data.hpp"
+#include "upgrade/asset_bytes.hpp"
 
 namespace gltfx::upgrade {
+
+/// Keeps references to what it is made of. Not thread-safe.
+class AccessorValues {
+ public:
+  /// Null bytes: nothing can be read.
+  AccessorValues(const model::Asset& asset, AssetBytes* bytes) : asset_(asset), bytes_(bytes) {}
+
+  /// The elements as they lie in a buffer; nothing where they do not all lie there, or an extension
+  /// says that they are to be decoded first.
+  std::optional<model::AccessorData> open(std::uint64_t accessor);
+
+ private:
+  bool is_plain(const model::Accessor& accessor) const;
+  void read_all();
+
+  const model::Asset& asset_;
+  AssetBytes* bytes_;
+  std::optional<model::Views> views_;  ///< nothing until somebody asked
+  model::ResourceData resources_;
+};
 
 /// A place in the document that gives a primitive a material: its own, or one of those that
 /// extensions name.

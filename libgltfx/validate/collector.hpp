@@ -7,24 +7,39 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "base/shared_text.hpp"
 #include "base/sink.hpp"
+#include "base/span.hpp"
 #include "json/document.hpp"
 #include "json/lines.hpp"
-#include "model/lookup.hpp"
-#include "validate/changed_lines.hpp"
+#include "model/fields.hpp"
 #include "validate/khronos/deviations.hpp"
 #include "validate/suppressions.hpp"
 
 namespace gltfx::validate {
+
+class ChangedLines {
+ public:
+  /// `lines` in any order; those behind the end of the text are none. Lines end as in
+  /// json::LineIndex. Time is linear in the text.
+  ChangedLines(const std::vector<LineRange>& lines, std::string_view text);
+
+  /// Whether a place in the text touches one; what has no place (an empty span at 0) does when
+  /// anything changed.
+  bool touches(Span span) const;
+
+ private:
+  bool any_ = false;
+  bool last_line_ = false;   ///< changed
+  std::uint32_t size_ = 0;   ///< of the text
+  std::vector<Span> spans_;  ///< sorted, apart from each other
+};
 
 /// The order of a report. Within a phase findings stand as they were found.
 enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };

@@ -5,9 +5,7 @@
 #include <gltfx/validate.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/image_phase.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -12,11 +10,12 @@
 #include "base/text.hpp"
 #include "container/content.hpp"
 #include "model/fields.hpp"
+#include "validate/phases.hpp"
 #include "validate/resource_fetch.hpp"
-#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_slots.hpp"
-#include "validate/rules/unseen_use.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {

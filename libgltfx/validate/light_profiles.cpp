@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/light_profiles.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "base/codes.hpp"
+#include "validate/phases.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/extension_walk.hpp"
 

@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
-#include "model/format_version.hpp"
-#include "model/limits.hpp"
+#include "model/asset.hpp"
+#include "model/memory_budget.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {

@@ -4,13 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "base/checked.hpp"
 #include "base/codes.hpp"
 #include "container/content.hpp"
 #include "container/mapping.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
-#include "validate/image_phase.hpp"
 #include "validate/phases.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/finding.hpp"

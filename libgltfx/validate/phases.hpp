@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The phases around the schema walk, one function each.
+/// The phases around the schema walk and the checks behind them, one function each.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -13,6 +13,7 @@
 #include "model/resource_data.hpp"
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
+#include "validate/khronos/link_order.hpp"
 
 namespace gltfx::validate {
 
@@ -50,5 +51,42 @@ void check_data(const Context& context, const model::ResourceData& resources, Si
 
 /// The media type of the report; empty when the JSON text gives no root object.
 std::string mime_type(const container::Container& container, const json::Document& document);
+
+/// Opens every image, reads its header and reports what is wrong with it. Buffers have been loaded.
+void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources);
+
+/// Textures whose image has a format that is not theirs.
+void check_textures(const Context& context, const model::ResourceData& data, Sink& sink);
+
+/// Opens what the profiles of an asset refer to and looks at the head of each: a version of LM-63
+/// that readers must know, and a kind of photometry that there is. Reports what cannot be had as
+/// for buffers and images.
+void check_light_profiles(const Context& context, const model::ResourceData& resources, Sink& sink,
+                          FileReport& report);
+
+/// Reports what exceeds the budgets of the options.
+void check_budgets(const Context& context, const model::ResourceData& resources,
+                   const AssetInfo& info, const std::vector<ResourceInfo>& listed, Sink& sink);
+
+/// EXT_lights_image_based: faces of cubes are square, of a power of two, and halve from level to
+/// level, beginning with the size that the light states.
+void check_image_based_lights(const Context& context, const model::ResourceData& resources,
+                              Sink& sink);
+
+/// Positions are in metres: a scene that is far too small or too large for that is reported.
+void check_scene_extent(const Context& context, const model::ResourceData& resources, Sink& sink);
+
+/// Decodes each stream of meshoptimizer once and reports what is wrong with it. Elements without a
+/// plain copy go to `resources`, so that everything behind reads them as plain data; those that
+/// have one are compared with it. Takes memory only for what its stream can hold, and for little
+/// beyond a limit that grows with the streams. Several threads; findings in the order of the views.
+/// Nothing where Deviations::unsupported_extensions_are_skipped.
+void decode_views(const Context& context, model::ResourceData& resources, Sink& sink);
+
+/// Phase 3 and the references of phase 4 for that profile. Findings on form go to the schema sink;
+/// broken references are left with `order`, for the rules to release. `document` is the context's
+/// own; members that count as absent are hidden in it.
+schema::CheckResult check_as_khronos(Context& context, json::Document& document, LinkOrder& order,
+                                     const schema::ObjectVisitor& visitor);
 
 }  // namespace gltfx::validate

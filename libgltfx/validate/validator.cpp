@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/validator.hpp"
 
-#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -13,14 +12,8 @@
 #include "schema/compile.hpp"
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
-#include "validate/data/decode_views.hpp"
-#include "validate/khronos/view.hpp"
-#include "validate/light_profiles.hpp"
 #include "validate/phases.hpp"
-#include "validate/rules/budget.hpp"
-#include "validate/rules/image_based_light.hpp"
 #include "validate/rules/interactivity_draft.hpp"
-#include "validate/rules/scene_extent.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "bake/bvh_groups.hpp"
-#include "bake/bvh_repeats.hpp"
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
 #include "base/parallel.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/emitters.hpp"
-
 #include <algorithm>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "bake/light.hpp"
 #include "rendering.hpp"
 
 namespace gltfx::bake {

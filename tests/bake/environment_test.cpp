@@ -6,9 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "bake/lighting.hpp"
 #include "bake/sampler.hpp"
+#include "bake/sin_cos.hpp"
 #include "bake/storage.hpp"
-#include "bake/studio.hpp"
 
 namespace gltfx::bake {
 namespace {

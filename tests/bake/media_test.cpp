@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/media.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "bake/medium.hpp"
 #include "bake/sampler.hpp"
 
 namespace gltfx::bake {

@@ -8,9 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bake/lighting.hpp"
 #include "bake/picture.hpp"
-#include "bake/render_rows.hpp"
-#include "bake/studio.hpp"
 #include "rendering.hpp"
 #include "studio_stage.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/render_rows.hpp"
+#include "bake/render.hpp"
 #include "studio_stage.hpp"
 
 namespace gltfx::bake {

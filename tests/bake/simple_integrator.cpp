@@ -9,7 +9,7 @@
 
 #include "bake/light.hpp"
 #include "bake/light_through.hpp"
-#include "bake/media.hpp"
+#include "bake/medium.hpp"
 #include "bake/microfacet.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "bake/studio.hpp"
+#include "bake/lighting.hpp"
 #include "rendering.hpp"
 
 namespace gltfx::bake {

@@ -13,7 +13,6 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include "base/file_draft.hpp"
 #include "base/replace_file.hpp"
 #include "container/temp_folder.hpp"
 

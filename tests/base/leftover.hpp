@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/stale_files.hpp"
+#include "base/temporary_file.hpp"
 
 namespace gltfx {
 

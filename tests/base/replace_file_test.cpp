@@ -12,8 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/stale_files.hpp"
-#include "base/temporary_files.hpp"
+#include "base/temporary_file.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx {

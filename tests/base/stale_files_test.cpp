@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/stale_files.hpp"
-
 #include <chrono>
 #include <filesystem>
 #include <set>
@@ -10,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/leftover.hpp"
+#include "base/temporary_file.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx {

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/utf8.hpp"
-
 namespace gltfx {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "codec/control.hpp"
+#include "codec/packet.hpp"
 
 namespace gltfx::codec {
 namespace {

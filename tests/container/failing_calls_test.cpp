@@ -8,11 +8,10 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
-#include "container/confined_open.hpp"
 #include "container/container.hpp"
+#include "container/file.hpp"
 #include "container/glb_builder.hpp"
 #include "container/resolver.hpp"
-#include "container/stream.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx::container::test {
@@ -92,18 +91,6 @@ TEST(FailingCalls, AnAbsolutePathIsOutsideWhenTheWayBackIsBarred) {
   FailingCall failing(Call::open, 1, EIO);
   EXPECT_EQ(walk_beneath(root.get(), path).error, ResolveError::outside_root);
   EXPECT_TRUE(failing.stop());
-}
-
-TEST(FailingCalls, AStreamGoesOnAfterASignalOnly) {
-  const TempFolder folder;
-  const auto path = folder.write("a.gltf", "{}");
-  for (const int error : {EINTR, EIO}) {
-    const File file = open_regular(AT_FDCWD, path.c_str());
-    FailingCall failing(Call::read, 1, error);
-    const auto bytes = read_stream(file.fd.get(), 100);
-    EXPECT_TRUE(failing.stop());
-    EXPECT_EQ(static_cast<bool>(bytes), error == EINTR);
-  }
 }
 
 TEST(FailingCalls, ReadingGoesOnAfterASignal) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a URI names, or a sentence that says why it cannot be had.
-#include "container/fetch.hpp"
-
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "container/resolver.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx::container {

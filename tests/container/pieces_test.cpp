@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "container/pieces.hpp"
-
 #include <string>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "container/bytes.hpp"
 #include "container/file.hpp"
 #include "container/temp_folder.hpp"
 

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "container/confined_open.hpp"
+#include "container/file.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx::container::test {

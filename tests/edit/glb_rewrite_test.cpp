@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edit/glb_rewrite.hpp"
-
 #include <string>
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include "container/bytes.hpp"
 #include "container/glb_builder.hpp"
-#include "container/pieces.hpp"
+#include "edit/rewrite.hpp"
 
 namespace gltfx::edit {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "codec/control.hpp"
+#include "codec/packet.hpp"
 #include "codec/protocol.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include <meshoptimizer.h>
 
-#include "model/meshopt_streams.hpp"
+#include "model/meshopt.hpp"
 
 namespace {
 

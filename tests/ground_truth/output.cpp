@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "bake/light.hpp"
-#include "bake/texture_transform.hpp"
+#include "bake/texture.hpp"
 #include "bake/tonemap.hpp"
 #include "cases.hpp"
 
@@ -12,10 +12,14 @@ namespace {
 
 Value transformed(const std::array<double, 2>& offset, double rotation,
                   const std::array<double, 2>& scale, const std::vector<double>& uv) {
-  const auto m = bake::texture_transform(offset, rotation, scale);
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  const auto m = bake::texture_transform({narrow(offset[0]), narrow(offset[1])}, narrow(rotation),
+                                         {narrow(scale[0]), narrow(scale[1])});
   Value list;
   list.kind = Value::Kind::list;
-  for (const auto& row : m) list.items.push_back(row[0] * uv[0] + row[1] * uv[1] + row[2]);
+  for (const auto& row : m) {
+    list.items.push_back(double{row[0]} * uv[0] + double{row[1]} * uv[1] + double{row[2]});
+  }
   return list;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bake/quadrature.hpp"
+#include "bake/integration.hpp"
 
 namespace gltfx::ground_truth {
 namespace {

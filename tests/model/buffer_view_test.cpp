@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/buffer_view.hpp"
-
 #include <gtest/gtest.h>
 
 #include "asset_text.hpp"
+#include "model/accessor.hpp"
 
 namespace gltfx::model {
 namespace {

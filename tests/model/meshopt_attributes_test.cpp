@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
-#include "model/meshopt_streams.hpp"
+#include "model/meshopt.hpp"
 #include "model/meshopt_support.hpp"
 
 namespace gltfx::test {

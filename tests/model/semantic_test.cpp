@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/semantic.hpp"
-
 #include <gtest/gtest.h>
+
+#include "model/mesh.hpp"
 
 namespace gltfx::model {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include "report/display_width.hpp"
 #include "report/support.hpp"
 
 namespace gltfx::report::testing {

@@ -37,10 +37,10 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "computes the values of one extension from those of two, and from which successor is chosen"},
     {"libgltfx/upgrade/convert_specular_glossiness.cpp",
      "an option chooses the value that another extension gets"},
-    {"libgltfx/upgrade/packing.cpp",
+    {"libgltfx/upgrade/object_textures.cpp",
      "compares what two textures show, for which the transform's members count with their "
      "defaults"},
-    {"libgltfx/validate/data/extension_checks.cpp",
+    {"libgltfx/validate/data/check.cpp",
      "what numbers of attributes mean: the vocabulary states their formats only"},
     {"libgltfx/validate/rules/animation_pointer.cpp",
      "resolves pointers against the object model, which needs the whole document"},

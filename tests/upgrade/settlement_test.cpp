@@ -10,7 +10,7 @@
 
 #include "container/glb_builder.hpp"
 #include "support.hpp"
-#include "upgrade/content_hash.hpp"
+#include "upgrade/image_cache.hpp"
 #include "upgrade/render.hpp"
 
 namespace gltfx::upgrade::test {

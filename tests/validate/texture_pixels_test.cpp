@@ -7,7 +7,7 @@
 
 #include "codec/support/jpeg_bytes.hpp"
 #include "container/base64.hpp"
-#include "validate/rules/pixel_source.hpp"
+#include "validate/rules/texture_phase.hpp"
 #include "validate/textured.hpp"
 
 namespace gltfx::test {

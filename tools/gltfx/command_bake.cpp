@@ -12,9 +12,9 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "input_paths.hpp"
-#include "picture_places.hpp"
+#include "output_places.hpp"
 #include "progress.hpp"
-#include "schema_sources.hpp"
+#include "read_input.hpp"
 #include "terminal.hpp"
 #include "validation_options.hpp"
 

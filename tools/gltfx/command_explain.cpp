@@ -2,7 +2,6 @@
 #include <gltfx/pipeline.hpp>
 
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 

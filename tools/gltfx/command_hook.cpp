@@ -12,9 +12,9 @@
 #include "commands.hpp"
 #include "container/container.hpp"
 #include "json/parse.hpp"
+#include "read_input.hpp"
 #include "report/wording.hpp"
 #include "schema/compile.hpp"
-#include "schema_sources.hpp"
 #include "staged_assets.hpp"
 #include "upgrade/plan.hpp"
 

@@ -1,20 +1,275 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gltfx/inspect.hpp>
 #include <gltfx/pipeline.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "input_paths.hpp"
-#include "inspect_text.hpp"
-#include "schema_sources.hpp"
+#include "read_input.hpp"
+#include "report/safe_text.hpp"
+#include "report/wording.hpp"
 #include "terminal.hpp"
 
 namespace gltfx::tool {
 namespace {
+
+constexpr std::size_t kLongest = 40;       // code points of a name in a table
+constexpr std::size_t kLongestLine = 300;  // of a text in a line of its own
+
+std::string cell(std::string_view text) { return report::safe_cut(text, kLongest); }
+
+/// The parts of one asset, one after the other.
+class Page {
+ public:
+  Page(std::size_t most, const Style& style) : most_(most), style_(style) {}
+
+  std::string write(const InspectReport& report) {
+    text_ = style_.bold(report::safe(report.path)) + "\n";
+    if (report.facts) write(*report.facts);
+    write_upgrade(report);
+    if (report.facts) write_problems(report.facts->problems);
+    return std::move(text_);
+  }
+
+ private:
+  void line(std::string_view name, std::string_view value) {
+    if (value.empty()) return;
+    const std::string whole = wrapped(report::safe_cut(value, kLongestLine), 14);
+    text_ += fmt::format("  {}{}", padded(name, 12), std::string_view(whole).substr(14));
+  }
+
+  void write(const AssetFacts& facts) {
+    write_head(facts);
+    write_bytes(facts);
+    write_extensions(facts.extensions);
+    write_list("Meshes", facts.meshes, mesh_table(), add_mesh);
+    write_list("Images", facts.images, image_table(), add_image);
+    write_list("Materials", facts.materials, material_table(), add_material);
+    write_list("Animations", facts.animations, animation_table(), add_animation);
+    write_list("Skins", facts.skins, {"rlrr", {"#", "name", "joints", "bytes"}}, add_skin);
+    write_list("Cameras", facts.cameras, {"rll", {"#", "name", "type"}}, add_named);
+    write_list("Lights", facts.lights, {"rll", {"#", "name", "type"}}, add_named);
+  }
+
+  void write_head(const AssetFacts& facts) {
+    line("format", fmt::format("{}, glTF {}", facts.mime_type,
+                               facts.version.empty() ? "of no version" : facts.version));
+    line("generator", facts.generator);
+    line("copyright", facts.copyright);
+    line("contents", contents(facts));
+    if (facts.bounds) line("extent", extent(*facts.bounds));
+    const std::uint64_t total = facts.total_bytes();
+    const std::string exact = total < 1000 ? "" : fmt::format(" ({} bytes)", grouped(total));
+    line("size", fmt::format("{}{} in {}", size_text(total), exact,
+                             report::counted(facts.files.size(), "file")));
+    line("GPU memory",
+         fmt::format("about {}: images {}, meshes {}",
+                     size_text(facts.image_gpu_bytes() + facts.mesh_gpu_bytes()),
+                     size_text(facts.image_gpu_bytes()), size_text(facts.mesh_gpu_bytes())));
+  }
+
+  static std::string contents(const AssetFacts& facts) {
+    std::vector<std::string> parts;
+    const auto add = [&parts](std::uint64_t count, std::string_view one, std::string_view several) {
+      if (count > 0)
+        parts.push_back(fmt::format("{} {}", grouped(count), count == 1 ? one : several));
+    };
+    add(facts.scenes, "scene", "scenes");
+    add(facts.nodes, "node", "nodes");
+    add(facts.meshes.size(), "mesh", "meshes");
+    add(facts.primitives, "primitive", "primitives");
+    add(facts.triangles, "triangle", "triangles");
+    if (facts.drawn_triangles != facts.triangles) {
+      parts.back() += fmt::format(" ({} drawn by the scene)", grouped(facts.drawn_triangles));
+    }
+    add(facts.vertices, "vertex", "vertices");
+    add(facts.materials.size(), "material", "materials");
+    add(facts.textures, "texture", "textures");
+    add(facts.images.size(), "image", "images");
+    add(facts.animations.size(), "animation", "animations");
+    add(facts.skins.size(), "skin", "skins");
+    add(facts.cameras.size(), "camera", "cameras");
+    add(facts.lights.size(), "light", "lights");
+    return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+  }
+
+  static std::string extent(const SceneBounds& bounds) {
+    const auto& a = bounds.least;
+    const auto& b = bounds.greatest;
+    return fmt::format(
+        "{:.4g} x {:.4g} x {:.4g} m, from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})",
+        b[0] - a[0], b[1] - a[1], b[2] - a[2], a[0], a[1], a[2], b[0], b[1], b[2]);
+  }
+
+  void title(std::string_view words) { text_ += fmt::format("\n  {}\n", style_.bold(words)); }
+
+  void write_bytes(const AssetFacts& facts) {
+    const std::uint64_t total = facts.total_bytes();
+    if (total == 0) return;
+    title("Where the bytes go");
+    TextTable table("lrr", {"for", "bytes", "share"});
+    std::vector<std::size_t> order(kByteUseCount);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return facts.bytes[a] > facts.bytes[b]; });
+    for (const std::size_t i : order) {
+      if (facts.bytes[i] == 0) continue;
+      const double share = 100.0 * static_cast<double>(facts.bytes[i]) / static_cast<double>(total);
+      table.add({std::string(byte_use_name(static_cast<ByteUse>(i))), grouped(facts.bytes[i]),
+                 fmt::format("{:.1f} %", share)});
+    }
+    text_ += table.text(4, style_);
+    if (facts.files.size() < 2) return;
+    TextTable files("rlr", {"#", "file", "bytes"});
+    for (std::size_t i = 1; i < facts.files.size() && (most_ == 0 || i <= most_); ++i) {
+      files.add({std::to_string(i), cell(facts.files[i].uri), grouped(facts.files[i].bytes)});
+    }
+    title("Files beside it");
+    text_ += files.text(4, style_);
+  }
+
+  void write_extensions(const std::vector<ExtensionFacts>& extensions) {
+    if (extensions.empty()) return;
+    title("Extensions");
+    TextTable table("llll", {"name", "status", "declared", ""});
+    for (const ExtensionFacts& each : extensions) {
+      const std::string note = !each.seen               ? "no object has it"
+                               : each.successor.empty() ? ""
+                                                        : "successor: " + each.successor;
+      table.add({cell(each.name), each.status,
+                 each.required ? "required"
+                 : each.used   ? "used"
+                               : "not declared",
+                 note});
+    }
+    text_ += table.text(4, style_);
+  }
+
+  template <class Facts>
+  void write_list(std::string_view name, const std::vector<Facts>& list, TextTable table,
+                  void (*add)(TextTable&, std::size_t, const Facts&)) {
+    if (list.empty()) return;
+    const std::vector<std::size_t> order = rows_of(list);
+    if (order.size() < list.size()) {
+      title(fmt::format("{}, {} of {}", name, order.size(), grouped(list.size())));
+    } else {
+      title(name);
+    }
+    for (const std::size_t i : order) add(table, i, list[i]);
+    text_ += table.text(4, style_);
+  }
+
+  template <class Facts>
+  std::vector<std::size_t> rows_of(const std::vector<Facts>& list) const {
+    std::vector<std::size_t> order(list.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (most_ == 0 || order.size() <= most_) return order;
+    if constexpr (requires(const Facts& facts) { facts.bytes; }) {
+      std::stable_sort(order.begin(), order.end(),
+                       [&](std::size_t a, std::size_t b) { return list[a].bytes > list[b].bytes; });
+    }
+    order.resize(most_);
+    return order;
+  }
+
+  static TextTable mesh_table() {
+    return {"rlrrrrr", {"#", "name", "primitives", "triangles", "vertices", "bytes", "GPU"}};
+  }
+  static void add_mesh(TextTable& table, std::size_t index, const MeshFacts& mesh) {
+    table.add({std::to_string(index), cell(mesh.name), grouped(mesh.primitives),
+               grouped(mesh.triangles), grouped(mesh.vertices), grouped(mesh.bytes),
+               size_text(mesh.gpu_bytes)});
+  }
+
+  static TextTable image_table() {
+    return {"rllrllrr", {"#", "name", "format", "pixels", "color space", "slots", "bytes", "GPU"}};
+  }
+  static void add_image(TextTable& table, std::size_t index, const ImageFacts& image) {
+    std::string format =
+        image.format.substr(std::min(image.format.find('/') + 1, image.format.size()));
+    if (!image.encoding.empty()) format += " " + image.encoding;
+    if (!image.channels.empty()) format += " " + image.channels;
+    const std::string pixels =
+        image.width == 0 ? "" : fmt::format("{} x {}", image.width, image.height);
+    table.add({std::to_string(index), cell(image.name.empty() ? image.uri : image.name),
+               format.empty() ? "not read" : format, pixels, image.color_space,
+               cell(fmt::format("{}", fmt::join(image.slots, ", "))), grouped(image.bytes),
+               size_text(image.gpu_bytes)});
+  }
+
+  static TextTable material_table() {
+    return {"rlllrl", {"#", "name", "alpha", "sides", "textures", "extensions"}};
+  }
+  static void add_material(TextTable& table, std::size_t index, const MaterialFacts& material) {
+    table.add({std::to_string(index), cell(material.name), cell(material.alpha_mode),
+               material.double_sided ? "both" : "front", grouped(material.textures),
+               report::safe_cut(fmt::format("{}", fmt::join(material.extensions, ", ")), 160)});
+  }
+
+  static TextTable animation_table() {
+    return {"rlrrrr", {"#", "name", "seconds", "channels", "keyframes", "bytes"}};
+  }
+  static void add_animation(TextTable& table, std::size_t index, const AnimationFacts& animation) {
+    table.add({std::to_string(index), cell(animation.name),
+               fmt::format("{:.3g}", animation.duration), grouped(animation.channels),
+               grouped(animation.keyframes), grouped(animation.bytes)});
+  }
+
+  static void add_skin(TextTable& table, std::size_t index, const SkinFacts& skin) {
+    table.add({std::to_string(index), cell(skin.name), grouped(skin.joints), grouped(skin.bytes)});
+  }
+
+  static void add_named(TextTable& table, std::size_t index, const NamedFacts& each) {
+    table.add({std::to_string(index), cell(each.name), cell(each.type)});
+  }
+
+  void write_upgrade(const InspectReport& report) {
+    if (report.upgrade.empty()) return;
+    title("What 'gltfx upgrade' makes of it");
+    TextTable table("llll", {"object", "from", "to", "outcome"});
+    for (const UpgradeFact& fact : report.upgrade) {
+      if (most_ > 0 && &fact >= report.upgrade.data() + most_) break;
+      table.add({report::safe_cut(fact.pointer, 60), cell(fact.from), cell(fact.to),
+                 fact.done ? fact.outcome : fmt::format("left alone: {}", fact.outcome)});
+    }
+    text_ += table.text(4, style_);
+    if (!report.upgrade_problem.empty()) {
+      text_ += wrapped(report::safe("Nothing is done: " + report.upgrade_problem), 4);
+    }
+  }
+
+  void write_problems(const std::vector<std::string>& problems) {
+    if (problems.empty()) return;
+    title("Not read");
+    for (std::size_t i = 0; i < problems.size() && (most_ == 0 || i < most_); ++i) {
+      text_ += wrapped(report::safe(problems[i]), 4);
+    }
+    if (most_ > 0 && problems.size() > most_) {
+      text_ += fmt::format("    and {} more\n", problems.size() - most_);
+    }
+  }
+
+  std::size_t most_;
+  const Style& style_;
+  std::string text_;
+};
+
+// All that is known of one asset. `most`: rows of each table, those that take most bytes first; 0:
+// all, by index. Neutralised; ends in a line break.
+std::string inspect_text(const InspectReport& report, std::size_t most, const Style& style) {
+  return Page(most, style).write(report);
+}
 
 /// A run of inputs; one asset is in memory at a time and thread.
 class InspectRun {

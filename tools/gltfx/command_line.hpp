@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "exit_code.hpp"
+#include "commands.hpp"
 #include "options.hpp"
 
 namespace gltfx::tool {

@@ -7,9 +7,9 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "read_input.hpp"
 #include "schema/compile.hpp"
 #include "schema_print.hpp"
-#include "schema_sources.hpp"
 #include "schema_tests.hpp"
 #include "schema_words.hpp"
 #include "suggestion.hpp"

@@ -18,13 +18,11 @@
 #include "commands.hpp"
 #include "input_paths.hpp"
 #include "output_places.hpp"
+#include "read_input.hpp"
 #include "schema/compile.hpp"
-#include "schema_sources.hpp"
 #include "schema_words.hpp"
-#include "suggestion.hpp"
 #include "upgrade/choice.hpp"
-#include "upgrade_json.hpp"
-#include "upgrade_text.hpp"
+#include "upgrade_print.hpp"
 
 namespace gltfx::tool {
 namespace {

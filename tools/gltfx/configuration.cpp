@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include "base/text.hpp"
 #include "path_pattern.hpp"
 #include "read_input.hpp"
 #include "reading.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "exit_code.hpp"
+#include "commands.hpp"
 
 namespace gltfx::tool {
 namespace {

@@ -12,7 +12,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "base/temporary_files.hpp"
+#include "base/temporary_file.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "output.hpp"

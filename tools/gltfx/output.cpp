@@ -3,7 +3,6 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -12,8 +11,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/file_attributes.hpp"
+#include "base/file_state.hpp"
 #include "base/text.hpp"
+#include "commands.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -93,6 +93,20 @@ void Output::finish() {
   if (!file_ || !problem_.empty()) return;
   note(file_->make_durable());
   if (problem_.empty()) note(file_->move_over());
+}
+
+ExitCode print(std::string_view text) {
+  Output out{std::string()};
+  out.write(text);
+  if (out.problem().empty()) return ExitCode::ok;
+  complain(out.problem());
+  return ExitCode::internal;
+}
+
+void complain(std::string_view message) {
+  std::string line = "gltfx: ";
+  line.append(message).append("\n");
+  static_cast<void>(write_all(STDERR_FILENO, line));
 }
 
 }  // namespace gltfx::tool

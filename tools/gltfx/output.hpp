@@ -34,7 +34,6 @@ class Output {
   /// Makes the file complete and durable. Without it, a file at the path stays as it was.
   void finish();
 
-  bool to_stdout() const { return path_.empty(); }
   /// A sentence about what went wrong first, or empty.
   const std::string& problem() const { return problem_; }
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "options.hpp"
 #include "raw_options.hpp"

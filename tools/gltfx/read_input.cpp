@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/directory.hpp"
 #include "base/text.hpp"
 #include "container/file.hpp"
+#include "schema/compile.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -56,6 +58,34 @@ Error cannot_read(const std::string& path, std::string_view why) {
   return {fmt::format("cannot read {}: {}", quoted(path, 200), why)};
 }
 
+namespace fs = std::filesystem;
+using SetPointer = std::shared_ptr<const schema::Set>;
+
+constexpr std::string_view kEnding = ".schema.json";
+
+Result<std::vector<std::string>> schema_files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  DirectoryReader directory(folder);
+  while (const char* entry = directory.next()) {
+    if (std::string_view(entry).ends_with(kEnding)) files.push_back(fs::path(folder) / entry);
+  }
+  if (directory.error()) {
+    return Error{"--schema-dir: cannot list " + quoted(folder, 200) + ": " +
+                 directory.error().message()};
+  }
+  if (files.empty()) {
+    return Error{"--schema-dir: " + quoted(folder, 200) + " holds no file named *.schema.json"};
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string error_lines(const std::vector<schema::SchemaError>& errors) {
+  std::string lines = "the schema files have mistakes";
+  for (const schema::SchemaError& error : errors) lines += '\n' + printable(error.text());
+  return lines;
+}
+
 }  // namespace
 
 Result<std::string> read_stdin(std::uint64_t most) { return read_all(STDIN_FILENO, most); }
@@ -91,6 +121,27 @@ Result<std::optional<std::string>> LineReader::next() {
     if (!more) return more.error();
     if (!*more) return std::optional<std::string>();
   }
+}
+
+Result<SetPointer> load_schemas(const std::vector<std::string>& files,
+                                const std::vector<std::string>& folders) {
+  std::vector<std::string> names;
+  for (const std::string& folder : folders) {
+    const auto found = schema_files_in(folder);
+    if (!found) return found.error();
+    names.insert(names.end(), found->begin(), found->end());
+  }
+  names.insert(names.end(), files.begin(), files.end());
+  if (names.empty()) return SetPointer();
+  std::vector<schema::SourceFile> sources;
+  for (const std::string& name : names) {
+    auto text = read_text_file(name, schema::kLongestFile);
+    if (!text) return text.error();
+    sources.push_back({name, *std::move(text), true});
+  }
+  schema::Compiled compiled = schema::compile_with(sources);
+  if (!compiled.errors.empty()) return Error{error_lines(compiled.errors)};
+  return std::move(compiled.set);
 }
 
 }  // namespace gltfx::tool

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Small inputs read whole: standard input, schema files, baselines.
+/// Small inputs read whole: standard input, schema files (`--schema`, `--schema-dir`), baselines.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/result.hpp"
 #include "base/unique_fd.hpp"
+#include "schema/set.hpp"
 
 namespace gltfx::tool {
 
@@ -45,5 +48,10 @@ class LineReader {
   std::string buffer_;
   std::size_t begin_ = 0;  ///< of what was not handed out
 };
+
+/// What gltfx knows with the user's files added; null stands for the built-in set when there are
+/// none. The Error has a line for each mistake: file:line:column and what is wrong.
+Result<std::shared_ptr<const schema::Set>> load_schemas(const std::vector<std::string>& files,
+                                                        const std::vector<std::string>& folders);
 
 }  // namespace gltfx::tool

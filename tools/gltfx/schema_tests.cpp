@@ -20,7 +20,6 @@
 #include "json/parse.hpp"
 #include "read_input.hpp"
 #include "schema/compile.hpp"
-#include "schema_sources.hpp"
 
 namespace gltfx::tool {
 namespace {

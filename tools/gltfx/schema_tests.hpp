@@ -4,9 +4,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "exit_code.hpp"
+#include "commands.hpp"
 #include "options.hpp"
 
 namespace gltfx::tool {

@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "container/container.hpp"
 #include "edit/companions.hpp"
-#include "input_paths.hpp"
+#include "folder_walk.hpp"
 #include "json/parse.hpp"
 
 namespace gltfx::tool {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade_json.hpp"
-
 #include <gltfx/version.hpp>
 
 #include <string_view>
 
 #include "json/writer.hpp"
-#include "report/long_value.hpp"
+#include "report/safe_text.hpp"
+#include "upgrade_print.hpp"
 
 namespace gltfx::tool {
 namespace {

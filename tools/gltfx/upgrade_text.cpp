@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "upgrade_text.hpp"
-
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -10,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "report/wording.hpp"
+#include "upgrade_print.hpp"
 
 namespace gltfx::tool {
 namespace {

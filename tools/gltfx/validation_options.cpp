@@ -13,7 +13,6 @@
 #include "git.hpp"
 #include "input_paths.hpp"
 #include "read_input.hpp"
-#include "schema_sources.hpp"
 
 namespace gltfx::tool {
 

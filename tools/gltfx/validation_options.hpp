@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "commands.hpp"
 #include "configuration.hpp"
-#include "exit_code.hpp"
 #include "options.hpp"
 
 namespace gltfx::tool {

@@ -14,11 +14,11 @@ target_link_libraries(gltfx_schema_core PUBLIC gltfx_json PRIVATE gltfx_options 
 gltfx_group(gltfx_schema_core ALONE schema/make_set.cpp)
 
 add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/embed.cpp
-  schema/compiler/literal.cpp schema/compiler/material_table.cpp)
+  schema/compiler/material_table.cpp)
 target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options fmt::fmt)
 
 add_executable(gltfx_rule_compiler schema/compiler/rule_main.cpp schema/compiler/rule_page.cpp
-  schema/compiler/literal.cpp)
+  schema/compiler/embed.cpp)
 target_link_libraries(gltfx_rule_compiler PRIVATE gltfx_options)
 target_include_directories(gltfx_rule_compiler PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)
 

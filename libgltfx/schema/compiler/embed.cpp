@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schema/compiler/embed.hpp"
 
-#include "schema/compiler/literal.hpp"
-
 namespace gltfx::schema {
 namespace {
 
@@ -16,6 +14,30 @@ std::string byte_list(const std::string& bytes) {
 }
 
 }  // namespace
+
+std::string cpp_literal(std::string_view text) {
+  std::string out = "\n    \"";
+  std::size_t column = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\' || c == '?') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte >= 0x7F) {
+      const char digits[] = {'\\', static_cast<char>('0' + (byte >> 6)),
+                             static_cast<char>('0' + ((byte >> 3) & 7)),
+                             static_cast<char>('0' + (byte & 7))};
+      out.append(digits, 4);
+    } else {
+      out += c;
+    }
+    if (++column == 100) {
+      out += "\"\n    \"";
+      column = 0;
+    }
+  }
+  return out + "\"";
+}
 
 std::string minified(const std::string& json) {
   std::string out;

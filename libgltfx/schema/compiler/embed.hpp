@@ -3,11 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "schema/compile.hpp"
 
 namespace gltfx::schema {
+
+/// The text as ordinary string literals of at most 100 characters a line; bytes beyond ASCII in
+/// octal.
+std::string cpp_literal(std::string_view text);
 
 /// A schema file without the whitespace between its tokens.
 std::string minified(const std::string& json);

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-#include "schema/compiler/literal.hpp"
+#include "schema/compiler/embed.hpp"
 #include "schema/compiler/rule_page.hpp"
 
 namespace {

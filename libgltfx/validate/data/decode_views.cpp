@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/data/decode_views.hpp"
-
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "model/meshopt_decode.hpp"
+#include "model/meshopt_view.hpp"
+#include "validate/phases.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {

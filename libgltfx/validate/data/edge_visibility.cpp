@@ -14,7 +14,6 @@
 
 #include "base/codes.hpp"
 #include "validate/data/kernels.hpp"
-#include "validate/data/mesh_edges.hpp"
 #include "validate/data/topology.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"

@@ -2,7 +2,6 @@
 /// Judges components one after the other, exactly as the Khronos validator does.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "model/fields.hpp"
 #include "model/mesh.hpp"
 #include "model/skin.hpp"
 #include "validate/data/describe.hpp"

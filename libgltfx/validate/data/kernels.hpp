@@ -6,8 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <span>
 
 namespace gltfx::validate::kernels {
 

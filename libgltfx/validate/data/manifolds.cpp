@@ -2,13 +2,11 @@
 // EXT_mesh_manifold: a solid, and vertices that are one in it and several in what is drawn. Only
 // the indices tell, so this file names the extension.
 #include <algorithm>
-#include <numeric>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "validate/data/mesh_edges.hpp"
 #include "validate/data/topology.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "validate/data/mesh_edges.hpp"
 #include "validate/data/topology.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"

@@ -6,7 +6,6 @@
 #include <optional>
 #include <unordered_map>
 
-#include "base/checked.hpp"
 #include "model/accessor_data.hpp"
 #include "validate/context.hpp"
 

@@ -9,7 +9,6 @@
 #include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "validate/collector.hpp"
-#include "validate/data/mesh_edges.hpp"
 #include "validate/data/topology.hpp"
 #include "validate/rules/finding.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/khronos/view.hpp"
-
 #include <initializer_list>
 #include <unordered_map>
 #include <vector>
@@ -8,7 +6,8 @@
 #include "model/accessor.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
-#include "schema/no_findings.hpp"
+#include "schema/check.hpp"
+#include "validate/phases.hpp"
 #include "validate/rules/variants.hpp"
 
 namespace gltfx::validate {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "model/fields.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/accessor_extent.hpp"
 #include "validate/rules/finding.hpp"

@@ -8,7 +8,6 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/accessor.hpp"
-#include "model/fields.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 

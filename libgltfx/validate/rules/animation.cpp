@@ -2,8 +2,11 @@
 // Animations: keyframes, targets, and that the one fits the other (specification section 3.11).
 #include "model/animation.hpp"
 
-#include <deque>
-#include <unordered_map>
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,12 +17,70 @@
 #include "validate/rules/animation_output.hpp"
 #include "validate/rules/animation_paths.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/same_targets.hpp"
-#include "validate/rules/unseen_use.hpp"
 #include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {
+
+class SameTargets {
+ public:
+  /// By nodes that are there and properties that nodes have;
+  /// Deviations::targets_compare_as_written.
+  SameTargets(const Context& context, const model::Animation& animation);
+
+  /// Channels behind `channel` that have its target: the next one;
+  /// Deviations::each_finding_is_listed: all of them as long as there are not too many.
+  std::vector<std::size_t> behind(std::size_t channel);
+
+ private:
+  bool all_;
+  std::vector<std::vector<std::size_t>> groups_;
+  /// By channel: its group and the place in it.
+  std::vector<std::pair<std::size_t, std::size_t>> place_;
+  std::size_t left_;  ///< pairs that may be told; there are as many as the square of the channels
+};
+
+constexpr std::size_t kNoGroup = SIZE_MAX;
+
+using Target = std::pair<std::uint64_t, std::string>;  // node, path
+
+std::optional<Target> target_of(const Context& context, const model::AnimationChannel& channel) {
+  if (context.deviations.targets_compare_as_written) {
+    const auto node = model::unsigned_member(context.document, channel.target, "node");
+    if (!node) return std::nullopt;
+    return Target{*node, model::string_member(context.document, channel.target, "path")};
+  }
+  const std::string_view path = model::animation_path_name(channel.path);
+  if (!channel.node || path.empty()) return std::nullopt;
+  return Target{*channel.node, std::string(path)};
+}
+
+SameTargets::SameTargets(const Context& context, const model::Animation& animation)
+    : all_(context.deviations.each_finding_is_listed),
+      left_(std::max<std::size_t>(1000, animation.channels.size())) {
+  std::map<Target, std::size_t> known;
+  for (std::size_t i = 0; i < animation.channels.size(); ++i) {
+    const auto target = target_of(context, animation.channels[i]);
+    place_.emplace_back(kNoGroup, 0);
+    if (!target) continue;
+    const auto [group, is_new] = known.emplace(*target, groups_.size());
+    if (is_new) groups_.emplace_back();
+    place_.back() = {group->second, groups_[group->second].size()};
+    groups_[group->second].push_back(i);
+  }
+}
+
+std::vector<std::size_t> SameTargets::behind(std::size_t channel) {
+  const auto [group, place] = place_[channel];
+  if (group == kNoGroup) return {};
+  const std::vector<std::size_t>& channels = groups_[group];
+  const std::size_t first = place + 1;
+  const std::size_t found = channels.size() - first;
+  const std::size_t count = all_ ? std::min(found, left_) : std::min<std::size_t>(found, 1);
+  if (all_) left_ -= count;
+  const auto begin = channels.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
 
 using model::AnimationChannel;
 using model::AnimationPath;

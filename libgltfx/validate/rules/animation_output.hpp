@@ -4,8 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <string>
 
 #include "model/accessor.hpp"
 #include "model/animation.hpp"

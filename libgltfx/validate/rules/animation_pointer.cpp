@@ -12,9 +12,9 @@
 #include "model/fields.hpp"
 #include "model/object_model.hpp"
 #include "validate/context.hpp"
-#include "validate/rules/active_extensions.hpp"
 #include "validate/rules/animation_output.hpp"
 #include "validate/rules/animation_paths.hpp"
+#include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {

@@ -7,7 +7,6 @@
 #include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/mesh_state.hpp"
-#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {

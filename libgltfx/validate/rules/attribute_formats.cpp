@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/extension_walk.hpp"
 
 namespace gltfx::validate {
 namespace {

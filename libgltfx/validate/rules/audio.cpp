@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "model/fields.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"

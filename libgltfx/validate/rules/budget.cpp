@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the user allows an asset to cost. Silent unless limits are given.
-#include "validate/rules/budget.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <set>
-#include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
 #include "base/codes.hpp"
 #include "validate/context.hpp"
+#include "validate/phases.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_slots.hpp"
 

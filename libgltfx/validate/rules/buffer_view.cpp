@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffer views: their stride, and whether they fit their buffer.
-#include "model/buffer_view.hpp"
-
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
 #include "base/codes.hpp"
+#include "model/accessor.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/finding.hpp"

@@ -15,7 +15,7 @@
 #include "schema/phrases.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/attribute_formats.hpp"
-#include "validate/rules/unseen_use.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -3,7 +3,6 @@
 // must require them. Which extensions these are is said by the schema files, where a copy would be
 // by the object they sit on.
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sizes of images are not in the document, so this file names the extension.
-#include "validate/rules/image_based_light.hpp"
-
 #include <bit>
 
 #include <fmt/format.h>
@@ -9,6 +7,7 @@
 #include "base/codes.hpp"
 #include "model/node.hpp"
 #include "validate/context.hpp"
+#include "validate/phases.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_slots.hpp"

@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
-#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {

@@ -11,9 +11,9 @@
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
-#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/uv_mapping.hpp"
+#include "validate/rules/texture_slots.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -18,8 +18,8 @@
 #include "validate/context.hpp"
 #include "validate/rules/animated.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/material_needs.hpp"
 #include "validate/rules/texture_slots.hpp"
-#include "validate/rules/vertex_alpha.hpp"
 
 namespace gltfx::validate {
 namespace {

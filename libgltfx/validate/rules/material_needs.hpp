@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What materials ask of the meshes they are on.
+/// What materials ask of the meshes they are on, and which of these may have an alpha of their own.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "validate/context.hpp"
-#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/extension_walk.hpp"
 
 namespace gltfx::validate {
+
+/// Made once for an asset; linear in its primitives.
+class VertexAlpha {
+ public:
+  explicit VertexAlpha(const Context& context);
+  bool on(std::uint32_t material) const { return any_ || materials_.count(material) != 0; }
+
+ private:
+  void add(const Context& context, const model::Primitive& primitive);
+
+  std::set<std::uint32_t> materials_;
+  bool any_ = false;  // some primitive with such vertices may wear other materials too
+};
 
 /// The 12 of "/materials/12/normalTexture", or nothing when the slot is elsewhere.
 std::optional<std::uint64_t> material_of(std::string_view pointer);

@@ -2,7 +2,6 @@
 // Primitives: attributes, indices and morph targets held against each other.
 
 #include <algorithm>
-#include <string>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene graph as a whole: loops, nodes for nothing, skinned meshes in the wrong place.
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
@@ -8,11 +13,66 @@
 #include "model/skin.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/skin_scenes.hpp"
-#include "validate/rules/unseen_use.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {
+
+/// The scenes that list each root. Not thread-safe: keeps its answers.
+class SkinScenes {
+ public:
+  SkinScenes(const model::Asset& asset, const model::SceneGraph& graph);
+
+  /// A scene that shows the tree below `root`, but not the one below `other`. Each pair is compared
+  /// once, and up to the first difference.
+  std::optional<std::uint32_t> scene_without(model::NodeIndex root, model::NodeIndex other);
+
+ private:
+  using Scenes = std::vector<std::uint32_t>;  // ascending
+
+  const Scenes& scenes_of(model::NodeIndex root) const;
+
+  std::unordered_map<model::NodeIndex, Scenes> scenes_;
+  std::unordered_map<std::uint64_t, std::optional<std::uint32_t>> known_;
+};
+
+SkinScenes::SkinScenes(const model::Asset& asset, const model::SceneGraph& graph) {
+  const auto& scenes = asset.elements(model::RootArray::scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto scene = static_cast<std::uint32_t>(i);
+    model::for_each_index(asset, asset.document().find(scenes[i], "nodes"), model::RootArray::nodes,
+                          [&](std::uint64_t, std::optional<std::uint32_t> node, Span) {
+                            // A listed node that is no root is reported as such.
+                            if (!node || !graph.is_root(*node)) return;
+                            Scenes& list = scenes_[*node];
+                            if (list.empty() || list.back() != scene) list.push_back(scene);
+                          });
+  }
+}
+
+const SkinScenes::Scenes& SkinScenes::scenes_of(model::NodeIndex root) const {
+  static const Scenes kNone;
+  const auto found = scenes_.find(root);
+  return found == scenes_.end() ? kNone : found->second;
+}
+
+std::optional<std::uint32_t> SkinScenes::scene_without(model::NodeIndex root,
+                                                       model::NodeIndex other) {
+  if (root == other) return std::nullopt;
+  const auto [known, fresh] =
+      known_.try_emplace(std::uint64_t{root} << 32 | other, std::optional<std::uint32_t>());
+  if (!fresh) return known->second;
+  const Scenes& shown = scenes_of(other);
+  auto at = shown.begin();
+  for (const std::uint32_t scene : scenes_of(root)) {
+    while (at != shown.end() && *at < scene) ++at;
+    if (at == shown.end() || *at != scene) {
+      known->second = scene;
+      break;
+    }
+  }
+  return known->second;
+}
 
 using model::kNoNodeIndex;
 using model::NodeIndex;

@@ -10,7 +10,7 @@
 #include "base/checked.hpp"
 #include "base/codes.hpp"
 #include "base/text.hpp"
-#include "model/buffer_view.hpp"
+#include "model/accessor.hpp"
 #include "model/mesh.hpp"
 #include "model/meshopt_view.hpp"
 #include "validate/context.hpp"

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/mesh_state.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate/rules/scene_extent.hpp"
+#include "model/scene_extent.hpp"
 
 #include <algorithm>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include "base/codes.hpp"
 #include "model/pose.hpp"
-#include "model/scene_extent.hpp"
+#include "validate/phases.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {

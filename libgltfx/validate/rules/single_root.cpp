@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "model/fields.hpp"
 #include "model/node.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/finding.hpp"

@@ -10,9 +10,9 @@
 #include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
+#include "validate/rules/material_needs.hpp"
 #include "validate/rules/texture_phase.hpp"
-#include "validate/rules/unseen_use.hpp"
-#include "validate/rules/vertex_alpha.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
-#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_phase.hpp"
 

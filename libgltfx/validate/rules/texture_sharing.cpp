@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/texture_phase.hpp"
-#include "validate/rules/uv_mapping.hpp"
+#include "validate/rules/texture_slots.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -1,18 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The filled texture slots of an asset with all that decides whether their images can serve them.
+/// The filled texture slots of an asset with all that decides whether their images can serve them,
+/// and where their texels come to lie on a surface.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "json/document.hpp"
 #include "model/resource_data.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/animated.hpp"
 
 namespace gltfx::validate {
+
+/// The set of texture coordinates, and how they are transformed (KHR_texture_transform, or whatever
+/// extension of the texture info has such members).
+struct UvMapping {
+  double texcoord = 0;
+  double rotation = 0;  ///< radians
+  std::array<double, 2> offset{0, 0}, scale{1, 1};
+
+  /// The first thing that differs, as it is called in the text; empty: nothing does.
+  std::string_view difference(const UvMapping& other) const;
+};
+
+UvMapping read_uv_mapping(const json::Document& document, json::NodeId texture_info);
 
 /// A set of the channels R, G, B, A.
 class ChannelSet {

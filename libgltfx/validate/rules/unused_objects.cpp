@@ -14,9 +14,9 @@
 #include "model/node.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/accessor_extent.hpp"
-#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
-#include "validate/rules/unseen_use.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {

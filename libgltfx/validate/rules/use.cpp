@@ -5,10 +5,18 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "validate/context.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
+
+std::string_view unseen_user(const Context& context) {
+  if (context.deviations.unsupported_extensions_are_skipped) return {};
+  for (const std::string& name : context.checked.extensions_seen) {
+    if (context.schemas.find_extension(name) == schema::kNone) return name;
+  }
+  return {};
+}
+
 void report_view_use(const Context& context, std::uint32_t view, model::ViewUse kind,
                      json::NodeId place, const Path& path) {
   const auto& first = context.views.usage.view(view);

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reports uses of accessors and buffer views that do not go with their first use.
+/// Reports uses of accessors and buffer views that do not go with their first use, as far as a
+/// schema tells of them.
 #pragma once
+
+#include <string_view>
 
 #include "model/usage.hpp"
 #include "validate/context.hpp"
 
 namespace gltfx::validate {
+
+/// An extension with objects in the asset of which nothing is known here: any of their numbers may
+/// be an index, so nothing can be called unused. Empty when there is none, and where
+/// Deviations::unsupported_extensions_are_skipped.
+std::string_view unseen_user(const Context& context);
 
 /// One use of buffer view `view` by the index that stands at `place` in the text. Reports
 /// BUFFER_VIEW_TARGET_MISSING for the first use, BUFFER_VIEW_TARGET_OVERRIDE for one of another

@@ -2,8 +2,6 @@
 // KHR_materials_variants: one material a variant. About one extension, so it names it.
 #include "validate/rules/variants.hpp"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "validate/context.hpp"
-#include "validate/rules/active_extensions.hpp"
+#include "validate/rules/extension_walk.hpp"
 
 namespace gltfx::validate {
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Verbs for callers that opened or validated the asset already.
+#pragma once
+
+#include <gltfx/inspect.hpp>
+#include <gltfx/report.hpp>
+#include <gltfx/upgrade.hpp>
+#include <gltfx/validate.hpp>
+
+#include <optional>
+#include <string>
+
+#include "model/opened_asset.hpp"
+#include "schema/set.hpp"
+#include "validate/validated_asset.hpp"
+
+namespace gltfx {
+
+/// As validate_bytes(), of what was opened: fixes are proposed where the options ask for them.
+validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options);
+
+/// A report, and the asset where it had to be opened.
+struct Validation {
+  FileReport report;
+  std::optional<model::OpenedAsset> asset;  ///< nothing: unreadable, or the report was kept
+};
+
+/// As validate_file(), which gives the report alone.
+Validation validate_path(const std::string& path, const ValidateOptions& options);
+
+/// An upgrade that is not written.
+struct Rehearsal {
+  UpgradeReport report;
+  /// The asset as it would be written, new images included; nothing where nothing changes, or there
+  /// is a problem.
+  std::optional<validate::ValidatedAsset> after;
+};
+
+/// As upgrade_file() without output; does not throw. `options` ask for no output; their schemas are
+/// those that the asset was validated with.
+Rehearsal rehearse_upgrade(const validate::ValidatedAsset& asset, const UpgradeOptions& options);
+
+/// The same for an asset that was not validated yet: that happens where it names something legacy.
+UpgradeReport rehearse_upgrade(model::OpenedAsset asset, const UpgradeOptions& options);
+
+/// As inspect_file(), without what an upgrade would do.
+InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& schemas,
+                            unsigned jobs);
+
+/// Adds what an upgrade would do to the report on the same asset.
+void add_upgrade(UpgradeReport upgrade, InspectReport& report);
+
+}  // namespace gltfx

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/rules/extension_walk.hpp"
+
+namespace gltfx::validate {
+
+ActiveExtensions::ActiveExtensions(const Context& context)
+    : schemas_(context.schemas),
+      active_(context.schemas.extensions().size(),
+              !context.deviations.unsupported_extensions_are_skipped) {
+  if (!context.deviations.unsupported_extensions_are_skipped) return;
+  for (const std::string& name : context.checked.extensions_used) {
+    const schema::ExtensionId id = schemas_.find_extension(name);
+    if (id != schema::kNone) active_[id] = schemas_.extensions()[id].khronos_validator;
+  }
+}
+
+const schema::Extension* ActiveExtensions::find(std::string_view name) const {
+  const schema::ExtensionId id = schemas_.find_extension(name);
+  return id != schema::kNone && active_[id] ? &schemas_.extensions()[id] : nullptr;
+}
+
+bool ActiveExtensions::contains(std::string_view name) const { return find(name) != nullptr; }
+
+std::vector<const schema::Extension*> declared_extensions(const Context& context) {
+  const ActiveExtensions active(context);
+  std::vector<const schema::Extension*> declared;
+  for (const std::string& name : context.checked.extensions_used) {
+    const schema::Extension* extension = active.find(name);
+    if (extension != nullptr) declared.push_back(extension);
+  }
+  return declared;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include <webp/decode.h>
+#include <webp/demux.h>
+#include <webp/encode.h>
+
+#include "codec/statistics.hpp"
+#include "image_decode.hpp"
+#include "image_encode.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+// The planes that it is decoded from, and the texels.
+constexpr std::uint64_t kBytesPerTexel = 8;
+// The canvas of an animation, the one before, and the frame.
+constexpr std::uint64_t kBytesPerAnimatedTexel = 16;
+
+const std::uint8_t* data_of(std::span<const std::byte> bytes) {
+  return reinterpret_cast<const std::uint8_t*>(bytes.data());
+}
+
+DecodeError refusal(VP8StatusCode status) {
+  switch (status) {
+    case VP8_STATUS_OUT_OF_MEMORY:
+      return no_memory();
+    case VP8_STATUS_UNSUPPORTED_FEATURE:
+      return {ErrorKind::malformed, "It has an unsupported feature."};
+    case VP8_STATUS_SUSPENDED:
+    case VP8_STATUS_NOT_ENOUGH_DATA:
+      return {ErrorKind::malformed, "Its data is truncated."};
+    default:
+      return {ErrorKind::malformed, "Its bitstream is corrupt."};
+  }
+}
+
+Answer look_at(Image image, const Job& job, std::span<const std::byte> texels) {
+  Statistics statistics(image, job.normals);
+  statistics.add(texels);
+  statistics.finish(image);
+  return image;
+}
+
+// The first frame on the canvas of an animation.
+Answer decode_animation(Image image, const Job& job, std::span<const std::byte> bytes,
+                        std::span<std::byte> pixels) {
+  WebPAnimDecoderOptions options;
+  WebPAnimDecoderOptionsInit(&options);
+  options.color_mode = MODE_RGBA;
+  const WebPData data{data_of(bytes), bytes.size()};
+  const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(
+      WebPAnimDecoderNew(&data, &options), WebPAnimDecoderDelete);
+  std::uint8_t* texels = nullptr;
+  int time = 0;
+  if (!decoder || WebPAnimDecoderGetNext(decoder.get(), &texels, &time) == 0) {
+    return refusal(VP8_STATUS_BITSTREAM_ERROR);
+  }
+  const auto size = static_cast<std::size_t>(image.texels() * image.channels);
+  const std::span<const std::byte> all(reinterpret_cast<const std::byte*>(texels), size);
+  if (!pixels.empty()) std::memcpy(pixels.data(), texels, size);
+  return look_at(std::move(image), job, all);
+}
+
+Answer decode_still(Image image, const Job& job, std::span<const std::byte> bytes,
+                    std::span<std::byte> pixels) {
+  WebPDecoderConfig config;
+  if (WebPInitDecoderConfig(&config) == 0) return no_memory();
+  const auto size = static_cast<std::size_t>(image.texels() * image.channels);
+  std::unique_ptr<std::byte[]> own;
+  if (pixels.empty()) {
+    own.reset(new std::byte[size]);
+    pixels = {own.get(), size};
+  }
+  config.output.colorspace = image.channels == 4 ? MODE_RGBA : MODE_RGB;
+  config.output.is_external_memory = 1;
+  config.output.u.RGBA.rgba = reinterpret_cast<std::uint8_t*>(pixels.data());
+  config.output.u.RGBA.stride = static_cast<int>(image.width * image.channels);
+  config.output.u.RGBA.size = size;
+  const VP8StatusCode status = WebPDecode(data_of(bytes), bytes.size(), &config);
+  WebPFreeDecBuffer(&config.output);
+  if (status != VP8_STATUS_OK) return refusal(status);
+  return look_at(std::move(image), job, pixels);
+}
+
+// As cwebp has them by default; one thread, so that the bytes do not depend on the machine.
+bool configure(WebPConfig& config, std::uint32_t quality) {
+  if (WebPConfigInit(&config) == 0) return false;
+  config.exact = 1;
+  if (quality == 0) return WebPConfigLosslessPreset(&config, 6) != 0;
+  config.quality = static_cast<float>(quality);
+  return WebPValidateConfig(&config) != 0;
+}
+
+}  // namespace
+
+Answer decode_webp(const Job& job, std::span<const std::byte> bytes, Output& output) {
+  WebPBitstreamFeatures features;
+  const VP8StatusCode status = WebPGetFeatures(data_of(bytes), bytes.size(), &features);
+  if (status != VP8_STATUS_OK) return refusal(status);
+  Image image;
+  image.width = static_cast<std::uint32_t>(features.width);
+  image.height = static_cast<std::uint32_t>(features.height);
+  const bool animated = features.has_animation != 0;
+  image.channels = animated || features.has_alpha != 0 ? 4 : 3;
+  if (image.texels() == 0) return refusal(VP8_STATUS_BITSTREAM_ERROR);
+  if (image.texels() > job.max_pixels) return too_many_texels();
+  const std::uint64_t needs = animated ? kBytesPerAnimatedTexel : kBytesPerTexel;
+  if (exceeds_memory(job, image.texels(), needs)) return no_memory();
+  const std::span<std::byte> pixels = create_pixels(image, job, output);
+  return animated ? decode_animation(std::move(image), job, bytes, pixels)
+                  : decode_still(std::move(image), job, bytes, pixels);
+}
+
+Answer encode_webp(const Job& job, std::span<const std::byte> texels, Output& output) {
+  const Raster& raster = job.raster;
+  WebPConfig config;
+  WebPPicture picture;
+  if (!configure(config, job.quality) || WebPPictureInit(&picture) == 0) throw std::bad_alloc();
+  if (raster.width > WEBP_MAX_DIMENSION || raster.height > WEBP_MAX_DIMENSION) {
+    return DecodeError{ErrorKind::malformed, "WebP holds no more than 16383 texels a side."};
+  }
+  picture.use_argb = job.quality == 0 ? 1 : 0;
+  picture.width = static_cast<int>(raster.width);
+  picture.height = static_cast<int>(raster.height);
+  WebPMemoryWriter file;
+  WebPMemoryWriterInit(&file);
+  picture.writer = WebPMemoryWrite;
+  picture.custom_ptr = &file;
+  const std::unique_ptr<WebPPicture, decltype(&WebPPictureFree)> guard(&picture, WebPPictureFree);
+  const std::unique_ptr<WebPMemoryWriter, decltype(&WebPMemoryWriterClear)> own(
+      &file, WebPMemoryWriterClear);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(texels.data());
+  const auto row = static_cast<int>(raster.width * raster.channels);
+  const int taken = raster.channels == 4 ? WebPPictureImportRGBA(&picture, bytes, row)
+                                         : WebPPictureImportRGB(&picture, bytes, row);
+  if (taken == 0 || WebPEncode(&config, &picture) == 0) throw std::bad_alloc();
+  return hand_over(std::as_bytes(std::span(file.mem, file.size)), output);
+}
+
+}  // namespace gltfx::codec
