@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/pages.hpp"
 #include "edit/companions.hpp"
 #include "edit/diff.hpp"
 #include "edit/orphans.hpp"
@@ -31,7 +32,7 @@ namespace fs = std::filesystem;
 using model::OpenedAsset;
 
 PlannedUpgrade without_plan(PlannedUpgrade planned, UpgradeProblem problem, std::string error) {
-  return {failed(std::move(planned.report), problem, std::move(error)), {}, {}, {}, {}, {}};
+  return {failed(std::move(planned.report), problem, std::move(error)), {}, {}, {}, {}};
 }
 
 bool is_lossless(const std::vector<UpgradeAction>& actions) {
@@ -86,16 +87,15 @@ std::vector<UpgradeOrphan> listed(const edit::Orphans& orphans, upgrade::AssetBy
   return list;
 }
 
-void parse_new_text(const OpenedAsset& asset, PlannedUpgrade& planned) {
-  planned.text = share_text(json::apply_edits(*asset.container().json, planned.edits));
-  planned.parsed = json::parse(planned.text);
+SharedText new_text(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
+  return share_text(json::apply_edits(*asset.container().json, edits));
 }
 
 // What additions refer to is not missed: they stand behind everything that was there before.
 void look_for_orphans(const OpenedAsset& asset, const std::vector<std::uint64_t>& released,
                       bool prune, const schema::Set& schemas, upgrade::AssetBytes& bytes,
-                      PlannedUpgrade& planned) {
-  parse_new_text(asset, planned);
+                      std::vector<json::Edit>& edits, PlannedUpgrade& planned) {
+  planned.parsed = json::parse(planned.text);
   const json::Document& now = planned.parsed.document;
   const edit::References before(asset.document(), schemas);
   const edit::References after(now, schemas);
@@ -112,11 +112,11 @@ void look_for_orphans(const OpenedAsset& asset, const std::vector<std::uint64_t>
     report.orphans_kept = pruned.error().message;
     return;
   }
-  planned.edits = json::chain_edits(*asset.container().json, planned.edits, pruned->edits);
+  edits = json::chain_edits(*asset.container().json, edits, pruned->edits);
   planned.bin.cut = std::move(pruned->cut);
   for (UpgradeOrphan& orphan : report.orphans) orphan.removed = true;
   report.names_removed = std::move(pruned->names);
-  planned.text = nullptr;  // another one by now
+  planned.text = new_text(asset, edits);
   planned.parsed = {};
 }
 
@@ -164,30 +164,34 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   }
   const auto ambiguity = upgrade::find_ambiguity(asset.parsed(), plan);
   report.actions = std::move(plan.actions);
-  planned.edits = std::move(plan.edits);
+  std::vector<json::Edit> edits = std::move(plan.edits);
   if (report.due() == 0) return planned;
   const auto refuse = [&planned](std::string why) {
     return without_plan(std::move(planned), UpgradeProblem::refused, std::move(why));
   };
   if (ambiguity) return refuse(*ambiguity);
   const auto obstacle = edit::find_glb_obstacle(asset.container());
-  if (obstacle && !planned.edits.empty()) return refuse("it cannot be written anew: " + *obstacle);
-  report.changes = !planned.edits.empty() || !plan.additions.empty();
+  if (obstacle && !edits.empty()) return refuse("it cannot be written anew: " + *obstacle);
+  report.changes = !edits.empty() || !plan.additions.empty();
   if (options.strict && !is_lossless(report.actions)) {
     return refuse("not everything can be upgraded without loss (--strict)");
   }
   if (!plan.additions.empty()) {
     auto settled = settle(plan.additions, asset, options.output, bytes, pictures);
     if (!settled) return refuse(settled.error().message);
-    planned.edits = json::merge_edits(std::move(planned.edits), std::move(settled->edits));
+    edits = json::merge_edits(std::move(edits), std::move(settled->edits));
     planned.bin.more = std::move(settled->bin);
     planned.files = std::move(settled->files);
     for (const edit::NewFile& file : planned.files) report.new_files.push_back(file.path);
   }
-  if (report.changes && elements.count(model::RootArray::textures) > 0) {
-    look_for_orphans(asset, plan.released, options.prune, *schemas, bytes, planned);
+  if (!report.changes) return planned;
+  planned.text = new_text(asset, edits);
+  if (elements.count(model::RootArray::textures) > 0) {
+    look_for_orphans(asset, plan.released, options.prune, *schemas, bytes, edits, planned);
   }
-  if (options.diff) report.diff = diff_text(asset, planned.edits);
+  if (options.diff) report.diff = diff_text(asset, edits);
+  edits = {};
+  give_back_memory();
   return planned;
 }
 
@@ -195,7 +199,8 @@ OpenedAsset upgraded(const OpenedAsset& before, PlannedUpgrade& plan,
                      container::Container changed) {
   container::Resolver resolver = before.resolver();
   for (const edit::NewFile& file : plan.files) resolver.add(file.path, file.content());
-  if (!plan.text || !changed.json || !same_but_for_padding(*changed.json, *plan.text)) {
+  if (plan.parsed.document.empty() || !changed.json ||
+      !same_but_for_padding(*changed.json, *plan.text)) {
     return {before.name(), std::move(changed), std::move(resolver)};
   }
   changed.json = std::exchange(plan.text, nullptr);

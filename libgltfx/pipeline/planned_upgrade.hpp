@@ -20,11 +20,10 @@ namespace gltfx {
 /// Nothing of it is written or checked yet.
 struct PlannedUpgrade {
   UpgradeReport report;  ///< where it has a problem, nothing else of this means anything
-  std::vector<json::Edit> edits;
   edit::BinChange bin;
   std::vector<edit::NewFile> files;  ///< that the new document refers to
-  SharedText text;                   ///< with all edits made; null where nobody needed it yet
-  json::Parsed parsed;               ///< of that
+  SharedText text;                   ///< with all edits made; null where there is none
+  json::Parsed parsed;               ///< of that; without nodes where nobody needed it yet
 };
 
 /// `schemas` is never null.

@@ -141,7 +141,7 @@ Rehearsal try_out(const ValidatedAsset& before, PlannedUpgrade planned, const Sc
                   const UpgradeOptions& options) {
   UpgradeReport& report = planned.report;
   const OpenedAsset& asset = before.asset();
-  auto changed = edit::rewritten(asset.container(), planned.edits, planned.bin, asset.name());
+  auto changed = edit::rewritten(asset.container(), planned.text, planned.bin, asset.name());
   if (!changed) {
     return {failed(std::move(report), UpgradeProblem::refused, changed.error().message), {}};
   }
@@ -184,7 +184,7 @@ UpgradeReport copy(const OpenedAsset& asset, const FileState& state, UpgradeRepo
 UpgradeReport write(const ValidatedAsset& before, const FileState& state, PlannedUpgrade planned,
                     const SchemaSet& schemas, const UpgradeOptions& options) {
   const OpenedAsset& asset = before.asset();
-  const auto pieces = edit::rewrite(asset.container(), planned.edits, planned.bin);
+  const auto pieces = edit::rewrite(asset.container(), planned.text, planned.bin);
   if (!pieces) {
     return failed(std::move(planned.report), UpgradeProblem::refused, pieces.error().message);
   }
