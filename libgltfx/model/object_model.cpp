@@ -82,8 +82,7 @@ struct ObjectModel::Walk {
     target.reason = std::move(reason);
     return false;
   }
-  void suggest(const std::vector<std::string_view>& candidates) {
-    const std::string_view word = nearest(step(), candidates);
+  void suggest(std::string_view word) {
     if (word.empty() || word == step()) return;
     std::string fixed = pointer(at);
     append_pointer_step(fixed, word);
@@ -192,9 +191,12 @@ bool ObjectModel::missing_member(Walk& walk, const schema::ObjectType& type) {
     return walk.fail(Status::immutable,
                      fmt::format("{} is not a known property of {}", quoted(name), walk.here()));
   }
-  std::vector<std::string_view> candidates{"extensions", "extras"};
-  for (const schema::Property& each : type.properties) candidates.push_back(each.name);
-  walk.suggest(candidates);
+  if (guess_.type != &type || guess_.word != name) {
+    std::vector<std::string_view> candidates{"extensions", "extras"};
+    for (const schema::Property& each : type.properties) candidates.push_back(each.name);
+    guess_ = {&type, name, nearest(name, candidates)};
+  }
+  walk.suggest(guess_.nearest);
   return walk.fail(Status::unresolved,
                    fmt::format("{} has no property {}", walk.here(), quoted(name)));
 }
@@ -241,7 +243,7 @@ bool ObjectModel::into_extension(Walk& walk) {
         if (written.size() < kCandidates) written.push_back(document.key(each.key_id));
       }
     }
-    walk.suggest(written);
+    walk.suggest(nearest(name, written));
     return walk.fail(
         Status::unresolved,
         fmt::format("{} has no extension {}", printable(walk.pointer(walk.at - 1)), quoted(name)));

@@ -5,6 +5,7 @@
 
 #include <gltfx/upgrade.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,9 +27,11 @@ struct PlannedUpgrade {
   json::Parsed parsed;               ///< of that; without nodes where nobody needed it yet
 };
 
-/// `schemas` is never null.
+/// `schemas` is never null. Where there are changes, `release` is called when what is left to do
+/// hardly ever takes the asset's document, which may be forgotten then.
 PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& asset, const UpgradeOptions& options,
-                            const std::shared_ptr<const schema::Set>& schemas);
+                            const std::shared_ptr<const schema::Set>& schemas,
+                            const std::function<void()>& release);
 
 /// Why a file is not dealt with as it was asked: the report says that nothing was done.
 UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string error);
