@@ -135,12 +135,10 @@ int Launcher::finish(pid_t worker) {
 namespace gltfx::codec {
 namespace {
 
-using std::chrono::milliseconds;
-
 // What a worker may take at least whatever its job: one that served a small job serves a large one.
 constexpr std::uint64_t kWorkerMemory = std::uint64_t{4} << 30U;
 // A worker ends itself when its time is over. One that no longer does is ended a little later.
-constexpr milliseconds kGrace{1000};
+constexpr std::chrono::milliseconds kGrace{1000};
 
 Reply error(ErrorKind kind, std::string message) {
   return {DecodeError{kind, std::move(message)}, {}};
@@ -201,7 +199,7 @@ bool is_fresh(const Answer& answer) {
 
 }  // namespace
 
-Pool::Pool(std::string program, unsigned most, milliseconds standstill)
+Pool::Pool(std::string program, unsigned most, std::chrono::milliseconds standstill)
     : standstill_(standstill),
       most_(most == 0 ? default_jobs() : most),
       launcher_(std::move(program), standstill) {
@@ -270,8 +268,8 @@ Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
 
 // Gives the worker back in `sound` when it has shown to be that.
 Reply Pool::answer_of(Kept worker, const Job& job, int result, Kept& sound) const {
-  const Watch watched =
-      watch(worker->socket(), worker->id(), {milliseconds(job.milliseconds) + kGrace, standstill_});
+  const Watch watched = watch(worker->socket(), worker->id(),
+                              {std::chrono::milliseconds(job.milliseconds) + kGrace, standstill_});
   if (watched == Watch::overrun) return overrun(job);
   if (watched == Watch::standstill) {
     return error(ErrorKind::stalled, "The decoder stopped responding.");

@@ -263,13 +263,16 @@ Uri classify_uri(std::string_view uri) {
   }
   out.problem = find_problem(uri);
   out.kind = out.problem.empty() ? UriKind::relative_path : UriKind::invalid;
-  const std::string normalized = remove_dot_segments(normalize_escapes(uri));
+  const std::string escaped = normalize_escapes(uri);
+  const std::string normalized = remove_dot_segments(escaped);
   out.normalized = hide_colons(normalized);
   // Again, because an escaped slash may have hidden a dot segment.
   out.path = remove_dot_segments(percent_decode(normalized));
-  if (!leads_up(out.path)) {
-    if (std::string out_of = way_out(percent_decode(normalize_escapes(uri))); !out_of.empty())
-      out.path = std::move(out_of);
+  // Readers decode before or after they follow dot segments.
+  for (const std::string* each : {&escaped, &normalized}) {
+    if (leads_up(out.path) || out.path.starts_with('/')) break;
+    std::string found = way_out(percent_decode(*each));
+    if (!found.empty()) out.path = std::move(found);
   }
   if (out.path.find('\0') != npos) out.path.clear();
   out.lenient_path = out.kind == UriKind::invalid && !out.path.empty();

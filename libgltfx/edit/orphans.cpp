@@ -2,6 +2,7 @@
 #include "edit/orphans.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -41,23 +42,33 @@ Indices left_behind(Indices orphans, const std::vector<Reference>& now,
   return orphans;
 }
 
+constexpr std::array kArrays{"textures", "images", "bufferViews"};
+
 }  // namespace
 
-Orphans find_orphans(const json::Document& before, const References& before_references,
-                     const std::vector<std::uint64_t>& released, const json::Document& now,
-                     const References& now_references) {
-  Orphans orphans;
-  Indices old(released.begin(), released.end());
-  std::vector<Span> gone;  // elements of the array before
-  for (const char* array : {"textures", "images", "bufferViews"}) {
-    for (const Reference& reference : before_references.to(array)) old.insert(reference.index);
-    const json::NodeId list = before.find(before.root(), array);
-    const bool there = list != json::kNoNode && before.is_array(list);
-    old.erase(old.lower_bound(there ? before.array_size(list) : 0), old.end());
-    orphans[array] = left_behind(std::exchange(old, {}), now_references.to(array), gone);
-    gone = places(now, array, orphans[array]);
+Orphans referred_elements(const json::Document& document, const References& references,
+                          const std::vector<std::uint64_t>& released) {
+  Orphans referred;
+  referred["textures"].insert(released.begin(), released.end());
+  for (const char* array : kArrays) {
+    Indices& indices = referred[array];
+    for (const Reference& reference : references.to(array)) indices.insert(reference.index);
+    const json::NodeId list = document.find(document.root(), array);
+    const bool there = list != json::kNoNode && document.is_array(list);
+    indices.erase(indices.lower_bound(there ? document.array_size(list) : 0), indices.end());
   }
-  return orphans;
+  return referred;
+}
+
+Orphans find_orphans(Orphans referred, const json::Document& now,
+                     const References& now_references) {
+  std::vector<Span> gone;  // elements of the array before
+  for (const char* array : kArrays) {
+    Indices& orphans = referred[array];
+    orphans = left_behind(std::move(orphans), now_references.to(array), gone);
+    gone = places(now, array, orphans);
+  }
+  return referred;
 }
 
 }  // namespace gltfx::edit

@@ -18,10 +18,13 @@ namespace gltfx::edit {
 /// Indices by root array: "textures", "images", "bufferViews". Each was referred to before.
 using Orphans = std::map<std::string, std::set<std::uint64_t>>;
 
-/// Those of `now`, which is `before` with changes and additions behind the ends of root arrays.
-/// `released` are textures that were referred to before, whatever the references say.
-Orphans find_orphans(const json::Document& before, const References& before_references,
-                     const std::vector<std::uint64_t>& released, const json::Document& now,
-                     const References& now_references);
+/// Those that may become orphans: what a document refers to, and textures that were `released`,
+/// whatever its references say.
+Orphans referred_elements(const json::Document& document, const References& references,
+                          const std::vector<std::uint64_t>& released);
+
+/// Which of them are orphans in `now`: their document with changes, and additions behind the ends
+/// of root arrays.
+Orphans find_orphans(Orphans referred, const json::Document& now, const References& now_references);
 
 }  // namespace gltfx::edit

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The bytes of an asset with edits made, among them a GLB with another JSON chunk and more in its
-/// BIN chunk (glTF 2.0 section 4.4).
+/// The bytes of an asset with another JSON text, among them a GLB with another JSON chunk and more
+/// in its BIN chunk (glTF 2.0 section 4.4).
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
+#include "base/shared_text.hpp"
 #include "container/container.hpp"
-#include "json/edit.hpp"
 
 namespace gltfx::edit {
 
@@ -40,18 +39,17 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 Result<std::vector<container::Bytes>> rewrite_glb(const container::Container& container,
                                                   std::string_view json, const BinChange& bin = {});
 
-/// The bytes of the container with edits of its JSON text and a changed BIN chunk, as pieces one
+/// The bytes of the container with another JSON text and a changed BIN chunk, as pieces one
 /// behind the other; what stays is shown where it is, not copied. An Error when a GLB would be too
-/// long. Precondition: there is a text, a GLB has no obstacle (find_glb_obstacle()), and `bin` is
-/// empty for a text file.
+/// long. Precondition: `json` is not null, a GLB has no obstacle (find_glb_obstacle()), and `bin`
+/// is empty for a text file.
 Result<std::vector<container::Bytes>> rewrite(const container::Container& container,
-                                              std::span<const json::Edit> edits,
-                                              const BinChange& bin = {});
+                                              const SharedText& json, const BinChange& bin = {});
 
 /// The container that these bytes make, under the name `path`. Where the BIN chunk stays nothing
 /// but the text is made anew: `bytes` and the errors are the old ones.
 Result<container::Container> rewritten(const container::Container& container,
-                                       std::span<const json::Edit> edits, const BinChange& bin,
+                                       const SharedText& json, const BinChange& bin,
                                        const std::string& path);
 
 }  // namespace gltfx::edit

@@ -39,10 +39,9 @@ class Writer {
     if (auto failure = not_written(container::write_pieces(draft, bytes_.pieces))) return failure;
     if (auto failure = not_written(changed_meanwhile())) return failure;
     if (check_) {
-      const auto written =
-          container::open_file(container::adopt_regular(draft.reader()), old_.path);
+      auto written = container::open_file(container::adopt_regular(draft.reader()), old_.path);
       if (!written) return not_written(written.error());
-      if (auto why = check_(*written)) return WriteFailure{true, *std::move(why)};
+      if (auto why = check_(*std::move(written))) return WriteFailure{true, *std::move(why)};
     }
     return not_written(draft.finish());
   }
@@ -97,7 +96,7 @@ class Writer {
     const fs::path own = fs::path(old_.path).parent_path();
     std::error_code error;
     if (fs::equivalent(folder, own.empty() ? fs::path(".") : own, error)) return std::nullopt;
-    return copy_companions(old_.document, old_.resolver, folder);
+    return copy_companions(old_.document(), old_.resolver, folder);
   }
 
   const OldAsset& old_;

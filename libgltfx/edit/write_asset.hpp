@@ -21,7 +21,7 @@ struct OldAsset {
   const std::string& path;
   FileState state;  ///< before it was read
   const container::Container& container;
-  const json::Document& document;
+  std::function<const json::Document&()> document;
   const container::Resolver& resolver;
 };
 
@@ -48,7 +48,7 @@ struct WriteFailure {
 };
 
 /// Why an asset must not be written, or nothing.
-using WriteCheck = std::function<std::optional<std::string>(const container::Container&)>;
+using WriteCheck = std::function<std::optional<std::string>(container::Container)>;
 
 /// Writes the bytes to their destination, files before the asset that refers to them. The asset is
 /// checked as it is on the disk, before it takes its place; a null check passes. Nothing when all

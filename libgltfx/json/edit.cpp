@@ -65,7 +65,10 @@ class Collector {
 }  // namespace
 
 std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
+  std::size_t size = text.size();
+  for (const Edit& edit : edits) size += edit.text.size() - edit.span.size();
   std::string out;
+  out.reserve(size);
   std::size_t at = 0;
   for (const Edit& edit : edits) {
     out += text.substr(at, edit.span.begin - at);
@@ -119,7 +122,7 @@ void Editor::enclose(NodeId container, NodeId value, std::string_view name) {
   add(span.end, span.end, layout.padding + "}");
 }
 
-void Editor::remove(NodeId container, NodeId item) { changes_[container].removed.insert(item); }
+void Editor::remove(NodeId container, NodeId item) { removed_.push_back({container, item}); }
 
 void Editor::append_member(NodeId object, std::string_view name, std::string_view json) {
   const Layout layout = layout_.of(object);
@@ -127,11 +130,11 @@ void Editor::append_member(NodeId object, std::string_view name, std::string_vie
   append_string(text, name);
   text += layout.colon;
   text += lay_out(json, layout);
-  changes_[object].added.push_back(std::move(text));
+  added_.push_back({object, std::move(text)});
 }
 
 void Editor::append_element(NodeId array, std::string_view json) {
-  changes_[array].added.push_back(lay_out(json, layout_.of(array)));
+  added_.push_back({array, lay_out(json, layout_.of(array))});
 }
 
 std::vector<Editor::Item> Editor::items(NodeId container, const Change& change) const {
@@ -140,8 +143,9 @@ std::vector<Editor::Item> Editor::items(NodeId container, const Change& change) 
   const NodeId end = document_.next(container);
   for (NodeId at = container + 1; at < end;) {
     const NodeId value = object ? at + 1 : at;
-    all.push_back(
-        {document_.span(at).begin, document_.span(value).end, change.removed.count(at) == 0});
+    const bool removed =
+        std::binary_search(change.removed.begin(), change.removed.end(), Removal{container, at});
+    all.push_back({document_.span(at).begin, document_.span(value).end, !removed});
     at = document_.next(value);
   }
   return all;
@@ -152,14 +156,14 @@ void Editor::refill(NodeId container, const Change& change) {
   const Span span = document_.span(container);
   const Layout layout = layout_.of(container);
   std::string text;
-  for (const std::string& item : change.added) {
+  for (const Addition& item : change.added) {
     if (!text.empty()) text += ',';
     if (!layout.line_end.empty()) {
       text += between_items(layout);
     } else {
       text += text.empty() ? layout.padding : layout.gap;
     }
-    text += item;
+    text += item.text;
   }
   if (!change.added.empty() && layout.line_end.empty()) text += layout.padding;
   if (!change.added.empty() && !layout.line_end.empty()) {
@@ -191,24 +195,43 @@ void Editor::settle(NodeId container, const Change& change) {
   }
   std::string text;
   const std::string gap = change.added.empty() ? "" : between_items(layout_.of(container));
-  for (const std::string& item : change.added) text.append(1, ',').append(gap).append(item);
+  for (const Addition& item : change.added) text.append(1, ',').append(gap).append(item.text);
   if (gone || !text.empty()) add(end, all.back().end, std::move(text));
 }
 
+void Editor::settle_changes() {
+  std::sort(removed_.begin(), removed_.end());
+  std::stable_sort(added_.begin(), added_.end(),
+                   [](const Addition& a, const Addition& b) { return a.container < b.container; });
+  auto removed = removed_.cbegin();
+  auto added = added_.begin();
+  while (removed != removed_.end() || added != added_.end()) {
+    const NodeId container = std::min(removed == removed_.end() ? kNoNode : removed->container,
+                                      added == added_.end() ? kNoNode : added->container);
+    const auto in_it = [container](const auto& change) { return change.container == container; };
+    const auto removed_end = std::find_if_not(removed, removed_.cend(), in_it);
+    const auto added_end = std::find_if_not(added, added_.end(), in_it);
+    settle(container, {{removed, removed_end}, {added, added_end}});
+    for (; added != added_end; ++added) added->text = {};  // it is in an edit now
+    removed = removed_end;
+  }
+  removed_ = {};
+  added_ = {};
+}
+
 std::vector<Edit> Editor::take() {
-  for (const auto& [container, change] : changes_) settle(container, change);
-  changes_.clear();
+  settle_changes();
   std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
     if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
     return a.span.end > b.span.end;
   });
-  std::vector<Edit> taken;
-  for (Edit& edit : edits_) {
-    const bool covered = !taken.empty() && edit.span.begin < taken.back().span.end;
-    if (!covered) taken.push_back(std::move(edit));
-  }
-  edits_.clear();
-  return taken;
+  std::uint32_t end = 0;  // of the last one that is not inside another
+  std::erase_if(edits_, [&](const Edit& edit) {
+    if (edit.span.begin < end) return true;
+    end = edit.span.end;
+    return false;
+  });
+  return std::exchange(edits_, {});
 }
 
 std::vector<Edit> chain_edits(std::string_view text, std::span<const Edit> first,

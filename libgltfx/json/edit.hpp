@@ -2,8 +2,7 @@
 /// Changes to a JSON text that leave every other byte as it is.
 #pragma once
 
-#include <map>
-#include <set>
+#include <compare>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,15 +64,26 @@ class Editor {
   std::vector<Edit> take();
 
  private:
+  struct Removal {
+    NodeId container;
+    NodeId item;
+    friend auto operator<=>(const Removal&, const Removal&) = default;
+  };
+  struct Addition {
+    NodeId container;
+    std::string text;
+  };
+  /// All of one container.
   struct Change {
-    std::set<NodeId> removed;
-    std::vector<std::string> added;
+    std::span<const Removal> removed;  ///< sorted
+    std::span<const Addition> added;
   };
   struct Item {
     std::uint32_t begin;
     std::uint32_t end;
     bool kept;
   };
+  void settle_changes();
   std::vector<Item> items(NodeId container, const Change& change) const;
   void settle(NodeId container, const Change& change);
   void refill(NodeId container, const Change& change);
@@ -81,7 +91,8 @@ class Editor {
 
   const Document& document_;
   LayoutFinder layout_;
-  std::map<NodeId, Change> changes_;
+  std::vector<Removal> removed_;
+  std::vector<Addition> added_;
   std::vector<Edit> edits_;
 };
 

@@ -82,8 +82,7 @@ struct ObjectModel::Walk {
     target.reason = std::move(reason);
     return false;
   }
-  void suggest(const std::vector<std::string_view>& candidates) {
-    const std::string_view word = nearest(step(), candidates);
+  void suggest(std::string_view word) {
     if (word.empty() || word == step()) return;
     std::string fixed = pointer(at);
     append_pointer_step(fixed, word);
@@ -190,14 +189,17 @@ bool ObjectModel::missing_member(Walk& walk, const schema::ObjectType& type) {
   }
   if (lookup_.member(walk.node, name) != json::kNoNode) {
     if (type.open) return into_unknown(walk);
-    return walk.fail(Status::immutable,
-                     fmt::format("{} is not a known property of {}", quoted(name), walk.here()));
+    return walk.fail(Status::immutable, fmt::format("{} is not a known property of {}",
+                                                    gltfx::quoted(name), walk.here()));
   }
-  std::vector<std::string_view> candidates{"extensions", "extras"};
-  for (const schema::Property& each : type.properties) candidates.push_back(each.name);
-  walk.suggest(candidates);
+  if (guess_.type != &type || guess_.word != name) {
+    std::vector<std::string_view> candidates{"extensions", "extras"};
+    for (const schema::Property& each : type.properties) candidates.push_back(each.name);
+    guess_ = {&type, name, nearest(name, candidates)};
+  }
+  walk.suggest(guess_.nearest);
   return walk.fail(Status::unresolved,
-                   fmt::format("{} has no property {}", walk.here(), quoted(name)));
+                   fmt::format("{} has no property {}", walk.here(), gltfx::quoted(name)));
 }
 
 bool ObjectModel::into_array(Walk& walk) {
@@ -206,7 +208,7 @@ bool ObjectModel::into_array(Walk& walk) {
   const json::Document& document = asset_.document();
   if (!index) {
     return walk.fail(Status::unresolved, fmt::format("{} is an array, but {} is not an index",
-                                                     walk.here(), quoted(walk.step())));
+                                                     walk.here(), gltfx::quoted(walk.step())));
   }
   if (runtime) {
     walk.element = true;
@@ -242,10 +244,10 @@ bool ObjectModel::into_extension(Walk& walk) {
         if (written.size() < kCandidates) written.push_back(document.key(each.key_id));
       }
     }
-    walk.suggest(written);
-    return walk.fail(
-        Status::unresolved,
-        fmt::format("{} has no extension {}", printable(walk.pointer(walk.at - 1)), quoted(name)));
+    walk.suggest(nearest(name, written));
+    return walk.fail(Status::unresolved,
+                     fmt::format("{} has no extension {}", printable(walk.pointer(walk.at - 1)),
+                                 gltfx::quoted(name)));
   }
   const schema::ExtensionId id = schemas_.find_extension(name);
   schema::ShapeId home = schema::kNone;
@@ -283,7 +285,7 @@ bool ObjectModel::into_unknown(Walk& walk) {
     }
   }
   return walk.fail(Status::unresolved,
-                   fmt::format("{} has no {}", walk.here(), quoted(walk.step())));
+                   fmt::format("{} has no {}", walk.here(), gltfx::quoted(walk.step())));
 }
 
 void ObjectModel::arrive(Walk& walk) {
@@ -296,10 +298,10 @@ void ObjectModel::arrive(Walk& walk) {
   }
   if (walk.property == nullptr || walk.property->mutable_type.empty()) {
     const bool known = walk.property != nullptr && !walk.element;
-    walk.fail(
-        Status::immutable,
-        known ? fmt::format("{} is not mutable in the object model", quoted(walk.property->name))
-              : fmt::format("{} is not a property with a value", walk.here()));
+    walk.fail(Status::immutable,
+              known ? fmt::format("{} is not mutable in the object model",
+                                  gltfx::quoted(walk.property->name))
+                    : fmt::format("{} is not a property with a value", walk.here()));
     return;
   }
   target.status = Status::mutable_property;

@@ -71,6 +71,13 @@ class ObjectModel {
 
  private:
   struct Walk;
+  /// The member of a type that was looked for in vain last, and what may be meant. Many pointers
+  /// miss the same one.
+  struct Guess {
+    const schema::ObjectType* type = nullptr;
+    std::string word;
+    std::string_view nearest;
+  };
 
   bool step(Walk& walk);
   bool into_object(Walk& walk);
@@ -91,6 +98,7 @@ class ObjectModel {
   schema::ShapeId root_shape_ = schema::kNone;
   Lookup lookup_;
   std::unordered_map<json::NodeId, std::uint64_t> morph_targets_;  ///< by mesh
+  Guess guess_;
 };
 
 }  // namespace gltfx::model

@@ -37,6 +37,15 @@ class OpenedAsset {
   void keep_views(Views views) { views_ = std::make_unique<const Views>(std::move(views)); }
   /// Gives their memory back.
   void forget_views() { views_.reset(); }
+  /// Whether the document takes so much memory that it is better parsed again than held beside
+  /// another one.
+  bool is_large() const { return container_.json && container_.json->size() >= 4 << 20; }
+  /// Gives a large document's memory back, too. It is parsed again when somebody asks for it.
+  void forget_large_document() {
+    if (!is_large()) return;
+    forget_views();
+    parsed_.reset();
+  }
 
  private:
   std::string name_;

@@ -37,8 +37,8 @@ struct Rehearsal {
 };
 
 /// As upgrade_file() without output; does not throw. `options` ask for no output; their schemas are
-/// those that the asset was validated with.
-Rehearsal rehearse_upgrade(const validate::ValidatedAsset& asset, const UpgradeOptions& options);
+/// those that the asset was validated with. Large documents of both assets are forgotten.
+Rehearsal rehearse_upgrade(validate::ValidatedAsset& asset, const UpgradeOptions& options);
 
 /// The same for an asset that was not validated yet: that happens where it names something legacy.
 UpgradeReport rehearse_upgrade(model::OpenedAsset asset, const UpgradeOptions& options);

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/pages.hpp"
 #include "edit/companions.hpp"
 #include "edit/diff.hpp"
 #include "edit/orphans.hpp"
@@ -31,7 +32,7 @@ namespace fs = std::filesystem;
 using model::OpenedAsset;
 
 PlannedUpgrade without_plan(PlannedUpgrade planned, UpgradeProblem problem, std::string error) {
-  return {failed(std::move(planned.report), problem, std::move(error)), {}, {}, {}, {}, {}};
+  return {failed(std::move(planned.report), problem, std::move(error)), {}, {}, {}, {}};
 }
 
 bool is_lossless(const std::vector<UpgradeAction>& actions) {
@@ -71,8 +72,10 @@ Result<upgrade::Settlement> settle(const upgrade::Additions& additions, const Op
                          });
 }
 
-std::vector<UpgradeOrphan> listed(const edit::Orphans& orphans, upgrade::AssetBytes& bytes) {
+std::vector<UpgradeOrphan> listed(const edit::Orphans& orphans, const OpenedAsset& asset) {
   std::vector<UpgradeOrphan> list;
+  const model::Asset elements(asset.document());
+  upgrade::AssetBytes bytes(elements, asset.container(), asset.resolver());
   for (const auto& [array, indices] : orphans) {
     for (const std::uint64_t index : indices) {
       UpgradeOrphan orphan{fmt::format("/{}/{}", array, index), 0, false};
@@ -86,38 +89,56 @@ std::vector<UpgradeOrphan> listed(const edit::Orphans& orphans, upgrade::AssetBy
   return list;
 }
 
-void parse_new_text(const OpenedAsset& asset, PlannedUpgrade& planned) {
-  planned.text = share_text(json::apply_edits(*asset.container().json, planned.edits));
-  planned.parsed = json::parse(planned.text);
+SharedText new_text(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
+  return share_text(json::apply_edits(*asset.container().json, edits));
 }
 
-// What additions refer to is not missed: they stand behind everything that was there before.
-void look_for_orphans(const OpenedAsset& asset, const std::vector<std::uint64_t>& released,
-                      bool prune, const schema::Set& schemas, upgrade::AssetBytes& bytes,
-                      PlannedUpgrade& planned) {
-  parse_new_text(asset, planned);
-  const json::Document& now = planned.parsed.document;
-  const edit::References before(asset.document(), schemas);
-  const edit::References after(now, schemas);
-  const edit::Orphans orphans = edit::find_orphans(asset.document(), before, released, now, after);
-  UpgradeReport& report = planned.report;
-  report.orphans = listed(orphans, bytes);
-  if (!prune || report.orphans.empty()) return;
-  std::optional<std::uint64_t> bin_size;
+/// What the old document says of orphans.
+struct Before {
+  edit::Orphans referred;
+  std::optional<std::uint64_t> bin_size;  ///< where buffer 0 is the BIN chunk of a GLB
+};
+
+Before look_at_old(const OpenedAsset& asset, const std::vector<std::uint64_t>& released,
+                   const schema::Set& schemas, const upgrade::AssetBytes& bytes) {
+  const json::Document& document = asset.document();
+  const edit::References references(document, schemas);
+  Before before{edit::referred_elements(document, references, released), std::nullopt};
   if (bytes.buffer_storage(0) == upgrade::Storage::bin_chunk) {
-    bin_size = asset.container().bin->length;
+    before.bin_size = asset.container().bin->length;
   }
-  auto pruned = edit::prune(now, after, orphans, bin_size);
-  if (!pruned) {
-    report.orphans_kept = pruned.error().message;
+  return before;
+}
+
+// What additions refer to is not missed: they stand behind everything that was there before. The
+// old and the new document are not looked at together.
+void look_for_orphans(const OpenedAsset& asset, Before before, const UpgradeOptions& options,
+                      const schema::Set& schemas, std::vector<json::Edit>& edits,
+                      PlannedUpgrade& planned) {
+  planned.parsed = json::parse(planned.text);
+  const json::Document& now = planned.parsed.document;
+  const edit::References after(now, schemas);
+  const edit::Orphans orphans = edit::find_orphans(std::move(before.referred), now, after);
+  if (std::all_of(orphans.begin(), orphans.end(),
+                  [](const auto& of) { return of.second.empty(); })) {
     return;
   }
-  planned.edits = json::chain_edits(*asset.container().json, planned.edits, pruned->edits);
-  planned.bin.cut = std::move(pruned->cut);
+  std::optional<Result<edit::Pruned>> pruned;
+  if (options.prune) pruned = edit::prune(now, after, orphans, before.bin_size);
+  if (asset.is_large()) planned.parsed = {};
+  UpgradeReport& report = planned.report;
+  report.orphans = listed(orphans, asset);
+  if (!pruned) return;
+  if (!*pruned) {
+    report.orphans_kept = pruned->error().message;
+    return;
+  }
+  edits = json::chain_edits(*asset.container().json, edits, (*pruned)->edits);
+  planned.bin.cut = std::move((*pruned)->cut);
   for (UpgradeOrphan& orphan : report.orphans) orphan.removed = true;
-  report.names_removed = std::move(pruned->names);
-  planned.text = nullptr;  // another one by now
-  planned.parsed = {};
+  report.names_removed = std::move((*pruned)->names);
+  planned.text = new_text(asset, edits);
+  planned.parsed = {};  // the text is another one by now
 }
 
 // No patch changes the JSON inside a binary file: there the diff is a comment of one.
@@ -150,7 +171,8 @@ UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string e
 
 PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
                             const UpgradeOptions& options,
-                            const std::shared_ptr<const schema::Set>& schemas) {
+                            const std::shared_ptr<const schema::Set>& schemas,
+                            const std::function<void()>& release) {
   const OpenedAsset& asset = validated.asset();
   const model::Asset elements(asset.document());
   upgrade::AssetBytes bytes(elements, asset.container(), asset.resolver());
@@ -164,30 +186,38 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   }
   const auto ambiguity = upgrade::find_ambiguity(asset.parsed(), plan);
   report.actions = std::move(plan.actions);
-  planned.edits = std::move(plan.edits);
+  std::vector<json::Edit> edits = std::move(plan.edits);
   if (report.due() == 0) return planned;
   const auto refuse = [&planned](std::string why) {
     return without_plan(std::move(planned), UpgradeProblem::refused, std::move(why));
   };
   if (ambiguity) return refuse(*ambiguity);
   const auto obstacle = edit::find_glb_obstacle(asset.container());
-  if (obstacle && !planned.edits.empty()) return refuse("it cannot be written anew: " + *obstacle);
-  report.changes = !planned.edits.empty() || !plan.additions.empty();
+  if (obstacle && !edits.empty()) return refuse("it cannot be written anew: " + *obstacle);
+  report.changes = !edits.empty() || !plan.additions.empty();
   if (options.strict && !is_lossless(report.actions)) {
     return refuse("not everything can be upgraded without loss (--strict)");
   }
   if (!plan.additions.empty()) {
     auto settled = settle(plan.additions, asset, options.output, bytes, pictures);
     if (!settled) return refuse(settled.error().message);
-    planned.edits = json::merge_edits(std::move(planned.edits), std::move(settled->edits));
+    edits = json::merge_edits(std::move(edits), std::move(settled->edits));
     planned.bin.more = std::move(settled->bin);
     planned.files = std::move(settled->files);
     for (const edit::NewFile& file : planned.files) report.new_files.push_back(file.path);
   }
-  if (report.changes && elements.count(model::RootArray::textures) > 0) {
-    look_for_orphans(asset, plan.released, options.prune, *schemas, bytes, planned);
+  if (!report.changes) return planned;
+  planned.text = new_text(asset, edits);
+  std::optional<Before> before;
+  if (elements.count(model::RootArray::textures) > 0) {
+    before = look_at_old(asset, plan.released, *schemas, bytes);
   }
-  if (options.diff) report.diff = diff_text(asset, planned.edits);
+  release();
+  if (!options.prune && !options.diff) edits = {};
+  give_back_memory();
+  if (before) look_for_orphans(asset, *std::move(before), options, *schemas, edits, planned);
+  release();
+  if (options.diff) report.diff = diff_text(asset, edits);
   return planned;
 }
 
@@ -198,7 +228,12 @@ OpenedAsset upgraded(const OpenedAsset& before, PlannedUpgrade& plan,
   if (!plan.text || !changed.json || !same_but_for_padding(*changed.json, *plan.text)) {
     return {before.name(), std::move(changed), std::move(resolver)};
   }
+  // The same text is not to be held twice.
+  if (changed.bytes.text() == *plan.text) changed.bytes = container::Bytes::from_text(plan.text);
   changed.json = std::exchange(plan.text, nullptr);
+  if (plan.parsed.document.empty()) {
+    return {before.name(), std::move(changed), std::move(resolver)};
+  }
   return {before.name(), std::move(changed), std::move(resolver), std::move(plan.parsed)};
 }
 

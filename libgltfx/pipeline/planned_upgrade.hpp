@@ -5,6 +5,7 @@
 
 #include <gltfx/upgrade.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,16 +21,17 @@ namespace gltfx {
 /// Nothing of it is written or checked yet.
 struct PlannedUpgrade {
   UpgradeReport report;  ///< where it has a problem, nothing else of this means anything
-  std::vector<json::Edit> edits;
   edit::BinChange bin;
   std::vector<edit::NewFile> files;  ///< that the new document refers to
-  SharedText text;                   ///< with all edits made; null where nobody needed it yet
-  json::Parsed parsed;               ///< of that
+  SharedText text;                   ///< with all edits made; null where there is none
+  json::Parsed parsed;               ///< of that; without nodes where nobody needed it yet
 };
 
-/// `schemas` is never null.
+/// `schemas` is never null. Where there are changes, `release` is called when what is left to do
+/// hardly ever takes the asset's document, which may be forgotten then.
 PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& asset, const UpgradeOptions& options,
-                            const std::shared_ptr<const schema::Set>& schemas);
+                            const std::shared_ptr<const schema::Set>& schemas,
+                            const std::function<void()>& release);
 
 /// Why a file is not dealt with as it was asked: the report says that nothing was done.
 UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string error);

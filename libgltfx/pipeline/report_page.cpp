@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/pages.hpp"
 #include "codec/client.hpp"
 #include "container/base64.hpp"
 #include "pipeline/asset_verbs.hpp"
@@ -65,12 +66,17 @@ void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   page.inspection = inspect_asset(opened, *schemas, jobs);
   if (!page.inspection.facts) return;
+  // The tables of a large document are not to be held beside the new document of an upgrade.
+  opened.forget_views();
+  give_back_memory();
   validate::ValidatedAsset asset(std::move(opened), page.report, options);
+  asset.forget_info();
   UpgradeOptions upgrade;
   upgrade.root = options.root;
   upgrade.schemas = schemas;
   Rehearsal rehearsal = rehearse_upgrade(asset, upgrade);
   add_upgrade(std::move(rehearsal.report), page.inspection);
+  give_back_memory();
   if (!thumbnails.draw || !can_bake()) return;
   const BakeOptions bake = bake_options(options, thumbnails, jobs);
   page.picture = picture_of(bake_asset(std::move(asset), bake));

@@ -35,7 +35,8 @@ class Embedding {
     if (auto trouble = open()) return trouble;
     json::Editor editor(parsed_.document);
     if (!edit(editor)) return Error{"the asset is put together in a way that leaves no room"};
-    const auto pieces = edit::rewrite(container_, editor.take(), {more_, {}});
+    const auto pieces = edit::rewrite(
+        container_, share_text(json::apply_edits(*container_.json, editor.take())), {more_, {}});
     return pieces ? replace(*pieces) : pieces.error();
   }
 

@@ -128,10 +128,11 @@ class Judge {
   std::optional<PictureCheck> pictures_;
 };
 
-// Without the tables: they are not to be held beside the new document.
+// With findings only: nothing else is to be held beside the new document.
 ValidatedAsset validated(OpenedAsset asset, const SchemaSet& schemas) {
   ValidatedAsset validated(std::move(asset), default_judgement(schemas));
   validated.forget_views();
+  validated.forget_info();
   return validated;
 }
 
@@ -140,7 +141,7 @@ Rehearsal try_out(const ValidatedAsset& before, PlannedUpgrade planned, const Sc
                   const UpgradeOptions& options) {
   UpgradeReport& report = planned.report;
   const OpenedAsset& asset = before.asset();
-  auto changed = edit::rewritten(asset.container(), planned.edits, planned.bin, asset.name());
+  auto changed = edit::rewritten(asset.container(), planned.text, planned.bin, asset.name());
   if (!changed) {
     return {failed(std::move(report), UpgradeProblem::refused, changed.error().message), {}};
   }
@@ -168,7 +169,8 @@ UpgradeReport written(UpgradeReport report, const std::optional<edit::WriteFailu
 }
 
 edit::OldAsset old_asset(const OpenedAsset& asset, const FileState& state) {
-  return {asset.name(), state, asset.container(), asset.document(), asset.resolver()};
+  return {asset.name(), state, asset.container(),
+          [&asset]() -> const json::Document& { return asset.document(); }, asset.resolver()};
 }
 
 // The asset as it is, where it is wanted somewhere else.
@@ -183,13 +185,14 @@ UpgradeReport copy(const OpenedAsset& asset, const FileState& state, UpgradeRepo
 UpgradeReport write(const ValidatedAsset& before, const FileState& state, PlannedUpgrade planned,
                     const SchemaSet& schemas, const UpgradeOptions& options) {
   const OpenedAsset& asset = before.asset();
-  const auto pieces = edit::rewrite(asset.container(), planned.edits, planned.bin);
+  const auto pieces = edit::rewrite(asset.container(), planned.text, planned.bin);
   if (!pieces) {
     return failed(std::move(planned.report), UpgradeProblem::refused, pieces.error().message);
   }
   const Judge judge(before, schemas, options, planned.report.actions);
-  const auto check = [&](const container::Container& on_disk) {
-    const ValidatedAsset after(upgraded(asset, planned, on_disk), default_judgement(schemas));
+  const auto check = [&](container::Container on_disk) {
+    const ValidatedAsset after(upgraded(asset, planned, std::move(on_disk)),
+                               default_judgement(schemas));
     return judge.find_error(after, planned.report);
   };
   const auto failure = edit::write_asset(old_asset(asset, state), destination_of(options),
@@ -211,8 +214,9 @@ UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& option
   if (!upgrade::names_legacy(asset.document(), *schemas)) {
     return copy(asset, *state, report_on(path), options);
   }
-  const ValidatedAsset before = validated(std::move(asset), schemas);
-  PlannedUpgrade planned = plan_upgrade(before, options, schemas);
+  ValidatedAsset before = validated(std::move(asset), schemas);
+  PlannedUpgrade planned =
+      plan_upgrade(before, options, schemas, [&before] { before.forget_large_document(); });
   if (planned.report.problem != UpgradeProblem::none) return std::move(planned.report);
   if (!planned.report.changes) {
     return copy(before.asset(), *state, std::move(planned.report), options);
@@ -225,14 +229,16 @@ UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& option
 
 }  // namespace
 
-Rehearsal rehearse_upgrade(const ValidatedAsset& asset, const UpgradeOptions& options) {
+Rehearsal rehearse_upgrade(ValidatedAsset& asset, const UpgradeOptions& options) {
   Rehearsal rehearsal;
   rehearsal.report = guarded(asset.asset().name(), [&] {
     if (auto report = find_old_container(asset.asset(), options)) return *std::move(report);
     const SchemaSet schemas = schemas_of(options);
-    PlannedUpgrade planned = plan_upgrade(asset, options, schemas);
+    const auto forget = [&asset] { asset.forget_large_document(); };
+    PlannedUpgrade planned = plan_upgrade(asset, options, schemas, forget);
     if (!planned.report.changes) return std::move(planned.report);
     Rehearsal tried = try_out(asset, std::move(planned), schemas, options);
+    if (tried.after) tried.after->forget_large_document();
     rehearsal.after = std::move(tried.after);
     return std::move(tried.report);
   });
@@ -245,7 +251,8 @@ UpgradeReport rehearse_upgrade(OpenedAsset asset, const UpgradeOptions& options)
     if (auto report = find_old_container(asset, options)) return *std::move(report);
     const SchemaSet schemas = schemas_of(options);
     if (!upgrade::names_legacy(asset.document(), *schemas)) return report_on(path);
-    return rehearse_upgrade(validated(std::move(asset), schemas), options).report;
+    ValidatedAsset before = validated(std::move(asset), schemas);
+    return rehearse_upgrade(before, options).report;
   });
 }
 

@@ -75,8 +75,9 @@ std::uint64_t Context::size_of(json::NodeId array) {
 }
 
 bool Context::is_pointed_at(const Carrier& carrier, std::span<const std::string> path) const {
+  if (pointers.all().empty()) return false;
   std::vector<std::string> steps;
-  if (!carrier.array.empty()) steps.push_back(carrier.array);
+  if (!carrier.array.empty()) steps.emplace_back(carrier.array);
   if (!carrier.array.empty() && !carrier.single) steps.push_back(std::to_string(carrier.index));
   steps.insert(steps.end(), path.begin(), path.end());
   if (steps.size() < 2) return false;
@@ -84,14 +85,30 @@ bool Context::is_pointed_at(const Carrier& carrier, std::span<const std::string>
 }
 
 bool Context::has_beside(const Carrier& carrier, const std::string& extension) const {
-  if (given.count({carrier.host, extension}) > 0) return true;
+  if (given.contains({carrier.host, extension})) return true;
   const json::NodeId value = document.find(carrier.extensions, extension);
   return value != json::kNoNode && gone.count(value) == 0;
 }
 
+std::optional<MemberSource> Context::find_taken_over(const Carrier& carrier,
+                                                     std::string_view path) const {
+  const auto [first, last] = takeovers.equal_range(carrier.host);
+  for (auto at = last; at != first;) {
+    const Takeover& takeover = (--at)->second;
+    const auto& steps = takeover.extension->upgrade.steps;
+    const auto step = std::find_if(steps.rbegin(), steps.rend(), [&](const auto& each) {
+      return each.kind == schema::UpgradeStep::Kind::place && each.to == path &&
+             is_meant(each.generations, takeover.generation);
+    });
+    if (step == steps.rend()) continue;
+    return MemberSource{document.find(takeover.object, step->from),
+                        {"extensions", takeover.extension->name, step->from}};
+  }
+  return std::nullopt;
+}
+
 MemberSource Context::source_of(const Carrier& carrier, const std::string& path) const {
-  const auto elsewhere = moved.find({carrier.host, path});
-  if (elsewhere != moved.end()) return elsewhere->second;
+  if (auto elsewhere = find_taken_over(carrier, path)) return *std::move(elsewhere);
   std::vector<std::string> steps = split_path(path);
   const json::NodeId value = find_path(document, carrier.host, steps);
   return {value, std::move(steps)};
@@ -103,6 +120,11 @@ bool Context::is_used_with(const std::string& attribute, std::uint64_t material)
     const json::NodeId attributes = document.find(use.primitive, "attributes");
     return document.find(attributes, attribute) != json::kNoNode;
   });
+}
+
+bool is_meant(const std::vector<std::string>& generations, std::string_view generation) {
+  return generations.empty() ||
+         std::find(generations.begin(), generations.end(), generation) != generations.end();
 }
 
 std::vector<std::string> split_path(std::string_view path) {

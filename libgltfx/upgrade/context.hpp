@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,15 +40,23 @@ void settle_splits(Context& context);
 
 /// An object with extensions, one of which is legacy.
 struct Carrier {
-  std::string array;        ///< member of the root it stands in: "materials", "asset"; empty: root
-  std::uint64_t index = 0;  ///< there
-  bool single = false;      ///< it is that member itself, which is no array
+  /// Member of the root it stands in: "materials", "asset"; empty: root. A name of the schema Set.
+  std::string_view array;
+  std::uint64_t index = 0;              ///< there
+  bool single = false;                  ///< it is that member itself, which is no array
   schema::TypeId type = schema::kNone;  ///< of the host
   json::NodeId host = json::kNoNode;
   json::NodeId extensions = json::kNoNode;  ///< its member of that name
   json::NodeId object = json::kNoNode;      ///< the legacy extension's value there
 
   std::string pointer() const;  ///< "/materials/3"
+};
+
+/// A legacy object whose values became members of its carrier.
+struct Takeover {
+  json::NodeId object = json::kNoNode;
+  const schema::Extension* extension = nullptr;  ///< of the legacy object
+  std::string_view generation;                   ///< as which it was read
 };
 
 /// Where a member of a carrier comes from in this run.
@@ -89,11 +98,13 @@ struct Context {
   std::unordered_set<json::NodeId> gone;
   /// Extensions that carriers have got, by the carrier's object: of each the legacy object that
   /// became it, or kNoNode.
-  std::map<std::pair<json::NodeId, std::string>, json::NodeId> given;
-  /// Values that are in the document no more, each with the pointer of the action that took it out.
-  std::map<json::NodeId, std::string> taken_out;
-  /// Members of carriers that have got another value, by the carrier's object and their path.
-  std::map<std::pair<json::NodeId, std::string>, MemberSource> moved;
+  std::map<std::pair<json::NodeId, std::string_view>, json::NodeId> given;
+  /// Values that are in the document no more, each with the legacy object that took it out. Where
+  /// one stands there twice, the first counts.
+  std::vector<std::pair<json::NodeId, json::NodeId>> taken_out;
+  std::multimap<json::NodeId, Takeover>
+      takeovers;                             ///< by the carrier's object, the last one counts
+  std::set<std::string, std::less<>> names;  ///< see interned()
   std::unordered_map<json::NodeId, std::uint64_t> sizes;  ///< of arrays that somebody asked for
   std::optional<MaterialUses> uses;                       ///< once somebody asked
   std::vector<MaterialSplit> splits;
@@ -107,8 +118,12 @@ struct Context {
   bool is_pointed_at(const Carrier& carrier, std::span<const std::string> path) const;
   /// Whether a carrier has an extension, as far as this run has come.
   bool has_beside(const Carrier& carrier, const std::string& extension) const;
+  /// Where a member of a carrier has got its value from a legacy object: that value.
+  std::optional<MemberSource> find_taken_over(const Carrier& carrier, std::string_view path) const;
   /// The value of a member of a carrier ("pbrMetallicRoughness/baseColorFactor"), likewise.
   MemberSource source_of(const Carrier& carrier, const std::string& path) const;
+  /// The same text, which lives as long as this.
+  std::string_view interned(std::string_view name) { return *names.emplace(name).first; }
   /// Number of elements of an array, which is counted once.
   std::uint64_t size_of(json::NodeId array);
   /// Number of textures in the document.
@@ -119,6 +134,9 @@ struct Context {
   bool is_used_with(const std::string& attribute, std::uint64_t material);
 };
 
+/// Whether what is said of some generations of an extension, or of all when the list is empty, is
+/// said of this one.
+bool is_meant(const std::vector<std::string>& generations, std::string_view generation);
 /// "a/b/c" into its members.
 std::vector<std::string> split_path(std::string_view path);
 /// What `path` leads to from an object, or kNoNode.

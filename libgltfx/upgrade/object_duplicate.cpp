@@ -55,7 +55,7 @@ const schema::Extension* ObjectPlan::replacement() {
   return nullptr;
 }
 
-UpgradeAction ObjectPlan::judge_duplicate(const schema::Extension& other) {
+void ObjectPlan::judge_duplicate(const schema::Extension& other) {
   const auto given = context_.given.find({carrier_.host, other.name});
   const bool is_new = given != context_.given.end();
   const json::NodeId object =
@@ -65,14 +65,13 @@ UpgradeAction ObjectPlan::judge_duplicate(const schema::Extension& other) {
         fmt::format("the object also has {}, but it is invalid; see 'gltfx validate'", other.name));
   }
   judge_removal(fmt::format("the object already has {}, which viewers use", other.name));
-  if (!action_.removed || object == json::kNoNode) return action_;
+  if (!action_.removed || object == json::kNoNode) return;
   if (!is_new && other.name == successor_.name && !extension_.upgrade.steps.empty()) {
     note_differences(object);
   } else if (!json::equal(document_, carrier_.object, object)) {
     action_.notes.push_back(
         fmt::format("its own values are {}", quoted(document_.raw(carrier_.object), kShown)));
   }
-  return action_;
 }
 
 void ObjectPlan::note_differences(json::NodeId other) {

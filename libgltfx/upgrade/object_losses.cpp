@@ -133,13 +133,12 @@ std::vector<std::string> ObjectPlan::foreign() const {
   return edit::foreign_content(document_, context_.set, carrier_.object, own_type());
 }
 
-UpgradeAction ObjectPlan::judge_removal(const std::string& why) {
+void ObjectPlan::judge_removal(const std::string& why) {
   if (is_own_pointed_at()) return refuse(why + ", but an animation or graph references it");
   action_.removed = true;
   action_.notes.insert(action_.notes.begin(), why);
   const std::vector<std::string> names = foreign();
   if (!names.empty()) lose(fmt::format("this also removes {}", join_and(names)));
-  return action_;
 }
 
 // Objects without effect.

@@ -23,22 +23,24 @@ std::vector<json::Number> numbers_of(const json::Document& document, json::NodeI
 }
 
 ObjectPlan::ObjectPlan(Context& context, const schema::Extension& extension,
-                       const schema::Extension& successor, Carrier carrier)
+                       const schema::Extension& successor, const Carrier& carrier,
+                       UpgradeAction& action)
     : context_(context),
       document_(context.document),
       extension_(extension),
       successor_(successor),
-      carrier_(std::move(carrier)),
+      carrier_(carrier),
       placements_(context, carrier_),
-      conversion_(make_conversion(extension.upgrade.conversion)) {}
+      conversion_(make_conversion(extension.upgrade.conversion)),
+      action_(action) {}
 
-UpgradeAction ObjectPlan::refuse(std::string why) {
+void ObjectPlan::refuse(std::string why) {
   action_.fate = UpgradeFate::impossible;
   action_.notes.push_back(std::move(why));
-  return action_;
 }
 
-UpgradeAction ObjectPlan::judge() {
+void ObjectPlan::judge() {
+  action_ = {};
   action_.pointer = fmt::format("{}/extensions/{}", carrier_.pointer(), extension_.name);
   action_.from = extension_.name;
   action_.to = successor_.name;
@@ -59,12 +61,11 @@ UpgradeAction ObjectPlan::judge() {
     if (Problem problem = conversion_->judge(bench())) return refuse(*std::move(problem));
   }
   if (joins()) note_lost_members();
-  if (action_.removed && placements_.empty()) return action_;
+  if (action_.removed && placements_.empty()) return;
   action_.removed = false;
   if (context_.options.pack) pack();
   note_overwritten();
   note_losses();
-  return action_;
 }
 
 bool ObjectPlan::is_pointed_at(const std::vector<std::string>& steps) const {
@@ -80,8 +81,7 @@ bool ObjectPlan::has_beside(const std::string& extension) const {
 }
 
 bool ObjectPlan::applies(const std::vector<std::string>& generations) const {
-  return generations.empty() ||
-         std::find(generations.begin(), generations.end(), action_.generation) != generations.end();
+  return is_meant(generations, action_.generation);
 }
 
 ObjectPlan::Problem ObjectPlan::judge_steps() {
@@ -250,20 +250,17 @@ void ObjectPlan::apply() {
   }
   for (const Follower& follower : followers_) follow(context_, follower, tint_);
   for (MaterialSplit& split : splits_) split_material(context_, std::move(split));
-  context_.given[{carrier_.host, successor_.name}] = carrier_.object;
+  context_.given[{carrier_.host, context_.interned(successor_.name)}] = carrier_.object;
   context_.editor.rename(key, successor_.name);
-  for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
-    if (step.kind != schema::UpgradeStep::Kind::place || !applies(step.generations)) continue;
-    context_.moved[{carrier_.host, step.to}] = {document_.find(carrier_.object, step.from),
-                                                {"extensions", extension_.name, step.from}};
-  }
+  context_.takeovers.emplace(
+      carrier_.host, Takeover{carrier_.object, &extension_, context_.interned(action_.generation)});
   for (const Found& found : found_) apply(found);
   if (conversion_ != nullptr) conversion_->apply(bench());
   placements_.apply();
 }
 
 void ObjectPlan::take_out(json::NodeId value) {
-  context_.taken_out.emplace(value, action_.pointer);
+  context_.taken_out.emplace_back(value, carrier_.object);
 }
 
 // All but what is placed elsewhere.

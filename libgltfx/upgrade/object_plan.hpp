@@ -17,11 +17,14 @@ namespace gltfx::upgrade {
 
 class ObjectPlan {
  public:
+  /// Keeps references to all of them. `action` says what becomes of the object.
   ObjectPlan(Context& context, const schema::Extension& extension,
-             const schema::Extension& successor, Carrier carrier);
+             const schema::Extension& successor, const Carrier& carrier, UpgradeAction& action);
+  ObjectPlan(const ObjectPlan&) = delete;
+  ObjectPlan& operator=(const ObjectPlan&) = delete;
 
-  /// What is to become of it, and why.
-  UpgradeAction judge();
+  /// Fills the action: what is to become of the object, and why.
+  void judge();
   /// Puts the changes into the context's editor. Precondition: judge() found it possible.
   void apply();
   /// Extensions that the carrier gets beside the successor.
@@ -51,8 +54,8 @@ class ObjectPlan {
   bool joins() { return conversion_ != nullptr && conversion_->joins(bench()); }
   bool is_blocked_by(const std::string& extension) const;
   const schema::Extension* replacement();
-  UpgradeAction judge_duplicate(const schema::Extension& other);
-  UpgradeAction judge_removal(const std::string& why);
+  void judge_duplicate(const schema::Extension& other);
+  void judge_removal(const std::string& why);
   Problem reason_to_go();
   Problem hidden();
   void place_what_is_missing();
@@ -62,7 +65,7 @@ class ObjectPlan {
   void note_lost_members();
   void note_differences(json::NodeId other);
   void note_difference(const schema::UpgradeStep& step, json::NodeId other);
-  UpgradeAction refuse(std::string why);
+  void refuse(std::string why);
   Problem judge_company();
   Problem judge_steps();
   Problem find(const schema::UpgradeStep& step);
@@ -100,14 +103,14 @@ class ObjectPlan {
   const json::Document& document_;
   const schema::Extension& extension_;
   const schema::Extension& successor_;
-  const Carrier carrier_;
+  const Carrier& carrier_;
   Placements placements_;
   std::unique_ptr<Conversion> conversion_;
   std::vector<Found> found_;
   std::vector<Follower> followers_;
   Rgb tint_{1, 1, 1};                  ///< of the copy against its original
   std::vector<MaterialSplit> splits_;  ///< where it is not the same everywhere
-  UpgradeAction action_;
+  UpgradeAction& action_;
 };
 
 /// The elements of an array of numbers; none for anything else.

@@ -197,7 +197,7 @@ std::string ObjectPlan::pack(Found& factor, Found& colour) {
   if (!lie_alike(document_, factor.value, colour.value)) {
     return "the textures have different coordinates or transforms";
   }
-  if (context_.moved.count({carrier_.host, colour.step->from}) != 0) {
+  if (context_.find_taken_over(carrier_, colour.step->from)) {
     return "the color comes from another upgraded extension";
   }
   if (is_pointed_at(split_path(colour.step->from)) ||

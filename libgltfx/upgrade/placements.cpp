@@ -73,7 +73,7 @@ void Placements::apply() const {
     }
   }
   for (const std::string& name : extensions()) {
-    context_.given.emplace(std::pair(carrier_.host, name), json::kNoNode);
+    context_.given.emplace(std::pair(carrier_.host, context_.interned(name)), json::kNoNode);
   }
 }
 

@@ -14,6 +14,7 @@ namespace gltfx::upgrade {
 
 class Placements {
  public:
+  /// Keeps references to both.
   Placements(Context& context, const Carrier& carrier) : context_(context), carrier_(carrier) {}
 
   /// Plans that the member at `path` ("extensions/KHR_x/y") has that JSON text, or, when it is
@@ -36,7 +37,7 @@ class Placements {
   void append(const std::vector<std::string>& path, const Members& members) const;
 
   Context& context_;
-  const Carrier carrier_;
+  const Carrier& carrier_;
   std::map<std::vector<std::string>, Members> members_;  ///< by the path of their object
   std::vector<std::string> overwritten_;
   std::vector<json::NodeId> taken_out_;

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -22,39 +25,6 @@
 #include "upgrade/generation.hpp"
 #include "upgrade/object_plan.hpp"
 
-namespace gltfx {
-
-std::string_view upgrade_fate_name(UpgradeFate fate) {
-  switch (fate) {
-    case UpgradeFate::safe:
-      return "safe";
-    case UpgradeFate::unsafe:
-      return "unsafe";
-    case UpgradeFate::needs_image:
-      return "needs an image";
-    case UpgradeFate::on_request:
-      return "on request";
-    case UpgradeFate::no_successor:
-      return "no successor";
-    case UpgradeFate::impossible:
-      break;
-  }
-  return "not possible";
-}
-
-std::uint64_t UpgradeReport::due() const {
-  return static_cast<std::uint64_t>(std::count_if(
-      actions.begin(), actions.end(), [](const UpgradeAction& action) { return action.is_due(); }));
-}
-
-std::uint64_t UpgradeReport::left() const {
-  return static_cast<std::uint64_t>(
-      std::count_if(actions.begin(), actions.end(),
-                    [](const UpgradeAction& action) { return action.is_due() && !action.done; }));
-}
-
-}  // namespace gltfx
-
 namespace gltfx::upgrade {
 namespace {
 
@@ -67,52 +37,74 @@ class ExtensionPlan {
         extension_(extension),
         choice_(choose(context.options, extension)) {
     if (choice_.selection == Selection::no) return;
-    for (Carrier& carrier : carriers_of(document_, context_.set, extension_)) {
-      judged_.push_back({std::move(carrier), {}, nullptr});
-    }
+    carriers_ = carriers_of(document_, context_.set, extension_);
+    first_ = context.plan.actions.size();
+    context.plan.actions.resize(first_ + carriers_.size());
   }
 
   // Does what can be done as things stand; whether that was anything. What is done may open the
   // way for other objects, so this is asked again until nothing more is done anywhere.
   bool attempt() {
-    for (Judged& one : judged_) {
-      if (!one.action.done) judge(one);
-    }
-    if (extension_.upgrade.together || has_template()) hold_together();
+    const bool together = extension_.upgrade.together || has_template();
+    std::vector<std::unique_ptr<ObjectPlan>> plans;  // a plan is large: kept only where it must be
     bool any = false;
-    for (Judged& one : judged_) any = settle(one) || any;
+    for (std::size_t i = 0; i < carriers_.size(); ++i) {
+      std::unique_ptr<ObjectPlan> plan;
+      if (!actions()[i].done) plan = judge(i);
+      if (together) plans.push_back(std::move(plan));
+      if (!together && plan) any = settle(*plan, i) || any;
+    }
+    if (together) hold_together();
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      if (plans[i]) any = settle(*plans[i], i) || any;
+    }
     return any;
   }
 
   void finish(edit::NameList& used, edit::NameList& required) {
-    if (judged_.empty()) drop_unused_name(used, required);
-    for (Judged& one : judged_) context_.plan.actions.push_back(std::move(one.action));
+    if (carriers_.empty()) drop_unused_name(used, required);
     if (converted_ + removed_ == 0) return;
     settle_names(used, required);
     settle_pointers();
   }
 
+  // The actions by the legacy objects that they are about.
+  void list_actions(std::unordered_map<json::NodeId, UpgradeAction*>& by_object) const {
+    for (std::size_t i = 0; i < carriers_.size(); ++i) {
+      by_object[carriers_[i].object] = &actions()[i];
+    }
+  }
+
+  // Adds those about names to the others, whose places in the plan change. Later plans are asked
+  // first.
+  void add_dropped() {
+    std::vector<UpgradeAction>& all = context_.plan.actions;
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(first_),
+               std::make_move_iterator(dropped_.begin()), std::make_move_iterator(dropped_.end()));
+  }
+
  private:
-  struct Judged {
-    Carrier carrier;
-    UpgradeAction action;
-    std::unique_ptr<ObjectPlan> plan;  ///< null where nothing can be done
-  };
+  std::span<UpgradeAction> actions() const {
+    return std::span(context_.plan.actions).subspan(first_, carriers_.size());
+  }
 
   bool is_doable(const UpgradeAction& action) const {
     return action.fate == UpgradeFate::safe ||
            (action.fate == UpgradeFate::unsafe && context_.options.unsafe);
   }
 
-  void judge(Judged& one) {
-    if (auto action = action_without_plan(one.carrier)) {
-      one.action = *std::move(action);
-      return;
+  // Null where nothing can be done.
+  std::unique_ptr<ObjectPlan> judge(std::size_t i) {
+    if (auto action = action_without_plan(carriers_[i])) {
+      actions()[i] = *std::move(action);
+      return nullptr;
     }
     const schema::Extension& successor =
         context_.set.extensions()[context_.set.find_extension(choice_.to)];
-    one.plan = std::make_unique<ObjectPlan>(context_, extension_, successor, one.carrier);
-    one.action = one.plan->judge();
+    auto plan =
+        std::make_unique<ObjectPlan>(context_, extension_, successor, carriers_[i], actions()[i]);
+    plan->judge();
+    return plan;
   }
 
   // What has no successor, or is not done unless somebody asks for it.
@@ -125,10 +117,7 @@ class ExtensionPlan {
     action.from = extension_.name;
     action.to = choice_.to;
     for (const schema::UpgradeStay& stay : extension_.upgrade.stays) {
-      const auto& names = stay.generations;
-      if (!names.empty() && std::find(names.begin(), names.end(), generation) == names.end()) {
-        continue;
-      }
+      if (!is_meant(stay.generations, generation)) continue;
       const bool named = !context_.options.only.empty() || !context_.options.to.empty();
       action.fate = named ? UpgradeFate::impossible : UpgradeFate::no_successor;
       action.to.clear();
@@ -158,25 +147,25 @@ class ExtensionPlan {
   // All objects or none: one that stays, or stands where nobody expects it, keeps the others.
   void hold_together() {
     const auto doable = static_cast<std::size_t>(
-        std::count_if(judged_.begin(), judged_.end(),
-                      [this](const Judged& one) { return is_doable(one.action); }));
+        std::count_if(actions().begin(), actions().end(),
+                      [this](const UpgradeAction& action) { return is_doable(action); }));
     if (doable == count_occurrences()) return;
-    for (Judged& one : judged_) {
-      if (!is_doable(one.action)) continue;
-      one.action.fate = UpgradeFate::impossible;
-      one.action.notes.emplace_back(
+    for (UpgradeAction& action : actions()) {
+      if (!is_doable(action)) continue;
+      action.fate = UpgradeFate::impossible;
+      action.notes.emplace_back(
           "other objects of the asset cannot be upgraded, and only all together can");
     }
   }
 
-  bool settle(Judged& one) {
-    if (one.action.done || !is_doable(one.action)) return false;
-    one.action.done = true;
-    one.plan->apply();
-    (one.action.removed ? removed_ : converted_) += 1;
-    if (one.action.removed) return true;
-    done_.insert(one.carrier.pointer());
-    for (std::string& name : one.plan->further_extensions()) given_.insert(std::move(name));
+  bool settle(ObjectPlan& plan, std::size_t i) {
+    UpgradeAction& action = actions()[i];
+    if (!is_doable(action)) return false;
+    action.done = true;
+    plan.apply();
+    (action.removed ? removed_ : converted_) += 1;
+    if (action.removed) return true;
+    for (std::string& name : plan.further_extensions()) given_.insert(std::move(name));
     return true;
   }
 
@@ -211,7 +200,7 @@ class ExtensionPlan {
         action.to = choice_.to;
         action.removed = action.done = true;
         action.notes.push_back(fmt::format("no object has {}", extension_.name));
-        context_.plan.actions.push_back(std::move(action));
+        dropped_.push_back(std::move(action));
       }
       list->remove(extension_.name);
     }
@@ -238,10 +227,15 @@ class ExtensionPlan {
 
   // "/materials/3/extensions/OLD/member/..." becomes "/materials/3/extensions/NEW/other/...".
   void settle_pointers() {
+    if (context_.pointers.all().empty()) return;
+    std::unordered_set<std::string> done;  // "/materials/3"
+    for (std::size_t i = 0; i < carriers_.size(); ++i) {
+      if (actions()[i].done && !actions()[i].removed) done.insert(carriers_[i].pointer());
+    }
     for (const edit::PointerUse& use : context_.pointers.all()) {
       if (!is_into(use)) continue;
       const bool every = edit::Pointers::is_template(use) && left_ == 0 && removed_ == 0;
-      if (every || done_.count("/" + use.steps[0] + "/" + use.steps[1]) > 0) rename(use);
+      if (every || done.count("/" + use.steps[0] + "/" + use.steps[1]) > 0) rename(use);
     }
   }
 
@@ -277,12 +271,13 @@ class ExtensionPlan {
   const json::Document& document_;
   const schema::Extension& extension_;
   const Choice choice_;
-  std::vector<Judged> judged_;
+  std::vector<Carrier> carriers_;
+  std::size_t first_ = 0;               ///< place of the action of the first carrier in the plan
+  std::vector<UpgradeAction> dropped_;  ///< of names in lists
   std::size_t converted_ = 0;
   std::size_t removed_ = 0;
   std::size_t left_ = 0;
-  std::set<std::string> given_;           ///< names of extensions that the document has now
-  std::unordered_set<std::string> done_;  ///< "/materials/3"
+  std::set<std::string> given_;  ///< names of extensions that the document has now
 };
 
 void settle_dropped(Context& context) {
@@ -297,18 +292,21 @@ void settle_dropped(Context& context) {
 }
 
 // Extensions whose last object went with something that was taken out.
-void settle_taken_out(Context& context, edit::NameList& used, edit::NameList& required) {
+void settle_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
+                      edit::NameList& used, edit::NameList& required) {
   std::vector<json::NodeId> values;
-  for (const auto& [value, action] : context.taken_out) values.push_back(value);
+  for (const auto& [value, object] : context.taken_out) values.push_back(value);
   const auto gone = edit::extensions_taken_out(context.document, std::move(values));
   std::set<std::string> listed = used.remove_all(gone);
   listed.merge(required.remove_all(gone));
   if (listed.empty()) return;
-  std::map<std::string_view, UpgradeAction*> actions;
-  for (UpgradeAction& action : context.plan.actions) actions[action.pointer] = &action;
+  const std::unordered_map<json::NodeId, json::NodeId> owners(context.taken_out.begin(),
+                                                              context.taken_out.end());
+  std::unordered_map<json::NodeId, UpgradeAction*> actions;
+  for (const ExtensionPlan& plan : plans) plan.list_actions(actions);
   for (const std::string& name : listed) {
-    actions[context.taken_out[gone.at(name)]]->notes.push_back(
-        fmt::format("{} is no longer used; its declaration is removed", name));
+    actions.at(owners.at(gone.at(name)))
+        ->notes.push_back(fmt::format("{} is no longer used; its declaration is removed", name));
   }
 }
 
@@ -366,7 +364,8 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
   }
   for (ExtensionPlan& plan : plans) plan.finish(used, required);
   settle_dropped(context);
-  settle_taken_out(context, used, required);
+  settle_taken_out(context, plans, used, required);
+  std::for_each(plans.rbegin(), plans.rend(), [](ExtensionPlan& plan) { plan.add_dropped(); });
   used.apply(context.editor);
   required.apply(context.editor);
   context.plan.edits = context.editor.take();

@@ -33,6 +33,9 @@ class ValidatedAsset {
 
   /// Gives back the memory of tables that may be large.
   void forget_views() { asset_.forget_views(); }
+  void forget_large_document() { asset_.forget_large_document(); }
+  /// Gives back what the report has beside findings.
+  void forget_info() { report_.info.reset(); }
   /// For who needs nothing else any more.
   FileReport take_report() { return std::move(report_); }
   model::OpenedAsset take_asset() { return std::move(asset_); }

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fewer images: colour and factor in one, and those that nobody uses any more taken out.
+#include <tuple>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "codec/support/png_encoder.hpp"
@@ -136,6 +140,39 @@ UpgradeOptions pruning() {
   UpgradeOptions options = in_place();
   options.prune = true;
   return options;
+}
+
+// A large document is not held while another one is, but parsed again.
+TEST(UpgradePrune, ALargeDocumentGivesTheSameAsASmallOne) {
+  for (const bool prune : {false, true}) {
+    std::vector<std::pair<Json, UpgradeReport>> done;
+    for (const std::size_t blanks : {0, 5 << 20}) {
+      const TempFolder folder;
+      folder.write("map.png", kMap);
+      folder.write("base.png", kBase);
+      const auto path = folder.write("a.gltf", leaf().dump() + std::string(blanks, ' '));
+      UpgradeOptions options;
+      options.prune = prune;
+      options.output = (folder.path() / "out" / "a.gltf").native();
+      const UpgradeReport report = upgrade_file(path.native(), options);
+      ASSERT_TRUE(report.written) << report.error;
+      EXPECT_EQ(content(folder.path() / "out" / "base.png"), kBase);
+      const std::string text = content(options.output);
+      EXPECT_GE(text.size(), blanks);
+      done.emplace_back(Json::parse(text), report);
+    }
+    EXPECT_EQ(done[0].first, done[1].first);
+    const auto& [one, other] = std::tie(done[0].second, done[1].second);
+    EXPECT_EQ(one.new_warnings, other.new_warnings);
+    ASSERT_EQ(one.orphans.size(), other.orphans.size());
+    EXPECT_FALSE(one.orphans.empty());
+    for (std::size_t i = 0; i < one.orphans.size(); ++i) {
+      EXPECT_EQ(one.orphans[i].pointer, other.orphans[i].pointer);
+      EXPECT_EQ(one.orphans[i].bytes, other.orphans[i].bytes);
+      EXPECT_EQ(one.orphans[i].removed, prune);
+      EXPECT_EQ(other.orphans[i].removed, prune);
+    }
+  }
 }
 
 TEST(UpgradePrune, EveryIndexThatLeadsBehindAnOrphanMovesUp) {

@@ -31,7 +31,7 @@ constexpr std::string_view kPath = "pointer";
 struct Claims {
   std::optional<std::size_t> whole;
   std::optional<std::size_t> any_element;
-  std::unordered_map<std::uint64_t, std::size_t> elements;
+  std::map<std::uint64_t, std::size_t> elements;
 
   // The channel that is in the way of this one, which is entered when there is none.
   std::optional<std::size_t> claim(std::size_t channel, std::optional<std::uint64_t> element) {
