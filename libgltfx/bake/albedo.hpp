@@ -2,8 +2,8 @@
 /// Directional albedos: parts of light that lobes send back, by the cosine of the view.
 ///
 /// The shader reads them from tables over roughness and the fourth root of the cosine. The tables
-/// are in albedo_specular.cpp and albedo_sheen.cpp, made by the quadratures below, with which a
-/// test compares them, or writes them anew.
+/// are in albedo_specular.cpp and albedo_sheen.cpp; a test compares them with quadratures, or
+/// writes them anew.
 #pragma once
 
 #include <array>
@@ -59,11 +59,6 @@ class SheenCurve {
 
 /// The integral of (1 - V.H)^5 over a Lambertian lobe: its loss under Schlick's Fresnel.
 double diffuse_fresnel(double cosine);
-
-// The same by quadrature with `resolution` squared points.
-SpecularAlbedo integrate_specular_albedo(double roughness, double cosine, int resolution);
-double integrate_diffuse_fresnel(double cosine, int resolution);
-double integrate_sheen_albedo(double sheen_roughness, double cosine, int resolution);
 
 using AlbedoRow = std::array<float, kAlbedoColumns>;
 extern const std::array<AlbedoRow, kSpecularRows> kSpecularConstant;

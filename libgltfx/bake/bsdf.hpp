@@ -50,7 +50,14 @@ struct CoatFrame {
 
   CoatFrame() = default;
   /// The tangent is as near to +x as possible.
-  explicit CoatFrame(const Vec3d& normal);
+  explicit CoatFrame(const Vec3d& normal) {
+    if (normal == Vec3d(0, 0, 1)) return;
+    z = normal;
+    const Vec3d along = Vec3d(1, 0, 0) - normal.x * normal;
+    const Vec3d other = std::fabs(normal.x) < 0.99 ? along : Vec3d(0, 1, 0) - normal.y * normal;
+    x = normalize(other);
+    y = cross(z, x);
+  }
   Vec3d into(const Vec3d& w) const { return {dot(w, x), dot(w, y), dot(w, z)}; }
   Vec3d out_of(const Vec3d& w) const { return w.x * x + w.y * y + w.z * z; }
 };

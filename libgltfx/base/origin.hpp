@@ -2,6 +2,7 @@
 /// Where bytes come from, as far as it matters who trusts whom.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 namespace gltfx {
@@ -16,6 +17,9 @@ struct Origin {
 };
 
 /// One that nothing else has. Any number of threads may call.
-Origin new_origin();
+inline Origin new_origin() {
+  static std::atomic<std::uint64_t> last = 0;
+  return {0, ++last};  // no folder is on device 0
+}
 
 }  // namespace gltfx

@@ -18,7 +18,6 @@
 #include "edit/prune.hpp"
 #include "edit/references.hpp"
 #include "edit/write_asset.hpp"
-#include "pipeline/patch_path.hpp"
 #include "upgrade/ambiguity.hpp"
 #include "upgrade/asset_pictures.hpp"
 #include "upgrade/plan.hpp"
@@ -54,6 +53,17 @@ bool is_free(const OpenedAsset& asset, const std::string& output, const std::str
   std::error_code error;
   return !fs::exists(fs::symlink_status(there, error)) ||
          edit::has_bytes(there, {std::as_bytes(std::span(content)), nullptr});
+}
+
+// From the working folder, without "." and through no symbolic link, where the file lies below that
+// folder; otherwise as it is named, without a leading '/'.
+std::string patch_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path here = fs::canonical(".", error);
+  const fs::path file = error ? fs::path() : fs::canonical(path, error);
+  const fs::path below = error ? fs::path() : file.lexically_relative(here);
+  if (!below.empty() && *below.begin() != "..") return below.native();
+  return path.lexically_normal().relative_path().native();
 }
 
 // Makes new images and finds a place for all that is added.

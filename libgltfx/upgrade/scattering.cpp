@@ -25,12 +25,6 @@ Rgb coefficient(const Rgb& color, double distance) {
   return result;
 }
 
-double single_scatter_albedo(double multi_scatter) {
-  const double m = multi_scatter;
-  const double s = kA + kB * m - std::sqrt(kC + kD * m + kE * m * m);
-  return 1 - s * s;
-}
-
 double multi_scatter_albedo(double single_scatter) {
   if (single_scatter >= 1) return 1;
   // (kA - s + kB m)^2 = kC + kD m + kE m^2 is a quadratic in m with a tiny first coefficient: the

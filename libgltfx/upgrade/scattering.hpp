@@ -13,11 +13,8 @@ using Rgb = std::array<double, 3>;
 /// distance. A channel that is 0 counts as 1e-6.
 Rgb coefficient(const Rgb& color, double distance);
 
-/// Single-scatter albedo for a multi-scatter albedo in 0 .. 1 and isotropic scattering (Kulla and
-/// Conty 2017, as in KHR_materials_volume_scatter).
-double single_scatter_albedo(double multi_scatter);
-
-/// The inverse: multi-scatter albedo, cut to 0 .. 1. 1 gives 1.
+/// Multi-scatter albedo, cut to 0 .. 1, of a single-scatter albedo and isotropic scattering (Kulla
+/// and Conty 2017, as in KHR_materials_volume_scatter, inverted). 1 gives 1.
 double multi_scatter_albedo(double single_scatter);
 
 /// A medium as KHR_materials_volume and its scattering extension state it.

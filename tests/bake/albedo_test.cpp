@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The tables of albedos against their quadratures. With GLTFX_UPDATE_TABLES set in the environment
 /// the tables are written anew (format them afterwards, build again).
-#include "bake/albedo.hpp"
-
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "albedo_integrals.hpp"
 #include "random.hpp"
 
 namespace gltfx::bake {

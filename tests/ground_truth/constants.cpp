@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/albedo.hpp"
+#include "bake/albedo_integrals.hpp"
 #include "bake/fresnel.hpp"
 #include "cases.hpp"
 

@@ -3,6 +3,7 @@
 #include "upgrade/scattering.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <gmock/gmock.h>
 
@@ -21,6 +22,12 @@ auto is_near(double r, double g, double b, double within) {
 }
 
 constexpr Rgb kSkin{0.572, 0.227, 0.075};
+
+// The fit of Kulla and Conty as KHR_materials_volume_scatter has it.
+double single_scatter_albedo(double m) {
+  const double s = 4.09712 + 4.20863 * m - std::sqrt(9.59217 + 41.6808 * m + 17.7126 * m * m);
+  return 1 - s * s;
+}
 
 TEST(Scattering, ACoefficientIsWhatAColourLosesOverADistance) {
   EXPECT_THAT(coefficient(kSkin, 0.01), is_near(55.86, 148.28, 259.03, 0.005));
