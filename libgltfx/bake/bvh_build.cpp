@@ -5,7 +5,9 @@
 #include <span>
 #include <utility>
 
+#if GLTFX_TBB
 #include <tbb/task_arena.h>
+#endif
 
 #include "bake/bvh_groups.hpp"
 #include "bake/bvh_state.hpp"
@@ -44,8 +46,12 @@ bool attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, std::uint32_
 // would depend on their number. Not by the device's own limit, which holds for the whole process.
 // An arena is used again: TBB is slow to give back what it holds.
 void commit(RTCScene scene) {
+#if GLTFX_TBB
   static thread_local tbb::task_arena arena(1);
   arena.execute([scene] { rtcCommitScene(scene); });
+#else  // Embree's own threads, of which the device has none
+  rtcCommitScene(scene);
+#endif
 }
 
 // A ray in some millions slips through between two triangles, for a tenth less time: only rays
@@ -159,7 +165,7 @@ bool Bvh::State::add_instance(std::uint32_t index) {
 }
 
 bool Bvh::State::build() {
-  device = rtcNewDevice("set_affinity=0");
+  device = rtcNewDevice(GLTFX_TBB ? "set_affinity=0" : "set_affinity=0,threads=1");
   if (device == nullptr) return false;
   watertight_ = has_volumes(scene);
   top = new_scene(device, watertight_);
