@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/pages.hpp"
 
+#include <mutex>
 #include <new>
 
 #ifdef __linux__
@@ -40,7 +41,11 @@ void free_pages(void* memory, std::size_t bytes) noexcept {
 
 void give_back_memory() noexcept {
 #ifdef __GLIBC__
-  ::malloc_trim(0);
+  // One at a time: where a program has another malloc(), the first call makes glibc ready, and a
+  // second one beside it would find that half done.
+  static std::mutex mutex;
+  const std::unique_lock lock(mutex, std::try_to_lock);
+  if (lock) ::malloc_trim(0);
 #endif
 }
 

@@ -81,9 +81,8 @@ bool check_container(const container::Container& container, const std::string& n
   return container.json != nullptr;
 }
 
-std::string mime_type(const container::Container& container, const json::Document& document) {
+std::string mime_type(const container::Container& container, bool has_root) {
   if (container.format == container::Format::glb) return "model/gltf-binary";
-  const bool has_root = !document.empty() && document.is_object(document.root());
   return has_root ? "model/gltf+json" : "";
 }
 

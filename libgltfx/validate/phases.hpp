@@ -49,8 +49,8 @@ void check_torn(const Context& context, const model::ResourceData& resources, Si
 void check_data(const Context& context, const model::ResourceData& resources, Sink& sink,
                 FileReport& report);
 
-/// The media type of the report; empty when the JSON text gives no root object.
-std::string mime_type(const container::Container& container, const json::Document& document);
+/// The media type of the report; empty for JSON text without a root object.
+std::string mime_type(const container::Container& container, bool has_root);
 
 /// Opens every image, reads its header and reports what is wrong with it. Buffers have been loaded.
 void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources);

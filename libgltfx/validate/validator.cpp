@@ -129,7 +129,8 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options) 
   json::Document own;
   if (has_text && hides) own = opened.document();
   const json::Document& document = has_text && !hides ? opened.document() : own;
-  if (has_text && check_text(container.json, opened.parsed(), options, collector)) {
+  const bool readable = has_text && check_text(container.json, opened.parsed(), options, collector);
+  if (readable) {
     const auto set = options.schemas ? options.schemas : schema::builtin_set();
     Sink& forms = collector.sink(Phase::schema);
     Sink& links = collector.sink(Phase::reference);
@@ -162,7 +163,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options) 
     }
     report.left_out = suppressions.total();
   }
-  report.mime_type = mime_type(container, document);
+  report.mime_type = mime_type(container, readable && document.is_object(document.root()));
   collector.finish(report, document, container.json_offset);
   return report;
 }

@@ -146,7 +146,7 @@ UpgradeOptions pruning() {
 TEST(UpgradePrune, ALargeDocumentGivesTheSameAsASmallOne) {
   for (const bool prune : {false, true}) {
     std::vector<std::pair<Json, UpgradeReport>> done;
-    for (const std::size_t blanks : {0, 5 << 20}) {
+    for (const std::size_t blanks : {0U, 5U << 20U}) {
       const TempFolder folder;
       folder.write("map.png", kMap);
       folder.write("base.png", kBase);

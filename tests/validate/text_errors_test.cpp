@@ -74,6 +74,15 @@ TEST(TextErrors, KhronosProfileGivesUpAtTheFirst) {
   EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.0", "x": 1,}})", Profile::khronos), wanted);
 }
 
+TEST(TextErrors, KhronosProfileKnowsNoMediaTypeOfWhatItDoesNotRead) {
+  ValidateOptions options;
+  EXPECT_EQ(validate_bytes(kAsset + ",}", "a.gltf", options).mime_type, "model/gltf+json");
+  options.profile = Profile::khronos;
+  EXPECT_EQ(validate_bytes(kAsset + ",}", "a.gltf", options).mime_type, "");
+  EXPECT_EQ(validate_bytes("\xef\xbb\xbf" + kAsset + "}", "a.gltf", options).mime_type,
+            "model/gltf+json");
+}
+
 TEST(TextErrors, KhronosProfileReadsOnBehindAByteOrderMark) {
   const std::vector<std::string> wanted{"INVALID_JSON ", "UNEXPECTED_PROPERTY /asset/x"};
   const std::string text =

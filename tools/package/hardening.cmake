@@ -3,8 +3,10 @@
 # is written over, checked copies, jumps that only land where they may, tables of addresses that are
 # read-only once the program runs. To be included before the targets are made.
 include(CheckCXXCompilerFlag)
-include(CheckPIESupported)
-check_pie_supported(LANGUAGES CXX)
+if(NOT GLTFX_STATIC)  # which has its own kind
+  include(CheckPIESupported)
+  check_pie_supported(LANGUAGES CXX)
+endif()
 add_compile_options(-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 check_cxx_compiler_flag(-fcf-protection GLTFX_HAS_CF_PROTECTION)  # x86
 check_cxx_compiler_flag(-mbranch-protection=standard GLTFX_HAS_BRANCH_PROTECTION)  # Arm
