@@ -33,7 +33,11 @@ class Preparation {
   explicit Preparation(const Ends& ends) {
     ::posix_spawn_file_actions_init(&actions_);
     ::posix_spawnattr_init(&attributes_);
-    ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDWR, 0);
+    if (::access("/dev/null", R_OK | W_OK) == 0) {
+      ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDWR, 0);
+    } else {  // as in an empty system: what a library prints is an error that it ignores
+      ::posix_spawn_file_actions_adddup2(&actions_, ends.worker_lifeline.get(), 0);
+    }
     ::posix_spawn_file_actions_adddup2(&actions_, 0, 1);
     ::posix_spawn_file_actions_adddup2(&actions_, 0, 2);
     ::posix_spawn_file_actions_adddup2(&actions_, ends.worker_socket.get(), kSocketDescriptor);
