@@ -35,7 +35,7 @@ class Preparation {
     ::posix_spawnattr_init(&attributes_);
     if (::access("/dev/null", R_OK | W_OK) == 0) {
       ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDWR, 0);
-    } else {  // as in an empty system: what a library prints is an error that it ignores
+    } else {  // an empty system has none; a pipe that cannot be written to serves as well
       ::posix_spawn_file_actions_adddup2(&actions_, ends.worker_lifeline.get(), 0);
     }
     ::posix_spawn_file_actions_adddup2(&actions_, 0, 1);

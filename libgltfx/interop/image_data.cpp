@@ -96,13 +96,8 @@ class Decoding {
 
   void decode(std::size_t index) {
     if (std::holds_alternative<codec::DecodeError>(results_[index])) return;
-    const model::ImageData& data = resources_.images[index];
-    codec::ImageRequest request;
-    request.bytes = data.bytes->view();
-    request.format = *model::codec_format(*data.format);
+    codec::ImageRequest request = model::image_request(resources_, index);
     request.pixels = true;
-    request.origin = resources_.origin;
-    request.max_pixels = std::min(request.max_pixels, texels_of(*data.header));
     results_[index] = codec::Client::shared().decode_image(request);
   }
 

@@ -2,10 +2,12 @@
 /// Which images can be decoded, and as what.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "codec/client.hpp"
 #include "image/header.hpp"
+#include "model/resource_data.hpp"
 
 namespace gltfx::model {
 
@@ -22,6 +24,18 @@ inline std::optional<codec::ImageFormat> codec_format(image::Format format) {
       break;
   }
   return std::nullopt;
+}
+
+/// What to ask a decoder for an image, no more texels than its header has. Precondition: it has
+/// bytes and a header, of a format that can be decoded.
+inline codec::ImageRequest image_request(const ResourceData& resources, std::size_t image) {
+  const ImageData& data = resources.images[image];
+  codec::ImageRequest request;
+  request.bytes = data.bytes->view();
+  request.format = *codec_format(data.header->format);
+  request.origin = resources.origin;
+  request.max_pixels = std::min(request.max_pixels, image::texels_of(*data.header));
+  return request;
 }
 
 }  // namespace gltfx::model

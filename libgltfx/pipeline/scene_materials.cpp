@@ -210,13 +210,8 @@ void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBu
       [&](std::size_t i) {
         Job& job = jobs_[i];
         if (stopped || std::holds_alternative<codec::DecodeError>(job.result)) return;
-        const model::ImageData& data = resources_.images[job.image];
-        codec::ImageRequest request;
-        request.bytes = data.bytes->view();
-        request.format = *model::codec_format(*data.format);
+        codec::ImageRequest request = model::image_request(resources_, job.image);
         request.pixels = true;
-        request.origin = resources_.origin;
-        request.max_pixels = std::min(request.max_pixels, texels_of(*data.header));
         job.result = client.decode_image(request);
       },
       [&](std::size_t i) {

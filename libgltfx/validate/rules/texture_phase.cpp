@@ -106,13 +106,8 @@ bool PixelSource::take(std::uint32_t index) {
 }
 
 codec::ImageResult PixelSource::decoded(const Request& request) const {
-  const model::ImageData& data = resources_.images[request.image];
-  codec::ImageRequest wanted;
-  wanted.bytes = data.bytes->view();
-  wanted.format = *model::codec_format(data.header->format);
-  wanted.max_pixels = std::min(wanted.max_pixels, image::texels_of(*data.header));
+  codec::ImageRequest wanted = model::image_request(resources_, request.image);
   wanted.normals = request.normals;
-  wanted.origin = resources_.origin;
   return codec::Client::shared().decode_image(wanted);
 }
 
