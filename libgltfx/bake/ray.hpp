@@ -4,12 +4,12 @@
 
 #include <gltfx/vec3.hpp>
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "bake/scene.hpp"
+#include "base/bit_cast.hpp"
 
 namespace gltfx::bake {
 
@@ -42,8 +42,8 @@ inline Vec3d beside(const Vec3d& point, const Vec3d& normal, double size) {
   const auto moved = [near, fixed](double p, double n) {
     if (std::fabs(p) < near) return p + fixed * n;
     const auto steps = static_cast<std::int32_t>(kSteps * n);
-    const auto bits = std::bit_cast<std::int32_t>(static_cast<float>(p));
-    return static_cast<double>(std::bit_cast<float>(bits + (p < 0 ? -steps : steps)));
+    const auto bits = bit_cast<std::int32_t>(static_cast<float>(p));
+    return static_cast<double>(bit_cast<float>(bits + (p < 0 ? -steps : steps)));
   };
   return {moved(point.x, normal.x), moved(point.y, normal.y), moved(point.z, normal.z)};
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace gltfx {
@@ -20,9 +21,9 @@ class Path {
  public:
   Path() = default;
   Path(const Path& parent, std::string_view key) : parent_(&parent), key_(key) {}
-  Path(const Path& parent, std::uint64_t index)
-      : parent_(&parent), index_(index), is_index_(true) {}
-  Path(const Path& parent, int index) : Path(parent, static_cast<std::uint64_t>(index)) {}
+  template <typename Index, std::enable_if_t<std::is_integral_v<Index>, bool> = true>
+  Path(const Path& parent, Index index)
+      : parent_(&parent), index_(static_cast<std::uint64_t>(index)), is_index_(true) {}
 
   const Path* parent() const { return parent_; }
   bool is_index() const { return is_index_; }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -55,15 +54,6 @@ void append_printable(std::string& out, std::string_view text, std::size_t at, C
   } else {
     fmt::format_to(std::back_inserter(out), "\\u{{{:x}}}", point.value);
   }
-}
-
-// std::to_chars pads an exponent to two digits: "1e-07" becomes "1e-7".
-std::string without_exponent_padding(std::string_view digits) {
-  const std::size_t exponent = digits.find('e');
-  std::string text(digits.substr(0, exponent + 2));
-  std::string_view rest = digits.substr(exponent + 2);
-  while (rest.size() > 1 && rest.front() == '0') rest.remove_prefix(1);
-  return text.append(rest);
 }
 
 // Length that a lead byte announces, 0 when it leads nothing.
@@ -211,21 +201,6 @@ std::string lower_case(std::string_view text) {
 
 std::string ending_of(std::string_view path) {
   return lower_case(std::filesystem::path(path).extension().native());
-}
-
-std::string number_text(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";
-  // The bounds are ECMAScript's: between them people write a number without an exponent.
-  const double magnitude = std::fabs(value);
-  const bool fixed = magnitude == 0 || (magnitude >= 1e-6 && magnitude < 1e21);
-  std::array<char, 64> buffer{};
-  const auto result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                    fixed ? std::chars_format::fixed : std::chars_format::scientific);
-  const std::string_view digits(buffer.data(),
-                                static_cast<std::size_t>(result.ptr - buffer.data()));
-  return fixed ? std::string(digits) : without_exponent_padding(digits);
 }
 
 CodePoint decode_utf8(std::string_view text, std::size_t at) {

@@ -58,8 +58,4 @@ std::string lower_case(std::string_view text);
 /// What the file's name ends with, in lower case and with its dot: ".glb". Empty without a dot.
 std::string ending_of(std::string_view path);
 
-/// A double as a person writes it: the shortest digits that read back equal, no exponent for
-/// whole numbers below 1e15.
-std::string number_text(double value);
-
 }  // namespace gltfx

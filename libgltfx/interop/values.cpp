@@ -9,6 +9,7 @@
 
 #include <tiny_gltf.h>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace gltfx::interop {

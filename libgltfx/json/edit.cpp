@@ -203,17 +203,21 @@ void Editor::settle_changes() {
   std::sort(removed_.begin(), removed_.end());
   std::stable_sort(added_.begin(), added_.end(),
                    [](const Addition& a, const Addition& b) { return a.container < b.container; });
-  auto removed = removed_.cbegin();
-  auto added = added_.begin();
-  while (removed != removed_.end() || added != added_.end()) {
-    const NodeId container = std::min(removed == removed_.end() ? kNoNode : removed->container,
-                                      added == added_.end() ? kNoNode : added->container);
+  std::span<const Removal> removed(removed_);
+  std::span<Addition> added(added_);
+  while (!removed.empty() || !added.empty()) {
+    const NodeId container = std::min(removed.empty() ? kNoNode : removed.front().container,
+                                      added.empty() ? kNoNode : added.front().container);
     const auto in_it = [container](const auto& change) { return change.container == container; };
-    const auto removed_end = std::find_if_not(removed, removed_.cend(), in_it);
-    const auto added_end = std::find_if_not(added, added_.end(), in_it);
-    settle(container, {{removed, removed_end}, {added, added_end}});
-    for (; added != added_end; ++added) added->text = {};  // it is in an edit now
-    removed = removed_end;
+    const auto count = [&](const auto& changes) {
+      return static_cast<std::size_t>(std::find_if_not(changes.begin(), changes.end(), in_it) -
+                                      changes.begin());
+    };
+    const auto added_here = added.first(count(added));
+    settle(container, {removed.first(count(removed)), added_here});
+    for (Addition& addition : added_here) addition.text = {};  // it is in an edit now
+    removed = removed.subspan(count(removed));
+    added = added.subspan(added_here.size());
   }
   removed_ = {};
   added_ = {};

@@ -8,6 +8,7 @@
 
 #include <simdjson.h>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "json/scan.hpp"
 
@@ -81,7 +82,7 @@ Escape read_unicode_escape(std::string_view text) {
 double number_value(std::string_view literal) {
   if (const auto small = small_integer(literal)) return *small;
   double value = 0;
-  const auto read = std::from_chars(literal.data(), literal.data() + literal.size(), value);
+  const auto read = read_double(literal.data(), literal.data() + literal.size(), value);
   if (read.ec != std::errc::result_out_of_range) return value;
   value = is_large(literal) ? std::numeric_limits<double>::infinity() : 0.0;
   return literal.front() == '-' ? -value : value;

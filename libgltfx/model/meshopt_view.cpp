@@ -56,7 +56,7 @@ bool is_exact(const meshopt::Layout& layout) {
 void decode(DecodedStream& job) {
   const meshopt::Layout& layout = job.view.layout;
   const auto size = static_cast<std::size_t>(*layout.decoded_size());
-  const auto memory = std::make_shared_for_overwrite<std::byte[]>(size);
+  const std::shared_ptr<std::byte[]> memory(new std::byte[size]);
   const std::span<std::byte> elements(memory.get(), size);
   job.error = meshopt::decode(job.stream.view(), layout, elements);
   if (job.error != DecodeError::none) return;

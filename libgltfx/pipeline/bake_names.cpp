@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace gltfx {
@@ -27,10 +28,17 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+std::from_chars_result parse(const char* first, const char* last, double& number) {
+  return read_double(first, last, number);
+}
+std::from_chars_result parse(const char* first, const char* last, std::uint32_t& number) {
+  return std::from_chars(first, last, number);
+}
+
 template <class Number>
 bool parse_all(std::string_view text, Number& number) {
   const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  const auto [stop, error] = parse(text.data(), end, number);
   return error == std::errc() && stop == end;
 }
 

@@ -27,7 +27,9 @@ std::int64_t now() {
 }
 
 void wait_until(std::int64_t time) {
-  const timespec until{time / kSecond, time % kSecond};
+  timespec until{};
+  until.tv_sec = static_cast<std::time_t>(time / kSecond);
+  until.tv_nsec = static_cast<long>(time % kSecond);
   while (::clock_nanosleep(CLOCK_REALTIME, TIMER_ABSTIME, &until, nullptr) == EINTR) {
   }
 }

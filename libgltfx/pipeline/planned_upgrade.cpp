@@ -52,7 +52,8 @@ bool is_free(const OpenedAsset& asset, const std::string& output, const std::str
   const fs::path there = edit::target_folder(asset.name(), output) / path;
   std::error_code error;
   return !fs::exists(fs::symlink_status(there, error)) ||
-         edit::has_bytes(there, {std::as_bytes(std::span(content)), nullptr});
+         edit::has_bytes(there,
+                         {std::as_bytes(std::span(content.data(), content.size())), nullptr});
 }
 
 // From the working folder, without "." and through no symbolic link, where the file lies below that

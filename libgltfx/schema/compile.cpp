@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "schema/build.hpp"
 #include "schema/form_check.hpp"

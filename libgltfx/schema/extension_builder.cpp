@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "schema/shape_builder.hpp"
 

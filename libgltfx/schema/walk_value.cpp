@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "edit/removal.hpp"
 #include "json/parse.hpp"

@@ -2,11 +2,11 @@
 #include "upgrade/placements.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/number.hpp"
 #include "json/writer.hpp"
 
 namespace gltfx::upgrade {
@@ -18,7 +18,7 @@ bool is_same(const json::Document& document, json::NodeId old, const std::string
   if (document.raw(old) == json) return true;
   if (!document.is_number(old)) return false;
   double value = 0;
-  const auto read = std::from_chars(json.data(), json.data() + json.size(), value);
+  const auto read = read_double(json.data(), json.data() + json.size(), value);
   return read.ec == std::errc() && value == document.number(old).value;
 }
 

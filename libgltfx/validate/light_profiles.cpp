@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "validate/phases.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/extension_walk.hpp"
@@ -34,7 +34,7 @@ std::optional<double> take_number(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   double value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto read = read_double(text.data(), text.data() + text.size(), value);
   if (read.ec != std::errc()) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
   return value;

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/number.hpp"
+
 namespace gltfx {
 namespace {
 

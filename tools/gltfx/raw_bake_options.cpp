@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "options.hpp"
 #include "raw_options.hpp"
@@ -119,7 +119,7 @@ Result<double> parse_decimal(std::string_view option, std::string_view text, dou
                              double greatest) {
   double value = 0;
   const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const auto [stop, error] = read_double(text.data(), end, value);
   if (error != std::errc() || stop != end || !(value >= least) || !(value <= greatest)) {
     return Error{fmt::format("{}: {} is not a number from {} to {}.", option, quoted(text), least,
                              greatest)};

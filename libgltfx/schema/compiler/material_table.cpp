@@ -65,8 +65,9 @@ class Table {
     const std::size_t slots = slots_.count;
     add_members(type, "", "");
     if (parameters_.count == parameters && slots_.count == slots) return;
-    texts_ += format("    {{\"{}\", {{kRows + {}, {}}}, {{kSlotRows + {}, {}}}}},\n", extension,
-                     parameters, parameters_.count - parameters, slots, slots_.count - slots);
+    texts_ +=
+        format("    {{\"{}\", {{kRows + {}, {}}}, {{kSlotRows + {}, std::size_t{{{}}}}}}},\n",
+               extension, parameters, parameters_.count - parameters, slots, slots_.count - slots);
   }
 
   // `prefix`: of the names of parameters inside a texture slot.
@@ -123,7 +124,7 @@ class Table {
                         std::string_view("rgba").find(channels.front()));
       ++scale_count_;
     }
-    return format("{{kScales + {}, {}}}", before, scale_count_ - before);
+    return format("{{kScales + {}, std::size_t{{{}}}}}", before, scale_count_ - before);
   }
 
   static const Property* find(const ObjectType& type, const std::string& name) {

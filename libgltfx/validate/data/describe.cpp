@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "validate/data/kernels.hpp"
 #include "validate/rules/finding.hpp"

@@ -3,8 +3,9 @@
 #include "validate/data/kernels.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <type_traits>
+
+#include "base/bit_cast.hpp"
 
 namespace gltfx::validate::kernels {
 namespace {
@@ -41,7 +42,7 @@ std::size_t count_non_finite(const float* values, std::size_t count) {
   constexpr std::uint32_t kExponent = 0x7f800000;
   Count errors = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    errors += (std::bit_cast<std::uint32_t>(values[i]) & kExponent) == kExponent ? 1U : 0U;
+    errors += (bit_cast<std::uint32_t>(values[i]) & kExponent) == kExponent ? 1U : 0U;
   }
   return errors;
 }

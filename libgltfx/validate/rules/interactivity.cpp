@@ -8,6 +8,7 @@
 
 #include "base/codes.hpp"
 #include "base/json_pointer.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"

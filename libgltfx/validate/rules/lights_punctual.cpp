@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"

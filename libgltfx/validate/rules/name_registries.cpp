@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"

@@ -2,11 +2,11 @@
 #include "validate/rules/texture_slots.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
@@ -46,7 +46,7 @@ std::vector<double> numbers_in(std::string_view text) {
   const char* const end = at + text.size();
   while (at != end) {
     double value = 0;
-    const auto read = std::from_chars(at, end, value);
+    const auto read = read_double(at, end, value);
     if (read.ec == std::errc()) numbers.push_back(value);
     at = read.ec == std::errc() ? read.ptr : at + 1;
   }
