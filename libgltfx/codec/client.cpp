@@ -7,31 +7,16 @@
 #include <exception>
 #include <utility>
 
+#include "codec/limited_job.hpp"
 #include "codec/pool.hpp"
 #include "codec/program_path.hpp"
 
 namespace gltfx::codec {
 namespace {
 
-// Decoders need some hundred bytes for each byte of a mesh or image that is packed well. What is
-// packed better still has the least amount that any request has.
-constexpr std::uint64_t kMemoryPerByte = 128;
 constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 28U;  // that are handed over
-// Ten times what decoders and encoders take, so that neither slow processors nor neighbours that
-// share their caches decide.
-constexpr double kSecondsPerByte = 5e-6;
+// As kSecondsPerByte.
 constexpr double kSecondsPerTexel = 1e-7;
-
-Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
-  Job job;
-  job.task = task;
-  job.input_bytes = bytes;
-  job.memory_bytes = bytes * kMemoryPerByte + (task == Task::draco ? settings.mesh_memory_bytes
-                                                                   : settings.image_memory_bytes);
-  const double seconds = settings.seconds + static_cast<double>(bytes) * kSecondsPerByte;
-  job.milliseconds = static_cast<std::uint64_t>(seconds * 1000);
-  return job;
-}
 
 std::chrono::milliseconds standstill_of(const Settings& settings) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(settings.standstill_seconds * 1000));

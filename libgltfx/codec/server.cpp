@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <exception>
-#include <new>
 
 #include <malloc.h>
 #include <sys/wait.h>
@@ -13,25 +11,23 @@
 #include "codec/packet.hpp"
 #include "codec/process.hpp"
 #include "codec/sandbox.hpp"
+#include "codec/shared_memory.hpp"
 
 namespace gltfx::codec {
 namespace {
 
 constexpr std::uint64_t kMostResultBytes = std::uint64_t{8} << 30U;
 
-Answer decode_safely(const Decode& decode, const Job& job, const Packet& packet) {
+Answer answer_to(const Job& job, const Packet& packet, const Decode& decode) {
   const Mapping input(packet.descriptors[0].get(), job.input_bytes, Mapping::Access::read);
   if (input.bytes().size() != job.input_bytes) {
     return DecodeError{ErrorKind::out_of_memory, "There is not enough memory for the payload."};
   }
-  Output output(packet.descriptors[1].get());
-  try {
-    return decode(job, input.bytes(), output);
-  } catch (const std::bad_alloc&) {
-    return DecodeError{ErrorKind::out_of_memory, "Decoding exceeds the memory limit."};
-  } catch (const std::exception& error) {
-    return DecodeError{ErrorKind::malformed, error.what()};
-  }
+  Mapping result;
+  return decode_safely(decode, job, input.bytes(), [&](std::uint64_t size) {
+    result = Mapping(packet.descriptors[1].get(), size, Mapping::Access::write);
+    return result.bytes();
+  });
 }
 
 // What one payload was decoded in serves for the next: pages that come from the system anew take a
@@ -51,7 +47,7 @@ bool serve_one(const Decode& decode, const JobLimits& limits) {
   const auto job = read_job(packet->bytes);
   if (!job) return false;
   limits.begin(job->memory_bytes, job->milliseconds);
-  const Answer answer = decode_safely(decode, *job, *packet);
+  const Answer answer = answer_to(*job, *packet, decode);
   JobLimits::end();
   return send_packet(kSocketDescriptor, write_answer(answer), {});
 }
@@ -112,11 +108,6 @@ bool launch_one(const Decode& decode) {
 }
 
 }  // namespace
-
-std::span<std::byte> Output::create(std::uint64_t size) {
-  mapping_ = Mapping(fd_, size, Mapping::Access::write);
-  return mapping_.bytes();
-}
 
 int serve(const std::function<void()>& prepare, const Decode& decode) {
   close_descriptors_from(kLifelineDescriptor + 1);

@@ -90,7 +90,7 @@ std::vector<std::string> chosen_channels(const Imf::ChannelList& channels) {
 
 }  // namespace
 
-Answer decode_exr(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer decode_exr(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   Input input(bytes);
   Imf::InputFile file(input, kNoThreads);
   const Imath::Box2i window = file.header().dataWindow();
@@ -118,7 +118,7 @@ Answer decode_exr(const Job& job, std::span<const std::byte> bytes, Output& outp
   return image;
 }
 
-Answer encode_exr(const Job& job, std::span<const std::byte> texels, Output& output) {
+Answer encode_exr(const Job& job, std::span<const std::byte> texels, const Output& output) {
   const Raster& raster = job.raster;
   constexpr std::array<std::string_view, 5> kNames{"", "Y", "YA", "RGB", "RGBA"};
   const std::size_t texel = raster.channels * sizeof(float);

@@ -48,11 +48,11 @@ bool exceeds_memory(const Job& job, std::uint64_t texels, std::uint64_t bytes_pe
 
 DecodeError no_memory() { return {ErrorKind::out_of_memory, "Decoding exceeds the memory limit."}; }
 
-std::span<std::byte> create_pixels(const Image& image, const Job& job, Output& output) {
+std::span<std::byte> create_pixels(const Image& image, const Job& job, const Output& output) {
   if (!job.pixels) return {};
   const auto size = result_size(image);
   if (!size || *size > job.memory_bytes) throw std::bad_alloc();
-  const std::span<std::byte> pixels = output.create(*size);
+  const std::span<std::byte> pixels = output(*size);
   if (pixels.size() < *size) throw std::bad_alloc();
   return pixels;
 }

@@ -21,7 +21,7 @@ bool exceeds_memory(const Job& job, std::uint64_t texels, std::uint64_t bytes_pe
 DecodeError no_memory();
 
 /// Room for the pixels of `image` where they were asked for, else none. Throws std::bad_alloc.
-std::span<std::byte> create_pixels(const Image& image, const Job& job, Output& output);
+std::span<std::byte> create_pixels(const Image& image, const Job& job, const Output& output);
 
 /// Takes the rows of an image from the top, band by band: no image is held for its statistics.
 class Rows {
@@ -49,10 +49,10 @@ class Rows {
 
 // Each decodes one format. May throw std::exception, which becomes an error.
 
-Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& output);
-Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& output);
-Answer decode_webp(const Job& job, std::span<const std::byte> bytes, Output& output);
-Answer decode_radiance(const Job& job, std::span<const std::byte> bytes, Output& output);
-Answer decode_exr(const Job& job, std::span<const std::byte> bytes, Output& output);
+Answer decode_png(const Job& job, std::span<const std::byte> bytes, const Output& output);
+Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Output& output);
+Answer decode_webp(const Job& job, std::span<const std::byte> bytes, const Output& output);
+Answer decode_radiance(const Job& job, std::span<const std::byte> bytes, const Output& output);
+Answer decode_exr(const Job& job, std::span<const std::byte> bytes, const Output& output);
 
 }  // namespace gltfx::codec

@@ -10,16 +10,16 @@
 namespace gltfx::codec {
 
 /// Hands over a finished file. Throws std::bad_alloc.
-Answer hand_over(std::span<const std::byte> file, Output& output);
+Answer hand_over(std::span<const std::byte> file, const Output& output);
 
 // Each encodes the texels that `job.raster` describes; formats and forms have been checked.
 
 /// PNG of every depth and number of channels.
-Answer encode_png(const Job& job, std::span<const std::byte> texels, Output& output);
+Answer encode_png(const Job& job, std::span<const std::byte> texels, const Output& output);
 /// WebP, lossless with quality 0; colours of transparent texels are kept.
-Answer encode_webp(const Job& job, std::span<const std::byte> texels, Output& output);
-Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, Output& output);
+Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Output& output);
+Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output);
 /// EXR of floats, compressed without loss.
-Answer encode_exr(const Job& job, std::span<const std::byte> texels, Output& output);
+Answer encode_exr(const Job& job, std::span<const std::byte> texels, const Output& output);
 
 }  // namespace gltfx::codec

@@ -11,8 +11,8 @@
 
 namespace gltfx::codec {
 
-Answer hand_over(std::span<const std::byte> file, Output& output) {
-  const std::span<std::byte> to = output.create(file.size());
+Answer hand_over(std::span<const std::byte> file, const Output& output) {
+  const std::span<std::byte> to = output(file.size());
   if (to.size() < file.size() || file.empty()) throw std::bad_alloc();
   std::memcpy(to.data(), file.data(), file.size());
   EncodedImage image;
@@ -22,7 +22,7 @@ Answer hand_over(std::span<const std::byte> file, Output& output) {
 
 namespace {
 
-Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer decode(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   switch (job.format) {
     case ImageFormat::png:
       return decode_png(job, bytes, output);
@@ -37,7 +37,7 @@ Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) 
   }
 }
 
-Answer encode(const Job& job, std::span<const std::byte> texels, Output& output) {
+Answer encode(const Job& job, std::span<const std::byte> texels, const Output& output) {
   switch (job.encoded) {
     case EncodedFormat::png:
       return encode_png(job, texels, output);
@@ -50,7 +50,7 @@ Answer encode(const Job& job, std::span<const std::byte> texels, Output& output)
   }
 }
 
-Answer serve_job(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer serve_job(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   return job.task == Task::encode ? encode(job, bytes, output) : decode(job, bytes, output);
 }
 

@@ -155,7 +155,7 @@ class JpegEncoder {
 
 }  // namespace
 
-Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   JpegDecoder decoder;
   Image image;
   if (!decoder.read_header(bytes, image)) return decoder.error();
@@ -170,7 +170,7 @@ Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, Output& out
   return result;
 }
 
-Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, Output& output) {
+Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output) {
   if (job.raster.width > JPEG_MAX_DIMENSION || job.raster.height > JPEG_MAX_DIMENSION) {
     return DecodeError{ErrorKind::malformed, "JPEG holds no more than 65500 texels a side."};
   }

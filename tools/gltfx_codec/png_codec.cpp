@@ -179,7 +179,7 @@ class PngEncoder {
 
 }  // namespace
 
-Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer decode_png(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   PngDecoder decoder(bytes);
   Image image;
   if (!decoder.read_header(image)) return DecodeError{ErrorKind::malformed, decoder.message()};
@@ -196,7 +196,7 @@ Answer decode_png(const Job& job, std::span<const std::byte> bytes, Output& outp
   return rows.finish();
 }
 
-Answer encode_png(const Job& job, std::span<const std::byte> texels, Output& output) {
+Answer encode_png(const Job& job, std::span<const std::byte> texels, const Output& output) {
   PngEncoder encoder;
   if (!encoder.encode(job.raster, texels)) throw std::bad_alloc();
   return hand_over(encoder.file(), output);

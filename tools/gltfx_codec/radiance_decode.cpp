@@ -132,7 +132,7 @@ void convert(const std::vector<Texel>& row, std::byte* to) {
 
 }  // namespace
 
-Answer decode_radiance(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer decode_radiance(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   Bytes input(bytes);
   const Image image = read_header(input);
   if (image.texels() > job.max_pixels) return too_many_texels();

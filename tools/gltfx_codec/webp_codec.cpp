@@ -96,7 +96,7 @@ bool configure(WebPConfig& config, std::uint32_t quality) {
 
 }  // namespace
 
-Answer decode_webp(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer decode_webp(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   WebPBitstreamFeatures features;
   const VP8StatusCode status = WebPGetFeatures(data_of(bytes), bytes.size(), &features);
   if (status != VP8_STATUS_OK) return refusal(status);
@@ -114,7 +114,7 @@ Answer decode_webp(const Job& job, std::span<const std::byte> bytes, Output& out
                   : decode_still(std::move(image), job, bytes, pixels);
 }
 
-Answer encode_webp(const Job& job, std::span<const std::byte> texels, Output& output) {
+Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Output& output) {
   const Raster& raster = job.raster;
   WebPConfig config;
   WebPPicture picture;

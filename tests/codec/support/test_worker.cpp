@@ -84,19 +84,19 @@ std::string open_descriptors() {
   return list;
 }
 
-DracoMesh one_triangle(std::uint32_t index, Output& output) {
+DracoMesh one_triangle(std::uint32_t index, const Output& output) {
   DracoMesh mesh;
   mesh.points = 3;
   mesh.faces = 1;
   const std::uint32_t indices[] = {0, 1, index};
-  const std::span<std::byte> to = output.create(16);
+  const std::span<std::byte> to = output(16);
   if (to.size() == 16) std::memcpy(to.data(), indices, sizeof indices);
   return mesh;
 }
 
 volatile std::uint64_t counter = 0;
 
-Answer misbehave(const std::string& what, Output& output) {
+Answer misbehave(const std::string& what, const Output& output) {
   if (what == "crash") {
     std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would make an exit of it
     std::raise(SIGSEGV);
@@ -118,7 +118,7 @@ Answer misbehave(const std::string& what, Output& output) {
     while (true) all.emplace_back(std::size_t{1} << 20U, 'x');
   }
   if (what == "file") {
-    const bool given = output.create(std::uint64_t{1} << 40U).empty();
+    const bool given = output(std::uint64_t{1} << 40U).empty();
     return says(given ? "refused" : "given");
   }
   if (what == "garbage") send_packet(kSocketDescriptor, std::vector<std::byte>(9), {});
@@ -141,7 +141,7 @@ Answer misbehave(const std::string& what, Output& output) {
 }
 
 // An image, which must look like one, has its word behind all that, after a stroke.
-Answer decode(const Job& job, std::span<const std::byte> bytes, Output& output) {
+Answer decode(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   std::string_view what(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (job.task == Task::image) what.remove_prefix(what.rfind('|') + 1);
   return misbehave(std::string(what), output);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a payload may take, by its size.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "codec/client.hpp"
+#include "codec/protocol.hpp"
+
+namespace gltfx::codec {
+
+// Decoders need some hundred bytes for each byte of a mesh or image that is packed well. What is
+// packed better still has the least amount that any request has.
+inline constexpr std::uint64_t kMemoryPerByte = 128;
+// Ten times what decoders and encoders take, so that neither slow processors nor neighbours that
+// share their caches decide.
+inline constexpr double kSecondsPerByte = 5e-6;
+
+inline Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
+  Job job;
+  job.task = task;
+  job.input_bytes = bytes;
+  job.memory_bytes = bytes * kMemoryPerByte + (task == Task::draco ? settings.mesh_memory_bytes
+                                                                   : settings.image_memory_bytes);
+  const double seconds = settings.seconds + static_cast<double>(bytes) * kSecondsPerByte;
+  job.milliseconds = static_cast<std::uint64_t>(seconds * 1000);
+  return job;
+}
+
+}  // namespace gltfx::codec
