@@ -84,8 +84,13 @@ Result<Container> open_file(const File& file, const std::filesystem::path& path,
 }
 
 Container open_bytes(Bytes bytes, std::string_view name) {
+  const Format format = sniff(bytes.text(), bytes.size(), name);
+  return open_bytes(std::move(bytes), format);
+}
+
+Container open_bytes(Bytes bytes, Format format) {
   Container container;
-  container.format = sniff(bytes.text(), bytes.size(), name);
+  container.format = format;
   if (container.format == Format::gltf && bytes.size() <= kMaxJson) {
     container.json = share_text(std::string(bytes.text()));
   } else if (container.format == Format::glb) {

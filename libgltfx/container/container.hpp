@@ -87,6 +87,8 @@ Result<Container> open_file(const std::filesystem::path& path, const OpenLimits&
 /// The same for bytes that are already in memory, which the container keeps. `name` is looked at as
 /// `Format` says and may be left out.
 Container open_bytes(Bytes bytes, std::string_view name = {});
+/// The same for bytes that are said to be `format`, one of gltf and glb.
+Container open_bytes(Bytes bytes, Format format);
 
 /// As open_file() of container.hpp; `path` is the name of the asset.
 Result<Container> open_file(const File& file, const std::filesystem::path& path,

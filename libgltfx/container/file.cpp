@@ -10,11 +10,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <linux/openat2.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#ifdef __linux__
+#include <linux/openat2.h>
+#endif
 
 #include "container/mapping.hpp"
 
@@ -43,12 +46,19 @@ Copied copy_error(ResolveError error, std::string problem) {
   return {error, {}, std::move(problem)};
 }
 
-/// glibc has no wrapper for openat2(2).
+/// glibc has no wrapper for openat2(2), and other systems have no such call.
 UniqueFd open_by_kernel(int root, const char* path) {
+#ifdef __linux__
   open_how how{};
   how.flags = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
   return UniqueFd(static_cast<int>(::syscall(SYS_openat2, root, path, &how, sizeof how)));
+#else
+  static_cast<void>(root);
+  static_cast<void>(path);
+  errno = ENOSYS;
+  return {};
+#endif
 }
 
 /// What the kernel and the walk are certain to agree on. Everything else is asked again by hand:

@@ -147,6 +147,20 @@ Resolved Resolver::open(std::string_view path) const {
   return resolved;
 }
 
+Resolved Resolver::open(const Uri& uri) const {
+  if (!read_) return open(uri.path);
+  Resolved resolved;
+  auto bytes = read_(uri.normalized);
+  if (!bytes) {
+    resolved.error = ResolveError::not_found;
+    return resolved;
+  }
+  resolved.error = ResolveError::none;
+  resolved.bytes = *std::move(bytes);
+  resolved.git_lfs_pointer = is_git_lfs_pointer(resolved.bytes.text(), resolved.bytes.size());
+  return resolved;
+}
+
 ResolveError Resolver::stat(std::string_view path, std::uint64_t& size) const {
   if (const auto added = added_.find(path); added != added_.end()) {
     size = added->second.size();
@@ -162,7 +176,7 @@ Result<Bytes> fetch(const Resolver& resolver, std::string_view uri, ResolveError
   const Uri reference = classify_uri(uri);
   if (reference.kind == UriKind::data) return decode(uri);
   if (reference.kind != UriKind::relative_path) return Error{"its URI is not a relative path"};
-  Resolved file = resolver.open(reference.path);
+  Resolved file = resolver.open(reference);
   if (error != nullptr) *error = file.error;
   if (file.error != ResolveError::none) {
     return Error{describe(file.error, reference.normalized, file.problem)};

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "container/bytes.hpp"
 #include "container/file.hpp"
 #include "container/resolve_error.hpp"
+#include "container/uri.hpp"
 
 namespace gltfx::container {
 
@@ -28,6 +30,9 @@ struct Resolved {
   std::string problem;  ///< printable detail of the error
   FileState state;      ///< of a file on the disk
 };
+
+/// Gives the bytes behind a URI, spelled as Uri::normalized, or nothing when there are none.
+using ReadUri = std::function<std::optional<Bytes>(const std::string& uri)>;
 
 /// What a Resolver was asked for, and what it found. Safe to use from several threads.
 class LookupLog {
@@ -56,6 +61,13 @@ class Resolver {
   Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
            Confinement confinement = Confinement::automatic);
 
+  /// Looks nothing up on a disk: open(const Uri&) asks `read`, other look-ups answer `no_root`.
+  explicit Resolver(ReadUri read) : read_(std::move(read)) {}
+
+  /// Whether it knows URIs that are not relative.
+  bool reads_any_uri() const { return read_ != nullptr; }
+  /// Opens what a URI names that is a relative path, or any but a data URI where reads_any_uri().
+  Resolved open(const Uri& uri) const;
   /// Opens `path` (percent-decoded, '/' separated). A path may leave the root as far as it names
   /// the folders on the way back in ("../A/x" in "A"). Symbolic links are followed while they stay
   /// inside the root; only regular files are opened, without blocking.
@@ -80,6 +92,7 @@ class Resolver {
   std::string problem_;
   Confinement confinement_ = Confinement::automatic;
   std::map<std::string, Bytes, std::less<>> added_;
+  ReadUri read_;                    ///< null: files are looked up
   std::shared_ptr<LookupLog> log_;  ///< may be null
   Origin origin_ = new_origin();
 };

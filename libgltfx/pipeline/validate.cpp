@@ -218,6 +218,26 @@ Validation validate_or_recall(const std::string& path, const ValidateOptions& op
   return opened ? verb.run(*std::move(opened)) : verb.refuse(opened.error().message);
 }
 
+container::Container open_memory(std::string text, const std::string& name, AssetFormat format) {
+  container::Bytes bytes = container::Bytes::from_string(std::move(text));
+  if (format == AssetFormat::detect) return container::open_bytes(std::move(bytes), name);
+  return container::open_bytes(std::move(bytes), format == AssetFormat::glb
+                                                     ? container::Format::glb
+                                                     : container::Format::gltf);
+}
+
+container::Resolver resolver_of(const MemoryAsset& asset, const ValidateOptions& options) {
+  if (asset.read) {
+    return container::Resolver(
+        [read = asset.read](const std::string& uri) -> std::optional<container::Bytes> {
+          auto bytes = read(uri);
+          if (!bytes) return std::nullopt;
+          return container::Bytes::from_string(*std::move(bytes));
+        });
+  }
+  return options.root.empty() ? container::Resolver() : resolver_for(options.root, options.root);
+}
+
 }  // namespace
 
 validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options) {
@@ -242,12 +262,14 @@ FileReport validate_file(const std::string& path, const ValidateOptions& options
 
 FileReport validate_bytes(std::string bytes, const std::string& name,
                           const ValidateOptions& options) {
-  return guarded(name, options, [&] {
-    container::Container opened =
-        container::open_bytes(container::Bytes::from_string(std::move(bytes)), name);
-    const container::Resolver resolver =
-        options.root.empty() ? container::Resolver() : resolver_for(options.root, options.root);
-    return validate_asset({name, std::move(opened), resolver}, options).take_report();
+  return validate_bytes({std::move(bytes), name, AssetFormat::detect, {}}, options);
+}
+
+FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options) {
+  return guarded(asset.name, options, [&] {
+    container::Container opened = open_memory(std::move(asset.bytes), asset.name, asset.format);
+    return validate_asset({asset.name, std::move(opened), resolver_of(asset, options)}, options)
+        .take_report();
   });
 }
 

@@ -41,7 +41,7 @@ void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
 std::optional<container::Bytes> open_file(const Resource& resource, const container::Uri& uri) {
   resource.info.storage = "external";
   resource.info.uri = uri.normalized;
-  container::Resolved resolved = resource.context.resolver.open(uri.path);
+  container::Resolved resolved = resource.context.resolver.open(uri);
   if (resolved.error != ResolveError::none) {
     const bool same = resource.context.deviations.refused_files_have_no_code;
     resource.find(same ? Code::IO_ERROR : code_of(resolved.error), "uri",
@@ -100,12 +100,14 @@ std::optional<container::Bytes> fetch_uri(const Resource& resource) {
   const std::string_view text = document.string(member, buffer);
   const container::Uri uri = container::classify_uri(text);
   if (uri.kind == container::UriKind::data) return data_of(resource, member, text);
-  if (uri.kind == container::UriKind::non_relative) {
+  const bool non_relative = uri.kind == container::UriKind::non_relative;
+  if (non_relative) {
     resource.info.storage = "external";
     resource.info.uri = uri.normalized;
   }
-  if (uri.kind != container::UriKind::relative_path) return std::nullopt;
-  return open_file(resource, uri);
+  const bool readable = non_relative ? resource.context.resolver.reads_any_uri()
+                                     : uri.kind == container::UriKind::relative_path;
+  return readable ? open_file(resource, uri) : std::nullopt;
 }
 
 std::optional<container::Bytes> fetch_uri_or_view(const Resource& resource,

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,26 @@ FileReport validate_file(const std::string& path, const ValidateOptions& options
 /// looked up only when `options.root` names a folder.
 FileReport validate_bytes(std::string bytes, const std::string& name,
                           const ValidateOptions& options = {});
+
+/// Gives the bytes of a resource by the URI that an asset names it with, as reports print it;
+/// nothing when there are none. Threads may call it at once unless ValidateOptions::jobs is 1.
+using ReadResource = std::function<std::optional<std::string>(const std::string& uri)>;
+
+/// What an asset in memory is taken for; `detect`: what its first bytes say.
+enum class AssetFormat : std::uint8_t { detect, gltf, glb };
+
+/// An asset in memory.
+struct MemoryAsset {
+  std::string bytes;                         ///< of the whole file
+  std::string name;                          ///< stands in the report
+  AssetFormat format = AssetFormat::detect;  ///< what the bytes are taken for
+  /// Where the asset's resources come from, those of absolute URIs too. Empty: from the folder
+  /// `ValidateOptions::root`, or nowhere.
+  ReadResource read;
+};
+
+/// Validates an asset in memory, with its resources.
+FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options = {});
 
 /// What validation says of an example of a rule, in the strict profile: the bad one raises the
 /// rule, the good one nothing. `example` is `rule.bad` or `rule.good`.
