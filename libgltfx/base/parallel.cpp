@@ -144,10 +144,14 @@ unsigned possible_jobs(unsigned jobs) {
 }
 
 unsigned processors() {
+#ifdef __EMSCRIPTEN__
+  return 1;  // WebAssembly without threads
+#else
   cpu_set_t usable;  // fails on machines with more than it has room for
   const int count = ::sched_getaffinity(0, sizeof usable, &usable) == 0 ? CPU_COUNT(&usable) : 0;
   return count > 0 ? static_cast<unsigned>(count)
                    : std::max(1U, std::thread::hardware_concurrency());
+#endif
 }
 
 }  // namespace

@@ -113,6 +113,17 @@ std::vector<Leftover> leftovers_in(const fs::path& folder) {
   return found;
 }
 
+// 0, or errno is set: EEXIST where there is something already.
+int rename_to_free_place(const char* from, const char* to) {
+#ifdef __linux__
+  return ::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE);
+#else  // files in memory, which nobody else sees
+  if (::access(to, F_OK) != 0) return std::rename(from, to);
+  errno = EEXIST;
+  return -1;
+#endif
+}
+
 }  // namespace
 
 bool write_all(int fd, std::string_view bytes) {
@@ -186,10 +197,9 @@ Trouble TemporaryFile::move_over() {
 Trouble TemporaryFile::move_to_free_place() {
   const auto folder = open_folder();
   if (!folder) return folder.error();
-  const char* name = name_.c_str();
-  moved_ = ::renameat2(AT_FDCWD, name, AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
+  moved_ = rename_to_free_place(name_.c_str(), target_.c_str()) == 0;
   const bool unknown = !moved_ && (errno == EINVAL || errno == ENOSYS);
-  if (!moved_ && !(unknown && ::link(name, target_.c_str()) == 0)) {
+  if (!moved_ && !(unknown && ::link(name_.c_str(), target_.c_str()) == 0)) {
     return file_error("create", target_, errno);
   }
   return sync(*folder);

@@ -22,6 +22,13 @@ add_executable(gltfx_rule_compiler schema/compiler/rule_main.cpp schema/compiler
 target_link_libraries(gltfx_rule_compiler PRIVATE gltfx_options)
 target_include_directories(gltfx_rule_compiler PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)
 
+if(EMSCRIPTEN)  # programs of the build read files of the system
+  target_link_options(gltfx_schema_compiler PRIVATE -sNODERAWFS -sALLOW_MEMORY_GROWTH
+    -sWASM_ASYNC_COMPILATION=0)
+  target_link_options(gltfx_rule_compiler PRIVATE -sNODERAWFS -sALLOW_MEMORY_GROWTH
+    -sWASM_ASYNC_COMPILATION=0)
+endif()
+
 set(schema_root ${PROJECT_SOURCE_DIR}/schema)
 file(GLOB schema_files CONFIGURE_DEPENDS RELATIVE ${schema_root}
   ${schema_root}/core/*.json ${schema_root}/extensions/*.json)

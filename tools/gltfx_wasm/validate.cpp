@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Validation of bytes for JavaScript: a request is made, told what is asked for, and validated
+// once.
+#include <gltfx/pipeline.hpp>
+#include <gltfx/version.hpp>
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <emscripten.h>
+
+// The bytes behind a URI, allocated here, with their number in `size`; null when there are none.
+EM_JS(char*, gltfx_read_resource, (const char* uri, std::size_t* size), {
+  const bytes = Module.readResource(UTF8ToString(uri));
+  if (!bytes) return 0;
+  const to = _malloc(bytes.length || 1);
+  HEAPU8.set(bytes, to);
+  HEAPU32[size >> 2] = bytes.length;
+  return to;
+});
+
+namespace {
+
+using gltfx::AssetFormat;
+using gltfx::FileReport;
+using gltfx::Profile;
+using gltfx::ReportFormat;
+using gltfx::Severity;
+
+struct Request {
+  gltfx::MemoryAsset asset;
+  gltfx::ValidateOptions options;
+  std::string report;
+};
+
+struct Free {
+  void operator()(char* memory) const { std::free(memory); }
+};
+
+std::optional<std::string> read(const std::string& uri) {
+  std::size_t size = 0;
+  const std::unique_ptr<char, Free> bytes(gltfx_read_resource(uri.c_str(), &size));
+  if (!bytes) return std::nullopt;
+  return std::string(bytes.get(), size);
+}
+
+std::string text_of(const FileReport& report, Profile profile) {
+  gltfx::FormatOptions format;
+  format.profile = profile == Profile::strict ? "strict" : "default";
+  format.rules = gltfx::rules();
+  const auto writer = gltfx::make_report_writer(
+      profile == Profile::khronos ? ReportFormat::khronos : ReportFormat::json, format);
+  gltfx::RunSummary summary;
+  summary.add(report);
+  std::string out;
+  writer->begin(out);
+  writer->file(report, out);
+  writer->end(summary, out);
+  return out;
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* gltfx_version() {
+  static const std::string text(gltfx::version());
+  return text.c_str();
+}
+
+// Takes over the bytes, which were allocated here.
+Request* gltfx_request(char* bytes, std::size_t size) {
+  const std::unique_ptr<char, Free> taken(bytes);
+  auto request = std::make_unique<Request>();
+  request->asset.bytes.assign(bytes, size);
+  request->asset.read = read;
+  request->options.jobs = 1;
+  return request.release();
+}
+
+void gltfx_request_name(Request* request, const char* name) { request->asset.name = name; }
+
+// What the asset is taken for and what is reported: positions in AssetFormat and Profile.
+void gltfx_request_kind(Request* request, int format, int profile) {
+  request->asset.format = static_cast<AssetFormat>(format);
+  request->options.profile = static_cast<Profile>(profile);
+}
+
+void gltfx_request_limit(Request* request, double issues) {
+  request->options.max_issues = static_cast<std::uint64_t>(issues);
+}
+
+void gltfx_request_ignore(Request* request, const char* code) {
+  request->options.ignore.emplace(code);
+}
+
+void gltfx_request_select(Request* request, const char* code) {
+  request->options.select.emplace(code);
+}
+
+// `severity`: 0 error, 1 warning, 2 information, 3 hint.
+void gltfx_request_severity(Request* request, const char* code, int severity) {
+  constexpr Severity kSeverities[]{Severity::error, Severity::warning, Severity::info,
+                                   Severity::hint};
+  request->options.severity.insert_or_assign(code, kSeverities[severity]);
+}
+
+// The report, zero-terminated; of the request.
+const char* gltfx_validate(Request* request) {
+  const Profile profile = request->options.profile;
+  const FileReport report = gltfx::validate_bytes(std::move(request->asset), request->options);
+  request->report = text_of(report, profile);
+  return request->report.c_str();
+}
+
+void gltfx_release(Request* request) { const std::unique_ptr<Request> last(request); }
+
+}  // extern "C"

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// gltfx in WebAssembly: validates bytes, and runs the command line over files in memory. No dependency on
+// Node.js or a browser. createEngine() takes gltfx.wasm and the default export of gltfx-wasm.mjs.
+
+const FORMATS = [undefined, "gltf", "glb"];
+const PROFILES = ["default", "khronos", "strict"];
+const FOLDER = "/work";
+const MOST_ARGUMENT_BYTES = 256 * 1024; // they come to lie on the stack
+
+/** Compiles the module once. `wasm`: bytes or a WebAssembly.Module. */
+export async function createEngine(wasm, loader) {
+  const compiled = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
+  const engine = new Engine(compiled, loader);
+  await engine.start();
+  return engine;
+}
+
+class Engine {
+  #compiled;
+  #loader;
+  #module = null; // validates; null: the last one broke
+
+  constructor(compiled, loader) {
+    this.#compiled = compiled;
+    this.#loader = loader;
+  }
+
+  async start() {
+    this.#module = await this.#instance({});
+    this.version = this.#module.UTF8ToString(this.#module._gltfx_version());
+  }
+
+  /**
+   * Validates an asset in memory. `report` is JSON text: the Khronos validator's report in the profile
+   * "khronos", that of gltfx otherwise. `missing` lists the URIs, as reports print them, that are neither
+   * in `options.resources` nor in the asset.
+   */
+  async validate(asset, options = {}) {
+    const module = (this.#module ??= await this.#instance({}));
+    const missing = new Set();
+    module.readResource = (uri) => {
+      const bytes = options.resources?.get(uri);
+      if (bytes === undefined) missing.add(uri);
+      return bytes ?? null;
+    };
+    try {
+      return { report: validateOnce(module, asset, options), missing: [...missing] };
+    } catch (error) {
+      this.#module = null;
+      throw brokenEngine(error);
+    }
+  }
+
+  /**
+   * Runs the command line in a folder that holds `files`, by their relative paths. Gives the exit code,
+   * what was printed, and the files that were written or changed.
+   */
+  async run(args, files = new Map()) {
+    const bytes = args.reduce((sum, argument) => sum + argument.length * 3 + 8, 0);
+    if (bytes > MOST_ARGUMENT_BYTES) throw new Error("gltfx: the arguments are too long");
+    const printed = [new Printed(), new Printed()];
+    const module = await this.#instance({
+      preRun: [(starting) => starting.FS.init(() => null, (byte) => printed[0].add(byte),
+        (byte) => printed[1].add(byte))],
+    });
+    writeFiles(module.FS, files);
+    let code;
+    try {
+      code = module.callMain([...args]);
+    } catch (error) {
+      throw brokenEngine(error);
+    }
+    return {
+      code,
+      stdout: printed[0].bytes(),
+      stderr: new TextDecoder().decode(printed[1].bytes()),
+      files: changedFiles(module.FS, files),
+    };
+  }
+
+  #instance(settings) {
+    return this.#loader({
+      ...settings,
+      print() {},
+      printErr() {},
+      instantiateWasm: (imports, done) => {
+        WebAssembly.instantiate(this.#compiled, imports).then((instance) => done(instance));
+        return {};
+      },
+    });
+  }
+}
+
+function brokenEngine(error) {
+  const why = error instanceof Error ? error.message : String(error?.message ?? error);
+  return new Error(`gltfx: the module ended early: ${why}`);
+}
+
+function validateOnce(module, asset, options) {
+  const request = module._gltfx_request(allocated(module, asset), asset.length);
+  const text = (string, use) => {
+    const at = allocated(module, new TextEncoder().encode(`${string}\0`));
+    use(at);
+    module._free(at);
+  };
+  text(options.uri ?? "", (at) => module._gltfx_request_name(request, at));
+  module._gltfx_request_kind(request, position(FORMATS, options.format),
+    position(PROFILES, options.profile ?? "default"));
+  module._gltfx_request_limit(request, options.maxIssues ?? 0);
+  for (const code of options.ignoredIssues ?? []) text(code, (at) => module._gltfx_request_ignore(request, at));
+  for (const code of options.onlyIssues ?? []) text(code, (at) => module._gltfx_request_select(request, at));
+  for (const [code, severity] of Object.entries(options.severityOverrides ?? {})) {
+    text(code, (at) => module._gltfx_request_severity(request, at, severity));
+  }
+  const report = module.UTF8ToString(module._gltfx_validate(request));
+  module._gltfx_release(request);
+  return report;
+}
+
+function position(names, name) {
+  const found = names.indexOf(name);
+  if (found < 0) throw new Error(`gltfx: '${name}' is none of ${names.filter(Boolean).join(", ")}`);
+  return found;
+}
+
+function allocated(module, bytes) {
+  const at = module._malloc(bytes.length || 1);
+  if (at === 0) throw new Error("out of memory");
+  module.HEAPU8.set(bytes, at);
+  return at;
+}
+
+class Printed {
+  #chunk = new Uint8Array(1 << 12);
+  #used = 0;
+
+  add(byte) {
+    if (byte === null) return;
+    if (this.#used === this.#chunk.length) {
+      const larger = new Uint8Array(this.#chunk.length * 2);
+      larger.set(this.#chunk);
+      this.#chunk = larger;
+    }
+    this.#chunk[this.#used++] = byte;
+  }
+
+  bytes() {
+    return this.#chunk.slice(0, this.#used);
+  }
+}
+
+function writeFiles(fs, files) {
+  fs.mkdir(FOLDER);
+  fs.chdir(FOLDER);
+  for (const [path, bytes] of files) {
+    const names = path.split("/");
+    if (names.some((name) => name === "" || name === "." || name === "..")) {
+      throw new Error(`gltfx: '${path}' is not a relative path`);
+    }
+    names.pop();
+    if (names.length > 0) fs.mkdirTree(`${FOLDER}/${names.join("/")}`);
+    fs.writeFile(`${FOLDER}/${path}`, bytes);
+  }
+}
+
+function changedFiles(fs, before) {
+  const changed = new Map();
+  const visit = (folder, prefix) => {
+    for (const name of fs.readdir(folder)) {
+      if (name === "." || name === "..") continue;
+      const path = `${folder}/${name}`;
+      if (fs.isDir(fs.stat(path).mode)) {
+        visit(path, `${prefix}${name}/`);
+        continue;
+      }
+      const bytes = fs.readFile(path);
+      if (!sameBytes(bytes, before.get(prefix + name))) changed.set(prefix + name, bytes);
+    }
+  };
+  visit(FOLDER, "");
+  return changed;
+}
+
+function sameBytes(one, other) {
+  return other !== undefined && one.length === other.length && one.every((byte, at) => byte === other[at]);
+}
