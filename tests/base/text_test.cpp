@@ -144,7 +144,12 @@ TEST(NumberText, IsWhatAPersonWrites) {
   EXPECT_EQ(number_text(100000), "100000");
   EXPECT_EQ(number_text(999999999999999), "999999999999999");
   EXPECT_EQ(number_text(1e20), "100000000000000000000");
+  EXPECT_EQ(number_text(123456789012345680000.0), "123456789012345680000");  // as ECMAScript has it
+  EXPECT_EQ(number_text(1.5e20), "150000000000000000000");
   EXPECT_EQ(number_text(1e21), "1e+21");
+  EXPECT_EQ(number_text(1.25e-5), "0.0000125");
+  EXPECT_EQ(number_text(5e-324), "5e-324");
+  EXPECT_EQ(number_text(1.7976931348623157e308), "1.7976931348623157e+308");
   EXPECT_EQ(number_text(1e-6), "0.000001");
   EXPECT_EQ(number_text(1e-7), "1e-7");
   EXPECT_EQ(number_text(1.5e-100), "1.5e-100");

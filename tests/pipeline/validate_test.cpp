@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -42,6 +43,7 @@ class Validate : public ::testing::Test {
   fs::path folder_;
 };
 
+using testing::ElementsAre;
 using Codes = std::vector<std::string>;
 
 const std::string kMinimal = R"({"asset": {"version": "2.0"}})";
@@ -96,6 +98,36 @@ TEST_F(Validate, BytesWithoutARootLookNothingUp) {
   const FileReport report = validate_bytes(with_buffer("data.bin"), "-");
   EXPECT_TRUE(has(report, "RESOURCE_NOT_CHECKED"));
   EXPECT_EQ(report.counts.errors, 0U) << codes(report).front();
+}
+
+TEST_F(Validate, AnAssetInMemoryHasItsResourcesFromAFunction) {
+  std::vector<std::string> asked;
+  const ReadResource read = [&](const std::string& uri) -> std::optional<std::string> {
+    asked.push_back(uri);
+    if (uri == "some%20data.bin") return "1234";
+    return std::nullopt;
+  };
+  ValidateOptions options;
+  options.jobs = 1;
+  const auto validated = [&](const std::string& uri) {
+    return validate_bytes({with_buffer(uri), "a.gltf", AssetFormat::detect, read}, options);
+  };
+  EXPECT_FALSE(has(validated("some data.bin"), "IO_ERROR"));
+  EXPECT_TRUE(has(validated("https://example.org/a.bin"), "IO_ERROR"));
+  EXPECT_TRUE(has(validated("../../data.bin"), "IO_ERROR"));
+  EXPECT_THAT(asked, ElementsAre("some%20data.bin", "https://example.org/a.bin", "../../data.bin"));
+  EXPECT_FALSE(has(validated("data:application/octet-stream;base64,AAAAAA=="), "IO_ERROR"));
+  EXPECT_EQ(asked.size(), 3U);
+}
+
+TEST_F(Validate, AnAssetInMemoryIsWhatItIsSaidToBe) {
+  const auto validated = [](AssetFormat format) {
+    return validate_bytes({kMinimal, "a", format, {}});
+  };
+  EXPECT_EQ(validated(AssetFormat::detect).counts.errors, 0U);
+  EXPECT_EQ(validated(AssetFormat::gltf).counts.errors, 0U);
+  EXPECT_TRUE(has(validated(AssetFormat::glb), "GLB_INVALID_MAGIC"));
+  EXPECT_EQ(validated(AssetFormat::glb).mime_type, "model/gltf-binary");
 }
 
 TEST_F(Validate, ManyFilesComeBackInOrderWhateverTheThreads) {

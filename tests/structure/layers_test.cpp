@@ -52,6 +52,8 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/"}},
     {"tbb/", {"libgltfx/bake/bvh_build.cpp"}},
     {"xxhash.h", {"libgltfx/base/hash.cpp"}},
+    {"fast_float/", {"libgltfx/base/number.cpp"}},
+    {"emscripten.h", {"tools/gltfx_wasm/"}},
     {"sodium.h", {"libgltfx/pipeline/seal.cpp"}},
     {"meshoptimizer.h", {"libgltfx/model/"}},
     {"embree", {"libgltfx/bake/embree.hpp"}},
