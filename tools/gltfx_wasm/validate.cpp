@@ -48,12 +48,14 @@ std::optional<std::string> read(const std::string& uri) {
   return std::string(bytes.get(), size);
 }
 
-std::string text_of(const FileReport& report, Profile profile) {
+std::string text_of(const FileReport& report, const gltfx::ValidateOptions& options) {
+  const bool khronos = options.profile == Profile::khronos;
   gltfx::FormatOptions format;
-  format.profile = profile == Profile::strict ? "strict" : "default";
+  format.profile = options.profile == Profile::strict ? "strict" : "default";
+  format.pixel_level = gltfx::pixel_level_name(gltfx::pixel_level(options));
   format.rules = gltfx::rules();
-  const auto writer = gltfx::make_report_writer(
-      profile == Profile::khronos ? ReportFormat::khronos : ReportFormat::json, format);
+  const auto writer =
+      gltfx::make_report_writer(khronos ? ReportFormat::khronos : ReportFormat::json, format);
   gltfx::RunSummary summary;
   summary.add(report);
   std::string out;
@@ -111,9 +113,8 @@ void gltfx_request_severity(Request* request, const char* code, int severity) {
 
 // The report, zero-terminated; of the request.
 const char* gltfx_validate(Request* request) {
-  const Profile profile = request->options.profile;
   const FileReport report = gltfx::validate_bytes(std::move(request->asset), request->options);
-  request->report = text_of(report, profile);
+  request->report = text_of(report, request->options);
   return request->report.c_str();
 }
 
