@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // node tests/wasm/run.mjs PROGRAM ENGINE_FOLDER FOLDER...
 // Reports of the engine in WebAssembly are those of the program, byte for byte, for each asset below the
-// folders, in the profiles khronos and default.
+// folders: in the profile khronos those of validate(), by default those of the command line.
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
-import { dirname, join, relative, resolve } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { createEngine } from "../../tools/npm/engine.mjs";
@@ -25,33 +25,47 @@ function assetsBelow(folder) {
     .sort();
 }
 
-function reportOfProgram(folder, name, profile) {
-  const args = ["validate", "--isolated", "--fail-on", "never", ...OPTIONS[profile], "--", name];
-  return execFileSync(program, args, { cwd: folder, encoding: "utf8", maxBuffer: 1 << 30 });
+function argumentsFor(name, profile) {
+  return ["validate", "--isolated", "--fail-on", "never", ...OPTIONS[profile], "--", name];
 }
 
-// The file behind a URI of reports, which is percent-encoded; null when there is none inside the folder.
+function reportOfProgram(folder, name, profile) {
+  return execFileSync(program, argumentsFor(name, profile), { cwd: folder, encoding: "utf8", maxBuffer: 1 << 30 });
+}
+
+// The file behind a URI of reports, which is percent-encoded; null when there is none.
 function resource(folder, uri) {
-  if (uri === "") throw new Error("folder"); // which functions that give bytes do not know
   try {
-    const path = join(folder, decodeURIComponent(uri));
-    return relative(folder, path).startsWith("..") ? null : readFileSync(path);
+    return readFileSync(join(folder, decodeURIComponent(uri)));
   } catch {
     return null;
   }
 }
 
-async function reportOfEngine(folder, name, profile) {
+// Only a command line knows folders, and which URIs lead out of one.
+function isPlain(uri) {
+  return uri !== "" && !decodeURIComponent(uri).split("/").includes("..");
+}
+
+async function resourcesOf(folder, name, options) {
+  const asset = readFileSync(join(folder, name));
   const resources = new Map();
   while (true) {
-    const { report, missing } = await engine.validate(readFileSync(join(folder, name)), {
-      uri: name,
-      profile,
-      resources,
-    });
-    if (missing.length === 0) return report;
-    for (const uri of missing) resources.set(uri, resource(folder, uri));
+    const { report, missing } = await engine.validate(asset, { ...options, resources });
+    if (missing.length === 0) return { asset, resources, report };
+    for (const uri of missing) resources.set(uri, isPlain(uri) ? resource(folder, uri) : null);
   }
+}
+
+async function reportOfEngine(folder, name, profile) {
+  const { asset, resources, report } = await resourcesOf(folder, name, { uri: name, profile });
+  if (profile === "khronos" && [...resources.keys()].every(isPlain)) return report;
+  const files = new Map([[name, asset]]);
+  for (const [uri, bytes] of resources) {
+    if (bytes !== null) files.set(decodeURIComponent(uri), bytes);
+  }
+  const { stdout } = await engine.run(argumentsFor(name, profile), files);
+  return new TextDecoder().decode(stdout);
 }
 
 let equal = 0;
