@@ -8,7 +8,7 @@ build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libopenexr-dev
   libembree-dev libxxhash-dev libsodium-dev libstb-dev fonts-dejavu-core)
 test_packages=(libtinygltf-dev clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
-  pre-commit libxml2-utils shellcheck pkg-config doxygen mandoc)
+  pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc)
 package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
 
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only nightly asks for them

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2154
 # Archives of libraries from Debian's sources, for what Debian has no archive of. Source it behind
 # tools/lib.sh, with `folder` the one to work in.
 
