@@ -11,7 +11,7 @@ import { createEngine } from "../../tools/npm/engine.mjs";
 
 const [program, engineFolder, ...folders] = process.argv.slice(2).map((path) => resolve(path));
 const loader = (await import(pathToFileURL(join(engineFolder, "gltfx-wasm.mjs")))).default;
-const engine = await createEngine(readFileSync(join(engineFolder, "gltfx-wasm.wasm")), loader);
+const engine = await createEngine(readFileSync(join(engineFolder, "gltfx.wasm")), loader);
 
 const OPTIONS = {
   khronos: ["--profile", "khronos", "--format", "khronos"],
