@@ -111,12 +111,14 @@ void gltfx_request_severity(Request* request, const char* code, int severity) {
   request->options.severity.insert_or_assign(code, kSeverities[severity]);
 }
 
-// The report, zero-terminated; of the request.
+// The report, which belongs to the request.
 const char* gltfx_validate(Request* request) {
   const FileReport report = gltfx::validate_bytes(std::move(request->asset), request->options);
   request->report = text_of(report, request->options);
-  return request->report.c_str();
+  return request->report.data();
 }
+
+std::size_t gltfx_report_size(const Request* request) { return request->report.size(); }
 
 void gltfx_release(Request* request) { const std::unique_ptr<Request> last(request); }
 

@@ -4,6 +4,8 @@
 
 const FORMATS = [undefined, "gltf", "glb"];
 const PROFILES = ["default", "khronos", "strict"];
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
 const FOLDER = "/work";
 const MOST_ARGUMENT_BYTES = 256 * 1024; // they come to lie on the stack
 
@@ -73,7 +75,7 @@ class Engine {
     return {
       code,
       stdout: printed[0].bytes(),
-      stderr: new TextDecoder().decode(printed[1].bytes()),
+      stderr: decoder.decode(printed[1].bytes()),
       files: changedFiles(module.FS, files),
     };
   }
@@ -99,7 +101,7 @@ function brokenEngine(error) {
 function validateOnce(module, asset, options) {
   const request = module._gltfx_request(allocated(module, asset), asset.length);
   const text = (string, use) => {
-    const at = allocated(module, new TextEncoder().encode(`${string}\0`));
+    const at = allocated(module, encoder.encode(`${string}\0`));
     use(at);
     module._free(at);
   };
@@ -112,7 +114,8 @@ function validateOnce(module, asset, options) {
   for (const [code, severity] of Object.entries(options.severityOverrides ?? {})) {
     text(code, (at) => module._gltfx_request_severity(request, at, severity));
   }
-  const report = module.UTF8ToString(module._gltfx_validate(request));
+  const begin = module._gltfx_validate(request);
+  const report = decoder.decode(module.HEAPU8.subarray(begin, begin + module._gltfx_report_size(request)));
   module._gltfx_release(request);
   return report;
 }
@@ -160,6 +163,7 @@ function writeFiles(fs, files) {
     names.pop();
     if (names.length > 0) fs.mkdirTree(`${FOLDER}/${names.join("/")}`);
     fs.writeFile(`${FOLDER}/${path}`, bytes);
+    fs.utime(`${FOLDER}/${path}`, 0, 0); // what is written to is newer
   }
 }
 
@@ -169,10 +173,9 @@ function changedFiles(fs, before) {
     for (const name of fs.readdir(folder)) {
       if (name === "." || name === "..") continue;
       const path = `${folder}/${name}`;
-      if (fs.isDir(fs.stat(path).mode)) {
-        visit(path, `${prefix}${name}/`);
-        continue;
-      }
+      const { mode, mtime } = fs.stat(path);
+      if (fs.isDir(mode)) visit(path, `${prefix}${name}/`);
+      if (fs.isDir(mode) || mtime.getTime() === 0) continue;
       const bytes = fs.readFile(path);
       if (!sameBytes(bytes, before.get(prefix + name))) changed.set(prefix + name, bytes);
     }
