@@ -2,7 +2,7 @@
 // Chromium and Firefox, and what a test does on the page.
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join, relative } from "node:path";
 
 const BROWSERS = [
   ["chromium", "chrome", process.env.CHROMIUM || "chromium"],
@@ -60,6 +60,30 @@ export async function choose(page, field, ...paths) {
   const input = await page.$(`#${field}`);
   await page.$eval("#status", (element) => { element.textContent = ""; });
   await input.uploadFile(...paths);
+  return ended(page);
+}
+
+/**
+ * Chooses a folder. WebDriver does not set fields of folders in Firefox: there the page gets files that say
+ * of themselves what those of such a field do.
+ */
+export async function chooseFolder(one, page, folder) {
+  if (one.name === "chromium") return choose(page, "folder", folder);
+  const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile())
+    .map((entry) => join(entry.parentPath ?? entry.path, entry.name))
+    .map((path) => [relative(dirname(folder), path), readFileSync(path, "base64")]);
+  await page.evaluate((all) => {
+    document.getElementById("status").textContent = "";
+    const transfer = new DataTransfer();
+    for (const [path, text] of all) {
+      const bytes = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
+      transfer.items.add(new File([bytes], path.split("/").pop()));
+    }
+    const field = document.getElementById("folder");
+    field.files = transfer.files;
+    [...field.files].forEach((file, i) => Object.defineProperty(file, "webkitRelativePath", { value: all[i][0] }));
+    field.dispatchEvent(new Event("change"));
+  }, files);
   return ended(page);
 }
 

@@ -5,11 +5,13 @@ import { spawnSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { archive } from "./archives.mjs";
-import { choose, download, drop, ended, open, unfold } from "./browsers.mjs";
+import { choose, chooseFolder, download, drop, ended, open, unfold } from "./browsers.mjs";
 
 const SEVERITIES = ["error", "warning", "info", "hint"];
 const FILES = ["tour/lamp.gltf", "tour/quad.bin", "tour/shade.png", "good/tumbler.glb", "bad/leaf-unlit.gltf",
   "bad/tumbler-length.glb", "legacy/awning.gltf", "legacy/lantern.glb"];
+
+const whole = ({ text, cutLeft, cutRight }) => `${cutLeft ? "…" : ""}${text}${cutRight ? "…" : ""}`;
 
 /** A folder of assets, and what the native program says of it. */
 export class Assets {
@@ -38,7 +40,7 @@ export class Assets {
       .sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity))
       .map((one) => ({ severity: one.severity, code: one.code, message: one.message, pointers: pointers(one),
         place: one.location ? [one.location.line, one.location.column] : [],
-        line: one.excerpt?.text ?? "",
+        line: one.excerpt ? whole(one.excerpt) : "",
         mark: one.excerpt ? one.excerpt.text.substr(one.excerpt.caret, one.excerpt.width) || " " : "" }));
   }
 }
@@ -72,7 +74,7 @@ async function sameFindings(page, native) {
 
 async function findingsOfAFolder(one, url, native) {
   const page = await open(one, url);
-  assert.equal(await choose(page, "folder", native.folder), "3 of 6 assets have errors.");
+  assert.equal(await chooseFolder(one, page, native.folder), "3 of 6 assets have errors.");
   await sameFindings(page, native);
   await page.close();
 }
@@ -114,7 +116,7 @@ async function findingsOfAZip(one, url, native) {
 
 async function factsAreShown(one, url, native) {
   const page = await open(one, url);
-  await choose(page, "folder", join(native.folder, "tour"));
+  await chooseFolder(one, page, join(native.folder, "tour"));
   await unfold(page);
   const { facts } = JSON.parse(native.run("inspect", "assets/tour/lamp.gltf", "--format", "json")).assets[0];
   const tables = await page.$$eval("#list table", (all) => all.map((one) => [one.querySelector("caption").textContent,
@@ -138,7 +140,7 @@ function withoutFolder(text) {
 
 async function downloadsAreThoseOfTheProgram(one, url, native) {
   const page = await open(one, url);
-  await choose(page, "folder", native.folder);
+  await chooseFolder(one, page, native.folder);
   native.run("report", ...native.assets, "-o", "report.html", "--no-thumbnails", "--fail-on", "never", "--title=assets",
     "--quiet");
   const html = await download(one, page, "#get-html");

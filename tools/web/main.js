@@ -34,7 +34,7 @@ function showBusy(words) {
 }
 
 function begin(dropped) {
-  if (dropped.length === 0) return;
+  if (dropped.length === 0) return say("Nothing in it can be read.", true);
   checks?.stop();
   title = titleOf(dropped);
   done = upgradable = 0;
@@ -109,7 +109,7 @@ function startFields() {
   for (const [button, field] of [["choose-files", "files"], ["choose-folder", "folder"]]) {
     byId(button).addEventListener("click", () => byId(field).click());
     byId(field).addEventListener("change", () => {
-      begin(fromFiles(byId(field).files));
+      if (byId(field).files.length > 0) begin(fromFiles(byId(field).files));
       byId(field).value = "";
     });
   }
