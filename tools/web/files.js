@@ -11,8 +11,7 @@ const GLB_MAGIC = 0x46546c67;
 /** Why a path cannot be used; empty: it can. */
 export function pathProblem(path) {
   const names = path.split("/");
-  // eslint-disable-next-line no-control-regex
-  if (/[\0\\]|^[A-Za-z]:/.test(path) || names.some((name) => name === "" || name === "." || name === "..")) {
+  if (/[\0\\]/.test(path) || names.some((name) => name === "" || name === "." || name === "..")) {
     return "its path could lead out of the folder";
   }
   const size = (text) => new TextEncoder().encode(text).length;

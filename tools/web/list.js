@@ -25,7 +25,7 @@ let picked = PICKS[0];
 let most = ROWS_AT_ONCE; // rows that are shown
 
 function stateText(asset) {
-  if (!asset.readable) return make("span.is-error", {}, "not checked");
+  if (!asset.readable) return make("span.is-error", {}, asset.why ? "not checked" : "not readable");
   const { errors, warnings, infos, hints } = asset.counts;
   const parts = [["error", errors], ["warning", warnings], ["info", infos], ["hint", hints]]
     .filter(([, count]) => count > 0)
@@ -52,7 +52,9 @@ function row(asset) {
     cell("textures", grouped(known ? asset.facts.counts.textures : 0), "textures", known));
   const folded = make("details.asset", {}, summary);
   folded.addEventListener("toggle", () => {
-    if (folded.open && folded.childElementCount === 1) folded.append(details(asset, () => true));
+    if (!folded.open || folded.childElementCount > 1) return;
+    folded.append(asset.why ? make("div.body", {}, make("p", {}, "Not checked: ", isolated(asset.why)))
+      : details(asset, () => true));
   });
   return make("li", {}, folded);
 }

@@ -29,7 +29,7 @@ function showProgress() {
 function showBusy(words) {
   byId("progress").hidden = words === "";
   byId("doing").textContent = words;
-  for (const button of byId("downloads").children) button.disabled = words !== "";
+  for (const button of byId("downloads").querySelectorAll("button")) button.disabled = words !== "";
   if (words) byId("meter").removeAttribute("value");
 }
 

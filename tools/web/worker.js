@@ -38,7 +38,8 @@ function dataOf(page) {
   return JSON.parse(html.slice(begin, html.indexOf("</script>", begin)));
 }
 
-const unread = (path, error) => ({ path, readable: false, error: error.message, findings: [], upgrade: [], picture: {},
+/** Stands for an asset that the engine did not get, or did not survive. */
+const unchecked = (path, why) => ({ path, why, readable: false, findings: [], upgrade: [],
   counts: { errors: 0, warnings: 0, infos: 0, hints: 0 } });
 
 async function check(path) {
@@ -47,7 +48,7 @@ async function check(path) {
     if (asset.upgrade.some((step) => step.done)) upgradable.push(path);
     return { asset, rules };
   } catch (error) {
-    return { asset: unread(path, error), rules: {} };
+    return { asset: unchecked(path, error.message), rules: {} };
   }
 }
 
