@@ -3,11 +3,10 @@
 //
 //   node run.mjs PROGRAM MODULES ENGINE_FOLDER
 //
-// MODULES is a node_modules with puppeteer-core, axe-core and html-validate. ENGINE_FOLDER has gltfx.wasm; where
-// it is "-", the native program stands in for the engine (stand_in.js). The browsers are `chromium` and
-// `firefox-esr`, or what the environment's CHROMIUM and FIREFOX name.
+// MODULES is a node_modules with puppeteer-core, axe-core and html-validate; ENGINE_FOLDER has gltfx.wasm. The
+// browsers are `chromium` and `firefox-esr`, or what the environment's CHROMIUM and FIREFOX name.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
@@ -16,7 +15,6 @@ import { accessChecks } from "./access_checks.mjs";
 import { startBrowsers } from "./browsers.mjs";
 import { Assets, resultChecks } from "./result_checks.mjs";
 import { safetyChecks } from "./safety_checks.mjs";
-import { startStandIn } from "./stand_in_server.mjs";
 
 const [program, modules, engine] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
@@ -24,20 +22,6 @@ const root = resolve(here, "../..");
 const require = createRequire(join(resolve(modules), "nothing.js"));
 const place = mkdtempSync(join(tmpdir(), "gltfx_web_"));
 const page = join(place, "gltfx.html");
-const standIn = engine === "-";
-
-function assemble(...words) {
-  execFileSync(join(root, "tools/web/assemble"), words, { stdio: "inherit" });
-}
-
-/** The page with the native program for an engine: its policy lets it ask this one server. */
-function assembleStandIn(server) {
-  const address = `http://127.0.0.1:${server.address().port}`;
-  const module = join(place, "engine.js");
-  writeFileSync(module, readFileSync(join(here, "stand_in.js"), "utf8").replace("@ADDRESS@", address));
-  assemble(place, page, module);
-  writeFileSync(page, readFileSync(page, "utf8").replace("connect-src 'none'", `connect-src ${address}`));
-}
 
 function validateHtml() {
   execFileSync(join(resolve(modules), ".bin", "html-validate"),
@@ -55,20 +39,17 @@ async function main() {
       console.log(`FAILED: ${name}\n${error.stack}`);
     }
   };
-  const server = standIn ? await startStandIn(resolve(program)) : null;
-  if (standIn) assembleStandIn(server);
-  else assemble(engine, page);
+  execFileSync(join(root, "tools/web/assemble"), [engine, page], { stdio: "inherit" });
   await check("valid HTML", validateHtml);
   const { default: puppeteer } = await import(pathToFileURL(require.resolve("puppeteer-core")).href);
   const url = pathToFileURL(page).href;
   const native = new Assets(resolve(program), root, place);
   for (const one of await startBrowsers(puppeteer, place)) {
-    const checks = [...resultChecks(one, url, native), ...safetyChecks(one, url, page, native, standIn),
+    const checks = [...resultChecks(one, url, native), ...safetyChecks(one, url, page, native),
       ...accessChecks(one, url, native, readFileSync(require.resolve("axe-core"), "utf8"))];
     for (const [name, run] of checks) await check(`${one.name}: ${name}`, run);
     await one.browser.close();
   }
-  server?.close();
   return failed;
 }
 

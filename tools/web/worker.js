@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks what was dropped, away from the page. The page ends the worker to stop it.
+// Checks what was dropped, away from the page. The page ends the worker to stop it. The loader of the engine
+// comes from the folder of its build.
 //
 //   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
 //   in   {make: "html" | "sarif" | "upgraded"}   out  {made: Blob, name} or {made: null, why}
-import { startEngine } from "./engine.js";
+import { createEngine } from "../npm/engine.mjs";
+import loader from "gltfx-wasm.mjs";
 import { openFolder, Reading } from "./files.js";
 import { writeZip } from "./zip.js";
 
@@ -55,7 +57,7 @@ async function check(path) {
 async function open(dropped, wasm) {
   folder = await openFolder(dropped);
   postMessage({ assets: folder.assets, leftOut: folder.leftOut });
-  if (folder.assets.length > 0) engine = await startEngine(wasm);
+  if (folder.assets.length > 0) engine = await createEngine(wasm, loader);
   for (const path of folder.assets) postMessage(await check(path));
   postMessage({ checked: true });
 }
