@@ -7,7 +7,9 @@ import { chooseFolder, drop, open, unfold } from "./browsers.mjs";
 async function soundFor(page, axeSource, words) {
   // The page's own policy lets no script in: axe comes through the debugger.
   const result = await page.evaluate(`${axeSource}; axe.run(document, { resultTypes: ["violations"] })`);
-  const found = result.violations.map((each) => `${each.id}: ${each.nodes[0].html} ${each.nodes[0].failureSummary}`);
+  const found = result.violations.map(
+    (each) => `${each.id}: ${each.nodes[0].html} ${each.nodes[0].failureSummary}`,
+  );
   assert.deepEqual(found, [], words);
   const [wide, width] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
   assert.ok(wide <= width, `${words}: the page is ${wide} px wide`);
@@ -23,10 +25,14 @@ async function isAccessible(one, url, native, axeSource) {
       await soundFor(page, axeSource, `${words}, folded`);
       await unfold(page);
       await soundFor(page, axeSource, `${words}, unfolded`);
-      const zip = archive([{ path: "../a.gltf", bytes: Buffer.from("{}") },
-        { path: `${"long".repeat(40)}.gltf`, bytes: Buffer.from("{}") }]);
+      const zip = archive([
+        { path: "../a.gltf", bytes: Buffer.from("{}") },
+        { path: `${"long".repeat(40)}.gltf`, bytes: Buffer.from("{}") },
+      ]);
       await drop(page, [["left-out.zip", zip]]);
-      await page.$eval("#left-out details", (fold) => { fold.open = true; });
+      await page.$eval("#left-out details", (fold) => {
+        fold.open = true;
+      });
       await soundFor(page, axeSource, `${words}, with what is left out`);
       assert.deepEqual(page.complaints, []);
       await page.close();
@@ -47,11 +53,22 @@ async function worksByKeyboard(one, url, native) {
   const page = await open(one, url);
   await page.keyboard.press("Tab");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Skip to the content");
-  for (const [button, field] of [["choose-files", "files"], ["choose-folder", "folder"]]) {
-    await page.evaluate((id) => document.getElementById(id).addEventListener("click", (event) => {
-      event.preventDefault(); // no window of the system
-      window.asked = id;
-    }, { once: true }), field);
+  for (const [button, field] of [
+    ["choose-files", "files"],
+    ["choose-folder", "folder"],
+  ]) {
+    await page.evaluate(
+      (id) =>
+        document.getElementById(id).addEventListener(
+          "click",
+          (event) => {
+            event.preventDefault(); // no window of the system
+            window.asked = id;
+          },
+          { once: true },
+        ),
+      field,
+    );
     await tabTo(page, `#${button}`);
     await page.keyboard.press("Enter");
     assert.equal(await page.evaluate(() => window.asked), field);

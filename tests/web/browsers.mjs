@@ -23,8 +23,12 @@ export async function startBrowsers(puppeteer, folder) {
       browser: kind,
       executablePath: found,
       args: kind === "chrome" ? ["--no-sandbox", "--disable-gpu"] : [],
-      extraPrefsFirefox: { "browser.download.folderList": 2, "browser.download.dir": downloads,
-        "browser.download.useDownloadDir": true, "browser.download.always_ask_before_handling_new_types": false },
+      extraPrefsFirefox: {
+        "browser.download.folderList": 2,
+        "browser.download.dir": downloads,
+        "browser.download.useDownloadDir": true,
+        "browser.download.always_ask_before_handling_new_types": false,
+      },
     });
     if (kind === "chrome") {
       const session = await browser.target().createCDPSession();
@@ -45,20 +49,25 @@ export async function open(one, url, { width = 1280, height = 900, scheme = "lig
   page.on("pageerror", (error) => page.complaints.push(String(error)));
   await page.setViewport({ width, height });
   await page.goto(url);
-  if (scheme === "dark") await page.evaluate(() => document.querySelector('.theme input[value="dark"]').click());
+  if (scheme === "dark")
+    await page.evaluate(() => document.querySelector('.theme input[value="dark"]').click());
   return page;
 }
 
 export async function ended(page) {
-  await page.waitForFunction(() => document.getElementById("progress").hidden
-    && document.getElementById("status").textContent !== "", { timeout: 120000 });
+  await page.waitForFunction(
+    () => document.getElementById("progress").hidden && document.getElementById("status").textContent !== "",
+    { timeout: 120000 },
+  );
   return page.$eval("#status", (element) => element.textContent);
 }
 
 /** Chooses files or a folder, and waits for the end. */
 export async function choose(page, field, ...paths) {
   const input = await page.$(`#${field}`);
-  await page.$eval("#status", (element) => { element.textContent = ""; });
+  await page.$eval("#status", (element) => {
+    element.textContent = "";
+  });
   await input.uploadFile(...paths);
   return ended(page);
 }
@@ -69,7 +78,8 @@ export async function choose(page, field, ...paths) {
  */
 export async function chooseFolder(one, page, folder) {
   if (one.name === "chromium") return choose(page, "folder", folder);
-  const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile())
+  const files = readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
     .map((entry) => join(entry.parentPath ?? entry.path, entry.name))
     .map((path) => [relative(dirname(folder), path), readFileSync(path, "base64")]);
   await page.evaluate((all) => {
@@ -81,7 +91,9 @@ export async function chooseFolder(one, page, folder) {
     }
     const field = document.getElementById("folder");
     field.files = transfer.files;
-    [...field.files].forEach((file, i) => Object.defineProperty(file, "webkitRelativePath", { value: all[i][0] }));
+    [...field.files].forEach((file, i) =>
+      Object.defineProperty(file, "webkitRelativePath", { value: all[i][0] }),
+    );
     field.dispatchEvent(new Event("change"));
   }, files);
   return ended(page);
@@ -89,15 +101,19 @@ export async function chooseFolder(one, page, folder) {
 
 /** Drops files made in the page, [[name, base64]]. */
 export async function drop(page, files) {
-  await page.evaluate((all) => {
-    document.getElementById("status").textContent = "";
-    const transfer = new DataTransfer();
-    for (const [name, text] of all) {
-      transfer.items.add(new File([Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0))], name));
-    }
-    document.getElementById("drop").dispatchEvent(
-      new DragEvent("drop", { bubbles: true, cancelable: true, dataTransfer: transfer }));
-  }, files.map(([name, bytes]) => [name, Buffer.from(bytes).toString("base64")]));
+  await page.evaluate(
+    (all) => {
+      document.getElementById("status").textContent = "";
+      const transfer = new DataTransfer();
+      for (const [name, text] of all) {
+        transfer.items.add(new File([Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0))], name));
+      }
+      document
+        .getElementById("drop")
+        .dispatchEvent(new DragEvent("drop", { bubbles: true, cancelable: true, dataTransfer: transfer }));
+    },
+    files.map(([name, bytes]) => [name, Buffer.from(bytes).toString("base64")]),
+  );
   return ended(page);
 }
 
@@ -106,8 +122,9 @@ export async function unfold(page) {
   await page.evaluate(() => {
     for (const one of document.querySelectorAll("#list details.asset")) one.open = true;
   });
-  await page.waitForFunction(() => [...document.querySelectorAll("#list details.asset")]
-    .every((one) => one.querySelector(".body")));
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll("#list details.asset")].every((one) => one.querySelector(".body")),
+  );
   await page.evaluate(() => {
     for (const more of document.querySelectorAll(".findings + button")) while (!more.hidden) more.click();
   });
@@ -120,7 +137,9 @@ export async function download(one, page, button) {
   await page.click(button);
   for (;;) {
     const files = existsSync(one.downloads) ? readdirSync(one.downloads) : [];
-    const whole = files.filter((name) => !/\.(crdownload|part|tmp)$/.test(name) && !name.startsWith(".org.chromium"));
+    const whole = files.filter(
+      (name) => !/\.(crdownload|part|tmp)$/.test(name) && !name.startsWith(".org.chromium"),
+    );
     if (whole.length === 1 && files.length === 1) {
       const bytes = readFileSync(join(one.downloads, whole[0]));
       if (bytes.length > 0) return { name: whole[0], bytes };

@@ -8,8 +8,16 @@ import { archive } from "./archives.mjs";
 import { choose, chooseFolder, download, drop, ended, open, unfold } from "./browsers.mjs";
 
 const SEVERITIES = ["error", "warning", "info", "hint"];
-const FILES = ["tour/lamp.gltf", "tour/quad.bin", "tour/shade.png", "good/tumbler.glb", "bad/leaf-unlit.gltf",
-  "bad/tumbler-length.glb", "legacy/awning.gltf", "legacy/lantern.glb"];
+const FILES = [
+  "tour/lamp.gltf",
+  "tour/quad.bin",
+  "tour/shade.png",
+  "good/tumbler.glb",
+  "bad/leaf-unlit.gltf",
+  "bad/tumbler-length.glb",
+  "legacy/awning.gltf",
+  "legacy/lantern.glb",
+];
 
 const whole = ({ text, cutLeft, cutRight }) => `${cutLeft ? "…" : ""}${text}${cutRight ? "…" : ""}`;
 
@@ -23,7 +31,9 @@ export class Assets {
       mkdirSync(dirname(join(this.folder, path)), { recursive: true });
       cpSync(join(root, "fixtures", path), join(this.folder, path));
     }
-    this.assets = FILES.filter((path) => /\.gl(tf|b)$/.test(path)).map((path) => `assets/${path}`).sort();
+    this.assets = FILES.filter((path) => /\.gl(tf|b)$/.test(path))
+      .map((path) => `assets/${path}`)
+      .sort();
   }
 
   run(...args) {
@@ -34,30 +44,50 @@ export class Assets {
 
   /** Findings of one asset as the page orders them. */
   findings(path) {
-    const lines = this.run("validate", path, "--format", "jsonl").trim().split("\n").map((line) => JSON.parse(line));
+    const lines = this.run("validate", path, "--format", "jsonl")
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line));
     const pointers = (one) => [one.pointer, one.lastPointer].filter(Boolean);
     return lines[1].findings
       .sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity))
-      .map((one) => ({ severity: one.severity, code: one.code, message: one.message, pointers: pointers(one),
+      .map((one) => ({
+        severity: one.severity,
+        code: one.code,
+        message: one.message,
+        pointers: pointers(one),
         place: one.location ? [one.location.line, one.location.column] : [],
         line: one.excerpt ? whole(one.excerpt) : "",
-        mark: one.excerpt ? one.excerpt.text.substr(one.excerpt.caret, one.excerpt.width) || " " : "" }));
+        mark: one.excerpt ? one.excerpt.text.substr(one.excerpt.caret, one.excerpt.width) || " " : "",
+      }));
   }
 }
 
 /** Findings of all assets as they are shown. */
 async function shown(page) {
   await unfold(page);
-  return page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#list details.asset")].map((asset) => [
-    asset.querySelector(".path-line bdi").textContent,
-    [...asset.querySelectorAll(".finding")].map((one) => {
-      const text = (words) => one.querySelector(words)?.textContent ?? "";
-      const place = text(".where").match(/^line (\d+), column (\d+)/);
-      return { severity: text(".label"), code: text(".code"), message: text("p bdi"),
-        pointers: [...one.querySelectorAll(".where .mono bdi")].map((each) => each.textContent).filter(Boolean),
-        place: place ? [Number(place[1]), Number(place[2])] : [],
-        line: text(".excerpt bdi"), mark: text("mark") };
-    })])));
+  return page.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll("#list details.asset")].map((asset) => [
+        asset.querySelector(".path-line bdi").textContent,
+        [...asset.querySelectorAll(".finding")].map((one) => {
+          const text = (words) => one.querySelector(words)?.textContent ?? "";
+          const place = text(".where").match(/^line (\d+), column (\d+)/);
+          return {
+            severity: text(".label"),
+            code: text(".code"),
+            message: text("p bdi"),
+            pointers: [...one.querySelectorAll(".where .mono bdi")]
+              .map((each) => each.textContent)
+              .filter(Boolean),
+            place: place ? [Number(place[1]), Number(place[2])] : [],
+            line: text(".excerpt bdi"),
+            mark: text("mark"),
+          };
+        }),
+      ]),
+    ),
+  );
 }
 
 async function sameFindings(page, native) {
@@ -107,8 +137,14 @@ async function findingsOfFiles(one, url, native) {
 
 async function findingsOfAZip(one, url, native) {
   const page = await open(one, url);
-  const files = FILES.map((path, i) => ({ path, bytes: readFileSync(join(native.folder, path)), method: i % 2 ? 8 : 0 }));
-  const zip = archive([...files, { path: "__MACOSX/._lamp.gltf", bytes: Buffer.from("x") }], { comment: "all" });
+  const files = FILES.map((path, i) => ({
+    path,
+    bytes: readFileSync(join(native.folder, path)),
+    method: i % 2 ? 8 : 0,
+  }));
+  const zip = archive([...files, { path: "__MACOSX/._lamp.gltf", bytes: Buffer.from("x") }], {
+    comment: "all",
+  });
   assert.equal(await drop(page, [["assets.zip", zip]]), "3 of 6 assets have errors.");
   await sameFindings(page, native);
   await page.close();
@@ -119,14 +155,31 @@ async function factsAreShown(one, url, native) {
   await chooseFolder(one, page, join(native.folder, "tour"));
   await unfold(page);
   const { facts } = JSON.parse(native.run("inspect", "assets/tour/lamp.gltf", "--format", "json")).assets[0];
-  const tables = await page.$$eval("#list table", (all) => all.map((one) => [one.querySelector("caption").textContent,
-    [...one.querySelectorAll("tbody tr")].map((row) => [...row.cells].map((cell) => cell.textContent))]));
+  const tables = await page.$$eval("#list table", (all) =>
+    all.map((one) => [
+      one.querySelector("caption").textContent,
+      [...one.querySelectorAll("tbody tr")].map((row) => [...row.cells].map((cell) => cell.textContent)),
+    ]),
+  );
   const rows = Object.fromEntries(tables);
-  assert.deepEqual(rows.Meshes, facts.meshes.map((mesh) => [mesh.name, `${mesh.primitives}`, `${mesh.triangles}`,
-    `${mesh.vertices}`, `${mesh.bytes} B`]));
-  assert.deepEqual(rows.Extensions.map(([name, status]) => [name, status.split(",")[0]]),
-    facts.extensions.map((each) => [each.name, each.status]));
-  assert.deepEqual(rows.Materials[0].slice(0, 2), [facts.materials[0].name, facts.materials[0].alphaMode.toLowerCase()]);
+  assert.deepEqual(
+    rows.Meshes,
+    facts.meshes.map((mesh) => [
+      mesh.name,
+      `${mesh.primitives}`,
+      `${mesh.triangles}`,
+      `${mesh.vertices}`,
+      `${mesh.bytes} B`,
+    ]),
+  );
+  assert.deepEqual(
+    rows.Extensions.map(([name, status]) => [name, status.split(",")[0]]),
+    facts.extensions.map((each) => [each.name, each.status]),
+  );
+  assert.deepEqual(rows.Materials[0].slice(0, 2), [
+    facts.materials[0].name,
+    facts.materials[0].alphaMode.toLowerCase(),
+  ]);
   assert.equal(rows.Images[0][0], facts.images[0].uri);
   await page.close();
 }
@@ -141,8 +194,17 @@ function withoutFolder(text) {
 async function downloadsAreThoseOfTheProgram(one, url, native) {
   const page = await open(one, url);
   await chooseFolder(one, page, native.folder);
-  native.run("report", ...native.assets, "-o", "report.html", "--no-thumbnails", "--fail-on", "never", "--title=assets",
-    "--quiet");
+  native.run(
+    "report",
+    ...native.assets,
+    "-o",
+    "report.html",
+    "--no-thumbnails",
+    "--fail-on",
+    "never",
+    "--title=assets",
+    "--quiet",
+  );
   const html = await download(one, page, "#get-html");
   assert.equal(html.name, "gltfx-report.html");
   assert.ok(html.bytes.equals(readFileSync(join(native.place, "report.html"))));
@@ -150,7 +212,10 @@ async function downloadsAreThoseOfTheProgram(one, url, native) {
   await ended(page);
   const sarif = await download(one, page, "#get-sarif");
   assert.equal(sarif.name, "gltfx.sarif");
-  assert.deepEqual(withoutFolder(sarif.bytes), withoutFolder(readFileSync(join(native.place, "log.sarif"), "utf8")));
+  assert.deepEqual(
+    withoutFolder(sarif.bytes),
+    withoutFolder(readFileSync(join(native.place, "log.sarif"), "utf8")),
+  );
   await ended(page);
   await upgradesAreThoseOfTheProgram(one, page, native);
   assert.deepEqual(page.complaints, []);
@@ -164,13 +229,19 @@ async function upgradesAreThoseOfTheProgram(one, page, native) {
   assert.equal(zip.name, "upgraded.zip");
   const place = mkdtempSync(join(native.place, "upgraded_"));
   writeFileSync(join(place, "upgraded.zip"), zip.bytes);
-  const unpacked = spawnSync("python3", ["-m", "zipfile", "-e", "upgraded.zip", "."], { cwd: place, encoding: "utf8" });
+  const unpacked = spawnSync("python3", ["-m", "zipfile", "-e", "upgraded.zip", "."], {
+    cwd: place,
+    encoding: "utf8",
+  });
   assert.equal(unpacked.status, 0, unpacked.stderr);
   cpSync(native.folder, join(place, "expected", "assets"), { recursive: true });
-  spawnSync(native.program, ["upgrade", "assets", "--in-place", "--isolated"], { cwd: join(place, "expected") });
+  spawnSync(native.program, ["upgrade", "assets", "--in-place", "--isolated"], {
+    cwd: join(place, "expected"),
+  });
   const files = readdirSync(join(place, "assets"), { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
-    .map((entry) => relative(place, join(entry.parentPath ?? entry.path, entry.name))).sort();
+    .map((entry) => relative(place, join(entry.parentPath ?? entry.path, entry.name)))
+    .sort();
   assert.deepEqual(files, ["assets/legacy/awning.gltf", "assets/legacy/lantern.glb"]);
   for (const path of files) {
     const bytes = readFileSync(join(place, path));

@@ -3,8 +3,8 @@
 //
 //   node run.mjs PROGRAM MODULES ENGINE_FOLDER
 //
-// MODULES is a node_modules with puppeteer-core, axe-core and html-validate; ENGINE_FOLDER has gltfx.wasm. The
-// browsers are `chromium` and `firefox-esr`, or what the environment's CHROMIUM and FIREFOX name.
+// MODULES is a node_modules with puppeteer-core, axe-core and html-validate; ENGINE_FOLDER has gltfx.wasm.
+// The browsers are `chromium` and `firefox-esr`, or what the environment's CHROMIUM and FIREFOX name.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -24,8 +24,11 @@ const place = mkdtempSync(join(tmpdir(), "gltfx_web_"));
 const page = join(place, "gltfx.html");
 
 function validateHtml() {
-  execFileSync(join(resolve(modules), ".bin", "html-validate"),
-    ["--config", join(root, "tests/page/html-validate.json"), page], { stdio: "inherit" });
+  execFileSync(
+    join(resolve(modules), ".bin", "html-validate"),
+    ["--config", join(root, "tests/page/html-validate.json"), page],
+    { stdio: "inherit" },
+  );
 }
 
 async function main() {
@@ -45,8 +48,11 @@ async function main() {
   const url = pathToFileURL(page).href;
   const native = new Assets(resolve(program), root, place);
   for (const one of await startBrowsers(puppeteer, place)) {
-    const checks = [...resultChecks(one, url, native), ...safetyChecks(one, url, page, native),
-      ...accessChecks(one, url, native, readFileSync(require.resolve("axe-core"), "utf8"))];
+    const checks = [
+      ...resultChecks(one, url, native),
+      ...safetyChecks(one, url, page, native),
+      ...accessChecks(one, url, native, readFileSync(require.resolve("axe-core"), "utf8")),
+    ];
     for (const [name, run] of checks) await check(`${one.name}: ${name}`, run);
     await one.browser.close();
   }

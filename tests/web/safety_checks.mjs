@@ -12,7 +12,10 @@ const GOOD = Buffer.from('{"asset": {"version": "2.0"}}');
 
 async function unbroken(page) {
   assert.equal(await page.evaluate(() => window.broken), undefined);
-  assert.equal(await page.evaluate(() => document.querySelectorAll("main :is(img, svg, script, b b, iframe)").length), 0);
+  assert.equal(
+    await page.evaluate(() => document.querySelectorAll("main :is(img, svg, script, b b, iframe)").length),
+    0,
+  );
   assert.deepEqual(page.complaints, []);
 }
 
@@ -33,16 +36,39 @@ async function textStaysText(one, url, place) {
 
 /** Files of an archive that are left out, as the page says: {path: why}. */
 async function leftOut(page) {
-  return page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#left-out tbody tr")]
-    .map((row) => [...row.cells].map((cell) => cell.textContent))));
+  return page.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll("#left-out tbody tr")].map((row) =>
+        [...row.cells].map((cell) => cell.textContent),
+      ),
+    ),
+  );
 }
 
 async function namesCannotLeadOut(one, url) {
   const page = await open(one, url);
-  const bad = ["../up.gltf", "/top.gltf", "a/../../b.gltf", "a\\b.gltf", "d//e.gltf", "./f.gltf",
-    "g\0.gltf", `${"h".repeat(256)}.gltf`, "same.gltf", "same.gltf/below.gltf"];
-  const good = ["same.gltf", "<img src=x onerror=window.broken=1>.gltf", "\u202eflip\u200b.gltf", "-o.gltf", "*.gltf", "C:/c.gltf",
-    "line\nbreak.gltf", "gltfx-page/assets"];
+  const bad = [
+    "../up.gltf",
+    "/top.gltf",
+    "a/../../b.gltf",
+    "a\\b.gltf",
+    "d//e.gltf",
+    "./f.gltf",
+    "g\0.gltf",
+    `${"h".repeat(256)}.gltf`,
+    "same.gltf",
+    "same.gltf/below.gltf",
+  ];
+  const good = [
+    "same.gltf",
+    "<img src=x onerror=window.broken=1>.gltf",
+    "\u202eflip\u200b.gltf",
+    "-o.gltf",
+    "*.gltf",
+    "C:/c.gltf",
+    "line\nbreak.gltf",
+    "gltfx-page/assets",
+  ];
   const files = [...good, ...bad].map((path) => ({ path, bytes: GOOD }));
   assert.equal(await drop(page, [["names.zip", archive(files)]]), "None of 7 assets has errors.");
   const why = await leftOut(page);
@@ -52,14 +78,29 @@ async function namesCannotLeadOut(one, url) {
   assert.equal(why["names/same.gltf"], "another file has its path");
   assert.equal(why["names/same.gltf/below.gltf"], "a file has the name of its folder");
   const paths = await page.$$eval("#list .path", (all) => all.map((each) => each.textContent));
-  assert.deepEqual(paths.sort(), ["names/*.gltf", "names/-o.gltf", "names/C:/c.gltf", "names/<img src=x onerror=window.broken=1>.gltf",
-    "names/\\u202eflip\\u200b.gltf", "names/line\\u000abreak.gltf", "names/same.gltf"].sort());
+  assert.deepEqual(
+    paths.sort(),
+    [
+      "names/*.gltf",
+      "names/-o.gltf",
+      "names/C:/c.gltf",
+      "names/<img src=x onerror=window.broken=1>.gltf",
+      "names/\\u202eflip\\u200b.gltf",
+      "names/line\\u000abreak.gltf",
+      "names/same.gltf",
+    ].sort(),
+  );
   await unbroken(page);
   await page.close();
 }
 
 const entry = (lies) => [{ path: "a.gltf", bytes: GOOD, ...lies }];
-const MANY = Array.from({ length: 5 }, (_, i) => ({ path: `${i}.bin`, bytes: Buffer.alloc(1), size: 0xfffffff0, method: 0 }));
+const MANY = Array.from({ length: 5 }, (_, i) => ({
+  path: `${i}.bin`,
+  bytes: Buffer.alloc(1),
+  size: 0xfffffff0,
+  method: 0,
+}));
 
 // Archives that are refused as a whole, or whose file is left out: name, bytes, why.
 const REFUSED = [
@@ -78,7 +119,11 @@ const REFUSED = [
 
 // Archives whose file turns out to be other than was said when it is read.
 const LYING = [
-  ["more", archive(entry({ bytes: Buffer.alloc(64 << 20, 32), size: 1000 })), "it unpacks to more than its archive says"],
+  [
+    "more",
+    archive(entry({ bytes: Buffer.alloc(64 << 20, 32), size: 1000 })),
+    "it unpacks to more than its archive says",
+  ],
   ["less", archive(entry({ size: GOOD.length + 1 })), "it unpacks to less than its archive says"],
   ["sum", archive(entry({ crc: 1 })), "its checksum is wrong"],
 ];
@@ -107,10 +152,17 @@ async function filesCannotBreakIt(one, url) {
     bytes.writeUInt32LE(length, 12);
     return bytes;
   };
-  const files = [["deep.gltf", "[".repeat(1 << 20)], ["quotes.gltf", '"'.repeat(1 << 20)],
-    ["escapes.gltf", '"' + '\\"'.repeat(1 << 19)], ["percent.gltf", '{"a": "%E0%A4%A", "b": "%00"}'],
-    ["empty.gltf", ""], ["zeros.gltf", Buffer.alloc(1 << 20)], ["long.glb", glb(0xffffffff)], ["none.glb", glb(0)],
-    ["short.glb", "glTF"]];
+  const files = [
+    ["deep.gltf", "[".repeat(1 << 20)],
+    ["quotes.gltf", '"'.repeat(1 << 20)],
+    ["escapes.gltf", '"' + '\\"'.repeat(1 << 19)],
+    ["percent.gltf", '{"a": "%E0%A4%A", "b": "%00"}'],
+    ["empty.gltf", ""],
+    ["zeros.gltf", Buffer.alloc(1 << 20)],
+    ["long.glb", glb(0xffffffff)],
+    ["none.glb", glb(0)],
+    ["short.glb", "glTF"],
+  ];
   assert.equal(await drop(page, files), `${files.length} of ${files.length} assets have errors.`);
   await unbroken(page);
   await page.close();
@@ -147,10 +199,18 @@ async function canBeStopped(one, url) {
   assert.equal(await page.$eval("#downloads", (element) => element.hidden), true);
   // The next drop starts anew, and one that comes before the end takes the place of the last.
   assert.equal(await drop(page, three), "None of 3 assets has errors.");
+  await page.evaluate(() => {
+    document.getElementById("get-html").click();
+    document.getElementById("stop").click();
+  });
+  assert.equal(await ended(page), "Stopped.");
+  assert.equal((await page.$$("#list > li")).length, 3);
   const last = drop(page, three);
   assert.equal(await drop(page, [["d.gltf", GOOD]]), "No errors.");
   await last;
-  assert.deepEqual(await page.$$eval("#list .path", (all) => all.map((each) => each.textContent)), ["d.gltf"]);
+  assert.deepEqual(await page.$$eval("#list .path", (all) => all.map((each) => each.textContent)), [
+    "d.gltf",
+  ]);
   await unbroken(page);
   await page.close();
 }
@@ -173,7 +233,10 @@ async function nothingIsAsked(one, file, native) {
   const blocked = await page.evaluate(async (place) => {
     new Image().src = `${place}/image`;
     navigator.sendBeacon(`${place}/beacon`, "x");
-    return fetch(`${place}/fetch`).then(() => false, () => true);
+    return fetch(`${place}/fetch`).then(
+      () => false,
+      () => true,
+    );
   }, address);
   assert.ok(blocked);
   assert.deepEqual(asked, ["GET /gltfx.html"]);
@@ -199,7 +262,10 @@ async function markupIsRefused(one, url) {
 
 async function saysWhatIsMissing(one, url, native) {
   const page = await open(one, url);
-  assert.equal(await choose(page, "files", join(native.folder, "tour/quad.bin")), "There is no .gltf or .glb file in it.");
+  assert.equal(
+    await choose(page, "files", join(native.folder, "tour/quad.bin")),
+    "There is no .gltf or .glb file in it.",
+  );
   assert.equal(await page.$eval("#results", (element) => element.hidden), true);
   await page.close();
 }

@@ -7,7 +7,8 @@ function policy() {
 }
 
 const workerAddress = policy().createScriptURL(
-  URL.createObjectURL(new Blob([document.getElementById("worker").textContent], { type: "text/javascript" })));
+  URL.createObjectURL(new Blob([document.getElementById("worker").textContent], { type: "text/javascript" })),
+);
 
 async function unpackEngine() {
   const packed = atob(document.getElementById("engine").textContent);

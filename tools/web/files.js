@@ -15,7 +15,9 @@ export function pathProblem(path) {
     return "its path could lead out of the folder";
   }
   const size = (text) => new TextEncoder().encode(text).length;
-  return size(path) > LONGEST_PATH || names.some((name) => size(name) > LONGEST_NAME) ? "its name is too long" : "";
+  return size(path) > LONGEST_PATH || names.some((name) => size(name) > LONGEST_NAME)
+    ? "its name is too long"
+    : "";
 }
 
 const isAsset = (path) => /\.(gltf|glb)$/i.test(path);
@@ -139,7 +141,8 @@ export class Reading {
     if (this.content.has(path)) return this.content.get(path);
     const source = this.#files.get(path);
     this.#bytes += source.size;
-    if (this.#bytes > MOST_BYTES) throw new Error("the files are more than 1 GB together; use the program gltfx");
+    if (this.#bytes > MOST_BYTES)
+      throw new Error("the files are more than 1 GB together; use the program gltfx");
     const bytes = await source.read();
     this.content.set(path, bytes);
     return bytes;

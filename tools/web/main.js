@@ -22,7 +22,8 @@ function say(words, quiet = false) {
 function showProgress() {
   byId("meter").max = Math.max(1, paths.length);
   byId("meter").value = done;
-  byId("doing").textContent = `${grouped(done)} of ${counted(paths.length, "asset")}` +
+  byId("doing").textContent =
+    `${grouped(done)} of ${counted(paths.length, "asset")}` +
     (done < paths.length ? `: ${visible(paths[done])}` : "");
 }
 
@@ -76,7 +77,8 @@ function hear(said) {
     }
     byId("downloads").hidden = false;
     byId("get-upgraded").hidden = upgradable === 0;
-    byId("get-upgraded").textContent = upgradable === 1 ? "Upgraded file" : `${grouped(upgradable)} upgraded files`;
+    byId("get-upgraded").textContent =
+      upgradable === 1 ? "Upgraded file" : `${grouped(upgradable)} upgraded files`;
     end(verdict());
   } else if (said.broken) {
     stop(`The checks ended early: ${visible(said.broken)}.`);
@@ -100,13 +102,20 @@ function stop(words) {
   checks = null;
   byId("downloads").hidden = true;
   const left = paths.length - done;
-  end(words + (left > 0 && paths.length > 0 ? ` ${counted(left, "asset")} not checked, from ` +
-    `${visible(paths[done])} on.` : ""));
+  end(
+    words +
+      (left > 0 && paths.length > 0
+        ? ` ${counted(left, "asset")} not checked, from ` + `${visible(paths[done])} on.`
+        : ""),
+  );
   byId("title").focus();
 }
 
 function startFields() {
-  for (const [button, field] of [["choose-files", "files"], ["choose-folder", "folder"]]) {
+  for (const [button, field] of [
+    ["choose-files", "files"],
+    ["choose-folder", "folder"],
+  ]) {
     byId(button).addEventListener("click", () => byId(field).click());
     byId(field).addEventListener("change", () => {
       if (byId(field).files.length > 0) begin(fromFiles(byId(field).files));

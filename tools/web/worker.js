@@ -28,8 +28,14 @@ async function run(verb, paths, options) {
 }
 
 async function writePage(paths, title) {
-  const done = await run("report", paths, (place) =>
-    ["-o", `${place}/report.html`, "--no-thumbnails", "--fail-on", "never", `--title=${title}`]);
+  const done = await run("report", paths, (place) => [
+    "-o",
+    `${place}/report.html`,
+    "--no-thumbnails",
+    "--fail-on",
+    "never",
+    `--title=${title}`,
+  ]);
   return done.written.get(`${done.place}/report.html`);
 }
 
@@ -41,12 +47,21 @@ function dataOf(page) {
 }
 
 /** Stands for an asset that the engine did not get, or did not survive. */
-const unchecked = (path, why) => ({ path, why, readable: false, findings: [], upgrade: [],
-  counts: { errors: 0, warnings: 0, infos: 0, hints: 0 } });
+const unchecked = (path, why) => ({
+  path,
+  why,
+  readable: false,
+  findings: [],
+  upgrade: [],
+  counts: { errors: 0, warnings: 0, infos: 0, hints: 0 },
+});
 
 async function check(path) {
   try {
-    const { assets: [asset], rules } = dataOf(await writePage([path], path));
+    const {
+      assets: [asset],
+      rules,
+    } = dataOf(await writePage([path], path));
     if (asset.upgrade.some((step) => step.done)) upgradable.push(path);
     return { asset, rules };
   } catch (error) {
@@ -77,13 +92,21 @@ async function upgrade() {
 }
 
 const MAKERS = {
-  html: async (title) => ({ made: new Blob([await writePage(folder.assets, title)], { type: "text/html" }),
-    name: "gltfx-report.html" }),
+  html: async (title) => ({
+    made: new Blob([await writePage(folder.assets, title)], { type: "text/html" }),
+    name: "gltfx-report.html",
+  }),
   sarif: async () => {
-    const done = await run("validate", folder.assets, (place) =>
-      ["--fail-on", "never", "--format", `sarif=${place}/log.sarif`]);
-    return { made: new Blob([done.written.get(`${done.place}/log.sarif`)], { type: "application/sarif+json" }),
-      name: "gltfx.sarif" };
+    const done = await run("validate", folder.assets, (place) => [
+      "--fail-on",
+      "never",
+      "--format",
+      `sarif=${place}/log.sarif`,
+    ]);
+    return {
+      made: new Blob([done.written.get(`${done.place}/log.sarif`)], { type: "application/sarif+json" }),
+      name: "gltfx.sarif",
+    };
   },
   upgraded: upgrade,
 };

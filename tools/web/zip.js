@@ -34,7 +34,8 @@ async function findEnd(blob) {
   const from = Math.max(0, blob.size - END_SIZE - LONGEST_COMMENT);
   const tail = await view(blob, from, blob.size);
   for (let at = tail.byteLength - END_SIZE; at >= 0; --at) {
-    const whole = tail.getUint32(at, true) === END && at + END_SIZE + tail.getUint16(at + 20, true) === tail.byteLength;
+    const whole =
+      tail.getUint32(at, true) === END && at + END_SIZE + tail.getUint16(at + 20, true) === tail.byteLength;
     if (!whole) continue;
     const entries = tail.getUint16(at + 10, true);
     const size = tail.getUint32(at + 12, true);
@@ -47,7 +48,8 @@ async function findEnd(blob) {
 }
 
 function readEntry(list, at) {
-  if (at + 46 > list.byteLength || list.getUint32(at, true) !== ENTRY) throw new Error("its list of files is broken");
+  if (at + 46 > list.byteLength || list.getUint32(at, true) !== ENTRY)
+    throw new Error("its list of files is broken");
   const nameSize = list.getUint16(at + 28, true);
   const next = at + 46 + nameSize + list.getUint16(at + 30, true) + list.getUint16(at + 32, true);
   if (next > list.byteLength) throw new Error("its list of files is broken");
@@ -69,7 +71,8 @@ function readEntry(list, at) {
 function refuseBombs(entries, blob, end) {
   const total = entries.reduce((sum, entry) => sum + entry.size, 0);
   if (total > MOST_UNPACKED) throw new Error("it unpacks to more than 4 GB");
-  if (total > RATIO_MATTERS && total > MOST_RATIO * blob.size) throw new Error("it unpacks to far more than it is");
+  if (total > RATIO_MATTERS && total > MOST_RATIO * blob.size)
+    throw new Error("it unpacks to far more than it is");
   const inOrder = entries.slice().sort((a, b) => a.begin - b.begin);
   inOrder.forEach((entry, i) => {
     const room = (i + 1 < inOrder.length ? inOrder[i + 1].begin : end.begin) - entry.begin;
@@ -111,7 +114,8 @@ async function readContent(blob, entry) {
   const from = entry.begin + 30 + head.getUint16(26, true) + head.getUint16(28, true);
   const packed = blob.slice(from, from + entry.packed);
   if (packed.size !== entry.packed) throw new Error("its archive is cut off");
-  const bytes = entry.method === 0 ? new Uint8Array(await packed.arrayBuffer()) : await inflate(packed, entry.size);
+  const bytes =
+    entry.method === 0 ? new Uint8Array(await packed.arrayBuffer()) : await inflate(packed, entry.size);
   if (crc32(bytes) !== entry.crc) throw new Error("its checksum is wrong");
   return bytes;
 }
@@ -130,9 +134,14 @@ export async function readZip(blob) {
     at = entry.next;
   }
   refuseBombs(entries, blob, end);
-  return entries.filter((entry) => !entry.path.endsWith("/")).map((entry) => ({
-    path: entry.path, size: entry.size, problem: problemOf(entry), read: () => readContent(blob, entry),
-  }));
+  return entries
+    .filter((entry) => !entry.path.endsWith("/"))
+    .map((entry) => ({
+      path: entry.path,
+      size: entry.size,
+      problem: problemOf(entry),
+      read: () => readContent(blob, entry),
+    }));
 }
 
 function head(signature, size, name, bytes) {
