@@ -9,6 +9,8 @@ const BROWSERS = [
   ["firefox", "firefox", process.env.FIREFOX || "firefox-esr"],
 ];
 
+const MOST_WAITS = 3000; // of 20 ms: what does not come by then never does
+
 /** Starts what is installed: [{name, browser, downloads}]. */
 export async function startBrowsers(puppeteer, folder) {
   const started = [];
@@ -60,6 +62,14 @@ export async function ended(page) {
     { timeout: 120000 },
   );
   return page.$eval("#status", (element) => element.textContent);
+}
+
+/** Waits until something holds. */
+export async function until(words, holds) {
+  for (let i = 0; !holds(); ++i) {
+    if (i === MOST_WAITS) throw new Error(`there is no ${words}`);
+    await new Promise((done) => setTimeout(done, 20));
+  }
 }
 
 /** Chooses files or a folder, and waits for the end. */
@@ -135,15 +145,12 @@ export async function download(one, page, button) {
   rmSync(one.downloads, { recursive: true, force: true });
   mkdirSync(one.downloads);
   await page.click(button);
-  for (;;) {
-    const files = existsSync(one.downloads) ? readdirSync(one.downloads) : [];
-    const whole = files.filter(
-      (name) => !/\.(crdownload|part|tmp)$/.test(name) && !name.startsWith(".org.chromium"),
-    );
-    if (whole.length === 1 && files.length === 1) {
-      const bytes = readFileSync(join(one.downloads, whole[0]));
-      if (bytes.length > 0) return { name: whole[0], bytes };
-    }
-    await new Promise((done) => setTimeout(done, 20));
-  }
+  let got = null;
+  await until(`a file from ${button}`, () => {
+    const names = existsSync(one.downloads) ? readdirSync(one.downloads) : [];
+    if (names.length !== 1 || /\.(crdownload|part|tmp)$|^\.org\.chromium/.test(names[0])) return false;
+    got = { name: names[0], bytes: readFileSync(join(one.downloads, names[0])) };
+    return got.bytes.length > 0;
+  });
+  return got;
 }

@@ -6,7 +6,7 @@ import { createServer } from "node:http";
 import { basename, join } from "node:path";
 import { BREAKERS, writeHostile } from "../page/hostile.mjs";
 import { archive } from "./archives.mjs";
-import { choose, chooseFolder, download, drop, ended, open, unfold } from "./browsers.mjs";
+import { choose, chooseFolder, download, drop, ended, open, unfold, until } from "./browsers.mjs";
 
 const GOOD = Buffer.from('{"asset": {"version": "2.0"}}');
 
@@ -193,7 +193,7 @@ async function canBeStopped(one, url) {
   assert.equal(await drop(page, three), "Stopped. 2 assets not checked, from b.gltf on.");
   assert.equal(await page.evaluate(() => document.activeElement.id), "title");
   if (one.name === "chromium") {
-    while (page.workers().length > 0) await new Promise((done) => setTimeout(done, 10));
+    await until("end of the worker", () => page.workers().length === 0);
   }
   assert.equal((await page.$$("#list > li")).length, 1);
   assert.equal(await page.$eval("#downloads", (element) => element.hidden), true);
