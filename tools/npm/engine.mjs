@@ -54,18 +54,19 @@ class Engine {
   }
 
   /**
-   * Runs the command line in a folder that holds `files`, by their relative paths. Gives the exit code,
-   * what was printed, and the files that were written or changed.
+   * Runs the command line in the folder `cwd`, in a file system that holds `files`: by paths from there or
+   * from "/"; one that ends in "/" is an empty folder. Gives the exit code, what was printed, and the files
+   * that were written, by paths from `cwd` where they are below it.
    */
-  async run(args, files = new Map()) {
+  async run(args, files = new Map(), { cwd = FOLDER, stdin = new Uint8Array() } = {}) {
     const bytes = args.reduce((sum, argument) => sum + argument.length * 3 + 8, 0);
     if (bytes > MOST_ARGUMENT_BYTES) throw new Error("gltfx: the arguments are too long");
     const printed = [new Printed(), new Printed()];
-    const module = await this.#instance({
-      preRun: [(starting) => starting.FS.init(() => null, (byte) => printed[0].add(byte),
-        (byte) => printed[1].add(byte))],
-    });
-    writeFiles(module.FS, files);
+    let read = 0;
+    const input = () => (read < stdin.length ? stdin[read++] : null);
+    const outputs = printed.map((to) => (byte) => to.add(byte));
+    const module = await this.#instance({ preRun: [(starting) => starting.FS.init(input, ...outputs)] });
+    writeFiles(module.FS, files, cwd);
     let code;
     try {
       code = module.callMain([...args]);
@@ -76,7 +77,7 @@ class Engine {
       code,
       stdout: printed[0].bytes(),
       stderr: decoder.decode(printed[1].bytes()),
-      files: changedFiles(module.FS, files),
+      files: writtenFiles(module.FS, cwd),
     };
   }
 
@@ -152,38 +153,33 @@ class Printed {
   }
 }
 
-function writeFiles(fs, files) {
-  fs.mkdir(FOLDER);
-  fs.chdir(FOLDER);
-  for (const [path, bytes] of files) {
-    const names = path.split("/");
-    if (names.some((name) => name === "" || name === "." || name === "..")) {
-      throw new Error(`gltfx: '${path}' is not a relative path`);
-    }
-    names.pop();
-    if (names.length > 0) fs.mkdirTree(`${FOLDER}/${names.join("/")}`);
-    fs.writeFile(`${FOLDER}/${path}`, bytes);
-    fs.utime(`${FOLDER}/${path}`, 0, 0); // what is written to is newer
+function writeFiles(fs, files, cwd) {
+  fs.mkdirTree(cwd);
+  fs.chdir(cwd);
+  for (const [name, bytes] of files) {
+    const path = name.startsWith("/") ? name : `${cwd}/${name}`;
+    fs.mkdirTree(path.slice(0, path.lastIndexOf("/")) || "/");
+    if (path.endsWith("/")) continue;
+    fs.writeFile(path, bytes);
+    fs.utime(path, 0, 0); // what is written later is newer
   }
 }
 
-function changedFiles(fs, before) {
-  const changed = new Map();
-  const visit = (folder, prefix) => {
-    for (const name of fs.readdir(folder)) {
-      if (name === "." || name === "..") continue;
+function writtenFiles(fs, cwd) {
+  const written = new Map();
+  const visit = (folder) => {
+    for (const name of fs.readdir(folder || "/")) {
       const path = `${folder}/${name}`;
+      if (name === "." || name === ".." || path === "/dev" || path === "/proc") continue;
       const { mode, mtime } = fs.stat(path);
-      if (fs.isDir(mode)) visit(path, `${prefix}${name}/`);
-      if (fs.isDir(mode) || mtime.getTime() === 0) continue;
-      const bytes = fs.readFile(path);
-      if (!sameBytes(bytes, before.get(prefix + name))) changed.set(prefix + name, bytes);
+      if (fs.isDir(mode)) visit(path);
+      else if (mtime.getTime() > 0) written.set(fromFolder(path, cwd), fs.readFile(path));
     }
   };
-  visit(FOLDER, "");
-  return changed;
+  visit("");
+  return written;
 }
 
-function sameBytes(one, other) {
-  return other !== undefined && one.length === other.length && one.every((byte, at) => byte === other[at]);
+function fromFolder(path, folder) {
+  return path.startsWith(`${folder}/`) ? path.slice(folder.length + 1) : path;
 }

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page: files in, a run of checks, downloads out.
+import { Checks } from "./checks.js";
+import { fromDrop, fromFiles, titleOf } from "./dropped.js";
+import { add, clear, finish, showLeftOut, startList, toUpgrade, verdict } from "./list.js";
+
+const byId = (id) => document.getElementById(id);
+globalThis.report = { rules: Object.create(null) }; // the rules that found something, for details()
+
+let checks = null;
+let title = "";
+let done = 0;
+let upgradable = 0;
+let paths = []; // of all assets
+let upgradedAddress = "";
+
+function say(words, quiet = false) {
+  byId("status").textContent = words;
+  byId("status").classList.toggle("quiet", quiet);
+}
+
+function showProgress() {
+  byId("meter").max = Math.max(1, paths.length);
+  byId("meter").value = done;
+  byId("doing").textContent =
+    `${grouped(done)} of ${counted(paths.length, "asset")}` +
+    (done < paths.length ? `: ${visible(paths[done])}` : "");
+}
+
+function showBusy(words) {
+  byId("progress").hidden = words === "";
+  byId("doing").textContent = words;
+  for (const button of byId("downloads").querySelectorAll("button")) button.disabled = words !== "";
+  if (words) byId("meter").removeAttribute("value");
+}
+
+function begin(dropped) {
+  if (dropped.length === 0) return say("Nothing in it can be read.", true);
+  checks?.stop();
+  title = titleOf(dropped);
+  done = upgradable = 0;
+  paths = [];
+  clear();
+  document.body.classList.add("small");
+  byId("title").textContent = visible(title);
+  document.title = `${visible(title)} – gltfx`;
+  byId("results").hidden = false;
+  byId("downloads").hidden = true;
+  byId("left-out").replaceChildren();
+  say("");
+  showBusy("Opening");
+  checks = new Checks(dropped, hear);
+}
+
+function end(words) {
+  showBusy("");
+  finish();
+  say(words);
+}
+
+function hear(said) {
+  if (said.assets) {
+    paths = said.assets;
+    showLeftOut(said.leftOut);
+    showProgress();
+  } else if (said.asset) {
+    Object.assign(report.rules, said.rules);
+    if (toUpgrade(said.asset) > 0) ++upgradable;
+    ++done;
+    add(said.asset);
+    showProgress();
+  } else if (said.checked) {
+    if (paths.length === 0) {
+      showBusy("");
+      byId("results").hidden = byId("left-out").childElementCount === 0;
+      return say("There is no .gltf or .glb file in it.");
+    }
+    byId("downloads").hidden = false;
+    byId("get-upgraded").hidden = upgradable === 0;
+    byId("get-upgraded").textContent =
+      upgradable === 1 ? "Upgraded file" : `${grouped(upgradable)} upgraded files`;
+    end(verdict());
+  } else if (said.broken) {
+    stop(`The checks ended early: ${visible(said.broken)}.`);
+  } else {
+    deliver(said);
+  }
+}
+
+/** Hands a file over to the browser, under a name that the user can change. */
+function deliver({ made, name, why }) {
+  showBusy("");
+  if (made === null) return say(`It cannot be written: ${visible(why)}`, true);
+  say(verdict());
+  if (upgradedAddress) URL.revokeObjectURL(upgradedAddress);
+  upgradedAddress = URL.createObjectURL(made);
+  make("a", { href: upgradedAddress, download: name }).click();
+}
+
+function stop(words) {
+  checks?.stop();
+  checks = null;
+  byId("downloads").hidden = true;
+  const left = paths.length - done;
+  end(
+    words +
+      (left > 0 && paths.length > 0
+        ? ` ${counted(left, "asset")} not checked, from ` + `${visible(paths[done])} on.`
+        : ""),
+  );
+  byId("title").focus();
+}
+
+function startFields() {
+  for (const [button, field] of [
+    ["choose-files", "files"],
+    ["choose-folder", "folder"],
+  ]) {
+    byId(button).addEventListener("click", () => byId(field).click());
+    byId(field).addEventListener("change", () => {
+      if (byId(field).files.length > 0) begin(fromFiles(byId(field).files));
+      byId(field).value = "";
+    });
+  }
+  const drop = byId("drop");
+  let inside = 0;
+  const over = (more) => {
+    inside = Math.max(0, inside + more);
+    drop.classList.toggle("over", inside > 0);
+  };
+  addEventListener("dragenter", () => over(1));
+  addEventListener("dragleave", () => over(-1));
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", async (event) => {
+    event.preventDefault();
+    over(-inside);
+    begin(await fromDrop(event.dataTransfer));
+  });
+}
+
+function start() {
+  startList();
+  startFields();
+  byId("stop").addEventListener("click", () => stop("Stopped."));
+  for (const kind of ["html", "sarif", "upgraded"]) {
+    byId(`get-${kind}`).addEventListener("click", () => {
+      showBusy("Writing");
+      checks.make(kind, title);
+    });
+  }
+  document.querySelector(".theme").addEventListener("change", ({ target }) => {
+    if (target.value === "auto") delete document.documentElement.dataset.theme;
+    else document.documentElement.dataset.theme = target.value;
+  });
+}
+
+start();

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks what was dropped, away from the page. The page ends the worker to stop it. The loader of the engine
+// comes from the folder of its build.
+//
+//   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
+//   in   {make: "html" | "sarif" | "upgraded"}   out  {made: Blob, name} or {made: null, why}
+import { createEngine } from "../npm/engine.mjs";
+import loader from "gltfx-wasm.mjs";
+import { openFolder, Reading } from "./files.js";
+import { writeZip } from "./zip.js";
+
+const COMMON = ["--isolated", "--quiet"];
+let engine = null;
+let folder = null;
+let upgradable = []; // paths of assets
+
+/** Runs a verb over assets and gives the files it wrote. Options come from `options(place)`. */
+async function run(verb, paths, options) {
+  const reading = new Reading(folder.files);
+  for (const path of paths) await reading.addAsset(path);
+  let place = "gltfx-page"; // of files that are not the user's
+  while ([...reading.content.keys()].some((path) => path.startsWith(place))) place += "_";
+  const list = `${place}/assets`;
+  reading.content.set(list, new TextEncoder().encode(paths.map((path) => `${path}\0`).join("")));
+  const done = await engine.run([verb, "--files-from", list, ...COMMON, ...options(place)], reading.content);
+  if (done.code > 1) throw new Error(done.stderr.trim() || `gltfx ${verb} ended with code ${done.code}`);
+  return { written: done.files, place };
+}
+
+async function writePage(paths, title) {
+  const done = await run("report", paths, (place) => [
+    "-o",
+    `${place}/report.html`,
+    "--no-thumbnails",
+    "--fail-on",
+    "never",
+    `--title=${title}`,
+  ]);
+  return done.written.get(`${done.place}/report.html`);
+}
+
+/** The data of a report page: findings, excerpts, facts and upgrades of its assets. */
+function dataOf(page) {
+  const html = new TextDecoder().decode(page);
+  const begin = html.indexOf(">", html.indexOf('<script id="data"')) + 1;
+  return JSON.parse(html.slice(begin, html.indexOf("</script>", begin)));
+}
+
+/** Stands for an asset that the engine did not get, or did not survive. */
+const unchecked = (path, why) => ({
+  path,
+  why,
+  readable: false,
+  findings: [],
+  upgrade: [],
+  counts: { errors: 0, warnings: 0, infos: 0, hints: 0 },
+});
+
+async function check(path) {
+  try {
+    const {
+      assets: [asset],
+      rules,
+    } = dataOf(await writePage([path], path));
+    if (asset.upgrade.some((step) => step.done)) upgradable.push(path);
+    return { asset, rules };
+  } catch (error) {
+    return { asset: unchecked(path, error.message), rules: {} };
+  }
+}
+
+async function open(dropped, wasm) {
+  folder = await openFolder(dropped);
+  postMessage({ assets: folder.assets, leftOut: folder.leftOut });
+  if (folder.assets.length > 0) engine = await createEngine(wasm, loader);
+  for (const path of folder.assets) postMessage(await check(path));
+  postMessage({ checked: true });
+}
+
+// --- Downloads ---
+
+async function upgrade() {
+  const changed = new Map();
+  for (const path of upgradable) {
+    const { written } = await run("upgrade", [path], () => ["--in-place"]);
+    for (const [one, bytes] of written) changed.set(one, bytes);
+  }
+  if (changed.size === 0) throw new Error("no file changes");
+  const files = [...changed];
+  if (files.length > 1) return { made: writeZip(files), name: "upgraded.zip" };
+  return { made: new Blob([files[0][1]]), name: files[0][0].split("/").pop() };
+}
+
+const MAKERS = {
+  html: async (title) => ({
+    made: new Blob([await writePage(folder.assets, title)], { type: "text/html" }),
+    name: "gltfx-report.html",
+  }),
+  sarif: async () => {
+    const done = await run("validate", folder.assets, (place) => [
+      "--fail-on",
+      "never",
+      "--format",
+      `sarif=${place}/log.sarif`,
+    ]);
+    return {
+      made: new Blob([done.written.get(`${done.place}/log.sarif`)], { type: "application/sarif+json" }),
+      name: "gltfx.sarif",
+    };
+  },
+  upgraded: upgrade,
+};
+
+async function make(kind, title) {
+  try {
+    postMessage(await MAKERS[kind](title));
+  } catch (error) {
+    postMessage({ made: null, why: error.message });
+  }
+}
+
+addEventListener("message", ({ data }) => {
+  if (data.open) open(data.open, data.wasm).catch((error) => postMessage({ broken: error.message }));
+  else make(data.make, data.title);
+});
