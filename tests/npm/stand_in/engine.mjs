@@ -33,7 +33,7 @@ function valueAt(document, pointer) {
 
 function writtenUris(bytes, resources) {
   const text = Buffer.from(bytes);
-  const json = text[0] === 0x67 ? text.subarray(20, 20 + text.readUInt32LE(12)) : text;
+  const json = text[0] === 0x67 && text.length > 20 ? text.subarray(20, 20 + text.readUInt32LE(12)) : text;
   let document;
   try {
     document = JSON.parse(json.toString().replace(/^\ufeff/, ""));
@@ -53,8 +53,12 @@ function place(folder, uri, bytes) {
   if (/^[a-z]+:/i.test(uri) || uri.startsWith("/") || /[?#\0]/.test(uri)) return;
   const file = resolve(folder, path);
   if (!file.startsWith(resolve(folder, "../../..")) || file === folder || path.endsWith("/")) return;
-  mkdirSync(dirname(file), { recursive: true });
-  writeFileSync(file, bytes);
+  try {
+    mkdirSync(dirname(file), { recursive: true });
+    writeFileSync(file, bytes);
+  } catch {
+    // a folder of that name is there
+  }
 }
 
 async function wordsOf(options) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interface of npm's gltf-validator. Promises are rejected with strings, as its promises are.
 import { checkData, checkEngineOptions, checkIsObject, checkReportOptions, isBytes } from "./compat_options.mjs";
+import { cutAt, withoutResourcesAfter } from "./compat_limit.mjs";
 import { khronosExtensions, packageVersion } from "./constants.mjs";
 import { normalizeUri } from "./uri.mjs";
 
@@ -42,18 +43,14 @@ function ask(load, uri) {
   return settled;
 }
 
-// URIs in the order in which their bytes are wanted, each use on its own. The one at which the limit of
-// issues was reached has no entry in the report.
-function usesIn(report, missing) {
-  const resources = report.info?.resources ?? [];
-  const uses = resources.filter(({ storage }) => storage === "external").map(({ uri }) => uri);
-  for (const uri of missing.map(normalizeUri)) if (!uses.includes(uri)) uses.push(uri);
-  return uses;
+// URIs in the order in which their bytes are wanted, each use on its own.
+function usesIn({ info }) {
+  return (info?.resources ?? []).filter(({ storage }) => storage === "external").map(({ uri }) => uri);
 }
 
 function hasRoom(report, uses, maxIssues) {
   if (!maxIssues) return true;
-  return !report.issues.truncated && report.issues.messages.length + issuesOfAResource * uses.length < maxIssues;
+  return report.issues.messages.length + issuesOfAResource * uses.length < maxIssues;
 }
 
 function describeFailures(report, problems) {
@@ -64,31 +61,37 @@ function describeFailures(report, problems) {
   }
 }
 
+async function loadResource(load, uri) {
+  const { bytes, problem } = await ask(load, uri);
+  if (problem !== undefined) return { bytes: null, problem };
+  if (!isBytes(bytes)) throw invalidArgument("Promise must be fulfilled with Uint8Array or rejected.");
+  return { bytes };
+}
+
 /** Validates, fetches what was missing, validates again. Near the limit of issues, resources are fetched one by
     one, because what the first one has may be the last that is looked at. */
 async function validateWithResources(engine, bytes, options, load) {
-  const resources = new Map();
-  const problems = new Map();
-  const written = new Map();
+  const { maxIssues } = options;
+  const engineOptions = { ...options, maxIssues: maxIssues && maxIssues + 1, profile: "khronos" };
+  const resources = new Map(); // by URI as the engine has it
+  const results = new Map(); // by URI as reports have it; the first answer counts
   for (let asked = 0; ; ) {
-    const answer = await engine.validate(bytes, { ...options, profile: "khronos", resources });
+    const answer = await engine.validate(bytes, { ...engineOptions, resources });
     const report = JSON.parse(answer.report);
-    for (const uri of answer.missing) written.set(normalizeUri(uri), [...(written.get(normalizeUri(uri)) ?? []), uri]);
-    const uses = load ? usesIn(report, answer.missing) : [];
-    const known = resources.size;
-    const end = hasRoom(report, uses, options.maxIssues) ? uses.length : Math.min(asked + 1, uses.length);
-    for (; asked < end; ++asked) {
-      const uri = uses[asked];
-      const { bytes: loaded, problem } = await ask(load, uri);
-      if (problem === undefined && !isBytes(loaded)) {
-        throw invalidArgument("Promise must be fulfilled with Uint8Array or rejected.");
-      }
-      if (problem !== undefined && !problems.has(uri)) problems.set(uri, problem);
-      for (const name of written.get(uri) ?? []) if (!resources.has(name)) resources.set(name, loaded ?? null);
+    const uses = load ? usesIn(withoutResourcesAfter(report, maxIssues)) : [];
+    const end = hasRoom(report, uses, maxIssues) ? uses.length : Math.min(asked + 1, uses.length);
+    if (asked >= end) {
+      describeFailures(report, (uri) => (load ? results.get(uri)?.problem : noFunction));
+      return cutAt(report, maxIssues);
     }
-    if (resources.size > known || asked < uses.length) continue;
-    describeFailures(report, (uri) => (load ? problems.get(uri) : noFunction));
-    return report;
+    for (; asked < end; ++asked) {
+      const result = await loadResource(load, uses[asked]);
+      if (!results.has(uses[asked])) results.set(uses[asked], result);
+    }
+    for (const uri of answer.missing) {
+      const result = results.get(normalizeUri(uri));
+      if (result) resources.set(uri, result.bytes);
+    }
   }
 }
 
@@ -97,9 +100,10 @@ async function run(getEngine, bytes, engineOptions, reportOptions) {
   const report = await validateWithResources(engine, bytes, engineOptions, reportOptions.load).catch((error) => {
     throw error instanceof Error ? String(error) : error;
   });
+  const mimeType = engineOptions.format === "glb" ? "model/gltf-binary" : report.mimeType;
   return {
     ...(reportOptions.uri === undefined ? {} : { uri: reportOptions.uri }),
-    ...(report.mimeType === undefined ? {} : { mimeType: report.mimeType }),
+    ...(mimeType === undefined ? {} : { mimeType }),
     validatorVersion: packageVersion,
     ...(reportOptions.writeTimestamp ? { validatedAt: new Date().toISOString() } : {}),
     issues: report.issues,

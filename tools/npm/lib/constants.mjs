@@ -19,5 +19,6 @@ export const khronosExtensions = [
   "KHR_materials_variants",
   "KHR_materials_volume",
   "KHR_mesh_quantization",
+  "KHR_node_visibility",
   "KHR_texture_transform",
 ];
