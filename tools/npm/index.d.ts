@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { AssetInfo, KhronosReport } from "./compat.d.ts";
-export * from "./compat.d.ts";
+import type { AssetInfo, KhronosReport } from "./compat.js";
+export * from "./compat.js";
 
 /** Bytes by URI as the asset has it, or a function that reads them; null: there are none. */
 export type Resources =
