@@ -12,14 +12,28 @@ const options = { maxIssues: 100, writeTimestamp: false };
 function smallAsset(number) {
   const floats = new Float32Array([0, 0, 0, 1 + number, 0, 0, 0, 1, 0]);
   const data = Buffer.from(floats.buffer).toString("base64");
-  return Buffer.from(JSON.stringify({
-    asset: { version: "2.0", generator: `bench ${number}` }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
-    materials: [{ pbrMetallicRoughness: { baseColorFactor: [(number % 10) / 10, 1, 1, 1] } }],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }],
-    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3", min: [0, 0, 0], max: [1 + number, 1, 0] }],
-    bufferViews: [{ buffer: 0, byteLength: 36, target: 34962 }],
-    buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${data}` }],
-  }));
+  return Buffer.from(
+    JSON.stringify({
+      asset: { version: "2.0", generator: `bench ${number}` },
+      scene: 0,
+      scenes: [{ nodes: [0] }],
+      nodes: [{ mesh: 0 }],
+      materials: [{ pbrMetallicRoughness: { baseColorFactor: [(number % 10) / 10, 1, 1, 1] } }],
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }],
+      accessors: [
+        {
+          bufferView: 0,
+          componentType: 5126,
+          count: 3,
+          type: "VEC3",
+          min: [0, 0, 0],
+          max: [1 + number, 1, 0],
+        },
+      ],
+      bufferViews: [{ buffer: 0, byteLength: 36, target: 34962 }],
+      buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${data}` }],
+    }),
+  );
 }
 
 function largeAsset(bytes) {
@@ -40,10 +54,14 @@ async function seconds(validator, assets) {
 async function compare(name, assets, runs) {
   const best = [Infinity, Infinity];
   for (let run = 0; run < runs; ++run) {
-    for (const [at, validator] of [peer, ours].entries()) best[at] = Math.min(best[at], await seconds(validator, assets));
+    for (const [at, validator] of [peer, ours].entries())
+      best[at] = Math.min(best[at], await seconds(validator, assets));
   }
   const [theirs, mine] = best;
-  console.log(`${name}: gltf-validator ${theirs.toFixed(2)} s, gltfx ${mine.toFixed(2)} s, ratio ${(theirs / mine).toFixed(2)}`);
+  console.log(
+    `${name}: gltf-validator ${theirs.toFixed(2)} s, gltfx ${mine.toFixed(2)} s, ` +
+      `ratio ${(theirs / mine).toFixed(2)}`,
+  );
 }
 
 const small = Array.from({ length: 1000 }, (_, number) => smallAsset(number));

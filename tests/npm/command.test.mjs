@@ -30,23 +30,44 @@ function project() {
 }
 
 function filesBelow(folder, prefix = "") {
-  return readdirSync(join(folder, prefix), { withFileTypes: true }).flatMap((entry) => {
-    const name = join(prefix, entry.name);
-    return entry.isDirectory() ? filesBelow(folder, name) : [[name, readFileSync(join(folder, name)).toString("latin1")]];
-  }).sort();
+  return readdirSync(join(folder, prefix), { withFileTypes: true })
+    .flatMap((entry) => {
+      const name = join(prefix, entry.name);
+      return entry.isDirectory()
+        ? filesBelow(folder, name)
+        : [[name, readFileSync(join(folder, name)).toString("latin1")]];
+    })
+    .sort();
 }
 
 const commands = [
-  [], ["--help"], ["validate"], ["validate", "--no-such"], ["polish"], ["validate", "none.gltf"], ["validate", "empty"],
-  ["validate", "assets"], ["validate", "assets/", "--format", "json"], ["validate", "assets/leaf.gltf"],
-  ["validate", "assets/missing bin.gltf"], ["validate", "assets/*.glb", "assets/**/bad.gltf"],
-  ["validate", "./assets/../assets/leaf.gltf", "--isolated"], ["validate", "--files-from", "list.txt"],
-  ["validate", "assets", "--format=json=out/report.json", "--quiet"], ["validate", "assets", "--fail-on", "never"],
-  ["validate", "assets/sub", "--write-baseline", "known.json"], ["validate", "assets/sub", "--select", "UNEXPECTED_PROPERTY"],
-  ["upgrade", "assets/sub/awning.gltf"], ["upgrade", "assets/sub/awning.gltf", "--diff"],
-  ["upgrade", "assets/sub/awning.gltf", "-o", "out/new.gltf"], ["upgrade", "assets/sub/awning.gltf", "-o", "no/such/new.gltf"],
-  ["upgrade", "assets/sub/awning.gltf", "--in-place", "--backup"], ["upgrade", "assets/sub", "--check"],
-  ["inspect", "assets/leaf.gltf", "--format", "json"], ["explain", "UNUSED_OBJECT"], ["explain", "NOPE"],
+  [],
+  ["--help"],
+  ["validate"],
+  ["validate", "--no-such"],
+  ["polish"],
+  ["validate", "none.gltf"],
+  ["validate", "empty"],
+  ["validate", "assets"],
+  ["validate", "assets/", "--format", "json"],
+  ["validate", "assets/leaf.gltf"],
+  ["validate", "assets/missing bin.gltf"],
+  ["validate", "assets/*.glb", "assets/**/bad.gltf"],
+  ["validate", "./assets/../assets/leaf.gltf", "--isolated"],
+  ["validate", "--files-from", "list.txt"],
+  ["validate", "assets", "--format=json=out/report.json", "--quiet"],
+  ["validate", "assets", "--fail-on", "never"],
+  ["validate", "assets/sub", "--write-baseline", "known.json"],
+  ["validate", "assets/sub", "--select", "UNEXPECTED_PROPERTY"],
+  ["upgrade", "assets/sub/awning.gltf"],
+  ["upgrade", "assets/sub/awning.gltf", "--diff"],
+  ["upgrade", "assets/sub/awning.gltf", "-o", "out/new.gltf"],
+  ["upgrade", "assets/sub/awning.gltf", "-o", "no/such/new.gltf"],
+  ["upgrade", "assets/sub/awning.gltf", "--in-place", "--backup"],
+  ["upgrade", "assets/sub", "--check"],
+  ["inspect", "assets/leaf.gltf", "--format", "json"],
+  ["explain", "UNUSED_OBJECT"],
+  ["explain", "NOPE"],
 ];
 
 for (const args of commands) {
@@ -79,7 +100,8 @@ test("paths outside the working folder, absolute ones, standard input", () => {
 });
 
 test("the version", () => {
-  for (const place of [native, engine]) assert.match(command(place, ["--version"]).stdout, new RegExp(`^gltfx ${version}`));
+  for (const place of [native, engine])
+    assert.match(command(place, ["--version"]).stdout, new RegExp(`^gltfx ${version}`));
 });
 
 test("paths of Windows", async () => {

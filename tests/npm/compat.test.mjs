@@ -25,14 +25,27 @@ async function compare(name, call) {
 }
 
 const bytesOf = {
-  nothing: undefined, null: null, text: "x", array: [123, 125], buffer: utf8(minimal).buffer,
-  clamped: new Uint8ClampedArray(utf8(minimal)), signed: new Int8Array(utf8(minimal)),
-  view: new DataView(utf8(minimal).buffer), object: {}, number: 1,
-  empty: new Uint8Array(), bytes: utf8(minimal), Buffer: Buffer.from(minimal),
-  subarray: utf8(`xx${minimal}yy`).subarray(2, 2 + minimal.length), frozen: Object.seal(utf8(minimal)),
+  nothing: undefined,
+  null: null,
+  text: "x",
+  array: [123, 125],
+  buffer: utf8(minimal).buffer,
+  clamped: new Uint8ClampedArray(utf8(minimal)),
+  signed: new Int8Array(utf8(minimal)),
+  view: new DataView(utf8(minimal).buffer),
+  object: {},
+  number: 1,
+  empty: new Uint8Array(),
+  bytes: utf8(minimal),
+  Buffer: Buffer.from(minimal),
+  subarray: utf8(`xx${minimal}yy`).subarray(2, 2 + minimal.length),
+  frozen: Object.seal(utf8(minimal)),
   shared: new Uint8Array(new SharedArrayBuffer(16)).fill(0x20),
-  "other realm": vm.runInNewContext("new Uint8Array(12).fill(32)"), mark: utf8(`\ufeff${minimal}`),
-  ...Object.fromEntries([0, 9, 10, 12, 13, 32, 71, 91, 103, 120, 123].map((byte) => [`[${byte}]`, new Uint8Array(12).fill(byte)])),
+  "other realm": vm.runInNewContext("new Uint8Array(12).fill(32)"),
+  mark: utf8(`\ufeff${minimal}`),
+  ...Object.fromEntries(
+    [0, 9, 10, 12, 13, 32, 71, 91, 103, 120, 123].map((byte) => [`[${byte}]`, new Uint8Array(12).fill(byte)]),
+  ),
 };
 
 test("data", async () => {
@@ -42,7 +55,19 @@ test("data", async () => {
       await compare(`${name} as ${format}`, (validator) => validator.validateBytes(data, quiet({ format })));
     }
   }
-  const texts = ["", "x", "{}", "[]", "null", "1", minimal, ` ${minimal}`, `\ufeff${minimal}`, `${minimal}x`, ...(standIn ? [] : ["glTF"])];
+  const texts = [
+    "",
+    "x",
+    "{}",
+    "[]",
+    "null",
+    "1",
+    minimal,
+    ` ${minimal}`,
+    `\ufeff${minimal}`,
+    `${minimal}x`,
+    ...(standIn ? [] : ["glTF"]),
+  ];
   for (const text of [undefined, null, 1, new String(minimal), utf8(minimal), ...texts]) {
     await compare(`string ${text}`, (validator) => validator.validateString(text, quiet()));
   }
@@ -51,25 +76,102 @@ test("data", async () => {
 });
 
 test("options that are none", async () => {
-  for (const options of [1, "x", true, [], new String("x"), new Date(0), new Map(), Object.create(null), () => {}]) {
+  for (const options of [
+    1,
+    "x",
+    true,
+    [],
+    new String("x"),
+    new Date(0),
+    new Map(),
+    Object.create(null),
+    () => {},
+  ]) {
     const call = (validator) => validator.validateString(external, options);
     const [expected, found] = [await outcomeOf(() => call(peer)), await outcomeOf(() => call(ours))];
     for (const { report } of [expected, found]) if (report) assert.match(report.validatedAt, /^\d{4}-.*Z$/);
     for (const outcome of [expected, found]) delete outcome.report;
     assert.deepEqual(found, expected, String(typeof options));
   }
-  await compare("inherited", (validator) => validator.validateString(external, Object.create(quiet({ maxIssues: 2 }))));
-  await compare("frozen", (validator) => validator.validateString(external, Object.freeze(quiet({ maxIssues: 2 }))));
+  await compare("inherited", (validator) =>
+    validator.validateString(external, Object.create(quiet({ maxIssues: 2 }))),
+  );
+  await compare("frozen", (validator) =>
+    validator.validateString(external, Object.freeze(quiet({ maxIssues: 2 }))),
+  );
 });
 
 const values = {
-  uri: ["", "a b", "%", "%41%2f", "./x/../y", "http://[", "::", "1:2", "a\\b", "/x", "ä", "\ud800", "c:\\x", 1, {}, null],
+  uri: [
+    "",
+    "a b",
+    "%",
+    "%41%2f",
+    "./x/../y",
+    "http://[",
+    "::",
+    "1:2",
+    "a\\b",
+    "/x",
+    "ä",
+    "\ud800",
+    "c:\\x",
+    1,
+    {},
+    null,
+  ],
   format: [1, {}, [], true, null, "glb"],
-  maxIssues: [0, 1, 2, 3, 6, 7, 8, 9, 100, -1, NaN, 1.5, -0, Infinity, 2 ** 31, 2 ** 53, 2 ** 64, "1", true, [], {}, null],
-  onlyIssues: ["x", {}, [], [1], [""], ["IO_ERROR"], ["UNUSED_OBJECT", "NOPE"], ["NOPE"], [, "IO_ERROR"], new Set(), null],
-  severityOverrides: ["x", 1, true, [], {}, null, () => {}, new Map([["IO_ERROR", 9]]), { NOPE: 1 }, { "": 1 },
+  maxIssues: [
+    0,
+    1,
+    2,
+    3,
+    6,
+    7,
+    8,
+    9,
+    100,
+    -1,
+    NaN,
+    1.5,
+    -0,
+    Infinity,
+    2 ** 31,
+    2 ** 53,
+    2 ** 64,
+    "1",
+    true,
+    [],
+    {},
+    null,
+  ],
+  onlyIssues: [
+    "x",
+    {},
+    [],
+    [1],
+    [""],
+    ["IO_ERROR"],
+    ["UNUSED_OBJECT", "NOPE"],
+    ["NOPE"],
+    [, "IO_ERROR"],
+    new Set(),
+    null,
+  ],
+  severityOverrides: [
+    "x",
+    1,
+    true,
+    [],
+    {},
+    null,
+    () => {},
+    new Map([["IO_ERROR", 9]]),
+    { NOPE: 1 },
+    { "": 1 },
     ...[0, 1, 2, 3, 4, -1, "1", 1.5, null, NaN, undefined].map((level) => ({ IO_ERROR: level })),
-    { IO_ERROR: 3, UNUSED_OBJECT: 0 }],
+    { IO_ERROR: 3, UNUSED_OBJECT: 0 },
+  ],
   writeTimestamp: ["x", 1, 0, false],
   externalResourceFunction: ["x", 1, {}, [], null],
 };
@@ -79,19 +181,37 @@ for (const [name, list] of Object.entries(values)) {
   test(`option ${name}`, async () => {
     for (const value of list) {
       const options = () => quiet({ [name]: value });
-      await compare(`${name} ${JSON.stringify(value)}`, (validator) => validator.validateString(external, options()));
-      await compare(`${name} ${String(value)}`, (validator) => validator.validateBytes(utf8(external), options()));
+      await compare(`${name} ${JSON.stringify(value)}`, (validator) =>
+        validator.validateString(external, options()),
+      );
+      await compare(`${name} ${String(value)}`, (validator) =>
+        validator.validateBytes(utf8(external), options()),
+      );
     }
   });
 }
 
 test("the first of several mistakes is named", async () => {
   const wrong = {
-    uri: 1, externalResourceFunction: 1, writeTimestamp: 1, format: 1, maxIssues: -1, onlyIssues: 1,
-    ignoredIssues: 1, severityOverrides: 1,
+    uri: 1,
+    externalResourceFunction: 1,
+    writeTimestamp: 1,
+    format: 1,
+    maxIssues: -1,
+    onlyIssues: 1,
+    ignoredIssues: 1,
+    severityOverrides: 1,
   };
-  const order = ["format", "maxIssues", "ignoredIssues", "onlyIssues", "severityOverrides", "uri",
-    "externalResourceFunction", "writeTimestamp"];
+  const order = [
+    "format",
+    "maxIssues",
+    "ignoredIssues",
+    "onlyIssues",
+    "severityOverrides",
+    "uri",
+    "externalResourceFunction",
+    "writeTimestamp",
+  ];
   for (const data of [Uint8Array.of(120), utf8(minimal)]) {
     const left = { ...wrong };
     for (const name of order) {
@@ -103,16 +223,30 @@ test("the first of several mistakes is named", async () => {
 
 const four = new Uint8Array(4);
 const answers = {
-  "throws an error": () => { throw new Error("boom"); },
-  "throws an error of a class": () => { throw new (class Own extends Error {})("boom"); },
-  "throws text": () => { throw "boom"; },
-  "throws null": () => { throw null; },
-  "throws an object": () => { throw { a: 1 }; },
+  "throws an error": () => {
+    throw new Error("boom");
+  },
+  "throws an error of a class": () => {
+    throw new (class Own extends Error {})("boom");
+  },
+  "throws text": () => {
+    throw "boom";
+  },
+  "throws null": () => {
+    throw null;
+  },
+  "throws an object": () => {
+    throw { a: 1 };
+  },
   "gives nothing": () => {},
   "gives null": () => null,
   "gives an object": () => ({}),
-  "rejects with an error": async () => { throw new TypeError("boom"); },
-  "rejects with text": async (uri) => { throw `no ${uri}  \n`; },
+  "rejects with an error": async () => {
+    throw new TypeError("boom");
+  },
+  "rejects with text": async (uri) => {
+    throw `no ${uri}  \n`;
+  },
   "rejects with nothing": () => Promise.reject(),
   "rejects with a list": () => Promise.reject([1, ["b"]]),
   "rejects with an object": () => Promise.reject({ toString: () => "own" }),
@@ -126,9 +260,20 @@ const answers = {
   "fulfils with part of a Buffer": async () => Buffer.from("abcdefgh").subarray(2, 6),
   "fulfils with no bytes": async () => new Uint8Array(),
   "fulfils with bytes of another realm": async () => vm.runInNewContext("new Uint8Array(4)"),
-  "is a thenable": () => ({ then: (done) => { done(four); } }),
-  "is a thenable that throws": () => ({ then: () => { throw "boom"; } }),
-  "depends on the name": async (uri) => { if (uri.includes("2")) throw "gone"; return four; },
+  "is a thenable": () => ({
+    then: (done) => {
+      done(four);
+    },
+  }),
+  "is a thenable that throws": () => ({
+    then: () => {
+      throw "boom";
+    },
+  }),
+  "depends on the name": async (uri) => {
+    if (uri.includes("2")) throw "gone";
+    return four;
+  },
 };
 
 // Texts of failures are the user's own, so they are compared word by word.
@@ -144,7 +289,9 @@ for (const [name, answer] of Object.entries(answers)) {
         calls.push(uri);
         return answer(uri);
       };
-      const outcome = await outcomeOf(() => validator.validateString(external, quiet({ externalResourceFunction })));
+      const outcome = await outcomeOf(() =>
+        validator.validateString(external, quiet({ externalResourceFunction })),
+      );
       if (outcome.report) {
         outcome.failures = failuresOf(outcome.report);
         outcome.report = comparable(outcome.report);
@@ -155,7 +302,7 @@ for (const [name, answer] of Object.entries(answers)) {
   });
 }
 
-test("externalResourceFunction is called one after the other, once for each use, up to the limit", async () => {
+test("externalResourceFunction is called in turn, once for each use, up to the limit", async () => {
   for (const maxIssues of [0, 1, 5, 6, 7, 8, 9, 10, 11, 12, 20, 60]) {
     for (const fails of [true, false]) {
       const run = async (validator) => {
@@ -167,7 +314,10 @@ test("externalResourceFunction is called one after the other, once for each use,
           if (fails) throw uri;
           return four;
         };
-        const report = await validator.validateString(external, quiet({ maxIssues, externalResourceFunction }));
+        const report = await validator.validateString(
+          external,
+          quiet({ maxIssues, externalResourceFunction }),
+        );
         return { calls, report: comparable(report) };
       };
       assert.deepEqual(await run(ours), await run(peer), `limit ${maxIssues}, fails: ${fails}`);
@@ -182,9 +332,28 @@ test("without externalResourceFunction each external resource is an error that s
 });
 
 test("URIs are given as the other validator writes them", async () => {
-  const uris = ["a b", "a%20b", "./a", "x/../a", "../a", "a%2fb", "%41", "ä", "[x]", "a|b^{}`",
-    "☃", "a+b;c=1,2!*'()~@&$", "é%C3%A9", 'a"b', "x//y", "a/."];
-  const asset = JSON.stringify({ asset: { version: "2.0" }, buffers: uris.map((uri) => ({ uri, byteLength: 4 })) });
+  const uris = [
+    "a b",
+    "a%20b",
+    "./a",
+    "x/../a",
+    "../a",
+    "a%2fb",
+    "%41",
+    "ä",
+    "[x]",
+    "a|b^{}`",
+    "☃",
+    "a+b;c=1,2!*'()~@&$",
+    "é%C3%A9",
+    'a"b',
+    "x//y",
+    "a/.",
+  ];
+  const asset = JSON.stringify({
+    asset: { version: "2.0" },
+    buffers: uris.map((uri) => ({ uri, byteLength: 4 })),
+  });
   const run = async (validator) => {
     const calls = [];
     const externalResourceFunction = async (uri) => {

@@ -14,7 +14,8 @@ const tested = new Set();
 const assetWith = (...uris) =>
   JSON.stringify({ asset: { version: "2.0" }, buffers: uris.map((uri) => ({ uri, byteLength: 4 })) });
 const both = (call) => Promise.all([peer, ours].map((validator) => outcomeOf(() => call(validator))));
-const errorsOf = ({ report }) => report.issues.messages.filter(({ severity }) => severity === 0).map(({ code }) => code);
+const errorsOf = ({ report }) =>
+  report.issues.messages.filter(({ severity }) => severity === 0).map(({ code }) => code);
 
 function row(name, run) {
   tested.add(name);
@@ -43,19 +44,37 @@ row("options that are a symbol or a bigint", async () => {
 row("function gives a number, a string, a boolean or `{ then: 1 }`", async () => {
   for (const answer of [1, "x", true, { then: 1 }]) {
     const externalResourceFunction = () => answer;
-    const [theirs, mine] = await both((one) => one.validateString(assetWith("a"), { externalResourceFunction }));
+    const [theirs, mine] = await both((one) =>
+      one.validateString(assetWith("a"), { externalResourceFunction }),
+    );
     assert.match(theirs.text, /^NoSuchMethodError: /);
-    assert.equal(mine.text, "Invalid argument(s): options.externalResourceFunction: Function must return a Promise.");
+    assert.equal(
+      mine.text,
+      "Invalid argument(s): options.externalResourceFunction: Function must return a Promise.",
+    );
   }
 });
 
 row("function throws a `RangeError`, or uses what is not there", async () => {
-  const cases = [[() => { throw new RangeError("r"); }, "Invalid argument(s): r", "Error: r"],
-    [() => null.x, /^NoSuchMethodError: /, /^Error: Cannot read/]];
+  const cases = [
+    [
+      () => {
+        throw new RangeError("r");
+      },
+      "Invalid argument(s): r",
+      "Error: r",
+    ],
+    [() => null.x, /^NoSuchMethodError: /, /^Error: Cannot read/],
+  ];
   for (const [externalResourceFunction, ...texts] of cases) {
     const found = await both((one) => one.validateString(assetWith("a"), { externalResourceFunction }));
-    assert.deepEqual(found.map(({ rejected }) => rejected), ["string", "string"]);
-    found.forEach(({ text }, at) => (texts[at] instanceof RegExp ? assert.match : assert.equal)(text, texts[at]));
+    assert.deepEqual(
+      found.map(({ rejected }) => rejected),
+      ["string", "string"],
+    );
+    found.forEach(({ text }, at) =>
+      (texts[at] instanceof RegExp ? assert.match : assert.equal)(text, texts[at]),
+    );
   }
 });
 
@@ -69,7 +88,10 @@ row("promise is rejected with a symbol", async () => {
 });
 
 row("first call of the function", async () => {
-  for (const [validator, expected] of [[peer, true], [ours, false]]) {
+  for (const [validator, expected] of [
+    [peer, true],
+    [ours, false],
+  ]) {
     let called = false;
     const externalResourceFunction = async () => {
       called = true;
@@ -92,7 +114,13 @@ row("one URI, different answers", async () => {
     const report = await validator.validateString(assetWith("a", "a"), { externalResourceFunction });
     return [calls, report.issues.numErrors];
   };
-  assert.deepEqual([await run(peer), await run(ours)], [[2, 1], [2, 0]]);
+  assert.deepEqual(
+    [await run(peer), await run(ours)],
+    [
+      [2, 1],
+      [2, 0],
+    ],
+  );
 });
 
 row("backslash, or `%` that is no escape, in a URI", async () => {
@@ -102,15 +130,21 @@ row("backslash, or `%` that is no escape, in a URI", async () => {
       calls.push(name);
       return four;
     };
-    const [theirs, mine] = await both((one) => one.validateString(assetWith(uri), { externalResourceFunction }));
+    const [theirs, mine] = await both((one) =>
+      one.validateString(assetWith(uri), { externalResourceFunction }),
+    );
     assert.deepEqual([calls.length, errorsOf(theirs), errorsOf(mine)], [1, [], ["INVALID_URI"]]);
   }
 });
 
 row("bytes of a URI that is not relative", async () => {
-  const externalResourceFunction = async (uri) => { throw uri; };
+  const externalResourceFunction = async (uri) => {
+    throw uri;
+  };
   for (const uri of ["http://example.com/x", "/x", "a?b"]) {
-    const [theirs, mine] = await both((one) => one.validateString(assetWith(uri), { externalResourceFunction }));
+    const [theirs, mine] = await both((one) =>
+      one.validateString(assetWith(uri), { externalResourceFunction }),
+    );
     assert.deepEqual([errorsOf(theirs), errorsOf(mine)], [["IO_ERROR"], []]);
   }
 });
@@ -118,12 +152,20 @@ row("bytes of a URI that is not relative", async () => {
 row("half of a surrogate pair in a string", async () => {
   const json = '{"asset":{"version":"2.0","generator":"\ud800"}}';
   const [theirs, mine] = await both((validator) => validator.validateString(json));
-  assert.deepEqual([theirs, mine].map(({ report }) => report.info.generator), ["\ud800", "\ufffd"]);
+  assert.deepEqual(
+    [theirs, mine].map(({ report }) => report.info.generator),
+    ["\ud800", "\ufffd"],
+  );
 });
 
 row("fewer than 12 bytes read as a GLB, beginning with another word", async () => {
-  const [theirs, mine] = await both((one) => one.validateBytes(new Uint8Array(8).fill(32), { format: "glb" }));
-  assert.deepEqual([errorsOf(theirs), errorsOf(mine)], [["GLB_UNEXPECTED_END_OF_HEADER"], ["GLB_INVALID_MAGIC"]]);
+  const [theirs, mine] = await both((one) =>
+    one.validateBytes(new Uint8Array(8).fill(32), { format: "glb" }),
+  );
+  assert.deepEqual(
+    [errorsOf(theirs), errorsOf(mine)],
+    [["GLB_UNEXPECTED_END_OF_HEADER"], ["GLB_INVALID_MAGIC"]],
+  );
 });
 
 row("Git LFS pointer", async () => {
@@ -141,11 +183,19 @@ row("element of `meshes` that is no object", async () => {
 row("`KHR_node_visibility`", async () => {
   const json = '{"asset":{"version":"2.0"},"extensionsUsed":["KHR_node_visibility"]}';
   const [theirs, mine] = await both((validator) => validator.validateString(json));
-  assert.deepEqual([theirs, mine].map(({ report }) => report.issues.messages.length), [1, 0]);
+  assert.deepEqual(
+    [theirs, mine].map(({ report }) => report.issues.messages.length),
+    [1, 0],
+  );
 });
 
 test("the table has these rows and no others", () => {
   const page = readFileSync(join(root, "docs/npm.md"), "utf8");
-  const table = page.slice(page.indexOf("| case |")).split("\n\n")[0].split("\n").filter((line) => line.startsWith("| ")).slice(1);
+  const table = page
+    .slice(page.indexOf("| case |"))
+    .split("\n\n")[0]
+    .split("\n")
+    .filter((line) => line.startsWith("| "))
+    .slice(1);
   assert.deepEqual(new Set(table.map((line) => line.split(" | ")[0].replace(/^\| /, ""))), tested);
 });

@@ -23,19 +23,23 @@ test("the archive has no dependency, no script, the version of the project", () 
 });
 
 const users = {
-  "module": ["user.mjs", 'import * as g from "gltfx"; import * as c from "gltfx/compat";'],
-  "CommonJS": ["user.cjs", 'const g = require("gltfx"); const c = require("gltfx/compat");'],
+  module: ["user.mjs", 'import * as g from "gltfx"; import * as c from "gltfx/compat";'],
+  CommonJS: ["user.cjs", 'const g = require("gltfx"); const c = require("gltfx/compat");'],
 };
 for (const [name, [file, head]] of Object.entries(users)) {
   test(`${name}: all functions`, () => {
-    writeFileSync(join(folder, file), `${head}
+    writeFileSync(
+      join(folder, file),
+      `${head}
       const bytes = new TextEncoder().encode('{"asset":{"version":"2.0"},"scene":1}');
       (async () => {
         const found = [await g.validate(bytes), await c.validateBytes(bytes), await g.validateBytes(bytes)];
         const facts = await g.inspect(bytes), upgraded = await g.upgrade(bytes);
         console.log(JSON.stringify([found[0].counts.errors, found[0].findings[0].code,
-          found[1].issues.messages[0].code, found[2].issues.numErrors, facts.version, upgraded.asset.length]));
-      })();`);
+          found[1].issues.messages[0].code, found[2].issues.numErrors, facts.version,
+          upgraded.asset.length]));
+      })();`,
+    );
     const printed = execFileSync("node", [file], { cwd: folder });
     assert.deepEqual(JSON.parse(printed), [1, "UNRESOLVED_REFERENCE", "UNRESOLVED_REFERENCE", 1, "2.0", 37]);
   });
@@ -46,9 +50,14 @@ test("validate: resources, profiles, misuse", async () => {
   const leaf = fixture("good/leaf.gltf");
   assert.equal((await validate(leaf, { resources: besides("good") })).counts.errors, 0);
   assert.ok((await validate(leaf)).findings.some(({ code }) => code === "IO_ERROR"));
-  assert.ok((await validate(leaf, { resources: new Map() })).findings.some(({ code }) => code === "IO_ERROR"));
+  assert.ok(
+    (await validate(leaf, { resources: new Map() })).findings.some(({ code }) => code === "IO_ERROR"),
+  );
   assert.equal((await validate(leaf, { profile: "khronos" })).mimeType, "model/gltf+json");
-  assert.equal((await validate(leaf, { onlyIssues: ["IO_ERROR"], severityOverrides: { IO_ERROR: 3 } })).counts.errors, 0);
+  assert.equal(
+    (await validate(leaf, { onlyIssues: ["IO_ERROR"], severityOverrides: { IO_ERROR: 3 } })).counts.errors,
+    0,
+  );
   await assert.rejects(validate("leaf.gltf"), TypeError);
   await assert.rejects(validate(leaf, null), TypeError);
   await assert.rejects(validate(leaf, { resources: "." }), TypeError);
@@ -57,12 +66,15 @@ test("validate: resources, profiles, misuse", async () => {
 
 test("upgrade and inspect: the asset of before is left alone, the new one is upgraded", async () => {
   const { inspect, upgrade } = await importFrom(folder, "gltfx/index.mjs");
-  const awning = fixture("legacy/awning.gltf"), before = awning.slice();
+  const awning = fixture("legacy/awning.gltf"),
+    before = awning.slice();
   const { asset, report } = await upgrade(awning, { resources: besides("legacy") });
   assert.deepEqual(awning, before);
   assert.equal(report.actions[0].to, "KHR_materials_diffuse_transmission");
   const names = ({ extensions }) => extensions.map(({ name }) => name);
-  assert.ok(names(await inspect(awning, { resources: besides("legacy") })).includes("KHR_materials_translucency"));
+  assert.ok(
+    names(await inspect(awning, { resources: besides("legacy") })).includes("KHR_materials_translucency"),
+  );
   assert.ok(!names(await inspect(asset)).includes("KHR_materials_translucency"));
   await assert.rejects(inspect(new Uint8Array(4)), Error);
   await assert.rejects(upgrade(new Uint8Array(4)), Error);
@@ -73,7 +85,10 @@ function reachable(file, found = new Map()) {
   if (found.has(file)) return found;
   const text = readFileSync(file, "utf8");
   const named = [...text.matchAll(/(?:from|import\()\s*["']([^"']+)["']/g)].map(([, name]) => name);
-  found.set(file, named.filter((name) => !name.startsWith(".")));
+  found.set(
+    file,
+    named.filter((name) => !name.startsWith(".")),
+  );
   const isOurs = !/wasm\/(gltfx-wasm|engine)\.mjs$/.test(file);
   if (isOurs || !standIn) {
     for (const name of named) if (name.startsWith(".")) reachable(resolve(dirname(file), name), found);
@@ -83,7 +98,9 @@ function reachable(file, found = new Map()) {
 
 test("nothing of Node.js is reachable from the entries of browsers", () => {
   for (const entry of ["browser.mjs", "compat-browser.mjs"]) {
-    const all = [...reachable(join(installed, entry))].filter(([file]) => !standIn || !file.includes("/wasm/"));
+    const all = [...reachable(join(installed, entry))].filter(
+      ([file]) => !standIn || !file.includes("/wasm/"),
+    );
     assert.ok(all.length >= 5);
     for (const [file, names] of all) if (!file.endsWith("gltfx-wasm.mjs")) assert.deepEqual(names, [], file);
   }
@@ -93,7 +110,8 @@ test("nothing of Node.js is reachable from the entries of browsers", () => {
 
 test("the entry of browsers fetches the engine, and again after a failure", async () => {
   let failures = 1;
-  globalThis.fetch = async (url) => (failures-- > 0 ? new Response("", { status: 503 }) : new Response(readFileSync(url)));
+  globalThis.fetch = async (url) =>
+    failures-- > 0 ? new Response("", { status: 503 }) : new Response(readFileSync(url));
   const { validate, validateString } = await importFrom(folder, "gltfx/browser.mjs");
   await assert.rejects(validate(new Uint8Array(1)), /503/);
   assert.equal((await validate(fixture("good/bowl.glb"))).counts.errors, 0);
@@ -103,7 +121,9 @@ test("the entry of browsers fetches the engine, and again after a failure", asyn
 test("types", (t) => {
   const tsc = join(modules, ".bin/tsc");
   if (!existsSync(tsc)) return t.skip("typescript is not installed");
-  writeFileSync(join(folder, "user.ts"), `
+  writeFileSync(
+    join(folder, "user.ts"),
+    `
     import { inspect, upgrade, validate, validateBytes } from "gltfx";
     import * as compat from "gltfx/compat";
     async function run(bytes: Uint8Array): Promise<number> {
@@ -119,8 +139,19 @@ test("types", (t) => {
       await compat.validateString("{}", { severityOverrides: { A: 4 } });
       return one.issues.numErrors + two.counts.errors + three.issues.numHints + files.size;
     }
-    export default run;`);
-  const words = ["--noEmit", "--strict", "--module", "nodenext", "--target", "es2022", "--types", "", "user.ts"];
+    export default run;`,
+  );
+  const words = [
+    "--noEmit",
+    "--strict",
+    "--module",
+    "nodenext",
+    "--target",
+    "es2022",
+    "--types",
+    "",
+    "user.ts",
+  ];
   const done = spawnSync(tsc, words, { cwd: folder });
   assert.equal(done.status, 0, `${done.stdout}`);
 });

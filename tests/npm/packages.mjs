@@ -12,7 +12,9 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
 export const modules = resolve(process.env.GLTFX_PEER ?? join(root, "build/npm/node_modules"));
-export const version = /^project\(gltfx VERSION ([0-9.]+)/m.exec(readFileSync(join(root, "CMakeLists.txt")))[1];
+export const version = /^project\(gltfx VERSION ([0-9.]+)/m.exec(
+  readFileSync(join(root, "CMakeLists.txt")),
+)[1];
 const archives = join(root, "build/npm-package");
 export const archive = join(archives, `gltfx-${version}.tgz`);
 const folders = [];
@@ -50,10 +52,12 @@ export function command(folder, args, options = {}) {
 }
 
 function below(folder) {
-  return readdirSync(folder).sort().flatMap((name) => {
-    const path = join(folder, name);
-    return statSync(path).isDirectory() ? below(path) : [path];
-  });
+  return readdirSync(folder)
+    .sort()
+    .flatMap((name) => {
+      const path = join(folder, name);
+      return statSync(path).isDirectory() ? below(path) : [path];
+    });
 }
 
 export function assetsBelow(...names) {

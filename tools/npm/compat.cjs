@@ -21,4 +21,6 @@ exports.validateBytes = (data, options) => {
   return loading.then((loaded) => loaded.validateBytes(copy, options));
 };
 exports.validateString = (json, options) =>
-  module_ ? module_.validateString(json, options) : loading.then((loaded) => loaded.validateString(json, options));
+  module_
+    ? module_.validateString(json, options)
+    : loading.then((loaded) => loaded.validateString(json, options));

@@ -25,7 +25,14 @@ export interface Finding {
   help?: string;
   pointer?: string;
   offset?: number;
-  location?: { line: number; column: number; endLine: number; endColumn: number; byte: number; length: number };
+  location?: {
+    line: number;
+    column: number;
+    endLine: number;
+    endColumn: number;
+    byte: number;
+    length: number;
+  };
   object?: string;
   count?: number;
   lastPointer?: string;
@@ -54,7 +61,11 @@ export interface Upgrade {
   asset: Uint8Array;
   /** Files that belong beside the asset now, by relative path. */
   files: Map<string, Uint8Array>;
-  report: { problem: string; changes: boolean; actions: { pointer: string; from: string; to: string; done: boolean }[] };
+  report: {
+    problem: string;
+    changes: boolean;
+    actions: { pointer: string; from: string; to: string; done: boolean }[];
+  };
 }
 
 export function validate(
@@ -63,4 +74,7 @@ export function validate(
 ): Promise<KhronosReport>;
 export function validate(asset: Uint8Array, options?: ValidateOptions): Promise<Report>;
 export function upgrade(asset: Uint8Array, options?: UpgradeOptions): Promise<Upgrade>;
-export function inspect(asset: Uint8Array, options?: { resources?: Resources }): Promise<Record<string, unknown>>;
+export function inspect(
+  asset: Uint8Array,
+  options?: { resources?: Resources },
+): Promise<Record<string, unknown>>;

@@ -11,12 +11,15 @@ const levels = ["error", "warning", "info", "hint"];
 function start(args, cwd, stdin) {
   return new Promise((done, fail) => {
     const child = spawn(program, args, { cwd, stdio: "pipe" });
-    const out = [], err = [];
+    const out = [],
+      err = [];
     child.stdout.on("data", (part) => out.push(part));
     child.stderr.on("data", (part) => err.push(part));
     child.on("error", fail);
     child.stdin.on("error", () => {});
-    child.on("close", (code) => done({ code, stdout: Buffer.concat(out), stderr: Buffer.concat(err).toString() }));
+    child.on("close", (code) =>
+      done({ code, stdout: Buffer.concat(out), stderr: Buffer.concat(err).toString() }),
+    );
     child.stdin.end(stdin);
   });
 }
@@ -28,7 +31,10 @@ async function knownCodes() {
 }
 
 function valueAt(document, pointer) {
-  return pointer.split("/").slice(1).reduce((value, key) => value?.[key], document);
+  return pointer
+    .split("/")
+    .slice(1)
+    .reduce((value, key) => value?.[key], document);
 }
 
 function writtenUris(bytes, resources) {
@@ -40,7 +46,9 @@ function writtenUris(bytes, resources) {
   } catch {
     return [];
   }
-  return resources.map(({ pointer }) => valueAt(document, pointer)?.uri).filter((uri) => typeof uri === "string");
+  return resources
+    .map(({ pointer }) => valueAt(document, pointer)?.uri)
+    .filter((uri) => typeof uri === "string");
 }
 
 function place(folder, uri, bytes) {
@@ -88,15 +96,29 @@ async function validate(bytes, options = {}) {
     const name = options.uri ?? `the-asset.${format}`;
     const file = join(folder, `the-asset.${format}`);
     writeFileSync(file, bytes);
-    const khronos = join(root, "khronos.json"), own = join(root, "own.json");
-    const done = await start(["validate", file, ...(await wordsOf(options)), "--root", root,
-      `--format=khronos=${khronos}`, `--format=json=${own}`], root);
+    const khronos = join(root, "khronos.json"),
+      own = join(root, "own.json");
+    const done = await start(
+      [
+        "validate",
+        file,
+        ...(await wordsOf(options)),
+        "--root",
+        root,
+        `--format=khronos=${khronos}`,
+        `--format=json=${own}`,
+      ],
+      root,
+    );
     if (done.code !== 0) throw new Error(`gltfx ended with ${done.code}: ${done.stderr}`);
     const report = JSON.parse(readFileSync(khronos));
     const external = (report.info?.resources ?? []).filter(({ storage }) => storage === "external");
     const missing = writtenUris(bytes, external).filter((uri) => !given.has(uri));
     const isKhronos = options.profile === "khronos";
-    const text = readFileSync(isKhronos ? khronos : own, "utf8").replaceAll(JSON.stringify(file), JSON.stringify(name));
+    const text = readFileSync(isKhronos ? khronos : own, "utf8").replaceAll(
+      JSON.stringify(file),
+      JSON.stringify(name),
+    );
     return { report: text, missing };
   } finally {
     rmSync(root, { recursive: true, force: true });

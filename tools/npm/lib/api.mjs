@@ -4,7 +4,8 @@ import { isBytes } from "./compat_options.mjs";
 
 function checkArguments(asset, options) {
   if (!isBytes(asset)) throw new TypeError("gltfx: the asset must be a Uint8Array");
-  if (options === null || typeof options !== "object") throw new TypeError("gltfx: options must be an object");
+  if (options === null || typeof options !== "object")
+    throw new TypeError("gltfx: options must be an object");
   const { resources } = options;
   const isSource = resources === undefined || typeof resources === "function" || resources instanceof Map;
   if (!isSource) throw new TypeError("gltfx: options.resources must be a Map or a function");

@@ -74,7 +74,8 @@ class Collection {
 
   // Schemas and the like, which a configuration names in quotes.
   addNamedIn(path, text) {
-    for (const [, name] of text.matchAll(/["']([^"'\n]+)["']/g)) this.addPath(nodePath.resolve(path, "..", name));
+    for (const [, name] of text.matchAll(/["']([^"'\n]+)["']/g))
+      this.addPath(nodePath.resolve(path, "..", name));
   }
 
   addTree(folder) {
@@ -129,7 +130,10 @@ function listedPaths(args, cwd, stdin) {
   const name = args[at].split("=")[1] ?? args[at + 1] ?? "";
   try {
     const bytes = name === "-" ? stdin : readFileSync(nodePath.resolve(cwd, name));
-    return bytes.toString().split(/\r?\n|\0/).filter((line) => line !== "");
+    return bytes
+      .toString()
+      .split(/\r?\n|\0/)
+      .filter((line) => line !== "");
   } catch {
     return [];
   }
@@ -141,7 +145,8 @@ export function collectFiles(args, cwd, stdin) {
   const [, ...words] = args; // the first one is the verb
   for (const part of [...words.flatMap(partsOf), ...listedPaths(words, cwd, stdin)]) {
     const path = nodePath.resolve(cwd, part);
-    if (kindOf(path) === "none" && /[*?[{]/.test(part)) collection.addTree(nodePath.resolve(cwd, folderOfGlob(part)));
+    if (kindOf(path) === "none" && /[*?[{]/.test(part))
+      collection.addTree(nodePath.resolve(cwd, folderOfGlob(part)));
     else collection.addPath(path);
   }
   if (stdin !== undefined) {

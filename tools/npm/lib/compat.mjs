@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interface of npm's gltf-validator. Promises are rejected with strings, as its promises are.
-import { checkData, checkEngineOptions, checkIsObject, checkReportOptions, isBytes } from "./compat_options.mjs";
+import {
+  checkData,
+  checkEngineOptions,
+  checkIsObject,
+  checkReportOptions,
+  isBytes,
+} from "./compat_options.mjs";
 import { cutAt, withoutResourcesAfter } from "./compat_limit.mjs";
 import { khronosExtensions, packageVersion } from "./constants.mjs";
 import { normalizeUri } from "./uri.mjs";
@@ -37,7 +43,8 @@ function ask(load, uri) {
       (reason) => settle({ problem: `Node Exception: ${textOf(reason)}`.trimEnd() }),
     );
   } catch (error) {
-    if (error === undefined || error === null) return { problem: `Throw of null ('${error}' from JavaScript)` };
+    if (error === undefined || error === null)
+      return { problem: `Throw of null ('${error}' from JavaScript)` };
     throw thrownText(error);
   }
   return settled;
@@ -68,14 +75,14 @@ async function loadResource(load, uri) {
   return { bytes };
 }
 
-/** Validates, fetches what was missing, validates again. Near the limit of issues, resources are fetched one by
-    one, because what the first one has may be the last that is looked at. */
+/** Validates, fetches what was missing, validates again. Near the limit of issues, resources are fetched
+    one by one, because what the first one has may be the last that is looked at. */
 async function validateWithResources(engine, bytes, options, load) {
   const { maxIssues } = options;
   const engineOptions = { ...options, maxIssues: maxIssues && maxIssues + 1, profile: "khronos" };
   const resources = new Map(); // by URI as the engine has it
   const results = new Map(); // by URI as reports have it; the first answer counts
-  for (let asked = 0; ; ) {
+  for (let asked = 0; ;) {
     const answer = await engine.validate(bytes, { ...engineOptions, resources });
     const report = JSON.parse(answer.report);
     const uses = load ? usesIn(withoutResourcesAfter(report, maxIssues)) : [];
@@ -97,9 +104,11 @@ async function validateWithResources(engine, bytes, options, load) {
 
 async function run(getEngine, bytes, engineOptions, reportOptions) {
   const engine = await getEngine();
-  const report = await validateWithResources(engine, bytes, engineOptions, reportOptions.load).catch((error) => {
-    throw error instanceof Error ? String(error) : error;
-  });
+  const report = await validateWithResources(engine, bytes, engineOptions, reportOptions.load).catch(
+    (error) => {
+      throw error instanceof Error ? String(error) : error;
+    },
+  );
   const mimeType = engineOptions.format === "glb" ? "model/gltf-binary" : report.mimeType;
   return {
     ...(reportOptions.uri === undefined ? {} : { uri: reportOptions.uri }),

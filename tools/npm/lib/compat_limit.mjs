@@ -3,9 +3,12 @@
 // until then. Reports here have one issue more than the limit.
 
 // Issues about bytes, which are looked at when `info` is complete but for its resources.
-const aboutBytes = new RegExp("^(IO_ERROR|BUFFER_(BYTE_LENGTH_MISMATCH|MISSING_GLB_DATA|GLB_CHUNK_TOO_BIG)|" +
-  "IMAGE_(?!BUFFER_VIEW_WITH_BYTESTRIDE).*|TEXTURE_INVALID_IMAGE_MIME_TYPE|ACCESSOR_(MIN|MAX)_MISMATCH|" +
-  "ACCESSOR_(ELEMENT_OUT_OF|SPARSE_IND(EX|ICES)|VECTOR3|INDEX|ANIMATION|JOINTS|WEIGHTS|INVALID|NON_CLAMPED)(_.*)?)$");
+const aboutBytes = new RegExp(
+  "^(IO_ERROR|BUFFER_(BYTE_LENGTH_MISMATCH|MISSING_GLB_DATA|GLB_CHUNK_TOO_BIG)|" +
+    "IMAGE_(?!BUFFER_VIEW_WITH_BYTESTRIDE).*|TEXTURE_INVALID_IMAGE_MIME_TYPE|ACCESSOR_(MIN|MAX)_MISMATCH|" +
+    "ACCESSOR_(ELEMENT_OUT_OF|SPARSE_IND(EX|ICES)|VECTOR3|INDEX|ANIMATION|JOINTS|WEIGHTS|" +
+    "INVALID|NON_CLAMPED)(_.*)?)$",
+);
 const atResource = /^\/(buffers|images)\/\d+/;
 
 function firstBeyond({ issues }, limit) {
@@ -35,7 +38,12 @@ export function cutAt(report, limit) {
   const messages = report.issues.messages.slice(0, limit);
   const count = (severity) => messages.filter((message) => message.severity === severity).length;
   const issues = {
-    numErrors: count(0), numWarnings: count(1), numInfos: count(2), numHints: count(3), messages, truncated: true,
+    numErrors: count(0),
+    numWarnings: count(1),
+    numInfos: count(2),
+    numHints: count(3),
+    messages,
+    truncated: true,
   };
   const { info } = withoutResourcesAfter(report, limit);
   if (info === undefined) return { issues }; // not even the media type was known

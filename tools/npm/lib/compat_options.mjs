@@ -19,7 +19,8 @@ export function checkData(data) {
 
 export function checkIsObject(options) {
   if (options === undefined || options === null || typeof options === "function") return;
-  if (typeof options !== "object" || Array.isArray(options)) throw invalid("options: Value must be an object.");
+  if (typeof options !== "object" || Array.isArray(options))
+    throw invalid("options: Value must be an object.");
 }
 
 function checkMaxIssues(limit) {
@@ -54,7 +55,8 @@ function checkOverrides(overrides) {
 /** What the engine is told. */
 export function checkEngineOptions(options) {
   const format = options?.format ?? undefined;
-  if (format !== undefined && typeof format !== "string") throw invalid("options.format: Value must be a string.");
+  if (format !== undefined && typeof format !== "string")
+    throw invalid("options.format: Value must be a string.");
   const maxIssues = checkMaxIssues(options?.maxIssues);
   const only = options?.onlyIssues ?? undefined;
   const ignored = options?.ignoredIssues ?? undefined;

@@ -72,9 +72,11 @@ function normalizeAuthority(text, authority, begin) {
   const bad = (port ?? "").search(/[^0-9]/);
   if (bad >= 0) throw invalid(text, "Invalid port", at + name.length + 1 + bad);
   const escaped = normalizeEscapes(name, /[!$&'()*+,;=:[\]]/);
-  return (user === "@" ? "" : normalizeEscapes(user, allowed.path)) +
+  return (
+    (user === "@" ? "" : normalizeEscapes(user, allowed.path)) +
     escaped.replace(/%..|[A-Z]/g, (part) => (part.length > 1 ? part : part.toLowerCase())) +
-    (port ? ":" + Number(port) : "");
+    (port ? ":" + Number(port) : "")
+  );
 }
 
 /** Throws SyntaxError for what is no reference at all. */
@@ -94,7 +96,11 @@ export function normalizeUri(text) {
   const isRelative = scheme === "" && authority === undefined && !path.startsWith("/");
   path = withoutDots(normalizeEscapes(path, allowed.path), isRelative);
   if (isRelative && /^[^/]*:/.test(path)) path = "./" + path;
-  return (scheme === "" ? "" : scheme.toLowerCase() + ":") + (authority === undefined ? "" : "//" + authority) + path +
+  return (
+    (scheme === "" ? "" : scheme.toLowerCase() + ":") +
+    (authority === undefined ? "" : "//" + authority) +
+    path +
     (query === undefined ? "" : "?" + normalizeEscapes(query.slice(1), allowed.query)) +
-    (fragment === undefined ? "" : "#" + normalizeEscapes(fragment.slice(1), allowed.query));
+    (fragment === undefined ? "" : "#" + normalizeEscapes(fragment.slice(1), allowed.query))
+  );
 }
