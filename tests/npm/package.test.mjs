@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// The package as its users have it: modules, CommonJS, types, the entry of browsers.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { test } from "node:test";
+import { importFrom, install, modules, requireFrom, root, version } from "./packages.mjs";
+
+const folder = install({ native: false });
+const installed = join(folder, "node_modules/gltfx");
+const standIn = process.env.GLTFX_STAND_IN !== undefined;
+const fixture = (name) => new Uint8Array(readFileSync(join(root, "fixtures", name)));
+const besides = (place) => (uri) => readFile(join(root, "fixtures", place, uri));
+const readFile = async (path) => new Uint8Array(readFileSync(path));
+
+test("the archive has no dependency, no script, the version of the project", () => {
+  const description = JSON.parse(readFileSync(join(installed, "package.json")));
+  assert.equal(description.version, version);
+  assert.deepEqual(description.optionalDependencies, { "@gltfx/linux-x64": version });
+  assert.deepEqual([description.dependencies, description.scripts], [undefined, undefined]);
+  assert.ok(existsSync(join(installed, "LICENSE")));
+});
+
+const users = {
+  module: ["user.mjs", 'import * as g from "gltfx"; import * as c from "gltfx/compat";'],
+  CommonJS: ["user.cjs", 'const g = require("gltfx"); const c = require("gltfx/compat");'],
+};
+for (const [name, [file, head]] of Object.entries(users)) {
+  test(`${name}: all functions`, () => {
+    writeFileSync(
+      join(folder, file),
+      `${head}
+      const bytes = new TextEncoder().encode('{"asset":{"version":"2.0"},"scene":1}');
+      (async () => {
+        const found = [await g.validate(bytes), await c.validateBytes(bytes), await g.validateBytes(bytes)];
+        const facts = await g.inspect(bytes), upgraded = await g.upgrade(bytes);
+        console.log(JSON.stringify([found[0].counts.errors, found[0].findings[0].code,
+          found[1].issues.messages[0].code, found[2].issues.numErrors, facts.version,
+          upgraded.asset.length]));
+      })();`,
+    );
+    const printed = execFileSync("node", [file], { cwd: folder });
+    assert.deepEqual(JSON.parse(printed), [1, "UNRESOLVED_REFERENCE", "UNRESOLVED_REFERENCE", 1, "2.0", 37]);
+  });
+}
+
+test("validate: resources, profiles, misuse", async () => {
+  const { validate } = await importFrom(folder, "gltfx/index.mjs");
+  const leaf = fixture("good/leaf.gltf");
+  assert.equal((await validate(leaf, { resources: besides("good") })).counts.errors, 0);
+  assert.ok((await validate(leaf)).findings.some(({ code }) => code === "IO_ERROR"));
+  assert.ok(
+    (await validate(leaf, { resources: new Map() })).findings.some(({ code }) => code === "IO_ERROR"),
+  );
+  assert.equal((await validate(leaf, { profile: "khronos" })).mimeType, "model/gltf+json");
+  assert.equal(
+    (await validate(leaf, { onlyIssues: ["IO_ERROR"], severityOverrides: { IO_ERROR: 3 } })).counts.errors,
+    0,
+  );
+  await assert.rejects(validate("leaf.gltf"), TypeError);
+  await assert.rejects(validate(leaf, null), TypeError);
+  await assert.rejects(validate(leaf, { resources: "." }), TypeError);
+  await assert.rejects(validate(leaf, { resources: () => "text" }), TypeError);
+});
+
+test("upgrade and inspect: the asset of before is left alone, the new one is upgraded", async () => {
+  const { inspect, upgrade } = await importFrom(folder, "gltfx/index.mjs");
+  const awning = fixture("legacy/awning.gltf"),
+    before = awning.slice();
+  const { asset, report } = await upgrade(awning, { resources: besides("legacy") });
+  assert.deepEqual(awning, before);
+  assert.equal(report.actions[0].to, "KHR_materials_diffuse_transmission");
+  const names = ({ extensions }) => extensions.map(({ name }) => name);
+  assert.ok(
+    names(await inspect(awning, { resources: besides("legacy") })).includes("KHR_materials_translucency"),
+  );
+  assert.ok(!names(await inspect(asset)).includes("KHR_materials_translucency"));
+  await assert.rejects(inspect(new Uint8Array(4)), Error);
+  await assert.rejects(upgrade(new Uint8Array(4)), Error);
+});
+
+// Modules that are reachable from a file, with the names that no file stands behind.
+function reachable(file, found = new Map()) {
+  if (found.has(file)) return found;
+  const text = readFileSync(file, "utf8");
+  const named = [...text.matchAll(/(?:from|import\()\s*["']([^"']+)["']/g)].map(([, name]) => name);
+  found.set(
+    file,
+    named.filter((name) => !name.startsWith(".")),
+  );
+  const isOurs = !/wasm\/(gltfx-wasm|engine)\.mjs$/.test(file);
+  if (isOurs || !standIn) {
+    for (const name of named) if (name.startsWith(".")) reachable(resolve(dirname(file), name), found);
+  }
+  return found;
+}
+
+test("nothing of Node.js is reachable from the entries of browsers", () => {
+  for (const entry of ["browser.mjs", "compat-browser.mjs"]) {
+    const all = [...reachable(join(installed, entry))].filter(
+      ([file]) => !standIn || !file.includes("/wasm/"),
+    );
+    assert.ok(all.length >= 5);
+    for (const [file, names] of all) if (!file.endsWith("gltfx-wasm.mjs")) assert.deepEqual(names, [], file);
+  }
+  const nodeEntry = [...reachable(join(installed, "index.mjs")).values()].flat();
+  assert.ok(nodeEntry.some((name) => name.startsWith("node:")));
+});
+
+test("the entry of browsers fetches the engine, and again after a failure", async () => {
+  let failures = 1;
+  globalThis.fetch = async (url) =>
+    failures-- > 0 ? new Response("", { status: 503 }) : new Response(readFileSync(url));
+  const { validate, validateString } = await importFrom(folder, "gltfx/browser.mjs");
+  await assert.rejects(validate(new Uint8Array(1)), /503/);
+  assert.equal((await validate(fixture("good/bowl.glb"))).counts.errors, 0);
+  assert.equal((await validateString("{}")).issues.numErrors, 1);
+});
+
+test("types", (t) => {
+  const tsc = join(modules, ".bin/tsc");
+  if (!existsSync(tsc)) return t.skip("typescript is not installed");
+  writeFileSync(
+    join(folder, "user.ts"),
+    `
+    import { inspect, upgrade, validate, validateBytes } from "gltfx";
+    import * as compat from "gltfx/compat";
+    async function run(bytes: Uint8Array): Promise<number> {
+      const one = await validate(bytes, { profile: "khronos", resources: async (uri: string) => null });
+      const two = await validate(bytes, { resources: new Map([["a", bytes]]) });
+      const three = await compat.validateString("{}", { severityOverrides: { A: 3 } });
+      await validateBytes(bytes, { externalResourceFunction: async () => bytes });
+      const { asset, files } = await upgrade(bytes, { only: ["X"] });
+      await inspect(asset);
+      // @ts-expect-error text is no asset
+      await validate("model.gltf");
+      // @ts-expect-error no such severity
+      await compat.validateString("{}", { severityOverrides: { A: 4 } });
+      return one.issues.numErrors + two.counts.errors + three.issues.numHints + files.size;
+    }
+    export default run;`,
+  );
+  const words = [
+    "--noEmit",
+    "--strict",
+    "--module",
+    "nodenext",
+    "--target",
+    "es2022",
+    "--types",
+    "",
+    "user.ts",
+  ];
+  const done = spawnSync(tsc, words, { cwd: folder });
+  assert.equal(done.status, 0, `${done.stdout}`);
+});
+
+test("CommonJS answers what needs no engine at once", () => {
+  assert.equal(requireFrom(folder)("gltfx").version(), version);
+});

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+import { createCompat } from "./lib/compat.mjs";
+import { getEngine } from "./lib/engine_browser.mjs";
+
+const compat = createCompat(getEngine);
+export const { supportedExtensions, validateBytes, validateString, version } = compat;
+export default compat;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { AssetInfo, KhronosReport } from "./compat.js";
+export * from "./compat.js";
+
+/** Bytes by URI as the asset has it, or a function that reads them; null: there are none. */
+export type Resources =
+  | ReadonlyMap<string, Uint8Array | null>
+  | ((uri: string) => Uint8Array | null | undefined | PromiseLike<Uint8Array | null | undefined>);
+
+export interface ValidateOptions {
+  uri?: string;
+  format?: "gltf" | "glb";
+  profile?: "default" | "strict" | "khronos";
+  maxIssues?: number;
+  ignoredIssues?: string[];
+  onlyIssues?: string[];
+  severityOverrides?: Record<string, 0 | 1 | 2 | 3>;
+  resources?: Resources;
+}
+
+export interface Finding {
+  code: string;
+  severity: "error" | "warning" | "info" | "hint";
+  message: string;
+  help?: string;
+  pointer?: string;
+  offset?: number;
+  location?: {
+    line: number;
+    column: number;
+    endLine: number;
+    endColumn: number;
+    byte: number;
+    length: number;
+  };
+  object?: string;
+  count?: number;
+  lastPointer?: string;
+}
+
+export interface Report {
+  path: string;
+  mimeType?: string;
+  readable: boolean;
+  counts: { errors: number; warnings: number; infos: number; hints: number };
+  truncated: boolean;
+  findings: Finding[];
+  info?: AssetInfo;
+}
+
+export interface UpgradeOptions {
+  resources?: Resources;
+  unsafe?: boolean;
+  strict?: boolean;
+  prune?: boolean;
+  only?: string[];
+  to?: string[];
+}
+
+export interface Upgrade {
+  asset: Uint8Array;
+  /** Files that belong beside the asset now, by relative path. */
+  files: Map<string, Uint8Array>;
+  report: {
+    problem: string;
+    changes: boolean;
+    actions: { pointer: string; from: string; to: string; done: boolean }[];
+  };
+}
+
+export function validate(
+  asset: Uint8Array,
+  options: ValidateOptions & { profile: "khronos" },
+): Promise<KhronosReport>;
+export function validate(asset: Uint8Array, options?: ValidateOptions): Promise<Report>;
+export function upgrade(asset: Uint8Array, options?: UpgradeOptions): Promise<Upgrade>;
+export function inspect(
+  asset: Uint8Array,
+  options?: { resources?: Resources },
+): Promise<Record<string, unknown>>;

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interface of npm's gltf-validator. Promises are rejected with strings, as its promises are.
+import {
+  checkData,
+  checkEngineOptions,
+  checkIsObject,
+  checkReportOptions,
+  isBytes,
+} from "./compat_options.mjs";
+import { cutAt, withoutResourcesAfter } from "./compat_limit.mjs";
+import { khronosExtensions, packageVersion } from "./constants.mjs";
+import { normalizeUri } from "./uri.mjs";
+
+const utf8 = new TextEncoder();
+const noFunction = "Exception: options.externalResourceFunction is required to load this resource.";
+const issuesOfAResource = 8; // at most: about one buffer or image itself
+
+function invalidArgument(text) {
+  return `Invalid argument(s): options.externalResourceFunction: ${text}`;
+}
+
+// What the other validator makes of a reason that is no string.
+function textOf(reason) {
+  if (reason === undefined || reason === null) return "null";
+  if (Array.isArray(reason)) return `[${reason.map(textOf).join(", ")}]`;
+  return String(reason);
+}
+
+// A function that throws ends the validation.
+function thrownText(error) {
+  return error instanceof Error ? `Error: ${error.message}` : textOf(error);
+}
+
+/** Calls the function of the user: { bytes } or { problem }; throws what ends the validation. */
+function ask(load, uri) {
+  let settle;
+  const settled = new Promise((resolve) => (settle = resolve));
+  try {
+    const answer = load(uri);
+    if (typeof answer?.then !== "function") throw invalidArgument("Function must return a Promise.");
+    answer.then(
+      (bytes) => settle({ bytes }),
+      (reason) => settle({ problem: `Node Exception: ${textOf(reason)}`.trimEnd() }),
+    );
+  } catch (error) {
+    if (error === undefined || error === null)
+      return { problem: `Throw of null ('${error}' from JavaScript)` };
+    throw thrownText(error);
+  }
+  return settled;
+}
+
+// URIs in the order in which their bytes are wanted, each use on its own.
+function usesIn({ info }) {
+  return (info?.resources ?? []).filter(({ storage }) => storage === "external").map(({ uri }) => uri);
+}
+
+function hasRoom(report, uses, maxIssues) {
+  if (!maxIssues) return true;
+  return report.issues.messages.length + issuesOfAResource * uses.length < maxIssues;
+}
+
+function describeFailures(report, problems) {
+  const uris = new Map((report.info?.resources ?? []).map(({ pointer, uri }) => [`${pointer}/uri`, uri]));
+  for (const message of report.issues.messages) {
+    const problem = message.code === "IO_ERROR" ? problems(uris.get(message.pointer)) : undefined;
+    if (problem !== undefined) message.message = problem;
+  }
+}
+
+async function loadResource(load, uri) {
+  const { bytes, problem } = await ask(load, uri);
+  if (problem !== undefined) return { bytes: null, problem };
+  if (!isBytes(bytes)) throw invalidArgument("Promise must be fulfilled with Uint8Array or rejected.");
+  return { bytes };
+}
+
+/** Validates, fetches what was missing, validates again. Near the limit of issues, resources are fetched
+    one by one, because what the first one has may be the last that is looked at. */
+async function validateWithResources(engine, bytes, options, load) {
+  const { maxIssues } = options;
+  const engineOptions = { ...options, maxIssues: maxIssues && maxIssues + 1, profile: "khronos" };
+  const resources = new Map(); // by URI as the engine has it
+  const results = new Map(); // by URI as reports have it; the first answer counts
+  for (let asked = 0; ;) {
+    const answer = await engine.validate(bytes, { ...engineOptions, resources });
+    const report = JSON.parse(answer.report);
+    const uses = load ? usesIn(withoutResourcesAfter(report, maxIssues)) : [];
+    const end = hasRoom(report, uses, maxIssues) ? uses.length : Math.min(asked + 1, uses.length);
+    if (asked >= end) {
+      describeFailures(report, (uri) => (load ? results.get(uri)?.problem : noFunction));
+      return cutAt(report, maxIssues);
+    }
+    for (; asked < end; ++asked) {
+      const result = await loadResource(load, uses[asked]);
+      if (!results.has(uses[asked])) results.set(uses[asked], result);
+    }
+    for (const uri of answer.missing) {
+      const result = results.get(normalizeUri(uri));
+      if (result) resources.set(uri, result.bytes);
+    }
+  }
+}
+
+async function run(getEngine, bytes, engineOptions, reportOptions) {
+  const engine = await getEngine();
+  const report = await validateWithResources(engine, bytes, engineOptions, reportOptions.load).catch(
+    (error) => {
+      throw error instanceof Error ? String(error) : error;
+    },
+  );
+  const mimeType = engineOptions.format === "glb" ? "model/gltf-binary" : report.mimeType;
+  return {
+    ...(reportOptions.uri === undefined ? {} : { uri: reportOptions.uri }),
+    ...(mimeType === undefined ? {} : { mimeType }),
+    validatorVersion: packageVersion,
+    ...(reportOptions.writeTimestamp ? { validatedAt: new Date().toISOString() } : {}),
+    issues: report.issues,
+    ...(report.info === undefined ? {} : { info: report.info }),
+  };
+}
+
+function formatOf(bytes, format) {
+  const name = format?.toLowerCase();
+  if (name === "glb" || name === "gltf") return name;
+  if (bytes[0] === 0x67) return "glb"; // "g"
+  if ([0x7b, 0x20, 0x09, 0x0a, 0x0d, 0xef].includes(bytes[0])) return "gltf";
+  throw "Invalid data: could not detect glTF format.";
+}
+
+export function createCompat(getEngine) {
+  return {
+    version: () => packageVersion,
+    supportedExtensions: () => [...khronosExtensions],
+    // What the caller changes after the call does not matter.
+    async validateBytes(data, options) {
+      checkData(data);
+      checkIsObject(options);
+      const engineOptions = checkEngineOptions(options);
+      const format = formatOf(data, options?.format);
+      const bytes = Uint8Array.prototype.slice.call(data);
+      return run(getEngine, bytes, { ...engineOptions, format }, checkReportOptions(options));
+    },
+    async validateString(json, options) {
+      if (typeof json !== "string") throw "Invalid argument(s): json: Argument must be a string.";
+      checkIsObject(options);
+      const engineOptions = checkEngineOptions(options);
+      // A byte order mark belongs to bytes; in a string it is an unknown character.
+      const bytes = utf8.encode(json.replace(/^\ufeff/, "\ufffd"));
+      return run(getEngine, bytes, { ...engineOptions, format: "gltf" }, checkReportOptions(options));
+    },
+  };
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine, from the files of the package; made once.
+import { readFile } from "node:fs/promises";
+import { createEngine } from "../wasm/engine.mjs";
+
+let made;
+
+async function make() {
+  const wasm = await readFile(new URL("../wasm/gltfx.wasm", import.meta.url));
+  const loader = await import("../wasm/gltfx-wasm.mjs");
+  return createEngine(wasm, loader.default);
+}
+
+export function getEngine() {
+  made ??= make();
+  return made;
+}
