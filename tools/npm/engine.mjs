@@ -54,9 +54,9 @@ class Engine {
   }
 
   /**
-   * Runs the command line in the folder `cwd`, in a file system that holds `files`: by paths from there or
-   * from "/"; one that ends in "/" is an empty folder. Gives the exit code, what was printed, and the files
-   * that were written, by paths from `cwd` where they are below it.
+   * Runs the command line in the folder `cwd`, in a file system that holds `files`, by absolute paths or those
+   * seen from there; one that ends in "/" is an empty folder. Gives the exit code, what was printed, and the
+   * files that were written, seen from `cwd` where they are below it.
    */
   async run(args, files = new Map(), { cwd = FOLDER, stdin = new Uint8Array() } = {}) {
     const bytes = args.reduce((sum, argument) => sum + argument.length * 3 + 8, 0);
