@@ -23,7 +23,7 @@ constexpr std::size_t kMostReadmeLines = 250;
 
 std::vector<Source> pages() {
   std::vector<Source> found;
-  for (Source& source : files_below({"README.md", "HACKING.md", "CHANGELOG.md",
+  for (Source& source : files_below({"README.md", "HACKING.md", "CHANGELOG.md", "SECURITY.md",
                                      "libgltfx/README.md", "docs", "schema/rules", "examples"})) {
     if (source.path.ends_with(".md")) found.push_back(std::move(source));
   }

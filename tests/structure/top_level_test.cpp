@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 const std::set<std::string> kEntries{
     "tools", "libgltfx", "schema", "tests", "fixtures", "docs", "examples", "CMakeLists.txt",
-    "CMakePresets.json", "README.md", "HACKING.md", "CHANGELOG.md", "LICENSE", ".clang-format",
-    ".clang-tidy", ".gitignore", ".pre-commit-hooks.yaml", ".ci", "Dockerfile", ".dockerignore",
-    "action.yml",
+    "CMakePresets.json", "README.md", "HACKING.md", "CHANGELOG.md", "SECURITY.md", "LICENSE",
+    ".clang-format", ".clang-tidy", ".gitignore", ".pre-commit-hooks.yaml", ".ci", "Dockerfile",
+    ".dockerignore", "action.yml",
     // Not part of the repository: git's own, and what .gitignore names.
     ".git", "build", ".cache", "node_modules", "compile_commands.json"};
 
