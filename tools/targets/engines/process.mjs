@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Engines that are programs of their own: assets become files, and a program that stays answers with a line of JSON for
+// each path: ANSWER, the path, a tab, and { dump, facts } or { refused }.
+import { spawn } from 'node:child_process';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname } from 'node:path';
+import { createInterface } from 'node:readline';
+import { corners } from './dump.mjs';
+
+// Runs use(path) with the files of an asset below a folder that is removed afterwards.
+export async function withFiles(files, main, use) {
+  const folder = mkdtempSync(`${tmpdir()}/gltfx-target-`);
+  try {
+    for (const [name, bytes] of files) {
+      mkdirSync(dirname(`${folder}/${name}`), { recursive: true });
+      writeFileSync(`${folder}/${name}`, bytes);
+    }
+    return await use(`${folder}/${main}`, folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+const mark = 'ANSWER ';
+
+// Starting takes long.
+export const limit = 60000;
+
+export function program(command, args) {
+  let child;
+  let waiting = null;
+  const start = () => {
+    child = spawn(command, args, { stdio: ['pipe', 'pipe', 'ignore'] });
+    createInterface({ input: child.stdout }).on('line', line => {
+      const [path, answer] = line.split('\t');
+      if (waiting && path === mark + waiting.path) waiting.done(JSON.parse(answer));
+    });
+    child.on('exit', code => {
+      child = null;
+      waiting?.failed(new Error(`the program ended (${code})`));
+    });
+    child.on('error', error => waiting?.failed(new Error(`harness: ${error.message}`)));
+  };
+  const ask = path => new Promise((done, failed) => {
+    waiting = { path, done, failed };
+    if (!child) start();
+    child.stdin.write(`${path}\n`);
+  });
+  return {
+    load: (files, main) => withFiles(files, main, async (path, folder) => {
+      const answer = await ask(path);
+      if (answer.refused !== undefined) throw new Error(answer.refused);
+      const { parts = [], ...facts } = answer.facts;
+      return { dump: answer.dump?.replaceAll(folder, ''), facts: { ...corners(parts.map(part => ({ ...part, attributes: readers(part.attributes), place: v => v }))), ...facts } };
+    }),
+  };
+}
+
+// Lists of elements by name as functions of the index.
+const readers = attributes => Object.fromEntries(Object.entries(attributes).map(([name, list]) => [name, i => list[i]]));

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// All probes: [{ name, feature, mode, asset, twin, renamed?, same?, differs?, names?, seen }].
+//   same:    facts that the engine must build of the asset as of its twin, which says the same without the feature
+//   differs: facts of which one must be another than that of the twin; without it, anything the engine built
+//   names:   names that must be among the facts, each as often as here
+//   renamed: the asset with an extension that no engine knows in place of the probed one
+//   seen:    whether a picture at rest can show it
+import { extensions } from './extensions.mjs';
+import { files } from './files.mjs';
+import { geometry } from './geometry.mjs';
+import { scene } from './scenes.mjs';
+
+// A name that no engine knows, as long as the other and at its place in a sorted list.
+export const stranger = name => `${name.slice(0, -1)}Z`;
+
+// What no picture at rest shows.
+const unseen = [/^animation\./, /^attribute\.(custom|color-1|texcoord-[0-9]|tangent)$/, /^morph\.target-names$/, /^node\.name/, /^extras$/,
+  /^scene\.several$/, /^asset\.min/, /^camera\./, /^primitive\.no-material$/, /^material\.occlusion/,
+  /^(AGI_|FB_|GRIFFEL_|GODOT_|KHR_XMP|KHR_xmp|KHR_interactivity|KHR_node_(hover|select)ability|KHR_animation_pointer|KHR_materials_variants|EXT_mesh_manifold|MPEG_|MSFT_lod)/];
+
+// The asset with another name for the extension, used but not required.
+function renamed(asset, name) {
+  const other = asset.copy();
+  other.json = JSON.parse(JSON.stringify(asset.json).replaceAll(`"${name}"`, `"${stranger(name)}"`).replaceAll(`"${name}:`, `"${stranger(name)}:`));
+  delete other.json.extensionsRequired;
+  return other;
+}
+
+function extensionProbe(name, mode, make) {
+  const { asset, twin, same } = make();
+  for (const other of ['KHR_materials_transmission', 'KHR_materials_volume', 'KHR_materials_clearcoat'])
+    if (JSON.stringify(twin.json).includes(`"${other}"`)) twin.uses(other);
+  asset.json.extensionsUsed = [...(twin.json.extensionsUsed ?? [])];
+  asset.uses(name, mode !== 'used');
+  return { name: `${name} ${mode}`, feature: name, mode, asset, twin, same, ...(!same && { renamed: renamed(asset, name) }) };
+}
+
+export function probes() {
+  const all = [];
+  for (const [name, entry] of Object.entries(extensions)) {
+    const ways = typeof entry === 'function' ? { used: entry, required: entry } : entry;
+    for (const [mode, make] of Object.entries(ways)) all.push(extensionProbe(name, mode, make));
+  }
+  for (const [name, make] of Object.entries({ ...files, ...geometry, ...scene }))
+    all.push({ name: `${name} used`, feature: name, mode: 'used', ...make() });
+  for (const probe of all) probe.seen = !unseen.some(pattern => pattern.test(probe.feature));
+  return all.sort((a, b) => (a.name < b.name ? -1 : 1));
+}
