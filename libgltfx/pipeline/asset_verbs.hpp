@@ -41,11 +41,16 @@ struct Rehearsal {
 Rehearsal rehearse_upgrade(validate::ValidatedAsset& asset, const UpgradeOptions& options);
 
 /// The same for an asset that was not validated yet: that happens where it names something legacy.
-UpgradeReport rehearse_upgrade(model::OpenedAsset asset, const UpgradeOptions& options);
+/// Throws where memory is missing; the asset is not to be used then.
+UpgradeReport rehearse_upgrade(model::OpenedAsset& asset, const UpgradeOptions& options);
 
-/// As inspect_file(), without what an upgrade would do.
+/// As inspect_file(), without what an upgrade would do. An upgrade holds two documents: it is
+/// rehearsed before there are facts to hold beside them.
 InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& schemas,
                             unsigned jobs);
+
+/// Why there is nothing to inspect, as half a sentence; nothing when there is.
+std::optional<Error> find_inspection_obstacle(const model::OpenedAsset& asset);
 
 /// Adds what an upgrade would do to the report on the same asset.
 void add_upgrade(UpgradeReport upgrade, InspectReport& report);

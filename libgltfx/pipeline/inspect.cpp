@@ -46,13 +46,6 @@ InspectReport guarded(const std::string& path, const Work& work) {
 }
 
 InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schemas, unsigned jobs) {
-  if (auto obstacle = find_obstacle(asset)) {
-    return failed(asset.name(), std::move(obstacle->message));
-  }
-  const json::Document& document = asset.document();
-  if (!document.is_object(document.root())) {
-    return failed(asset.name(), "it is not a glTF asset; see 'gltfx validate'");
-  }
   InspectReport report;
   report.path = asset.name();
   report.facts = inspect::collect_facts(asset, schemas, jobs);
@@ -62,23 +55,34 @@ InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schema
 InspectReport inspect_path(const std::string& path, const InspectOptions& options) {
   auto asset = open_asset(path, options.root);
   if (!asset) return failed(path, asset.error().message);
+  if (auto obstacle = find_inspection_obstacle(*asset)) {
+    return failed(path, std::move(obstacle->message));
+  }
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
-  InspectReport report = collect(*asset, *schemas, options.jobs);
-  if (!report.facts) return report;
-  // The tables of a large document are not to be held beside the new document of an upgrade.
-  asset->forget_views();
-  give_back_memory();
   UpgradeOptions wanted;
   wanted.root = options.root;
   wanted.schemas = schemas;
-  add_upgrade(rehearse_upgrade(*std::move(asset), wanted), report);
+  UpgradeReport upgrade = rehearse_upgrade(*asset, wanted);
+  give_back_memory();
+  InspectReport report = collect(*asset, *schemas, options.jobs);
+  add_upgrade(std::move(upgrade), report);
   return report;
 }
 
 }  // namespace
 
+std::optional<Error> find_inspection_obstacle(const model::OpenedAsset& asset) {
+  if (auto obstacle = find_obstacle(asset)) return obstacle;
+  const json::Document& document = asset.document();
+  if (document.is_object(document.root())) return std::nullopt;
+  return Error{"it is not a glTF asset; see 'gltfx validate'"};
+}
+
 InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& schemas,
                             unsigned jobs) {
+  if (auto obstacle = find_inspection_obstacle(asset)) {
+    return failed(asset.name(), std::move(obstacle->message));
+  }
   return guarded(asset.name(), [&] { return collect(asset, schemas, jobs); });
 }
 

@@ -61,22 +61,31 @@ PagePicture picture_of(const BakeReport& baked) {
   return picture;
 }
 
+// What the page does not show, and nobody asks for who compares files with earlier ones.
+void forget_embedded(FileReport& report) {
+  if (!report.info) return;
+  std::vector<ResourceInfo>& resources = report.info->resources;
+  std::erase_if(resources, [](const ResourceInfo& each) { return each.storage != "external"; });
+  resources.shrink_to_fit();
+}
+
 void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
                       const ThumbnailOptions& thumbnails, unsigned jobs, PageAsset& page) {
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
-  page.inspection = inspect_asset(opened, *schemas, jobs);
-  if (!page.inspection.facts) return;
-  // The tables of a large document are not to be held beside the new document of an upgrade.
+  if (find_inspection_obstacle(opened)) {
+    page.inspection = inspect_asset(opened, *schemas, jobs);
+    return;
+  }
   opened.forget_views();
-  give_back_memory();
   validate::ValidatedAsset asset(std::move(opened), page.report, options);
   asset.forget_info();
   UpgradeOptions upgrade;
   upgrade.root = options.root;
   upgrade.schemas = schemas;
   Rehearsal rehearsal = rehearse_upgrade(asset, upgrade);
-  add_upgrade(std::move(rehearsal.report), page.inspection);
   give_back_memory();
+  page.inspection = inspect_asset(asset.asset(), *schemas, jobs);
+  add_upgrade(std::move(rehearsal.report), page.inspection);
   if (!thumbnails.draw || !can_bake()) return;
   const BakeOptions bake = bake_options(options, thumbnails, jobs);
   page.picture = picture_of(bake_asset(std::move(asset), bake));
@@ -91,6 +100,7 @@ PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnai
   try {
     Validation validation = validate_path(input.path, options);
     page.report = std::move(validation.report);
+    forget_embedded(page.report);
     if (!page.report.readable) return page;
     if (!validation.asset) {  // the report was kept
       auto opened = open_asset(input.path, options.root);

@@ -156,6 +156,8 @@ class SceneBuilder {
     draco.decode(codec::Client::shared(), options_.jobs);
     const model::GeometrySource source{asset_, views_, resources_, draco};
     SceneTextures textures(asset_, resources_, notes_, scene_);
+    // A scene's material is large: the vector is not to be copied while it grows.
+    scene_.materials.reserve(most_materials());
     SceneMaterials materials(asset_, animated_, textures, scene_);
     SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
                        notes_, scene_);
@@ -165,6 +167,13 @@ class SceneBuilder {
   }
 
  private:
+  // Each primitive shows one, or the default material; variants only choose among them.
+  std::size_t most_materials() const {
+    std::size_t primitives = 0;
+    for (const model::Mesh& mesh : views_.meshes) primitives += mesh.primitives.size();
+    return std::min(primitives, asset_.count(RootArray::materials)) + 1;
+  }
+
   void animate(const schema::Set& schemas) {
     if (!options_.animation || *options_.animation >= asset_.count(RootArray::animations)) return;
     model::AnimationSample sample = model::sample_animation(asset_, views_, resources_, schemas,

@@ -245,15 +245,14 @@ Rehearsal rehearse_upgrade(ValidatedAsset& asset, const UpgradeOptions& options)
   return rehearsal;
 }
 
-UpgradeReport rehearse_upgrade(OpenedAsset asset, const UpgradeOptions& options) {
-  const std::string path = asset.name();
-  return guarded(path, [&] {
-    if (auto report = find_old_container(asset, options)) return *std::move(report);
-    const SchemaSet schemas = schemas_of(options);
-    if (!upgrade::names_legacy(asset.document(), *schemas)) return report_on(path);
-    ValidatedAsset before = validated(std::move(asset), schemas);
-    return rehearse_upgrade(before, options).report;
-  });
+UpgradeReport rehearse_upgrade(OpenedAsset& asset, const UpgradeOptions& options) {
+  if (auto report = find_old_container(asset, options)) return *std::move(report);
+  const SchemaSet schemas = schemas_of(options);
+  if (!upgrade::names_legacy(asset.document(), *schemas)) return report_on(asset.name());
+  ValidatedAsset before = validated(std::move(asset), schemas);
+  UpgradeReport report = rehearse_upgrade(before, options).report;
+  asset = before.take_asset();
+  return report;
 }
 
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
