@@ -40,6 +40,19 @@ std::string name_for(std::string_view code, std::string_view bytes) {
   return glb && !wrong_name ? "example.glb" : "example.gltf";
 }
 
+// An engine that shows what the rules about targets report, whatever engines do today.
+std::vector<TargetChoice> example_targets() {
+  const auto all = [](TargetOutcome outcome) { return std::vector<TargetRange>{{0, 0, outcome}}; };
+  Target target;
+  target.name = "example";
+  target.title = "Example";
+  target.versions = {{"1.0", ""}};
+  target.features["KHR_node_visibility"] = {
+      all(TargetOutcome::ignored), all(TargetOutcome::refused), {}};
+  target.features["morph.targets-over-4"] = {all(TargetOutcome::ignored), {}, {}};
+  return {{std::make_shared<const Target>(std::move(target)), 0}};
+}
+
 }  // namespace
 
 FileReport validate_example(const RuleDescription& rule, std::string_view example) {
@@ -53,6 +66,7 @@ FileReport validate_example(const RuleDescription& rule, std::string_view exampl
   if (rule.code != "RESOURCE_NOT_CHECKED") options.root = ".";
   // Budgets are silent unless they are set.
   if (rule.code.substr(0, 7) == "BUDGET_") options.budgets = {4, 8, 2, 2, 2000};
+  if (rule.code.starts_with("TARGET_")) options.targets = example_targets();
   if (example.find("ACME_leaf") != std::string_view::npos) options.schemas = leaf_schemas();
   std::string bytes = example_bytes(example);
   const std::string name = name_for(rule.code, bytes);

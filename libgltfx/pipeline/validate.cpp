@@ -110,6 +110,27 @@ void add(HashParts& parts, const Budgets& budgets) {
   }
 }
 
+void add(HashParts& parts, const std::vector<TargetRange>& ranges) {
+  parts.add(std::uint64_t{ranges.size()});
+  for (const TargetRange& range : ranges) {
+    parts.add(std::uint64_t{range.first});
+    parts.add(std::uint64_t{range.last});
+    parts.add(static_cast<std::uint64_t>(range.outcome));
+  }
+}
+
+// A user's own target says what its file says.
+void add(HashParts& parts, const TargetChoice& choice) {
+  parts.add(choice.label());
+  parts.add(std::uint64_t{choice.version});
+  for (const auto& [name, feature] : choice.target->features) {
+    parts.add(name);
+    add(parts, feature.used);
+    add(parts, feature.required);
+    add(parts, feature.required_with_fallback);
+  }
+}
+
 template <class Names>
 void add_names(HashParts& parts, const Names& names) {
   parts.add(std::uint64_t{names.size()});
@@ -121,7 +142,7 @@ void add_names(HashParts& parts, const Names& names) {
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
   const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, max_issues, changed_lines,
-               propose_fixes, jobs, select, ignore, severity, schemas, cache] = options;
+               propose_fixes, targets, jobs, select, ignore, severity, schemas, cache] = options;
   // The same report comes of any number of threads, with and without cache; with lines that changed
   // nothing is kept.
   static_cast<void>(changed_lines);
@@ -147,6 +168,8 @@ Hash128 validation_key(const ValidateOptions& options, const std::string& folder
     parts.add(code);
     parts.add(static_cast<std::uint64_t>(level));
   }
+  parts.add(std::uint64_t{targets.size()});
+  for (const TargetChoice& choice : targets) add(parts, choice);
   parts.add(schemas ? schemas->sources() : Hash128());
   return parts.finish();
 }

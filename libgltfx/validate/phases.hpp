@@ -68,6 +68,9 @@ void check_light_profiles(const Context& context, const model::ResourceData& res
 void check_budgets(const Context& context, const model::ResourceData& resources,
                    const AssetInfo& info, const std::vector<ResourceInfo>& listed, Sink& sink);
 
+/// Reports what the targets of the options refuse or ignore.
+void check_targets(const Context& context, const model::ResourceData& resources, Sink& sink);
+
 /// EXT_lights_image_based: faces of cubes are square, of a power of two, and halve from level to
 /// level, beginning with the size that the light states.
 void check_image_based_lights(const Context& context, const model::ResourceData& resources,

@@ -14,7 +14,7 @@ bool is_unlimited(const Budgets& budgets) {
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 bool judges_by_default(const ValidateOptions& options) {
   const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, max_issues, changed_lines,
-               propose_fixes, jobs, select, ignore, severity, schemas, cache] = options;
+               propose_fixes, targets, jobs, select, ignore, severity, schemas, cache] = options;
   // Where files come from and what is known of glTF is a matter of the asset, not of taste.
   static_cast<void>(root);
   static_cast<void>(schemas);
@@ -23,8 +23,8 @@ bool judges_by_default(const ValidateOptions& options) {
   static_cast<void>(cache);
   return profile == Profile::standard &&
          pixels.value_or(PixelLevel::headers) == PixelLevel::headers && is_unlimited(budgets) &&
-         lfs == LfsPolicy::skip && !inline_suppressions && max_issues == 0 && !changed_lines &&
-         select.empty() && ignore.empty() && severity.empty();
+         lfs == LfsPolicy::skip && !inline_suppressions && targets.empty() && max_issues == 0 &&
+         !changed_lines && select.empty() && ignore.empty() && severity.empty();
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   check_scene_extent(context, resources.data, sink);
   check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
+  check_targets(context, resources.data, sink);
   check_budgets(context, resources.data, *report.info, resources.listed, sink);
   report.info->resources = std::move(resources.listed);
 }

@@ -37,7 +37,9 @@ const std::vector<Verb>& verbs() {
              "--ignore --severity "
              "--inline-suppressions --diff-base --config --isolated --unsandboxed-decoders "
              "--max-issues --pixels --max-texture-size --max-total-pixels --max-triangles "
-             "--max-draw-calls --max-file-size --quiet --root --schema --schema-dir --lfs "
+             "--max-draw-calls --max-file-size --quiet --target --target-file --root --schema "
+             "--schema-dir "
+             "--lfs "
              "--files-from --shard --exclude --no-ignore --allow-empty --sarif-notes --timings "
              "--cache --cache-key "
              "--baseline --write-baseline --jobs --color")},
@@ -62,7 +64,8 @@ const std::vector<Verb>& verbs() {
              "--select --ignore --severity --inline-suppressions --config --isolated "
              "--unsandboxed-decoders --max-issues --pixels --max-texture-size "
              "--max-total-pixels --max-triangles --max-draw-calls --max-file-size --quiet "
-             "--root --schema --schema-dir --lfs --files-from --shard --exclude --no-ignore "
+             "--target --target-file --root --schema --schema-dir --lfs --files-from --shard "
+             "--exclude --no-ignore "
              "--allow-empty --cache "
              "--cache-key --baseline --jobs --color")},
       {"inspect", words("PATH --format --top --exclude --no-ignore --allow-empty --root --schema "
@@ -72,6 +75,7 @@ const std::vector<Verb>& verbs() {
                       "--fail-on --quiet --jobs --color")},
       {"explain", words("CODE --jobs --color")},
       {"rules", words("--format --jobs --color")},
+      {"targets", words("NAME[@VERSION] --format --target-file --jobs --color")},
       {"schema", words("NAME --format --new --check --test --schema --schema-dir --config "
                        "--isolated --jobs --color")},
       {"config", words("PATH --config --isolated --jobs --color")},

@@ -17,29 +17,22 @@ using testing::IsEmpty;
 
 // What a file may include: headers of its own module, and of modules on layers below.
 const std::map<std::string, int, std::less<>> kLayers{
-    {"base", 0},      {"json", 1},     {"codec", 1},   {"image", 2},
-    {"container", 2}, {"schema", 2},   {"report", 2},  {"model", 3},
-    {"edit", 3},      {"validate", 4}, {"upgrade", 4}, {"bake", 4},
-    {"inspect", 4},   {"pipeline", 5}, {"interop", 5}, {"tools", 6},
+    {"base", 0},     {"json", 1},    {"codec", 1},  {"image", 2},   {"container", 2},
+    {"schema", 2},   {"report", 2},  {"target", 2}, {"model", 3},   {"edit", 3},
+    {"validate", 4}, {"upgrade", 4}, {"bake", 4},   {"inspect", 4}, {"pipeline", 5},
+    {"interop", 5},  {"tools", 6},
 };
 
 // The module a public header belongs to.
 const std::map<std::string, std::string, std::less<>> kPublicHeaders{
-    {"gltfx/diagnostic.hpp", "base"},
-    {"gltfx/version.hpp", "base"},
-    {"gltfx/decoders.hpp", "codec"},
-    {"gltfx/schema.hpp", "schema"},
-    {"gltfx/report.hpp", "report"},
-    {"gltfx/validate.hpp", "validate"},
-    {"gltfx/upgrade.hpp", "upgrade"},
-    {"gltfx/pipeline.hpp", "pipeline"},
-    {"gltfx/mapping.hpp", "container"},
-    {"gltfx/bake.hpp", "report"},
-    {"gltfx/vec3.hpp", "base"},
-    {"gltfx/material.hpp", "bake"},
-    {"gltfx/result_cache.hpp", "pipeline"},
-    {"gltfx/inspect.hpp", "report"},
-    {"gltfx/page.hpp", "report"},
+    {"gltfx/diagnostic.hpp", "base"},   {"gltfx/version.hpp", "base"},
+    {"gltfx/decoders.hpp", "codec"},    {"gltfx/schema.hpp", "schema"},
+    {"gltfx/report.hpp", "report"},     {"gltfx/targets.hpp", "target"},
+    {"gltfx/validate.hpp", "validate"}, {"gltfx/upgrade.hpp", "upgrade"},
+    {"gltfx/pipeline.hpp", "pipeline"}, {"gltfx/mapping.hpp", "container"},
+    {"gltfx/bake.hpp", "report"},       {"gltfx/vec3.hpp", "base"},
+    {"gltfx/material.hpp", "bake"},     {"gltfx/result_cache.hpp", "pipeline"},
+    {"gltfx/inspect.hpp", "report"},    {"gltfx/page.hpp", "report"},
     {"gltfx/tinygltf.hpp", "interop"},
 };
 

@@ -44,6 +44,7 @@ class Declaration {
     declare_merge(verb("merge", "Merge the reports of several runs"), merge_);
     declare_explain();
     declare_rules();
+    declare_targets();
     declare_schema();
     declare_config(verb("config", "Show the configuration of a path and its source"), config_);
   }
@@ -58,6 +59,7 @@ class Declaration {
   void declare_hook();
   void declare_explain();
   void declare_rules();
+  void declare_targets();
   void declare_schema();
   std::string take_positionals();
   std::vector<std::string>* positionals(std::string_view verb);
@@ -77,6 +79,7 @@ class Declaration {
   RawPageOptions report_;
   RawExplainOptions explain_;
   RawRulesOptions rules_;
+  RawTargetsOptions targets_;
   RawSchemaOptions schema_;
   RawConfigOptions config_;
 };
@@ -135,6 +138,15 @@ void Declaration::declare_rules() {
   CLI::App& app = verb("rules", "List all rules");
   add_word(app, "-f,--format", rules_.format, "NAME", "Output format: text (default) or json");
   add_common(app, rules_.common);
+}
+
+void Declaration::declare_targets() {
+  CLI::App& app = verb("targets", "Show what engines do with features of glTF");
+  describe_positional(app, "NAME[@VERSION]", "Engines and versions (default: the newest of each)");
+  add_word(app, "-f,--format", targets_.format, "NAME",
+           "Output format: text (default), json or markdown");
+  add_target_files(app, targets_.target_files);
+  add_common(app, targets_.common);
 }
 
 void Declaration::declare_schema() {
@@ -213,6 +225,7 @@ std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "inspect") return &inspect_.paths;
   if (verb == "report") return &report_.validate.inputs.paths;
   if (verb == "explain") return &explain_.codes;
+  if (verb == "targets") return &targets_.names;
   if (verb == "config") return &config_.words;
   return verb == "schema" ? &schema_.names : nullptr;
 }
@@ -253,6 +266,7 @@ CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "merge") return command_of(verb, request_of(merge_));
   if (verb == "explain") return command_of(verb, request_of(explain_));
   if (verb == "rules") return command_of(verb, request_of(rules_));
+  if (verb == "targets") return command_of(verb, request_of(targets_));
   if (verb == "config") return command_of(verb, request_of(config_));
   return command_of(verb, configured(schema_));
 }

@@ -102,6 +102,16 @@ void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
   add_list(app, "--schema-dir", folders, "DIR", "Add each *.schema.json of a folder (repeatable)");
 }
 
+void add_targets(CLI::App& app, std::vector<std::string>& names, std::vector<std::string>& files) {
+  add_list(app, "--target", names, "NAME[@VERSION]",
+           "Report what an engine refuses or ignores (comma-separated, repeatable)");
+  add_target_files(app, files);
+}
+
+void add_target_files(CLI::App& app, std::vector<std::string>& files) {
+  add_list(app, "--target-file", files, "FILE", "Add or replace an engine (repeatable)");
+}
+
 void add_configuration(CLI::App& app, ConfigChoice& choice) {
   add_word(app, "--config", choice.config, "FILE",
            "Configuration (default: the nearest gltfx.toml)");

@@ -53,6 +53,10 @@ void add_decoders(CLI::App& app, RawCommonOptions& words);
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
                         std::vector<std::string>& folders);
 
+/// What engines are named, and files about others.
+void add_targets(CLI::App& app, std::vector<std::string>& names, std::vector<std::string>& files);
+void add_target_files(CLI::App& app, std::vector<std::string>& files);
+
 void add_configuration(CLI::App& app, ConfigChoice& choice);
 
 /// The options of `gltfx bake`.

@@ -82,6 +82,7 @@ void declare_checks(CLI::App& app, RawValidateOptions& words) {
   add_word(app, "--pixels", words.pixels, "LEVEL",
            "Decode images: headers (none, default), needed, all");
   declare_budgets(app, words);
+  add_targets(app, words.targets, words.target_files);
   add_root(app, words.root);
   add_word(app, "--lfs", words.lfs, "POLICY", "Git LFS pointers: skip (default) or error");
   add_schema_sources(app, words.schema_files, words.schema_folders);

@@ -64,6 +64,7 @@ ExitCode run(const PageRequest& request);
 ExitCode run(const InspectRequest& request);
 ExitCode run(const ExplainRequest& request);
 ExitCode run(const RulesRequest& request);
+ExitCode run(const TargetsRequest& request);
 ExitCode run(const SchemaRequest& request);
 ExitCode run(const ConfigRequest& request);
 

@@ -106,6 +106,7 @@ std::string_view form_words(ConfigForm form) {
     case ConfigForm::flag:
       return "true or false";
     case ConfigForm::codes:
+    case ConfigForm::names:
     case ConfigForm::paths:
       return "a list of strings";
     case ConfigForm::levels:
@@ -192,7 +193,8 @@ class Reader {
       if (fits) keep(key, **node.as_boolean() ? "true" : "false", node, values);
     } else if (key.form == ConfigForm::levels) {
       fits = read_levels(key, node, values);
-    } else if (key.form == ConfigForm::codes || key.form == ConfigForm::paths) {
+    } else if (key.form == ConfigForm::codes || key.form == ConfigForm::names ||
+               key.form == ConfigForm::paths) {
       fits = read_strings(key, node, values);
     } else {
       fits = node.is_string();

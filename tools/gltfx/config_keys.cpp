@@ -11,7 +11,7 @@ using Words = RawValidateOptions;
 constexpr ConfigMerge kLast = ConfigMerge::last;
 constexpr ConfigMerge kAll = ConfigMerge::all;
 
-constexpr std::array<ConfigKey, 19> kKeys{{
+constexpr std::array<ConfigKey, 20> kKeys{{
     {"profile", Form::word, kLast, false, "default", &Words::profile},
     {"pixels", Form::word, kLast, false, "headers; needed in the strict profile", &Words::pixels},
     {"fail-on", Form::word, kLast, false, "error", &Words::fail_on},
@@ -21,6 +21,7 @@ constexpr std::array<ConfigKey, 19> kKeys{{
     {"max-issues", Form::number, kLast, false, "0, no limit", &Words::max_issues},
     {"lfs", Form::word, kLast, true, "skip", &Words::lfs},
     {"inline-suppressions", Form::flag, kLast, true, "false", &Words::inline_suppressions},
+    {"targets", Form::names, kLast, true, "none", nullptr, &Words::targets},
     {"root", Form::path, kLast, false, "the asset's folder", &Words::root},
     {"exclude", Form::paths, kAll, false, "nothing"},
     {"schemas", Form::paths, kAll, false, "the built-in ones", nullptr, &Words::schema_files},

@@ -19,6 +19,7 @@ enum class ConfigForm : std::uint8_t {
   flag,    ///< true
   path,    ///< "../textures", from the folder of the file
   codes,   ///< ["UNUSED_OBJECT"]
+  names,   ///< ["three@0.187"]
   paths,   ///< ["ACME_leaf.schema.json", "schemas"]
   levels,  ///< a table: UNUSED_OBJECT = "info"
 };

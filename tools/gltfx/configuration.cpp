@@ -204,6 +204,7 @@ void PathOptions::apply(const std::vector<std::size_t>& kind, ValidateOptions& o
   options.select = std::move(own.select);
   options.ignore = std::move(own.ignore);
   options.severity = std::move(own.severity);
+  options.targets = std::move(own.targets);
   options.budgets = own.budgets;
   options.lfs = own.lfs;
   options.inline_suppressions = own.inline_suppressions;

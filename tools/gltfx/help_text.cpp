@@ -94,6 +94,12 @@ constexpr std::string_view kRulesExamples = R"(Examples:
   gltfx rules --format json | jq -r '.rules[].code'
 )";
 
+constexpr std::string_view kTargetsExamples = R"(Examples:
+  gltfx targets                         the newest measured version of each engine
+  gltfx targets three@0.160 three       two versions of one engine
+  gltfx targets three --format json     all versions of an engine as JSON
+)";
+
 constexpr std::string_view kSchemaExamples = R"(Examples:
   gltfx schema                          all extensions with their status
   gltfx schema KHR_materials_ior        properties, ranges, defaults, exclusions
@@ -118,6 +124,7 @@ std::string_view help_examples(std::string_view verb) {
   if (verb == "merge") return kMergeExamples;
   if (verb == "explain") return kExplainExamples;
   if (verb == "rules") return kRulesExamples;
+  if (verb == "targets") return kTargetsExamples;
   if (verb == "schema") return kSchemaExamples;
   if (verb == "config") return kConfigExamples;
   return kProgramExamples;

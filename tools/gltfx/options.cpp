@@ -115,6 +115,10 @@ Result<TableFormat> parse_table_format(std::string_view text) {
   return parse_word<TableFormat>("--format", text, kTableFormatWords);
 }
 
+Result<MatrixFormat> parse_matrix_format(std::string_view text) {
+  return parse_word<MatrixFormat>("--format", text, kMatrixFormatWords);
+}
+
 Result<Profile> parse_profile(std::string_view text) {
   return parse_word<Profile>("--profile", text, kProfileWords);
 }

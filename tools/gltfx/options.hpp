@@ -163,6 +163,15 @@ struct RulesRequest {
   TableFormat format = TableFormat::text;
 };
 
+/// How a matrix of engines is printed.
+enum class MatrixFormat : std::uint8_t { text, json, markdown };
+
+struct TargetsRequest {
+  CommonOptions common;
+  MatrixFormat format = MatrixFormat::text;
+  std::vector<TargetChoice> choices;  ///< the matrix is of these versions
+};
+
 struct SchemaRequest {
   CommonOptions common;
   TableFormat format = TableFormat::text;
@@ -182,7 +191,7 @@ struct ConfigRequest {
 
 using Request = std::variant<ValidateRequest, MergeRequest, UpgradeRequest, BakeRequest,
                              InspectRequest, PageRequest, HookRequest, ExplainRequest, RulesRequest,
-                             SchemaRequest, ConfigRequest>;
+                             TargetsRequest, SchemaRequest, ConfigRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.
@@ -198,6 +207,7 @@ Result<unsigned> parse_jobs(std::string_view text);
 Result<Shard> parse_shard(std::string_view text);
 Result<ColorMode> parse_color(std::string_view text);
 Result<TableFormat> parse_table_format(std::string_view text);
+Result<MatrixFormat> parse_matrix_format(std::string_view text);
 Result<Profile> parse_profile(std::string_view text);
 Result<std::optional<PixelLevel>> parse_pixels(std::string_view text);
 Result<LfsPolicy> parse_lfs(std::string_view text);

@@ -12,6 +12,7 @@
 #include "output.hpp"
 #include "reading.hpp"
 #include "schema_tests.hpp"
+#include "target_choice.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -110,6 +111,7 @@ Result<ValidateRequest> request_of(const RawValidateOptions& words) {
   reading.set(request.validation.select, parse_codes("--select", words.select));
   reading.set(request.validation.ignore, parse_codes("--ignore", words.ignore));
   reading.set(request.validation.severity, parse_severities(words.severities));
+  reading.set(request.validation.targets, read_targets(words.targets, words.target_files));
   request.validation.root = words.root;
   read_listing(reading, words.listing, request);
   request.sarif_notes = words.sarif_notes;
@@ -233,6 +235,17 @@ Result<RulesRequest> request_of(const RawRulesOptions& words) {
   RulesRequest request;
   read_common(reading, words.common, request.common);
   reading.set(request.format, parse_table_format(words.format));
+  return reading.finish(request);
+}
+
+Result<TargetsRequest> request_of(const RawTargetsOptions& words) {
+  Reading reading;
+  TargetsRequest request;
+  read_common(reading, words.common, request.common);
+  reading.set(request.format, parse_matrix_format(words.format));
+  std::vector<std::string> names = words.names;
+  if (names.empty()) names = target_names(words.target_files);
+  reading.set(request.choices, read_targets(names, words.target_files));
   return reading.finish(request);
 }
 

@@ -39,6 +39,7 @@ struct RawValidateOptions {
   RawInputOptions inputs;
   ListingWords listing;
   std::vector<std::string> formats, select, ignore, severities, schema_files, schema_folders;
+  std::vector<std::string> targets, target_files;
   std::string fail_on, profile, lfs, max_issues, pixels, inline_suppressions;
   std::string max_texture_size, max_total_pixels, max_triangles, max_draw_calls, max_file_size;
   std::string root, cache, cache_key, baseline, write_baseline, diff_base;
@@ -102,6 +103,12 @@ struct RawRulesOptions {
   std::string format = "text";
 };
 
+struct RawTargetsOptions {
+  RawCommonOptions common;
+  std::vector<std::string> names, target_files;
+  std::string format = "text";
+};
+
 struct RawSchemaOptions {
   RawCommonOptions common;
   ConfigChoice configuration;
@@ -125,6 +132,7 @@ Result<BakeRequest> request_of(const RawBakeOptions& words);
 Result<InspectRequest> request_of(const RawInspectOptions& words);
 Result<ExplainRequest> request_of(const RawExplainOptions& words);
 Result<RulesRequest> request_of(const RawRulesOptions& words);
+Result<TargetsRequest> request_of(const RawTargetsOptions& words);
 Result<SchemaRequest> request_of(const RawSchemaOptions& words);
 Result<ConfigRequest> request_of(const RawConfigOptions& words);
 

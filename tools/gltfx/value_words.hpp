@@ -24,6 +24,10 @@ inline constexpr std::array<Word<ColorMode>, 3> kColorWords{
     {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
 inline constexpr std::array<Word<TableFormat>, 2> kTableFormatWords{
     {{"text", TableFormat::text}, {"json", TableFormat::json}}};
+inline constexpr std::array<Word<MatrixFormat>, 3> kMatrixFormatWords{
+    {{"text", MatrixFormat::text},
+     {"json", MatrixFormat::json},
+     {"markdown", MatrixFormat::markdown}}};
 inline constexpr std::array<Word<Profile>, 3> kProfileWords{
     {{"default", Profile::standard}, {"khronos", Profile::khronos}, {"strict", Profile::strict}}};
 inline constexpr std::array<Word<std::optional<PixelLevel>>, 3> kPixelWords{

@@ -97,6 +97,11 @@ constexpr std::string_view kRules =
     R"(Prints the code, severity and summary of every rule. With `--format json` all that
 gltfx-explain(1) knows of them comes as one object.)";
 
+constexpr std::string_view kTargets =
+    R"(Shows what versions of engines do with features of glTF: refuse the asset, ignore the feature,
+read or draw it. The data was measured; an empty field was not. `gltfx validate --target` reports
+what concerns an asset.)";
+
 constexpr std::string_view kSchema =
     R"(Shows what gltfx knows of an extension or of a type of the core specification: properties with
 types, ranges and defaults, the channels that texture slots read, what goes together and what does
@@ -107,7 +112,7 @@ constexpr std::string_view kConfig =
 gltfx.toml(5) or the default that says so. `gltfx config import FILE` prints a configuration of the
 Khronos validator, in YAML, as one of gltfx.)";
 
-constexpr std::array<VerbText, 12> kTexts{{
+constexpr std::array<VerbText, 13> kTexts{{
     {"", "VERB [OPTION]... [ARGUMENT]...", kProgram},
     {"validate", "PATH...", kValidate},
     {"upgrade", "PATH...", kUpgrade},
@@ -118,6 +123,7 @@ constexpr std::array<VerbText, 12> kTexts{{
     {"merge", "REPORT...", kMerge},
     {"explain", "CODE...", kExplain},
     {"rules", "", kRules},
+    {"targets", "[NAME[@VERSION]]...", kTargets},
     {"schema", "[NAME]", kSchema},
     {"config", "[PATH | import FILE]", kConfig},
 }};

@@ -51,6 +51,8 @@ std::string_view form_of(ConfigForm form) {
       return "path";
     case ConfigForm::codes:
       return "list of codes";
+    case ConfigForm::names:
+      return "list of names";
     case ConfigForm::paths:
       return "list of paths";
     case ConfigForm::levels:

@@ -36,6 +36,12 @@ WordSet schema_names() {
   return names;
 }
 
+WordSet targets() {
+  WordSet set{"targets", {}};
+  for (const auto& target : builtin_targets()) set.words.push_back(target->name);
+  return set;
+}
+
 Values choice(WordSet words) { return {.words = std::move(words)}; }
 Values comma_list(WordSet words) { return {.words = std::move(words), .commas = true}; }
 Values file(std::vector<std::string> endings) {
@@ -84,6 +90,8 @@ Table common_values() {
       {"--pixels", choice(set_of(kPixelWords))},
       {"--root", folder()},
       {"--lfs", choice(set_of(kLfsWords))},
+      {"--target", comma_list(targets())},
+      {"--target-file", file({"json"})},
       {"--schema", file({"json"})},
       {"--schema-dir", folder()},
       {"--files-from", file({})},
@@ -123,6 +131,8 @@ Table own_values() {
       {"inspect ", assets()},
       {"merge ", file({"jsonl"})},
       {"explain ", choice(codes())},
+      {"targets --format", choice(set_of(kMatrixFormatWords))},
+      {"targets ", choice(targets())},
       {"schema ", choice(schema_names())},
       {"config ", {.words = {{}, {"import"}}, .files = true, .folders = true}},
       {"hook ", choice({{}, {"validate", "upgrade"}})},
@@ -140,6 +150,6 @@ Values values_of(std::string_view verb, std::string_view option) {
   return common == kCommon.end() ? Values() : common->second;
 }
 
-std::vector<WordSet> named_word_sets() { return {codes(), schema_names()}; }
+std::vector<WordSet> named_word_sets() { return {codes(), schema_names(), targets()}; }
 
 }  // namespace gltfx::tool

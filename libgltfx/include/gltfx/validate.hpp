@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
+#include <gltfx/targets.hpp>
 
 #include <cstdint>
 #include <map>
@@ -72,6 +73,9 @@ struct ValidateOptions {
   std::optional<std::vector<LineRange>> changed_lines;
   /// Fill Diagnostic::fix where a program can fix the finding and the picture stays the same.
   bool propose_fixes = false;
+  /// Engines that the asset is for: what they refuse or ignore is reported. The khronos profile
+  /// reports nothing of it.
+  std::vector<TargetChoice> targets;
   /// Threads that one large file may be given; 0: one a core. Reports do not depend on it.
   unsigned jobs = 0;
   std::set<std::string, std::less<>> select;              ///< only these codes; empty: all

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The files of schema/targets, as the build puts them into the library.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace gltfx::target {
+
+/// One text for each target, sorted by name.
+std::span<const char* const> embedded_targets();
+/// The list of features.
+std::string_view embedded_features();
+
+}  // namespace gltfx::target

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Files of targets and features into values. The text is untrusted: a target may be the user's
+/// own. Their formats are schema/meta/target.schema.json and schema/meta/features.schema.json.
+#pragma once
+
+#include <gltfx/targets.hpp>
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+
+namespace gltfx::target {
+
+/// The Error is a clause that names the line where there is one.
+Result<Target> read_target(std::string_view text);
+
+/// The same for the list of features.
+Result<std::map<std::string, Feature, std::less<>>> read_features(std::string_view text);
+
+}  // namespace gltfx::target

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Features of scenes, nodes, skins, cameras, lights and animations.
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "model/fields.hpp"
+#include "model/skin.hpp"
+#include "validate/targets/features.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using json::NodeId;
+using model::RootArray;
+
+class SceneFeatures {
+ public:
+  SceneFeatures(const Context& context, Features& features)
+      : context_(context),
+        document_(context.document),
+        views_(context.views),
+        features_(features) {}
+
+  void find() {
+    find_scenes();
+    for (const model::Node& node : views_.nodes) {
+      if (node.object != json::kNoNode) find_node(node);
+    }
+    for (const NodeId skin : context_.asset.elements(RootArray::skins)) {
+      if (skin != json::kNoNode) find_skin(skin);
+    }
+    find_lights();
+    for (const model::Animation& animation : views_.animations) {
+      if (animation.object != json::kNoNode) find_animation(animation);
+    }
+    note_if(views_.animations.size() > 1, "animation.several", member("animations"));
+  }
+
+ private:
+  void note_if(bool has, std::string_view name, NodeId node) { features_.note_if(has, name, node); }
+  NodeId member(std::string_view name) const { return document_.find(document_.root(), name); }
+
+  void find_scenes() {
+    const auto& scenes = context_.asset.elements(RootArray::scenes);
+    const auto chosen = context_.asset.index(document_.root(), "scene", RootArray::scenes);
+    const NodeId root = document_.root();
+    note_if(scenes.empty(), "scene.none", root);
+    note_if(scenes.size() > 1, "scene.several", member("scenes"));
+    note_if(!scenes.empty() && member("scene") == json::kNoNode, "scene.no-default",
+            member("scenes"));
+    note_if(chosen.value_or(0) != 0, "scene.default-not-first", member("scene"));
+    if (!chosen) return;
+    const NodeId scene = scenes[*chosen];
+    note_if(document_.find(scene, "nodes") == json::kNoNode, "scene.empty", scene);
+  }
+
+  void find_node(const model::Node& node) {
+    const NodeId object = node.object;
+    note_if(node.matrix != json::kNoNode, "node.matrix", object);
+    if (const auto scale = model::float_array<3>(document_, node.scale)) {
+      const float product = (*scale)[0] * (*scale)[1] * (*scale)[2];
+      note_if(product < 0, "node.negative-scale", object);
+      note_if((*scale)[0] == 0 || (*scale)[1] == 0 || (*scale)[2] == 0, "node.zero-scale", object);
+    }
+    note_if(node.weights != json::kNoNode, "morph.node-weights", object);
+    if (node.mesh) {
+      note_if(!meshes_.insert(*node.mesh).second, "node.mesh-shared", object);
+    }
+    find_name(object);
+    if (node.camera) find_camera(context_.asset.elements(RootArray::cameras)[*node.camera]);
+    if (!node.skin) return;
+    features_.note("skin.joints", object);
+    note_if(!skins_.insert(*node.skin).second, "skin.shared", object);
+    note_if(!model::read_transform(document_, node).is_identity(), "skin.transformed-mesh", object);
+  }
+
+  void find_name(NodeId object) {
+    const std::string name = context_.asset.name(object);
+    if (name.empty()) return;
+    note_if(name.find_first_of("[].:/") != std::string::npos, "node.name-special", object);
+    note_if(!names_.insert(name).second, "node.name-doubled", object);
+  }
+
+  void find_camera(NodeId camera) {
+    const std::string type = model::string_member(document_, camera, "type");
+    note_if(type == "orthographic", "camera.orthographic", camera);
+    if (type != "perspective") return;
+    features_.note("camera.perspective", camera);
+    const NodeId lens = model::object_member(document_, camera, "perspective");
+    note_if(lens != json::kNoNode && document_.find(lens, "zfar") == json::kNoNode,
+            "camera.infinite", camera);
+  }
+
+  void find_skin(NodeId object) {
+    const model::Skin skin = model::read_skin(context_.asset, object);
+    note_if(skin.joint_count > 64, "skin.joints-over-64", object);
+    note_if(skin.joint_count > 256, "skin.joints-over-256", object);
+    note_if(skin.inverse_bind_matrices_value == json::kNoNode, "skin.no-inverse-bind-matrices",
+            object);
+  }
+
+  void find_lights() {
+    const NodeId extension =
+        model::extension_object(document_, document_.root(), "KHR_lights_punctual");
+    const NodeId lights = document_.find(extension, "lights");
+    if (lights == json::kNoNode || document_.kind(lights) != json::Kind::array) return;
+    for (const NodeId light : document_.elements(lights)) {
+      if (!document_.is_object(light)) continue;
+      const std::string type = model::string_member(document_, light, "type");
+      note_if(type == "directional", "light.directional", light);
+      note_if(type == "point", "light.point", light);
+      note_if(type == "spot", "light.spot", light);
+    }
+  }
+
+  void find_animation(const model::Animation& animation) {
+    for (const model::AnimationSampler& sampler : animation.samplers) {
+      note_if(sampler.interpolation == model::Interpolation::step, "animation.step",
+              sampler.object);
+      note_if(sampler.interpolation == model::Interpolation::cubic_spline, "animation.cubic-spline",
+              sampler.object);
+      if (sampler.input) find_times(views_.accessors[*sampler.input], sampler.object);
+    }
+    for (const model::AnimationChannel& channel : animation.channels) {
+      find_channel(animation, channel);
+    }
+  }
+
+  void find_times(const model::Accessor& times, NodeId sampler) {
+    note_if(times.count == 1U, "animation.single-key", sampler);
+    const auto first = model::float_array<1>(document_, times.min);
+    note_if(first && (*first)[0] > 0, "animation.late-start", sampler);
+  }
+
+  void find_channel(const model::Animation& animation, const model::AnimationChannel& channel) {
+    using model::AnimationPath;
+    using model::ComponentType;
+    const NodeId object = channel.object;
+    note_if(!channel.node && channel.target != json::kNoNode &&
+                document_.find(channel.target, "node") == json::kNoNode &&
+                document_.find(channel.target, "extensions") == json::kNoNode,
+            "animation.no-target", object);
+    note_if(channel.path == AnimationPath::translation, "animation.translation", object);
+    note_if(channel.path == AnimationPath::rotation, "animation.rotation", object);
+    note_if(channel.path == AnimationPath::scale, "animation.scale", object);
+    note_if(channel.path == AnimationPath::weights, "animation.weights", object);
+    if (!channel.sampler || !animation.samplers[*channel.sampler].output) return;
+    const std::uint32_t output = *animation.samplers[*channel.sampler].output;
+    const ComponentType type = views_.accessors[output].format.component;
+    if (channel.path == AnimationPath::rotation) {
+      note_if(type == ComponentType::int8, "animation.rotation-int8", object);
+      note_if(type == ComponentType::int16, "animation.rotation-int16", object);
+    }
+    note_if(channel.path == AnimationPath::weights && type == ComponentType::uint8,
+            "animation.weights-uint8", object);
+  }
+
+  const Context& context_;
+  const json::Document& document_;
+  const model::Views& views_;
+  Features& features_;
+  std::set<std::uint32_t> meshes_, skins_;  // of nodes so far
+  std::set<std::string> names_;             // likewise
+};
+
+}  // namespace
+
+void find_scene_features(const Context& context, Features& features) {
+  SceneFeatures(context, features).find();
+}
+
+}  // namespace gltfx::validate

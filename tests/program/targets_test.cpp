@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Engines that the user names: --target, gltfx.toml, and the matrix of `gltfx targets`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "container/temp_folder.hpp"
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+using container::test::TempFolder;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string kTwist = R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_xyz_twist",
+ "KHR_node_visibility"], "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions":
+ {"KHR_node_visibility": {"visible": false}}}]})";
+
+const std::string kEngine = R"({"format": 1, "name": "engine", "title": "Engine",
+ "source": "other:engine", "measured": "picture", "versions": [{"version": "1.0"}],
+ "features": {"KHR_node_visibility": {"used": "ignored"}}})";
+
+class Targets : public testing::Test {
+ protected:
+  Targets() {
+    folder_.write("a.gltf", kTwist);
+    folder_.write("engine.json", kEngine);
+  }
+  Outcome run(const std::vector<std::string>& arguments) {
+    return gltfx(arguments, {folder_.path().native(), {}, {}});
+  }
+  TempFolder folder_;
+};
+
+TEST_F(Targets, AFileOfTheUsersOwnAddsAnEngine) {
+  const Outcome outcome =
+      run({"validate", "a.gltf", "--target", "engine@1.0", "--target-file", "engine.json"});
+  EXPECT_THAT(outcome.out, HasSubstr("warning[TARGET_IGNORES]: Engine 1.0 ignores "
+                                     "KHR_node_visibility: "));
+}
+
+TEST_F(Targets, BuiltInEnginesByNameInTheConfiguration) {
+  folder_.write("gltfx.toml", "[[overrides]]\npaths = [\"a.gltf\"]\ntargets = [\"nonsense\"]\n");
+  const Outcome wrong = run({"validate", "a.gltf"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("'nonsense' is no target; there are "));
+  folder_.write("gltfx.toml", "targets = [\"three@0.187.0\"]\n");
+  EXPECT_NE(run({"validate", "a.gltf"}).code, 2);
+}
+
+TEST_F(Targets, WrongWordsAndFilesAreUsageErrors) {
+  EXPECT_EQ(run({"validate", "a.gltf", "--target", "nobody"}).code, 2);
+  EXPECT_EQ(run({"validate", "a.gltf", "--target", "three@x"}).code, 2);
+  EXPECT_EQ(run({"validate", "a.gltf", "--target", "three", "--target-file", "a.gltf"}).code, 2);
+  EXPECT_EQ(run({"validate", "a.gltf", "--target", "three", "--target-file", "none.json"}).code, 2);
+}
+
+TEST_F(Targets, TheMatrixInThreeFormats) {
+  const Outcome text = run({"targets", "three", "engine", "--target-file", "engine.json"});
+  EXPECT_EQ(text.code, 0);
+  EXPECT_THAT(text.out, StartsWith("feature "));
+  EXPECT_THAT(text.out, HasSubstr("Engine 1.0"));
+  EXPECT_THAT(text.out, HasSubstr("\nKHR_materials_unlit "));
+  const Outcome markdown = run({"targets", "three", "--format", "markdown"});
+  EXPECT_THAT(markdown.out, StartsWith("| feature | three.js "));
+  EXPECT_THAT(markdown.out, HasSubstr("|---|---|"));
+  const auto json = nlohmann::json::parse(run({"targets", "three", "--format", "json"}).out);
+  EXPECT_EQ(json["targets"][0]["name"], "three");
+  EXPECT_GE(json["targets"][0]["versions"].size(), 12U);
+  EXPECT_THAT(run({"targets"}).out, HasSubstr("three.js"));
+}
+
+}  // namespace
+}  // namespace gltfx::program
