@@ -159,6 +159,20 @@ std::string diff_text(const OpenedAsset& asset, const std::vector<json::Edit>& e
                             is_text ? "" : "# ");
 }
 
+// Said with the plan: what is valid may still not be seen.
+void note_targets(const std::vector<TargetChoice>& targets, std::vector<UpgradeAction>& actions) {
+  for (UpgradeAction& action : actions) {
+    if (!action.is_due()) continue;
+    for (const TargetChoice& choice : targets) {
+      const auto found = choice.target->features.find(action.to);
+      if (found == choice.target->features.end()) continue;
+      const TargetRange* range = outcome_of(found->second.used, choice.version);
+      if (range == nullptr || range->outcome != TargetOutcome::ignored) continue;
+      action.notes.push_back(fmt::format("{} ignores {}", choice.label(), action.to));
+    }
+  }
+}
+
 // In a GLB the new text has blanks behind it.
 bool same_but_for_padding(std::string_view with, std::string_view without) {
   return with.starts_with(without) &&
@@ -197,6 +211,7 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   }
   const auto ambiguity = upgrade::find_ambiguity(asset.parsed(), plan);
   report.actions = std::move(plan.actions);
+  note_targets(options.targets, report.actions);
   std::vector<json::Edit> edits = std::move(plan.edits);
   if (report.due() == 0) return planned;
   const auto refuse = [&planned](std::string why) {

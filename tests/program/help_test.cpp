@@ -43,13 +43,13 @@ const std::vector<Verb>& verbs() {
              "--files-from --shard --exclude --no-ignore --allow-empty --sarif-notes --timings "
              "--cache --cache-key "
              "--baseline --write-baseline --jobs --color")},
-      {"upgrade",
-       words("PATH --format --restore --in-place --output --backup --check --diff "
-             "--unsafe --strict --only --to "
-             "--ior --pack --prune --verify --generation --root --schema --schema-dir --config "
-             "--files-from --shard --exclude --no-ignore --allow-empty --isolated "
-             "--unsandboxed-decoders --quiet "
-             "--jobs --color")},
+      {"upgrade", words("PATH --format --restore --in-place --output --backup --check --diff "
+                        "--unsafe --strict --only --to "
+                        "--ior --pack --prune --verify --generation --target --target-file --root "
+                        "--schema --schema-dir --config "
+                        "--files-from --shard --exclude --no-ignore --allow-empty --isolated "
+                        "--unsandboxed-decoders --quiet "
+                        "--jobs --color")},
       {"hook", words("VERB")},
       {"bake",
        words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "

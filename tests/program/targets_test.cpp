@@ -51,6 +51,18 @@ TEST_F(Targets, BuiltInEnginesByNameInTheConfiguration) {
   EXPECT_NE(run({"validate", "a.gltf"}).code, 2);
 }
 
+TEST_F(Targets, APlanNotesWhoIgnoresTheSuccessor) {
+  folder_.write("old.gltf", R"({"asset": {"version": "2.0"},
+      "extensionsUsed": ["KHR_materials_translucency"], "materials": [{"extensions":
+      {"KHR_materials_translucency": {"translucencyFactor": 0.5}}}]})");
+  folder_.write("other.json", R"({"format": 1, "name": "engine", "title": "Engine",
+      "source": "other:engine", "measured": "objects", "versions": [{"version": "1.0"}],
+      "features": {"KHR_materials_diffuse_transmission": {"used": "ignored"}}})");
+  const Outcome outcome =
+      run({"upgrade", "old.gltf", "--target", "engine", "--target-file", "other.json"});
+  EXPECT_THAT(outcome.out, HasSubstr("Engine 1.0 ignores KHR_materials_diffuse_transmission"));
+}
+
 TEST_F(Targets, WrongWordsAndFilesAreUsageErrors) {
   EXPECT_EQ(run({"validate", "a.gltf", "--target", "nobody"}).code, 2);
   EXPECT_EQ(run({"validate", "a.gltf", "--target", "three@x"}).code, 2);

@@ -113,6 +113,7 @@ void Declaration::declare_upgrade() {
   app.add_flag("--prune", upgrade_.prune, "Remove textures and images left unused");
   add_word(app, "--generation", upgrade_.generation, "NAME",
            "Draft of legacy objects: auto (default), v1, v2, v3");
+  add_targets(app, upgrade_.targets, upgrade_.target_files);
   add_root(app, upgrade_.root);
   add_inputs(app, upgrade_.inputs);
   add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);

@@ -175,6 +175,7 @@ void Configuration::fill(std::string_view key, std::string& word) const {
 
 void Configuration::apply(RawUpgradeOptions& words) const {
   fill("root", words.root);
+  if (words.targets.empty()) words.targets = words_of(*find_config_key("targets"), {});
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }

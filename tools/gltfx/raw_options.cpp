@@ -193,6 +193,7 @@ Result<UpgradeRequest> request_of(const RawUpgradeOptions& words) {
   request.upgrade.backup = words.backup;
   request.upgrade.output = words.output;
   request.upgrade.root = words.root;
+  reading.set(request.upgrade.targets, read_targets(words.targets, words.target_files));
   request.check = words.check;
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;

@@ -65,7 +65,7 @@ struct RawUpgradeOptions {
   RawCommonOptions common;
   ConfigChoice configuration;
   RawInputOptions inputs;
-  std::vector<std::string> schema_files, schema_folders, only, to;
+  std::vector<std::string> schema_files, schema_folders, only, to, targets, target_files;
   std::string output, generation = "auto", root, ior = "0", format = "text";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
        strict = false, pack = false, prune = false, verify = false, restore = false, quiet = false;

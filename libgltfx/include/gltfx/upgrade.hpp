@@ -4,6 +4,8 @@
 /// <gltfx/pipeline.hpp>.
 #pragma once
 
+#include <gltfx/targets.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -75,6 +77,8 @@ struct UpgradeOptions {
   bool diff = false;  ///< fill UpgradeReport::diff
   /// Draw the asset before and after; a file whose picture changes beyond noise is not written.
   bool verify = false;
+  /// Engines that the asset is for: a plan notes which of them ignore a successor.
+  std::vector<TargetChoice> targets;
   unsigned jobs = 1;  ///< threads for these pictures, which do not depend on it; 0: one a core
 
   bool in_place = false;  ///< replace the file
