@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures targets and writes their files: measure.mjs [--check] [--packages FOLDER] [TARGET[@VERSION]...].
-// A version that is not named keeps the outcomes it has in the file.
+// Measures targets and writes their files: measure.mjs [--check] [--packages FOLDER] [--out FOLDER] [TARGET[@VERSION]...].
+// A version that is not named keeps the outcomes it has in the file; "@newest" names the newest of a target.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -10,12 +10,15 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const args = process.argv.slice(2);
 const check = args.includes('--check');
-const at = args.indexOf('--packages');
-const store = at >= 0 ? args[at + 1] : `${root}build/targets/npm`;
-const wanted = args.filter((arg, i) => !arg.startsWith('--') && args[i - 1] !== '--packages');
+const option = (name, otherwise) => (args.includes(name) ? args[args.indexOf(name) + 1] : otherwise);
+const store = option('--packages', `${root}build/targets/npm`);
+const out = option('--out', `${root}schema/targets`);
+const wanted = args.filter((arg, i) => !arg.startsWith('--') && !['--packages', '--out'].includes(args[i - 1]));
 const targets = JSON.parse(readFileSync(`${here}targets.json`, 'utf8'));
 
-const chosen = (name, version) => wanted.length === 0 || wanted.includes(name) || wanted.includes(`${name}@${version}`);
+const newest = name => [...targets[name].versions].sort(compareVersions).at(-1);
+const chosen = (name, version) => wanted.length === 0 || wanted.includes(name) || wanted.includes(`${name}@${version}`)
+  || (version === newest(name) && (wanted.includes('@newest') || wanted.includes(`${name}@newest`)));
 
 // Outcomes of one version by feature and mode, or null.
 function measure(name, target, version) {
@@ -62,7 +65,7 @@ for (const [name, target] of Object.entries(targets)) {
     process.stderr.write(`${path} is not what was measured\n`);
     writeFileSync(`${root}build/targets/${name}.json`, text);
   } else if (!check) {
-    writeFileSync(path, text);
+    writeFileSync(`${out}/${name}.json`, text);
   }
   process.stdout.write(`${name}: ${outcomes.size} versions\n`);
 }

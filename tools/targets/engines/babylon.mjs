@@ -51,7 +51,9 @@ async function load(B, files, main) {
     for (const group of container.animationGroups) { group.stop(); group.reset(); }
     for (const node of [...container.transformNodes, ...container.meshes]) node.computeWorldMatrix(true);
     const graphs = B.FlowGraphCoordinator?.SceneCoordinators?.get(scene)?.map(it => it._flowGraphs);
-    return described(() => ({ dump: dump({ roots, digests, graphs }, skip), facts: facts(B, container, digests) }));
+    // What meshes keep among much that drawing changes.
+    const pointers = container.meshes.map(it => [it.isVisible, it.isPickable, it.pointerOverDisableMeshTesting]);
+    return described(() => ({ dump: dump({ roots, digests, graphs, pointers }, skip), facts: facts(B, container, digests) }));
   } finally {
     scene.dispose();
     engine.dispose();

@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { backdrop, colors, model, primitive, place, square, texture, textured } from './models.mjs';
 import { compressed, quantized } from './compression.mjs';
+import { png, quadrants } from './png.mjs';
 
 const picture = name => readFileSync(new URL(`images/${name}`, import.meta.url));
 
@@ -63,9 +64,12 @@ function light(type, more = {}) {
   });
 }
 
-// A texture whose image only the extension names, or a fallback beside it. The twin has the fallback, or no texture.
+// A texture whose image only the extension names, or a fallback of other colors beside it. The twin has the fallback, or
+// no texture.
 export function imageBy(name, file, mimeType, fallback) {
-  const [asset, twin] = [textured(), textured()];
+  const size = [16, 16];
+  const other = { image: png({ size, at: (x, y) => quadrants(size)(15 - x, 15 - y) }) };
+  const [asset, twin] = [textured(other), textured(other)];
   if (!fallback) {
     for (const it of [asset, twin]) {
       delete it.json.images;

@@ -82,6 +82,7 @@ const transformed = (content, other) => twinned(() => {
   const info = material(asset).pbrMetallicRoughness.baseColorTexture;
   info.extensions = { KHR_texture_transform: { offset: [0.1, 0.2] } };
   asset.uses('KHR_texture_transform');
+  if (other) material(asset).emissiveFactor = [1, 1, 1];
   if (other) material(asset).emissiveTexture = { index: info.index, extensions: { KHR_texture_transform: { offset: [0.1, 0.2] } } };
   return asset;
 }, asset => Object.assign((other ? material(asset).emissiveTexture : material(asset).pbrMetallicRoughness.baseColorTexture).extensions.KHR_texture_transform, content));
