@@ -17,6 +17,7 @@
 #include "model/light.hpp"
 #include "model/meshopt_view.hpp"
 #include "model/resource_data.hpp"
+#include "pipeline/scene_environment.hpp"
 #include "pipeline/scene_meshes.hpp"
 
 namespace gltfx {
@@ -147,9 +148,6 @@ class SceneBuilder {
   bake::Scene run() {
     const model::SceneRoots roots = model::choose_scene(asset_, views_, options_.scene);
     if (!roots.note.empty() && !views_.nodes.empty()) notes_.add(roots.note);
-    if (const auto lights = model::unread_lights(asset_); !lights.empty()) {
-      notes_.add(fmt::format("{} is not drawn; an environment can take its place.", lights));
-    }
     const model::Pose pose = model::compute_pose(asset_, views_, roots, animated_);
     model::DracoMeshes draco;
     draco.add_all(asset_, views_, resources_);
@@ -161,10 +159,17 @@ class SceneBuilder {
                        notes_, scene_);
     place_all(pose, meshes);
     textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_);
+    light(roots);
     return std::move(scene_);
   }
 
  private:
+  void light(const model::SceneRoots& roots) {
+    if (!roots.scene) return;
+    const auto light = model::environment_light_of(asset_, *roots.scene, &animated_);
+    if (light) scene_.environment = environment_of(*light, resources_, pixel_budget_, notes_);
+  }
+
   void animate(const schema::Set& schemas) {
     if (!options_.animation || *options_.animation >= asset_.count(RootArray::animations)) return;
     model::AnimationSample sample = model::sample_animation(asset_, views_, resources_, schemas,
