@@ -37,6 +37,11 @@ DecodeError no_thread_here() {
   return {ErrorKind::unavailable, "The system cannot wait for a decoder."};
 }
 
+DecodeError no_avif() {
+  return {ErrorKind::unavailable,
+          "This installation has no decoder of AVIF images: gltfx was built without libavif."};
+}
+
 // What `work` gives. That memory is missing here is no error of a payload.
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
@@ -71,10 +76,14 @@ struct Client::State {
         meshes(program_path(settings.folder, "gltfx-codec-draco"), settings.workers,
                standstill_of(settings)),
         images(program_path(settings.folder, "gltfx-codec-image"), settings.workers,
-               standstill_of(settings)) {}
+               standstill_of(settings)),
+        avif_program(program_path(settings.folder, "gltfx-codec-avif")),
+        avif_images(avif_program, settings.workers, standstill_of(settings)) {}
 
   Settings settings;
   Pool meshes, images;
+  std::string avif_program;
+  Pool avif_images;
 };
 
 Client::Client(Settings settings) : state_(std::make_unique<State>(std::move(settings))) {}
@@ -88,6 +97,7 @@ DracoResult Client::decode_draco(std::span<const std::byte> bytes, const Origin&
 ImageResult Client::decode_image(const ImageRequest& request) {
   Job job = limited_job(state_->settings, Task::image, request.bytes.size());
   job.format = request.format;
+  job.level = request.level;
   job.pixels = request.pixels;
   if (request.pixels) {
     const std::uint64_t texel = holds_floats(request.format) ? 16 : 8;
@@ -97,7 +107,10 @@ ImageResult Client::decode_image(const ImageRequest& request) {
   job.max_pixels = request.max_pixels;
   const auto texels = static_cast<double>(std::min(request.max_pixels, kMostTexels));
   job.milliseconds += static_cast<std::uint64_t>(texels * kSecondsPerTexel * 1000);
-  return result_of<Image>(state_->images, job, request.bytes, request.origin, request.pixels);
+  const bool avif = request.format == ImageFormat::avif;
+  if (avif && !is_program(state_->avif_program)) return noted(no_avif());
+  return result_of<Image>(avif ? state_->avif_images : state_->images, job, request.bytes,
+                          request.origin, request.pixels);
 }
 
 EncodeResult Client::encode_image(const EncodeRequest& request) {

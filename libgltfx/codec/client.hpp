@@ -73,7 +73,8 @@ struct DracoMesh {
 using DracoResult = std::variant<DracoMesh, DecodeError>;
 
 /// `radiance` and `openexr` hold floats.
-enum class ImageFormat : std::uint8_t { png, jpeg, webp, radiance, openexr };
+/// `avif` takes a decoder that not every installation has.
+enum class ImageFormat : std::uint8_t { png, jpeg, webp, avif, ktx2, radiance, openexr };
 constexpr bool holds_floats(ImageFormat format) {
   return format == ImageFormat::radiance || format == ImageFormat::openexr;
 }
@@ -82,6 +83,7 @@ constexpr bool holds_floats(ImageFormat format) {
 struct ImageRequest {
   std::span<const std::byte> bytes;
   ImageFormat format = ImageFormat::png;
+  std::uint32_t level = 0;  ///< KTX2: which one of the mipmaps, the largest first
   std::uint64_t max_pixels = std::uint64_t{1} << 28U;
   bool pixels = false;   ///< hand over the pixels
   bool normals = false;  ///< look at the first three channels as at a normal map

@@ -44,8 +44,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_program(const std::string& path) { return ::access(path.c_str(), X_OK) == 0; }
-
 std::string codec_folder() {
   const std::lock_guard lock(folder_mutex);
   return chosen_folder();
@@ -66,6 +64,8 @@ std::string package_folder() {
 }
 
 }  // namespace
+
+bool is_program(const std::string& path) { return ::access(path.c_str(), X_OK) == 0; }
 
 std::string program_path(const std::string& folder, const std::string& name) {
   if (!folder.empty()) return joined(folder, name);

@@ -13,4 +13,7 @@ namespace gltfx::codec {
 /// without such a file when there is none.
 std::string program_path(const std::string& folder, const std::string& name);
 
+/// Whether there is a file that can be run.
+bool is_program(const std::string& path);
+
 }  // namespace gltfx::codec

@@ -227,6 +227,7 @@ Frame write_job(const Job& job) {
   FieldWriter out = begin(Kind::job);
   out.name(job.task);
   out.name(job.format);
+  out.number(job.level);
   out.number(static_cast<std::uint8_t>(job.pixels));
   out.number(static_cast<std::uint8_t>(job.normals));
   write(out, job.raster);
@@ -245,6 +246,7 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   Job job;
   job.task = in.name(Task::encode);
   job.format = in.name(ImageFormat::openexr);
+  job.level = in.number<std::uint32_t>();
   job.pixels = in.flag();
   job.normals = in.flag();
   job.raster = read_raster(in);

@@ -36,6 +36,7 @@ enum class Task : std::uint8_t { draco, image, encode };
 struct Job {
   Task task = Task::draco;
   ImageFormat format = ImageFormat::png;
+  std::uint32_t level = 0;
   bool pixels = false;
   bool normals = false;
   Raster raster;  ///< Task::encode, as the two below

@@ -68,6 +68,10 @@ class Cursor {
 HeaderResult read_png(std::span<const std::byte> bytes);
 HeaderResult read_jpeg(std::span<const std::byte> bytes);
 HeaderResult read_webp(std::span<const std::byte> bytes);
+HeaderResult read_avif(std::span<const std::byte> bytes);
+
+/// Whether a file begins with the box of an AVIF image.
+bool is_avif(std::span<const std::byte> bytes);
 
 inline HeaderError unexpected_end() { return {HeaderError::Kind::unexpected_end, {}}; }
 inline HeaderError invalid(std::string problem) {

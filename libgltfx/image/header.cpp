@@ -8,8 +8,8 @@
 namespace gltfx::image {
 
 std::string_view media_type(Format format) {
-  constexpr std::array<std::string_view, 4> kTypes{"image/png", "image/jpeg", "image/webp",
-                                                   "image/ktx2"};
+  constexpr std::array<std::string_view, 5> kTypes{"image/png", "image/jpeg", "image/webp",
+                                                   "image/avif", "image/ktx2"};
   return kTypes[static_cast<std::size_t>(format)];
 }
 
@@ -31,6 +31,7 @@ Sniffed sniff(std::span<const std::byte> bytes) {
   if (at.at("\x89PNG\r\n\x1a\n"sv)) return {true, Format::png};
   if (at.at("\xff\xd8\xff"sv)) return {true, Format::jpeg};
   if (at.at("\xabKTX 20\xbb\r\n\x1a\n"sv)) return {true, Format::ktx2};
+  if (is_avif(bytes)) return {true, Format::avif};
   if (at.at("RIFF"sv)) {
     at.skip(8);
     if (at.at("WEBPVP"sv)) return {true, Format::webp};
@@ -48,6 +49,8 @@ HeaderResult read_header(std::span<const std::byte> bytes) {
       return read_jpeg(bytes);
     case Format::webp:
       return read_webp(bytes);
+    case Format::avif:
+      return read_avif(bytes);
     case Format::ktx2:
       break;
   }

@@ -2,7 +2,8 @@
 /// What the first bytes of an image say about it: format, size, channels, colour space. Nothing is
 /// decoded; a few hundred bytes are read of an image of any size.
 ///
-/// Sources: PNG (W3C, third edition), JPEG (ITU-T T.81), WebP container (RFC 9649), KTX 2.0.
+/// Sources: PNG (W3C, third edition), JPEG (ITU-T T.81), WebP container (RFC 9649), AVIF 1.1 (with
+/// ISO/IEC 14496-12 and 23008-12), KTX 2.0.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@
 
 namespace gltfx::image {
 
-enum class Format : std::uint8_t { png, jpeg, webp, ktx2 };
+enum class Format : std::uint8_t { png, jpeg, webp, avif, ktx2 };
 
 /// "image/png" and so on.
 std::string_view media_type(Format format);
@@ -96,7 +97,8 @@ constexpr bool can_be_transparent(const Header& header) {
 }
 
 /// Reads the header of a PNG (to the first IDAT, and whether its end is there), JPEG (to the first
-/// scan) or WebP (to the image data). KTX2 is told, not read: see image/ktx2.hpp.
+/// scan), WebP (to the image data) or AVIF (its items and their properties). KTX2 is told, not
+/// read: see image/ktx2.hpp.
 ///
 /// What is checked stands at the head of each format's file. What the formats demand and is not
 /// checked, with the reason:
@@ -112,6 +114,7 @@ constexpr bool can_be_transparent(const Header& header) {
 /// - JPEG: scans behind the first; they lie behind compressed data.
 /// - WebP: flags of metadata, padding bytes, unknown chunks; readers skip them.
 /// - WebP: frames of an animation; that there is one is reported.
+/// - AVIF: what image/avif.cpp says.
 /// - KTX2: see image/ktx2.hpp.
 HeaderResult read_header(std::span<const std::byte> bytes);
 

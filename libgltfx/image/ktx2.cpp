@@ -158,6 +158,14 @@ bool Ktx2::is_sound() const {
                                   [](const Ktx2Error& error) { return error.tolerated; });
 }
 
+bool has_known_texels(const Ktx2& file) {
+  const auto scheme = static_cast<Ktx2Scheme>(file.scheme);
+  if (!file.is_sound()) return false;
+  if (file.model == Ktx2Model::etc1s) return scheme == Ktx2Scheme::basis_lz;
+  return file.model == Ktx2Model::uastc &&
+         (scheme == Ktx2Scheme::none || scheme == Ktx2Scheme::zstd);
+}
+
 Ktx2 read_ktx2(std::span<const std::byte> bytes) {
   Ktx2 file;
   Ktx2Reading reading{bytes, file, {}, {}, {}, 0, {}, {}};

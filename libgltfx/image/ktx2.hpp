@@ -5,7 +5,8 @@
 /// Sources: KTX File Format Specification 2.0, Khronos Data Format Specification 1.3.
 ///
 /// What they demand and is not checked:
-/// - the compressed data of a level, of Zstandard, ZLIB and BasisLZ: they must be decoded;
+/// - the compressed data of a level, of Zstandard, ZLIB and BasisLZ: they must be decoded, which
+///   `--pixels` does;
 /// - formats of 4:2:2 texels and combined depth and stencil beyond typeSize, and samples of block
 ///   formats other than ASTC: no extension of glTF brings them;
 /// - the linear flag of alpha samples in sRGB: the common encoder leaves it out, readers do not
@@ -39,9 +40,23 @@ enum class Ktx2Model : std::uint8_t { other, etc1s, uastc, astc };
 
 enum class Ktx2Scheme : std::uint32_t { none = 0, basis_lz = 1, zstd = 2, zlib = 3 };
 
+/// A part of a file, in bytes.
+struct Ktx2Range {
+  std::uint64_t offset = 0, length = 0;
+  std::uint64_t end() const { return offset + length; }
+};
+
 /// One level of the pyramid, the largest first. Bytes as declared.
 struct Ktx2Level {
   std::uint64_t offset = 0, length = 0, uncompressed = 0;
+  /// BasisLZ: slices of the first image of the level; `second` is empty where there is one slice.
+  Ktx2Range first_slice, second_slice;
+};
+
+/// BasisLZ: what all images of the file share.
+struct Ktx2Codebooks {
+  std::uint16_t endpoint_count = 0, selector_count = 0;
+  Ktx2Range endpoints, selectors, slice_codes;
 };
 
 struct Ktx2Error {
@@ -57,6 +72,7 @@ struct Ktx2 {
   std::uint32_t faces = 0, level_count = 0;
   std::uint32_t scheme = 0;  ///< a Ktx2Scheme, or a number nobody knows
   std::vector<Ktx2Level> levels;
+  Ktx2Codebooks codebooks;
 
   /// Of the basic descriptor block; `described` is false where there is none that could be read.
   bool described = false;
@@ -84,6 +100,16 @@ inline constexpr std::uint8_t kKtx2TransferSrgb = 2;
 /// Reads any bytes; what cannot be read is missing and named in `errors`. Takes time linear in the
 /// metadata and in the images of all levels, both bounded by the bytes that are there.
 Ktx2 read_ktx2(std::span<const std::byte> bytes);
+
+/// Whether the texels can be decoded: ETC1S with BasisLZ, or UASTC with or without Zstandard. False
+/// for what is not sound.
+bool has_known_texels(const Ktx2& file);
+
+/// Texels of a level along one axis, at least 1.
+constexpr std::uint32_t level_extent(std::uint32_t extent, std::size_t level) {
+  const std::uint32_t halved = level < 32 ? extent >> level : 0;
+  return halved == 0 ? 1 : halved;
+}
 
 /// The header as images of other formats have one. Precondition: `described`.
 Header header_of(const Ktx2& file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The levels of a KTX2 file, and the global data of BasisLZ (KTX 2.0 sections 3.9, 3.12 and 6.2).
+// The levels of a KTX2 file (KTX 2.0 sections 3.9 and 3.12).
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -25,16 +25,6 @@ std::uint64_t block_size(const Ktx2Reading& reading) {
   const bool regular =
       model == kRgbsda || (is_block_model(reading) && model != kPvrtc && model != kPvrtc2);
   return regular && reading.plane_bytes[1] == 0 ? reading.plane_bytes[0] : 0;
-}
-
-// Layers times faces.
-std::uint64_t elements_of(const Ktx2& file) {
-  return std::uint64_t{std::max(file.layers, 1U)} * std::max(file.faces, 1U);
-}
-
-// Images of one level: elements times slices.
-Checked images_of_level(const Ktx2& file, std::size_t level) {
-  return checked_mul(elements_of(file), level_extent(file.depth, level));
 }
 
 // Bytes of a level before supercompression.
@@ -127,53 +117,15 @@ class LevelCheck {
   const Ktx2& file_;
 };
 
-// --- Global data of BasisLZ ---
-
-constexpr std::uint64_t kGlobalHeaderBytes = 20;
-constexpr std::uint64_t kImageDescriptionBytes = 20;
-
-// Descriptions of the images of all levels, or nothing when no file can have that many.
-Checked all_images(const Ktx2& file) {
-  Checked sum = 0;
-  for (std::size_t level = 0; level < file.levels.size() && sum; ++level) {
-    const Checked images = images_of_level(file, level);
-    sum = images ? checked_add(*sum, *images) : std::nullopt;
-  }
-  return sum;
-}
-
-// An image of one or two slices inside its level.
-bool is_image_sound(Cursor& at, const Ktx2Level& level, bool alpha) {
-  const std::uint64_t offset = at.le32(), length = at.le32();
-  const std::uint64_t alpha_offset = at.le32(), alpha_length = at.le32();
-  const bool second = alpha ? alpha_length != 0 && fits(alpha_offset, alpha_length, level.length)
-                            : alpha_length == 0;
-  return length != 0 && fits(offset, length, level.length) && second;
-}
-
-void check_images(Ktx2Reading& reading, Cursor at) {
-  constexpr std::uint32_t kInterFrame = 2;
-  const Ktx2& file = reading.file;
-  const bool alpha = file.channels.size() == 2;
-  for (std::size_t index = 0; index < file.levels.size(); ++index) {
-    const std::uint64_t images = images_of_level(file, index).value_or(0);
-    for (std::uint64_t i = 0; i < images; ++i) {
-      const std::uint32_t flags = at.le32();
-      if ((flags & ~kInterFrame) != 0 || (flags != 0 && i == 0)) {
-        return reading.tolerated_error(Code::KTX2_GLOBAL_DATA_INVALID,
-                                       "The flags of image " + std::to_string(i) + " of level " +
-                                           std::to_string(index) + " are " + std::to_string(flags) +
-                                           ", which is invalid.");
-      }
-      if (is_image_sound(at, file.levels[index], alpha)) continue;
-      reading.error(Code::KTX2_GLOBAL_DATA_INVALID,
-                    "The slices of level " + std::to_string(index) + " are not inside it.");
-      return;
-    }
-  }
-}
-
 }  // namespace
+
+std::uint64_t elements_of(const Ktx2& file) {
+  return std::uint64_t{std::max(file.layers, 1U)} * std::max(file.faces, 1U);
+}
+
+Checked images_of_level(const Ktx2& file, std::size_t level) {
+  return checked_mul(elements_of(file), level_extent(file.depth, level));
+}
 
 void check_ktx2_levels(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
@@ -187,36 +139,6 @@ void check_ktx2_levels(Ktx2Reading& reading) {
   }
   LevelCheck check(reading);
   for (std::size_t i = 0; i < file.levels.size(); ++i) check.check(i);
-}
-
-void check_ktx2_global(Ktx2Reading& reading) {
-  const auto bad = [&](std::string problem) {
-    reading.error(Code::KTX2_GLOBAL_DATA_INVALID, std::move(problem));
-  };
-  const Ktx2& file = reading.file;
-  if (!reading.has_scheme(Ktx2Scheme::basis_lz)) {
-    const bool vendor = file.scheme > static_cast<std::uint32_t>(Ktx2Scheme::zlib);
-    if (reading.global.length != 0 && !vendor)
-      bad("The image has global data, but no BasisLZ supercompression.");
-    return;
-  }
-  if (reading.global.length < kGlobalHeaderBytes) return bad("The BasisLZ global data is missing.");
-  Cursor at = reading.within(reading.global);
-  const std::uint32_t endpoints = at.le16(), selectors = at.le16();
-  std::array<std::uint64_t, 4> lengths{};  // of endpoints, selectors, tables and extended data
-  for (std::uint64_t& length : lengths) length = at.le32();
-  const std::uint64_t tables = std::accumulate(lengths.begin(), lengths.end(), kGlobalHeaderBytes);
-  const Checked images = all_images(file);
-  const Checked described = checked_mul(images.value_or(UINT64_MAX), kImageDescriptionBytes);
-  const Checked total = described ? checked_add(*described, tables) : described;
-  if (!total || *total != reading.global.length) {
-    return bad("The length of the global data does not match its tables and images.");
-  }
-  if (endpoints == 0 || selectors == 0 || lengths[0] == 0 || lengths[1] == 0 || lengths[2] == 0) {
-    return bad("The global data has an empty codebook or table.");
-  }
-  if (lengths[3] != 0) bad("The global data has extended data, which ETC1S does not use.");
-  check_images(reading, at);
 }
 
 }  // namespace gltfx::image

@@ -16,12 +16,6 @@ namespace gltfx::image {
 inline constexpr std::uint64_t kKtx2HeaderBytes = 80;
 inline constexpr std::uint64_t kKtx2LevelBytes = 24;
 
-/// Where the index says that a part lies.
-struct Ktx2Range {
-  std::uint64_t offset = 0, length = 0;
-  std::uint64_t end() const { return offset + length; }
-};
-
 /// A sample of the basic descriptor block.
 struct Ktx2Sample {
   std::uint32_t offset = 0, bits = 0;
@@ -66,10 +60,9 @@ void check_ktx2_levels(Ktx2Reading& reading);
 /// The global data of BasisLZ. Levels have been read.
 void check_ktx2_global(Ktx2Reading& reading);
 
-/// Texels of a level along one axis, at least 1.
-constexpr std::uint64_t level_extent(std::uint32_t extent, std::size_t level) {
-  const std::uint64_t halved = level < 32 ? extent >> level : 0;
-  return halved == 0 ? 1 : halved;
-}
+/// Layers times faces.
+std::uint64_t elements_of(const Ktx2& file);
+/// Images of one level: elements times slices of a volume.
+Checked images_of_level(const Ktx2& file, std::size_t level);
 
 }  // namespace gltfx::image

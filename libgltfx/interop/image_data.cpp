@@ -86,10 +86,10 @@ class Decoding {
   // What memory there may be is settled here, image by image, whatever the number of threads.
   codec::ImageResult plan(std::size_t index, model::MemoryBudget& budget) const {
     const model::ImageData& data = resources_.images[index];
-    if (!data.format || !model::codec_format(*data.format)) return error("is not decoded here");
     if (!data.header) return error("has no header that can be read");
+    if (!model::is_decodable(data)) return error("is not decoded here");
     const Checked texels = checked_mul(data.header->width, data.header->height);
-    const std::uint64_t each = kChannels * (data.header->bits == 16 ? 2 : 1);
+    const std::uint64_t each = kChannels * (data.header->bits > 8 ? 2 : 1);
     if (!texels || !budget.take(checked_mul(*texels, each))) return error("has too many pixels");
     return codec::Image();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lights without extent: KHR_lights_punctual.
+/// Lights without extent (KHR_lights_punctual), and light from all around (EXT_lights_image_based).
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "model/node.hpp"
 #include "model/properties.hpp"
 
 namespace gltfx::model {
@@ -34,8 +34,21 @@ std::vector<std::optional<Light>> read_lights(const Asset& asset,
 /// The light that a node carries, as an index into those, or nothing.
 std::optional<std::uint32_t> light_of(const Asset& asset, const Node& node);
 
-/// The extension of lights that the document has and that are not read (those by images), or
-/// nothing.
-std::string_view unread_lights(const Asset& asset);
+/// Coefficients of spherical harmonics up to l = 2, ordered by l, then by m from -l to l; of R, G
+/// and B.
+using Harmonics = std::array<std::array<float, 3>, 9>;
+
+/// Light from all around, the same everywhere.
+struct EnvironmentLight {
+  Quaternion rotation{0, 0, 0, 1};
+  float intensity = 1;     ///< factor on the images and on the irradiance
+  Harmonics irradiance{};  ///< by the normal of a surface
+  /// Images of the sharpest cube map, as they are seen from its middle: +X, -X, +Y, -Y, +Z, -Z.
+  std::array<std::uint32_t, 6> faces{};
+};
+
+/// That of a scene, or nothing where it has none or it is malformed.
+std::optional<EnvironmentLight> environment_light_of(const Asset& asset, std::uint32_t scene,
+                                                     const AnimatedValues* animated = nullptr);
 
 }  // namespace gltfx::model

@@ -92,12 +92,20 @@ class Loader {
       const BufferView& source = views_.buffer_views[*view];
       image.bytes = loaded_.data.part(document(), source, 0, source.byte_length.value_or(0));
     }
-    if (!image.bytes) return image;
+    if (image.bytes) read_head(image);
+    return image;
+  }
+
+  static void read_head(ImageData& image) {
     const image::Sniffed sniffed = image::sniff(image.bytes->view());
     if (sniffed.known) image.format = sniffed.format;
+    if (image.format == image::Format::ktx2) {
+      image.ktx2 = image::read_ktx2(image.bytes->view());
+      if (image.ktx2->is_sound()) image.header = image::header_of(*image.ktx2);
+      return;
+    }
     const auto header = image::read_header(image.bytes->view());
     if (const auto* read = std::get_if<image::Header>(&header)) image.header = *read;
-    return image;
   }
 
   const container::Container& container_;

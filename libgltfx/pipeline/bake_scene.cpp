@@ -85,6 +85,7 @@ Result<std::unique_ptr<bake::Scene>> build(const validate::ValidatedAsset& asset
 }
 
 std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
+  if (options.lights == BakeLights::studio) scene.environment.reset();
   if (!options.environment.empty()) {
     auto environment = read_environment(options.environment);
     if (!environment) return environment.error();

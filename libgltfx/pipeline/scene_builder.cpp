@@ -17,6 +17,7 @@
 #include "model/light.hpp"
 #include "model/meshopt_view.hpp"
 #include "model/resource_data.hpp"
+#include "pipeline/scene_environment.hpp"
 #include "pipeline/scene_meshes.hpp"
 
 namespace gltfx {
@@ -147,9 +148,6 @@ class SceneBuilder {
   bake::Scene run() {
     const model::SceneRoots roots = model::choose_scene(asset_, views_, options_.scene);
     if (!roots.note.empty() && !views_.nodes.empty()) notes_.add(roots.note);
-    if (const auto lights = model::unread_lights(asset_); !lights.empty()) {
-      notes_.add(fmt::format("{} is not drawn; an environment can take its place.", lights));
-    }
     const model::Pose pose = model::compute_pose(asset_, views_, roots, animated_);
     model::DracoMeshes draco;
     draco.add_all(asset_, views_, resources_);
@@ -163,6 +161,7 @@ class SceneBuilder {
                        notes_, scene_);
     place_all(pose, meshes);
     textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_);
+    light(roots);
     return std::move(scene_);
   }
 
@@ -172,6 +171,12 @@ class SceneBuilder {
     std::size_t primitives = 0;
     for (const model::Mesh& mesh : views_.meshes) primitives += mesh.primitives.size();
     return std::min(primitives, asset_.count(RootArray::materials)) + 1;
+  }
+
+  void light(const model::SceneRoots& roots) {
+    if (!roots.scene) return;
+    const auto light = model::environment_light_of(asset_, *roots.scene, &animated_);
+    if (light) scene_.environment = environment_of(*light, resources_, pixel_budget_, notes_);
   }
 
   void animate(const schema::Set& schemas) {

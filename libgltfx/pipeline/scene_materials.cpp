@@ -34,7 +34,7 @@ bake::Wrap wrap_of(model::Wrap wrap) {
 // Bytes of the decoded image, as its header has it.
 Checked decoded_size(const image::Header& header) {
   const Checked texels = checked_mul(header.width, header.height);
-  return texels ? checked_mul(*texels, header.bits == 16 ? 8 : 4) : std::nullopt;
+  return texels ? checked_mul(*texels, header.bits > 8 ? 8 : 4) : std::nullopt;
 }
 
 using bake::Slot;
@@ -176,11 +176,10 @@ std::string SceneTextures::obstacle(std::uint32_t image) const {
   const model::ImageData& data = resources_.images[image];
   if (!data.bytes) return "has a missing image";
   if (!data.format) return "has an image in an unknown format";
-  if (!model::codec_format(*data.format)) {
-    return fmt::format("has an image of type {}, which is not supported",
-                       image::media_type(*data.format));
-  }
-  return data.header ? std::string() : "has an image with an invalid header";
+  if (!data.header) return "has an image with an invalid header";
+  return model::is_decodable(data)
+             ? std::string()
+             : "has a KTX2 image whose texels are neither ETC1S with BasisLZ nor UASTC";
 }
 
 // What memory there may be is settled here, image by image, whatever the number of threads.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -10,6 +12,8 @@
 
 #include "base/text.hpp"
 #include "image/header.hpp"
+#include "image/ktx2.hpp"
+#include "model/image_codec.hpp"
 
 namespace gltfx::upgrade {
 namespace {
@@ -38,16 +42,20 @@ Decoded unreadable(std::string why) {
   return none;
 }
 
-Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes, const Origin& origin) {
+std::optional<image::Header> header_of(std::span<const std::byte> bytes) {
+  const image::HeaderResult header = image::read_header(bytes);
+  if (const auto* found = std::get_if<image::Header>(&header)) return *found;
+  return std::nullopt;
+}
+
+Decoded decode_as(codec::ImageFormat format, const std::optional<image::Header>& header,
+                  const container::Bytes& bytes, const Origin& origin) {
   codec::ImageRequest request;
   request.bytes = bytes.view();
   request.format = format;
   request.pixels = true;
   request.origin = origin;
-  const image::HeaderResult header = image::read_header(bytes.view());
-  if (const auto* found = std::get_if<image::Header>(&header)) {
-    request.max_pixels = std::min(request.max_pixels, image::texels_of(*found));
-  }
+  if (header) request.max_pixels = std::min(request.max_pixels, image::texels_of(*header));
   codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
     Decoded none = unreadable(fmt::format("it cannot be decoded: {}", printable(error->message)));
@@ -71,15 +79,13 @@ Decoded decode_as(codec::ImageFormat format, const container::Bytes& bytes, cons
 Decoded decode_any(const container::Bytes& bytes, const Origin& origin) {
   const image::Sniffed sniffed = image::sniff(bytes.view());
   if (!sniffed.known) return unreadable("its format is unknown");
-  switch (sniffed.format) {
-    case image::Format::png:
-      return decode_as(codec::ImageFormat::png, bytes, origin);
-    case image::Format::jpeg:
-      return decode_as(codec::ImageFormat::jpeg, bytes, origin);
-    case image::Format::webp:
-      return decode_as(codec::ImageFormat::webp, bytes, origin);
-    case image::Format::ktx2:
-      break;
+  const codec::ImageFormat format = model::codec_format(sniffed.format);
+  if (sniffed.format != image::Format::ktx2) {
+    return decode_as(format, header_of(bytes.view()), bytes, origin);
+  }
+  const image::Ktx2 file = image::read_ktx2(bytes.view());
+  if (image::has_known_texels(file)) {
+    return decode_as(format, image::header_of(file), bytes, origin);
   }
   return unreadable(
       fmt::format("it is {}, whose pixels cannot be read", image::media_type(sniffed.format)));

@@ -60,7 +60,9 @@ class ImageCheck {
         declared_(model::string_member(resource.context.document, resource.object, "mimeType")) {}
 
   void check(model::ImageData& data) const {
-    const auto result = image::read_header(data.bytes->view());
+    const image::HeaderResult result = is_known(data.bytes->view())
+                                           ? image::read_header(data.bytes->view())
+                                           : image::HeaderError();
     if (const auto* error = std::get_if<HeaderError>(&result)) {
       check_unread(data, *error);
       return;
@@ -73,6 +75,10 @@ class ImageCheck {
   }
 
  private:
+  bool is_known(std::span<const std::byte> bytes) const {
+    return !deviations().few_image_formats || image::sniff(bytes).format != image::Format::avif;
+  }
+
   const Deviations& deviations() const { return resource_.context.deviations; }
 
   void check_unread(model::ImageData& data, const HeaderError& error) const {
@@ -139,9 +145,9 @@ class ImageCheck {
   // image says it has, where its bytes do not belie that.
   bool is_of_an_extension(const container::Content& found) const {
     if (!found.name.empty()) return contains(enabled_, found.media_type);
-    constexpr std::array kTold{"image/jpeg"sv,      "image/png"sv,   "image/webp"sv,
-                               "image/ktx2"sv,      "image/x-exr"sv, "application/x-vdb"sv,
-                               "image/vnd-ms.dds"sv};
+    constexpr std::array kTold{"image/jpeg"sv,        "image/png"sv,       "image/webp"sv,
+                               "image/avif"sv,        "image/ktx2"sv,      "image/x-exr"sv,
+                               "application/x-vdb"sv, "image/vnd-ms.dds"sv};
     return contains(enabled_, declared_) &&
            std::find(kTold.begin(), kTold.end(), declared_) == kTold.end();
   }

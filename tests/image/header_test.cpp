@@ -22,7 +22,7 @@ using test::png;
 using test::png_chunk;
 using test::webp;
 
-TEST(Sniff, FourFormatsByTheirFirstBytes) {
+TEST(Sniff, FiveFormatsByTheirFirstBytes) {
   const auto format = [](std::string bytes) {
     bytes.resize(kSniffBytes, '\0');
     const Sniffed found = sniff(std::as_bytes(std::span(bytes.data(), bytes.size())));
@@ -32,6 +32,8 @@ TEST(Sniff, FourFormatsByTheirFirstBytes) {
   EXPECT_EQ(format("\xff\xd8\xff"), "image/jpeg");
   EXPECT_EQ(format("RIFF....WEBPVP"), "image/webp");
   EXPECT_EQ(format("\xabKTX 20\xbb\r\n\x1a\n"), "image/ktx2");
+  EXPECT_EQ(format("....ftypavif"), "image/avif");
+  EXPECT_EQ(format("....ftypheic"), "");
   EXPECT_EQ(format("RIFF....WAVE"), "");
   EXPECT_EQ(format("\x89PNG\n\x1a\n"), "");
   EXPECT_EQ(format("GIF89a"), "");

@@ -20,6 +20,7 @@
 #include "container/container.hpp"
 #include "container/temp_folder.hpp"
 #include "image/header.hpp"
+#include "model/image_codec.hpp"
 
 namespace gltfx::test {
 
@@ -40,9 +41,7 @@ inline codec::Image decoded(const std::string& file) {
   codec::ImageRequest request;
   request.bytes = bytes_of(file);
   const image::Sniffed sniffed = image::sniff(request.bytes);
-  request.format = sniffed.format == image::Format::png    ? codec::ImageFormat::png
-                   : sniffed.format == image::Format::jpeg ? codec::ImageFormat::jpeg
-                                                           : codec::ImageFormat::webp;
+  request.format = model::codec_format(sniffed.format);
   request.pixels = true;
   codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (const auto* error = std::get_if<codec::DecodeError>(&result)) {

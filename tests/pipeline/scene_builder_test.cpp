@@ -71,14 +71,6 @@ TEST(SceneBuilder, HiddenNodesAreNotDrawnButTheirCamerasLook) {
   EXPECT_EQ(scene.cameras[0].name, "front");
 }
 
-TEST(SceneBuilder, LightThatIsNotReadIsSaid) {
-  const bake::Scene scene =
-      scene_of(triangle(), kMesh + R"(, "scene": 0, "scenes": [{"nodes": [0]}],
- "extensionsUsed": ["EXT_lights_image_based"],
- "extensions": {"EXT_lights_image_based": {"lights": []}}, "nodes": [{"mesh": 0}])");
-  EXPECT_THAT(scene.notes, ElementsAre(HasSubstr("EXT_lights_image_based is not drawn")));
-}
-
 TEST(SceneBuilder, WhatIsDrawnWithoutASceneIsSaid) {
   const bake::Scene all = scene_of(triangle(), kMesh + R"(, "nodes": [{"mesh": 0}])");
   EXPECT_THAT(all.instances, SizeIs(1));

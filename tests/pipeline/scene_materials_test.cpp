@@ -3,6 +3,8 @@
 #include "pipeline/scene_materials.hpp"
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -236,8 +238,22 @@ TEST(SceneTextures, WhatCannotBeHadIsMarkedAndNamed) {
   missing({}, R"({})", "has no image");
   missing(image("image/png", "nothing of the kind"), {}, "unknown format");
   missing(image("image/ktx2", std::string("\xabKTX 20\xbb\r\n\x1a\n", 12) + std::string(100, '\0')),
-          {}, "image/ktx2");
+          {}, "invalid header");
   missing(image("image/png", kPng.substr(0, kPng.size() - 30)), {}, "cannot be decoded");
+}
+
+TEST(SceneTextures, Ktx2IsDrawn) {
+  std::ifstream file(GLTFX_SOURCE_DIR "/tests/codec/basis/etc1s-smoke-24x24-128.ktx2",
+                     std::ios::binary);
+  const bake::Scene scene =
+      drawn(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})",
+            image("image/ktx2", std::string(std::istreambuf_iterator<char>(file), {})), {},
+            R"({"extensions": {"KHR_texture_basisu": {"source": 0}}})");
+  ASSERT_THAT(scene.textures, SizeIs(1));
+  EXPECT_FALSE(scene.textures[0].missing);
+  EXPECT_EQ(scene.textures[0].width, 24U);
+  EXPECT_EQ(scene.textures[0].channels, 4U);
+  EXPECT_THAT(scene.notes, IsEmpty());
 }
 
 TEST(SceneTextures, AnotherFormatOfThePictureWillDo) {

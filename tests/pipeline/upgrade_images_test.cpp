@@ -43,6 +43,8 @@ std::string encoded(codec::EncodedFormat format, const codec::Raster& raster,
   return {reinterpret_cast<const char*>(image->bytes.data()), image->bytes.size()};
 }
 
+const std::string kBasisFiles = GLTFX_SOURCE_DIR "/tests/codec/basis/";
+
 struct Map {
   const char* name;
   std::string bytes;
@@ -71,20 +73,25 @@ std::vector<Map> maps() {
           {"jpeg_rgb", encoded(EncodedFormat::jpeg, {16, 16, 3, 8}, 90)},
           {"jpeg_grey", encoded(EncodedFormat::jpeg, {16, 16, 1, 8}, 90)},
           {"webp_lossy", encoded(EncodedFormat::webp, {16, 16, 3, 8}, 80)},
-          {"webp_alpha", encoded(EncodedFormat::webp, {16, 16, 4, 8}, 0)}};
+          {"webp_alpha", encoded(EncodedFormat::webp, {16, 16, 4, 8}, 0)},
+          {"basis_etc1s", content(kBasisFiles + "etc1s-photo-32x20-200-mipmaps.ktx2")},
+          {"basis_uastc", content(kBasisFiles + "uastc-photo-32x20-2-mipmaps-zstd.ktx2")}};
 }
 
 // Alpha of the new image is the old R, bit for bit, and the rest is white.
 TEST(UpgradeImages, AlphaIsTheOldRedInEveryTexel) {
   for (const Map& map : maps()) {
     const TempFolder folder;
-    const bool webp = std::string(map.name).starts_with("webp");
+    const std::string kind = map.name;
+    const std::string extension = kind.starts_with("webp")    ? "EXT_texture_webp"
+                                  : kind.starts_with("basis") ? "KHR_texture_basisu"
+                                                              : "";
     folder.write("leaf.img", map.bytes);
     Json before = document({mapped()}, {{{"uri", "leaf.img"}}});
-    if (webp) {
-      before["textures"][0] = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
-      before["extensionsUsed"].push_back("EXT_texture_webp");
-      before["extensionsRequired"] = {"EXT_texture_webp"};
+    if (!extension.empty()) {
+      before["textures"][0] = {{"extensions", {{extension, {{"source", 0}}}}}};
+      before["extensionsUsed"].push_back(extension);
+      before["extensionsRequired"] = {extension};
     }
     const auto path = folder.write("a.gltf", before.dump());
     UpgradeOptions options = in_place();

@@ -132,7 +132,7 @@ TEST(Version, NamesEverythingItWasBuiltWith) {
   EXPECT_EQ(outcome.code, 0);
   for (const char* name : {"gltfx 0.", "CLI11 2.", "fmt ", "nlohmann_json 3.", "simdjson 3.",
                            "TBB 20", "tomlplusplus 3.", "meshoptimizer 0.", "Draco 1.", "libpng 1.",
-                           "libjpeg ", "libwebp 1.", "OpenEXR 3.", "compiled by "}) {
+                           "libjpeg ", "libwebp 1.", "OpenEXR 3.", "zstd 1.", "compiled by "}) {
     EXPECT_THAT(outcome.out, HasSubstr(name));
   }
 }

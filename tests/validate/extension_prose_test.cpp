@@ -27,6 +27,13 @@ TEST(Required, NotWhereEverythingHasAFallback) {
                      "KHR_texture_basisu"),
             Lines{})
       << "of which the text says nothing";
+  EXPECT_EQ(textures(R"({"source": 0, "extensions": {"EXT_texture_avif": {"source": 1}}})",
+                     "EXT_texture_avif"),
+            Lines{});
+  EXPECT_EQ(findings(R"("extensionsUsed": ["EXT_texture_avif"], "images": [{}],
+                        "textures": [{"extensions": {"EXT_texture_avif": {"source": 0}}}])",
+                     {"NON_REQUIRED"}),
+            Lines{"NON_REQUIRED_EXTENSION /extensionsUsed/0"});
 }
 
 Lines packed_lines(const std::string& attributes, const std::string& ids,

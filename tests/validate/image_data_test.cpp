@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Images as the data phase sees them: format, header, declared type; textures that use them.
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -185,6 +187,19 @@ TEST(Images, OfFormatsThatExtensionsBringNeedThem) {
             (Lines{"IMAGE_NON_ENABLED_MIME_TYPE /images/0"}));
   EXPECT_EQ(about(with_image("image/webp", small_webp(), {}, kWebp)), Lines());
   EXPECT_EQ(about(with_image("image/webp", small_webp(), {}, kWebp), Profile::khronos), Lines());
+}
+
+TEST(Images, AvifIsReadWithADeclaredExtension) {
+  std::ifstream in(GLTFX_SOURCE_DIR "/tests/codec/avif/rgba.avif", std::ios::binary);
+  const std::string file{std::istreambuf_iterator<char>(in), {}};
+  const std::string avif = R"(, "extensionsUsed": ["EXT_texture_avif"])";
+  EXPECT_EQ(about(with_image("image/avif", file)),
+            (Lines{"IMAGE_NON_ENABLED_MIME_TYPE /images/0"}));
+  EXPECT_EQ(about(with_image("image/avif", file, {}, avif)), Lines());
+  EXPECT_EQ(about(with_image("image/avif", file, {}, avif), Profile::khronos),
+            (Lines{"IMAGE_UNRECOGNIZED_FORMAT /images/0"}));
+  EXPECT_EQ(about(with_image("image/avif", file.substr(0, 300), {}, avif)),
+            (Lines{"IMAGE_DATA_INVALID /images/0"}));
 }
 
 TEST(Images, Ktx2IsReadWithADeclaredExtension) {

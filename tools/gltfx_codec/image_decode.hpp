@@ -52,6 +52,7 @@ class Rows {
 Answer decode_png(const Job& job, std::span<const std::byte> bytes, const Output& output);
 Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Output& output);
 Answer decode_webp(const Job& job, std::span<const std::byte> bytes, const Output& output);
+Answer decode_ktx2(const Job& job, std::span<const std::byte> bytes, const Output& output);
 Answer decode_radiance(const Job& job, std::span<const std::byte> bytes, const Output& output);
 Answer decode_exr(const Job& job, std::span<const std::byte> bytes, const Output& output);
 

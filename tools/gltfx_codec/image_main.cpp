@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-image: decodes PNG, JPEG, WebP, Radiance and EXR for gltfx and encodes all but
-// Radiance. gltfx starts it and talks to it over a socket. Workers are forked from it: nothing that
-// it links may start a thread.
+// gltfx-codec-image: decodes PNG, JPEG, WebP, KTX2, Radiance and EXR for gltfx and encodes all but
+// KTX2 and Radiance. gltfx starts it and talks to it over a socket. Workers are forked from it:
+// nothing that it links may start a thread.
 #include <cstring>
 #include <new>
 
@@ -30,6 +30,8 @@ Answer decode(const Job& job, std::span<const std::byte> bytes, const Output& ou
       return decode_jpeg(job, bytes, output);
     case ImageFormat::webp:
       return decode_webp(job, bytes, output);
+    case ImageFormat::ktx2:
+      return decode_ktx2(job, bytes, output);
     case ImageFormat::radiance:
       return decode_radiance(job, bytes, output);
     default:

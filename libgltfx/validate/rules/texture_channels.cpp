@@ -27,6 +27,8 @@ std::string_view format_name(image::Format format) {
       return "JPEG";
     case image::Format::webp:
       return "WebP";
+    case image::Format::avif:
+      return "AVIF";
     case image::Format::ktx2:
       break;
   }

@@ -93,8 +93,7 @@ class PixelNeeds {
 
 bool PixelSource::take(std::uint32_t index) {
   const auto& header = resources_.images[index].header;
-  const bool sound = header && header->doubt.empty() && resources_.images[index].bytes;
-  if (!sound || !model::codec_format(header->format)) return false;
+  if (!model::is_decodable(resources_.images[index]) || !header->doubt.empty()) return false;
   const std::uint64_t texels = image::texels_of(*header);
   if (texels <= texels_left_) {
     texels_left_ -= texels;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+/// AVIF images through their worker, where it is built.
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "codec/client.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+using testing::HasSubstr;
+
+std::string avif_bytes(const std::string& name) {
+  std::ifstream file(GLTFX_SOURCE_DIR "/tests/codec/avif/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+ImageResult decode_avif_bytes(Client& client, const std::string& bytes,
+                              std::uint64_t max_pixels = 1024) {
+  ImageRequest request;
+  request.bytes = std::as_bytes(std::span(bytes.data(), bytes.size()));
+  request.format = ImageFormat::avif;
+  request.pixels = true;
+  request.max_pixels = max_pixels;
+  return client.decode_image(request);
+}
+
+TEST(Avif, WithoutTheDecoderItIsNamed) {
+  Settings settings;
+  settings.folder = GLTFX_SOURCE_DIR;  // no programs
+  Client client(settings);
+  const ImageResult result = decode_avif_bytes(client, avif_bytes("rgb.avif"));
+  const auto* error = std::get_if<DecodeError>(&result);
+  ASSERT_NE(error, nullptr);
+  EXPECT_EQ(error->kind, ErrorKind::unavailable);
+  EXPECT_THAT(error->message, HasSubstr("built without libavif"));
+}
+
+#ifdef GLTFX_HAS_AVIF
+
+Image avif_image(const std::string& name) {
+  ImageResult result = decode_avif_bytes(Client::shared(), avif_bytes(name));
+  if (const auto* error = std::get_if<DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
+    return {};
+  }
+  return std::get<Image>(std::move(result));
+}
+
+// Of the eight texels that all files show.
+constexpr std::array<std::array<std::uint8_t, 4>, 8> kTexels{{{200, 100, 50, 128},
+                                                              {1, 2, 3, 4},
+                                                              {255, 255, 255, 255},
+                                                              {9, 8, 7, 64},
+                                                              {0, 0, 0, 0},
+                                                              {10, 20, 30, 40},
+                                                              {77, 66, 55, 44},
+                                                              {5, 250, 5, 250}}};
+
+TEST(Avif, LosslessImagesAreExact) {
+  for (const auto& [name, channels] : {std::pair("rgba.avif", 4U), std::pair("rgb.avif", 3U)}) {
+    const Image image = avif_image(name);
+    ASSERT_EQ(image.channels, channels);
+    ASSERT_EQ(image.width, 4U);
+    ASSERT_EQ(image.height, 2U);
+    for (std::size_t i = 0; i < kTexels.size(); ++i) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        EXPECT_EQ(std::to_integer<int>(image.pixels[i * channels + c]), kTexels[i][c]) << i;
+      }
+    }
+  }
+}
+
+TEST(Avif, TenBitsBecomeSixteen) {
+  const Image image = avif_image("deep.avif");
+  ASSERT_EQ(image.bits, 16U);
+  for (std::size_t i = 0; i < kTexels.size(); ++i) {
+    std::uint16_t red = 0;
+    std::memcpy(&red, image.pixels.data() + i * 6, sizeof red);
+    EXPECT_NEAR(red, kTexels[i][0] * 257, 65535 / 1023.0);
+  }
+}
+
+TEST(Avif, GreyIsGrey) { EXPECT_TRUE(avif_image("grey.avif").grey); }
+
+TEST(Avif, DamagedFilesAreDecodedOrRefused) {
+  const std::string bytes = avif_bytes("rgba.avif");
+  for (std::size_t at = 0; at < bytes.size(); at += 5) {
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    for (const std::string& file : {damaged, bytes.substr(0, at)}) {
+      const ImageResult result = decode_avif_bytes(Client::shared(), file);
+      const auto* error = std::get_if<DecodeError>(&result);
+      if (error == nullptr) continue;
+      EXPECT_TRUE(error->kind == ErrorKind::malformed || error->kind == ErrorKind::too_large ||
+                  error->kind == ErrorKind::out_of_memory)
+          << at << error->message;
+    }
+  }
+}
+
+TEST(Avif, MoreTexelsThanAskedForAreRefused) {
+  const ImageResult result = decode_avif_bytes(Client::shared(), avif_bytes("rgb.avif"), 7);
+  const auto* error = std::get_if<DecodeError>(&result);
+  ASSERT_NE(error, nullptr);
+  EXPECT_EQ(error->kind, ErrorKind::too_large);
+}
+
+#endif
+
+}  // namespace
+}  // namespace gltfx::codec

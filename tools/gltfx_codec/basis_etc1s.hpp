@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Texels of ETC1S blocks (Khronos Data Format 1.3, "ETC1S").
+#pragma once
+
+#include "basis_codebooks.hpp"
+#include "texel.hpp"
+
+namespace gltfx::codec {
+
+/// Writes R, G and B of a block and leaves A.
+void write_etc1s_colors(const Etc1sEndpoint& endpoint, const Etc1sSelector& selector,
+                        const BlockTexels& to);
+
+/// Writes one channel of a block, whose colour is grey, and leaves the others.
+void write_etc1s_channel(const Etc1sEndpoint& endpoint, const Etc1sSelector& selector,
+                         std::size_t channel, const BlockTexels& to);
+
+}  // namespace gltfx::codec

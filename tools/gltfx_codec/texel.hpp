@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What blocks of 4 by 4 texels are decoded to.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace gltfx::codec {
+
+using Texel = std::array<std::uint8_t, 4>;  ///< R, G, B and A
+
+inline constexpr std::size_t kBlockExtent = 4;
+
+constexpr std::size_t blocks_along(std::size_t texels) {
+  return (texels + kBlockExtent - 1) / kBlockExtent;
+}
+
+/// A block of an image in memory: its upper left texel, and texels from a row to the next.
+struct BlockTexels {
+  Texel* first;
+  std::size_t stride;
+  Texel& at(std::size_t x, std::size_t y) const { return first[y * stride + x]; }
+};
+
+}  // namespace gltfx::codec

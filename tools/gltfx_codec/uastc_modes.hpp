@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The modes and patterns of UASTC blocks (Khronos Data Format 1.3, "Universal ASTC").
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace gltfx::codec {
+
+/// What the values of endpoints have beside bits.
+enum class Digits : std::uint8_t { none, trits, quints };
+
+/// How a block of one mode is laid out: hints for other formats, pattern, selector of a channel,
+/// endpoints, weights.
+struct UastcMode {
+  std::uint8_t hint_bits = 0;
+  std::uint8_t subsets = 1;
+  std::uint8_t channels = 3;  ///< 2: luminance and alpha
+  std::uint8_t planes = 1;    ///< 2: one channel has weights of its own
+  std::uint8_t weight_bits = 0;
+  std::uint8_t endpoint_bits = 0;
+  Digits digits = Digits::none;
+  std::uint8_t pattern_bits = 0;
+  std::uint8_t selector_bits = 0;  ///< of the channel with weights of its own; 0: alpha
+
+  std::size_t endpoint_values() const { return std::size_t{2} * channels * subsets; }
+};
+
+inline constexpr std::size_t kUastcModes = 19;
+inline constexpr std::size_t kUastcSolidColor = 8;
+
+struct UastcModeCode {
+  std::uint8_t mode = kUastcModes;  ///< kUastcModes: reserved
+  std::uint8_t bits = 0;
+};
+
+/// The mode of a block by its first seven bits, the first one lowest ("Mode Index").
+UastcModeCode uastc_mode_code(std::uint32_t bits);
+
+/// Precondition: a mode with weights, that is neither kUastcSolidColor nor reserved.
+const UastcMode& uastc_mode(std::size_t index);
+
+/// The subset of each texel, two bits each, the upper left one lowest; 0 for one subset.
+using UastcPattern = std::uint32_t;
+
+/// The patterns of a mode with more than one subset.
+std::span<const UastcPattern> uastc_patterns(std::size_t mode);
+
+}  // namespace gltfx::codec
