@@ -12,6 +12,7 @@ test_packages=(libtinygltf-dev clang clang-format clang-tidy libclang-rt-dev lib
 package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
 
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only nightly asks for them
+oracle_packages=(python3-jsonschema)  # only nightly asks for it
 page_packages=(chromium npm)  # large: only nightly asks for them
 web_packages=(chromium firefox-esr npm python3)
 

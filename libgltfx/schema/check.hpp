@@ -65,6 +65,7 @@ struct CheckOptions {
   json::Document* shown = nullptr;
   MemberVisitor* members = nullptr;              ///< or nobody
   const ReferenceVisitor* references = nullptr;  ///< Part::all
+  TypeId root = kNone;  ///< of the document's root object; none: that of glTF
 };
 
 /// A texture slot that is filled.
