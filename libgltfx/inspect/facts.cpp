@@ -9,6 +9,7 @@
 #include "base/checked.hpp"
 #include "inspect/byte_count.hpp"
 #include "inspect/image_facts.hpp"
+#include "inspect/metadata_facts.hpp"
 #include "inspect/uses.hpp"
 #include "model/camera.hpp"
 #include "model/fields.hpp"
@@ -261,6 +262,7 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   facts.skins = skins_of(source);
   facts.cameras = cameras_of(source);
   facts.lights = lights_of(source);
+  add_metadata_facts(source.asset, source.views, facts);
   const model::SceneExtent extent = model::scene_extent(
       source.asset, source.views, source.loaded.data, facts.meshes, kInstanceBytes);
   facts.drawn_triangles = extent.triangles;

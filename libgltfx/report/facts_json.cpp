@@ -155,6 +155,20 @@ void write(Writer& writer, const NamedFacts& facts) {
   member_if(writer, "type", facts.type);
 }
 
+void write(Writer& writer, const MetadataClassFacts& facts) {
+  writer.member("name", report::long_value(facts.name));
+  writer.member("properties", facts.properties);
+}
+
+void write(Writer& writer, const PropertyTableFacts& facts) {
+  member_if(writer, "name", facts.name);
+  writer.member("class", report::long_value(facts.class_id));
+  writer.member("rows", facts.rows);
+  writer.member("columns", facts.columns);
+  writer.member("bytes", facts.bytes);
+}
+
+std::uint64_t bytes_of(const MetadataClassFacts&) { return 0; }
 std::uint64_t bytes_of(const ExtensionFacts&) { return 0; }
 std::uint64_t bytes_of(const MaterialFacts&) { return 0; }
 std::uint64_t bytes_of(const NamedFacts&) { return 0; }
@@ -236,6 +250,12 @@ void write_facts(Writer& writer, const AssetFacts& facts, std::size_t most) {
   write_list(writer, "skins", facts.skins, most);
   write_list(writer, "cameras", facts.cameras, most);
   write_list(writer, "lights", facts.lights, most);
+  if (!facts.metadata_classes.empty()) {
+    write_list(writer, "metadataClasses", facts.metadata_classes, most);
+  }
+  if (!facts.property_tables.empty()) {
+    write_list(writer, "propertyTables", facts.property_tables, most);
+  }
   report::write_long_values(writer, "problems", facts.problems);
   writer.end_object();
 }

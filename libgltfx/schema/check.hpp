@@ -75,6 +75,7 @@ struct CheckOptions {
   MemberVisitor* members = nullptr;              ///< or nobody
   const ReferenceVisitor* references = nullptr;  ///< Part::all
   const PointerVisitor* pointers = nullptr;      ///< or nobody
+  TypeId root = kNone;  ///< of the document's root object; none: that of glTF
 };
 
 /// A texture slot that is filled.

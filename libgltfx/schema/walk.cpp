@@ -43,7 +43,8 @@ CheckResult Walker::run() {
     return std::move(result_);
   }
   read_declarations();
-  if (tables_.root != kNone) push(set_.type(tables_.root).shape, root, {}, Mode::object, false);
+  const TypeId type = options_.root != kNone ? options_.root : tables_.root;
+  if (type != kNone) push(set_.type(type).shape, root, {}, Mode::object, false);
   while (top_ != nullptr) {
     switch (top_->mode) {
       case Mode::object:

@@ -11,6 +11,7 @@ terrain   one .glb of some 400 MB of plain geometry: 8 meshes with positions, no
 normals   two .glb of a million vertices: clean.glb, and bad.glb whose normals are all too long
 statue    one .glb of 100,000 triangles with three textures of 1,024 texels a side, to be drawn
 textures  one .glb of some 500 MB with 40 PNG images of 2,048 to 4,096 texels a side
+tables    one .glb of some 100 MB of property tables: numbers with limits, enums, strings, arrays
 legacy    200 models with a retired extension, each with a map of its own of 512 texels a side
 """
 import argparse
@@ -220,21 +221,82 @@ def make_city(folder, blocks):
         out.write(b"".join(parts))
 
 
-def write_glb(path, document, parts):
-    """`parts` are views, in order; each is padded to four bytes."""
+def write_glb(path, document, parts, lengths=None):
+    """`parts` are views, in order; each is padded to four bytes. `lengths`, by part: of the view,
+    where that is shorter. Then BIN begins at a multiple of 8."""
     at, views = 0, []
-    for part in parts:
-        views.append({"buffer": 0, "byteOffset": at, "byteLength": len(part)})
+    for index, part in enumerate(parts):
+        views.append({"buffer": 0, "byteOffset": at, "byteLength": lengths[index] if lengths else len(part)})
         at += len(part) + -len(part) % 4
     document.update(asset=ASSET, bufferViews=views, buffers=[{"byteLength": at}])
     text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
+    text += b" " * (-len(text) % 4 if lengths is None else -(len(text) + 4) % 8)
     with open(path, "wb") as out:
         out.write(b"glTF" + struct.pack("<II", 2, 12 + 8 + len(text) + 8 + at))
         out.write(struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", at, b"BIN\0"))
         for part in parts:
             out.write(part)
             out.write(b"\0" * (-len(part) % 4))
+
+
+def table_columns(rows):
+    """Property, members of its column, and views by their member: fixed widths first, strings last.
+    Each view begins at a multiple of 8, as floor_tables.cpp expects."""
+    rnd = random.Random(5)
+    names = [word.encode() for word in ("Eiche", "Fichte", "Weißdorn", "Götterbaum", "樫の木", "Ahorn an der Straße")]
+
+    def numbers(code, values):
+        return array.array(code, values).tobytes()
+    heights = [as_float32(rnd.uniform(1, 40)) for _ in range(1000)]
+    yield "height", {"type": "SCALAR", "componentType": "FLOAT32"}, {"min": min(heights), "max": max(heights)}, {
+        "values": numbers("f", (heights * (rows // 1000 + 1))[:rows])}
+    areas = [rnd.uniform(1, 900) for _ in range(1000)]
+    yield "area", {"type": "SCALAR", "componentType": "FLOAT64"}, {"min": min(areas), "max": max(areas)}, {
+        "values": numbers("d", (areas * (rows // 1000 + 1))[:rows])}
+    places = [as_float32(rnd.uniform(-900, 900)) for _ in range(3000)]
+    yield "place", {"type": "VEC3", "componentType": "FLOAT32"}, {
+        "min": [min(places[i::3]) for i in range(3)], "max": [max(places[i::3]) for i in range(3)]}, {
+        "values": numbers("f", (places * (rows // 1000 + 1))[:rows * 3])}
+    years = [rnd.randrange(-200, 2026) for _ in range(1000)]
+    yield "year", {"type": "SCALAR", "componentType": "INT16"}, {"min": min(years), "max": max(years)}, {
+        "values": numbers("h", (years * (rows // 1000 + 1))[:rows])}
+    kinds = [rnd.randrange(0, 6) for _ in range(1000)]
+    yield "kind", {"type": "ENUM", "enumType": "kind"}, {}, {
+        "values": numbers("B", (kinds * (rows // 1000 + 1))[:rows])}
+    starts = [0]
+    for i in range(rows):
+        starts.append(starts[-1] + i % 5)
+    yield "girths", {"type": "SCALAR", "componentType": "FLOAT32", "array": True}, {}, {
+        "arrayOffsets": numbers("I", starts),
+        "values": numbers("f", (heights * (starts[-1] // 1000 + 1))[:starts[-1]])}
+    chosen = [names[i] for i in kinds]
+    ends = [0]
+    for i in range(rows):
+        ends.append(ends[-1] + len(chosen[i % 1000]))
+    yield "name", {"type": "STRING"}, {}, {
+        "stringOffsets": numbers("I", ends), "values": (b"".join(chosen) * (rows // 1000 + 1))[:ends[-1]]}
+
+
+def make_tables(path, rows):
+    properties, columns, parts = {}, {}, []
+    for name, members, limits, views in table_columns(rows):
+        properties[name] = members
+        columns[name] = dict(limits)
+        for member, content in views.items():
+            columns[name][member] = len(parts)
+            parts.append(content + b"\0" * (-len(content) % 8))
+            columns[name][member + "Length"] = len(content)
+    lengths = {}
+    for column in columns.values():
+        for member in ("values", "arrayOffsets", "stringOffsets"):
+            if member in column:
+                lengths[column[member]] = column.pop(member + "Length")
+    kinds = [{"name": f"kind {i}", "value": i} for i in range(6)]
+    document = {"extensionsUsed": ["EXT_structural_metadata"], "extensions": {"EXT_structural_metadata": {
+        "schema": {"id": "trees", "classes": {"tree": {"properties": properties}},
+                   "enums": {"kind": {"valueType": "UINT8", "values": kinds}}},
+        "propertyTables": [{"class": "tree", "count": rows, "properties": columns}]}}}
+    write_glb(path, document, parts, lengths)
 
 
 def terrain_parts(side, normal):
@@ -364,10 +426,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
-    parser.add_argument("--only", default="batch,city,terrain,normals,statue,textures,legacy")
+    parser.add_argument("--only", default="batch,city,terrain,normals,statue,textures,tables,legacy")
     parser.add_argument("--files", type=int, default=1000)
     parser.add_argument("--blocks", type=int, default=1500)
     parser.add_argument("--side", type=int, default=800, help="vertices along a side of a terrain")
+    parser.add_argument("--rows", type=int, default=1900000, help="of the property table")
     options = parser.parse_args()
     for name in options.only.split(","):
         folder = os.path.join(options.folder, name)
@@ -383,6 +446,8 @@ def main():
             make_terrain(os.path.join(folder, "bad.glb"), 1000, 1, (0.0, 1.5, 0.0))
         elif name == "statue":
             make_statue(os.path.join(folder, "statue.glb"), 158)
+        elif name == "tables":
+            make_tables(os.path.join(folder, "tables.glb"), options.rows)
         elif name == "legacy":
             make_legacy(folder, 200)
         else:

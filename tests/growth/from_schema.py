@@ -131,6 +131,8 @@ class Walk:
         if isinstance(places, list):
             places = {place: "" for place in places}
         for place, pointer in places.items():
+            if not is_place(place):
+                continue
             schema = document if not pointer else self.schemas.resolve(pointer, document)[0]
             self.lists(f"{name} on {place}", schema, document,
                        lambda value, place=place: with_extension(name, place, [value]),
@@ -141,6 +143,12 @@ class Walk:
                                         [self.schemas.example(schema, document,
                                                               i if numbered else None)
                                          for i in range(n)]))
+
+
+def is_place(place):
+    """Whether with_extension() has such objects: not those of other extensions."""
+    return (place in FRESH or place in ("glTF", "asset", "mesh.primitive", "animation.channel.target") or
+            place.startswith("material.") or place == "textureInfo")
 
 
 def finished(asset):

@@ -18,6 +18,7 @@ using testing::IsEmpty;
 
 // Codes with several files, and why.
 const std::map<std::string, std::string, std::less<>> kSeveral{
+    {"ACCESSOR_DATA_NOT_CHECKED", "columns of property tables share bytes as accessors do"},
     {"ACCESSOR_VECTOR3_NON_UNIT", "normals of edges are checked with their edges"},
     {"ARRAY_LENGTH_NOT_IN_LIST", "the length of min and max depends on the type of the accessor"},
     {"ARRAY_TYPE_MISMATCH", "min and max of integers depend on the component type"},

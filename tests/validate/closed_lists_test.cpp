@@ -154,7 +154,7 @@ TEST(ClosedLists, AnExtensionOfWhichNothingIsKnownMayAddAValueButNoMisspeltOne) 
   ASSERT_TRUE(misspelt);
   EXPECT_EQ(misspelt->severity, Severity::error);
   EXPECT_EQ(misspelt->help, "did you mean 'BLEND'?");
-  for (const char* const name : {"VRM", "EXT_mesh_features", "KHR_Texture_Transform"}) {
+  for (const char* const name : {"VRM", "EXT_mesh_bmesh", "KHR_Texture_Transform"}) {
     const auto known = found("REFRACT", name);
     ASSERT_TRUE(known) << name;
     EXPECT_EQ(known->severity, Severity::error) << name << " adds no values";

@@ -140,7 +140,7 @@ TEST(ExtensionName, OfAnUndeclaredObjectIsGuessedToo) {
 
 TEST(ExtensionName, ThatIsInUseIsNeverToBeRenamed) {
   for (const char* const name :
-       {"VRM", "VRMC_vrm", "EXT_mesh_features", "KHR_accessor_float16", "KHR_materials_fuzz",
+       {"VRM", "VRMC_vrm", "EXT_mesh_bmesh", "KHR_accessor_float16", "KHR_materials_fuzz",
         "OMI_physics_body", "MOZ_hubs_components", "ACME_sparkle"}) {
     EXPECT_EQ(findings("\"extensionsUsed\": [\"" + std::string(name) + "\"]", {""}),
               Lines{"UNSUPPORTED_EXTENSION /extensionsUsed/0"})

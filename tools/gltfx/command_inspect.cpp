@@ -60,6 +60,9 @@ class Page {
     write_list("Skins", facts.skins, {"rlrr", {"#", "name", "joints", "bytes"}}, add_skin);
     write_list("Cameras", facts.cameras, {"rll", {"#", "name", "type"}}, add_named);
     write_list("Lights", facts.lights, {"rll", {"#", "name", "type"}}, add_named);
+    write_list("Metadata classes", facts.metadata_classes, {"rlr", {"#", "class", "properties"}},
+               add_class);
+    write_list("Property tables", facts.property_tables, property_table(), add_property_table);
   }
 
   void write_head(const AssetFacts& facts) {
@@ -232,6 +235,19 @@ class Page {
 
   static void add_named(TextTable& table, std::size_t index, const NamedFacts& each) {
     table.add({std::to_string(index), cell(each.name), cell(each.type)});
+  }
+
+  static void add_class(TextTable& table, std::size_t index, const MetadataClassFacts& each) {
+    table.add({std::to_string(index), cell(each.name), grouped(each.properties)});
+  }
+
+  static TextTable property_table() {
+    return {"rllrrr", {"#", "name", "class", "rows", "columns", "bytes"}};
+  }
+  static void add_property_table(TextTable& table, std::size_t index,
+                                 const PropertyTableFacts& each) {
+    table.add({std::to_string(index), cell(each.name), cell(each.class_id), grouped(each.rows),
+               grouped(each.columns), grouped(each.bytes)});
   }
 
   void write_upgrade(const InspectReport& report) {

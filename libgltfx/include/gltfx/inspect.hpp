@@ -108,6 +108,18 @@ struct NamedFacts {
   std::string name, type;  ///< "perspective", "point"
 };
 
+/// A class of the asset's structural metadata.
+struct MetadataClassFacts {
+  std::string name;              ///< its id
+  std::uint64_t properties = 0;  ///< how many it has
+};
+
+/// A property table of structural metadata.
+struct PropertyTableFacts {
+  std::string name, class_id;                      ///< as they are written
+  std::uint64_t rows = 0, columns = 0, bytes = 0;  ///< how many it has
+};
+
 /// Of what the default scene shows, in metres; without morph targets, of skinned meshes where their
 /// joints stand in the file.
 struct SceneBounds {
@@ -131,7 +143,9 @@ struct AssetFacts {
   std::vector<AnimationFacts> animations;   ///< by index
   std::vector<SkinFacts> skins;             ///< by index
   std::vector<NamedFacts> cameras, lights;  ///< by index
-  std::vector<std::string> problems;        ///< what could not be read, a sentence each
+  std::vector<MetadataClassFacts> metadata_classes;  ///< in the order of the schema in the asset
+  std::vector<PropertyTableFacts> property_tables;   ///< by index
+  std::vector<std::string> problems;                 ///< what could not be read, a sentence each
 
   std::uint64_t total_bytes() const;      ///< of all files
   std::uint64_t image_gpu_bytes() const;  ///< of all images

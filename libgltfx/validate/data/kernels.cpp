@@ -47,6 +47,15 @@ std::size_t count_non_finite(const float* values, std::size_t count) {
   return errors;
 }
 
+std::size_t count_non_finite(const double* values, std::size_t count) {
+  constexpr std::uint64_t kExponent = 0x7ff0000000000000;
+  std::uint64_t errors = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    errors += (bit_cast<std::uint64_t>(values[i]) & kExponent) == kExponent ? 1U : 0U;
+  }
+  return errors;
+}
+
 std::size_t count_unclamped(const float* values, std::size_t count) {
   Count errors = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -224,6 +233,10 @@ template class Extremes<std::uint8_t>;
 template class Extremes<std::int16_t>;
 template class Extremes<std::uint16_t>;
 template class Extremes<std::uint32_t>;
+template class Extremes<std::int32_t>;
+template class Extremes<std::int64_t>;
+template class Extremes<std::uint64_t>;
 template class Extremes<float>;
+template class Extremes<double>;
 
 }  // namespace gltfx::validate::kernels

@@ -11,6 +11,7 @@ namespace gltfx::validate::kernels {
 
 /// Floats that are infinite or no number.
 std::size_t count_non_finite(const float* values, std::size_t count);
+std::size_t count_non_finite(const double* values, std::size_t count);
 
 /// Floats below 0 or above 1. What is no number counts as neither.
 std::size_t count_unclamped(const float* values, std::size_t count);

@@ -54,6 +54,9 @@ void decode_geometry(DataPhase& phase);
 void check_sparse_indices(DataPhase& phase);
 /// Every element of every accessor, by its format and its uses.
 void check_elements(DataPhase& phase);
+/// Structural metadata and feature ids: what JSON says of them, and the values in buffers and
+/// images. Files and images that are read for it are counted in `report`.
+void check_metadata(DataPhase& phase, FileReport& report);
 /// Joints and weights of skinned meshes.
 void check_influences(DataPhase& phase);
 

@@ -9,6 +9,7 @@
 
 #include "base/codes.hpp"
 #include "validate/context.hpp"
+#include "validate/metadata/data_texture.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/mesh_state.hpp"
 #include "validate/rules/variants.hpp"
@@ -124,7 +125,9 @@ void MaterialCheck::check_material() {
   if (!state_.unseen.empty()) return;
   const Path attributes(path_, "attributes");
   if (!tangent_space_) check_unused_tangent(context, primitive_, attributes);
-  check_unused_texcoords(context, texcoords_, attributes);
+  const bool any = visit_data_texcoords(context, primitive_.node,
+                                        [&](std::uint64_t set) { texcoords_.use(set); });
+  if (!any) check_unused_texcoords(context, texcoords_, attributes);
 }
 
 }  // namespace gltfx::validate

@@ -143,8 +143,8 @@ void check_texture_slots(const Context& context, const model::ResourceData& reso
   PixelSource pixels(resources);
   const auto wanted = PixelNeeds(context, resources, slots).find();
   pixels.decode(wanted, context.options.jobs);
-  report.images_wanted = wanted.size();
-  report.images_decoded = static_cast<std::uint64_t>(std::count_if(
+  report.images_wanted += wanted.size();
+  report.images_decoded += static_cast<std::uint64_t>(std::count_if(
       wanted.begin(), wanted.end(),
       [&](const PixelSource::Request& request) { return pixels.of(request.image) != nullptr; }));
   const TexturePhase phase{context, resources, sink, animated, slots, pixels};

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: Apache-2.0
+// Structural metadata: schemas in the asset and in files, what refers to them, feature ids.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "validate/data_asset.hpp"
+#include "validate/part.hpp"
+#include "validate/textured.hpp"
+
+namespace gltfx::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::string kMetadataRoot = "/extensions/EXT_structural_metadata";
+
+Lines metadata_findings(const std::string& text, PixelLevel pixels = PixelLevel::headers) {
+  ValidateOptions options;
+  options.pixels = pixels;
+  Lines lines;
+  for (const std::string& line : verdict(text, options)) {
+    if (!line.starts_with("UNUSED_")) lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string metadata_asset(const std::string& members, const std::string& more = {}) {
+  return asset_with(
+      R"("extensionsUsed": ["EXT_structural_metadata", "EXT_mesh_features"], "extensions":
+      {"EXT_structural_metadata": {)" +
+      members + "}}" + more);
+}
+std::string metadata_schema(const std::string& classes, const std::string& enums = {}) {
+  return R"("schema": {"id": "s", "classes": {)" + classes + "}" +
+         (enums.empty() ? "" : R"(, "enums": {)" + enums + "}") + "}";
+}
+std::string class_property(const std::string& members) {
+  return metadata_schema(R"("c": {"properties": {"p": {)" + members + "}}}");
+}
+Lines of_class_property(const std::string& members) {
+  return metadata_findings(metadata_asset(class_property(members)));
+}
+
+const std::string kClassProperty = kMetadataRoot + "/schema/classes/c/properties/p";
+
+TEST(MetadataSchema, ValuesHaveTheFormOfTheirProperty) {
+  const auto value = [](const std::string& type, const std::string& text) {
+    return of_class_property(type + R"(, "noData": )" + text);
+  };
+  const Lines wrong{"METADATA_VALUE_INVALID " + kClassProperty + "/noData"};
+  const std::string scalar = R"("type": "SCALAR", "componentType": "INT16")";
+  const std::string vector = R"("type": "VEC2", "componentType": "INT16")";
+  const std::string pair = R"(, "array": true, "count": 2)";
+  EXPECT_EQ(value(scalar, "1"), Lines{});
+  EXPECT_EQ(value(scalar, "[1]"), wrong);
+  EXPECT_EQ(value(scalar, "\"1\""), wrong);
+  EXPECT_EQ(value(vector, "[1, 2]"), Lines{});
+  EXPECT_EQ(value(vector, "[1, 2, 3]"), wrong);
+  EXPECT_EQ(value(vector, "[1, \"2\"]"), wrong);
+  EXPECT_EQ(value(scalar + pair, "[1, 2]"), Lines{});
+  EXPECT_EQ(value(scalar + pair, "[1]"), wrong);
+  EXPECT_EQ(value(vector + pair, "[[1, 2], [3, 4]]"), Lines{});
+  EXPECT_EQ(value(vector + pair, "[1, 2, 3, 4]"), wrong);
+  EXPECT_EQ(value(vector + pair, "[[1, 2], [3]]"), wrong);
+  EXPECT_EQ(value(R"("type": "STRING")", "\"x\""), Lines{});
+  EXPECT_EQ(value(R"("type": "STRING")", "1"), wrong);
+  EXPECT_EQ(value(R"("type": "STRING", "array": true)", R"(["a", "b"])"), Lines{});
+}
+
+TEST(MetadataSchema, NumbersFitTheComponentType) {
+  const auto value = [](const std::string& type, const std::string& text) {
+    return of_class_property(R"("type": "SCALAR", "componentType": ")" + type +
+                             R"(", "default": )" + text);
+  };
+  const Lines wrong{"METADATA_VALUE_OUT_OF_RANGE " + kClassProperty + "/default"};
+  EXPECT_EQ(value("INT8", "-128"), Lines{});
+  EXPECT_EQ(value("INT8", "-129"), wrong);
+  EXPECT_EQ(value("UINT8", "1.5"), wrong);
+  EXPECT_EQ(value("UINT64", "18446744073709551615"), Lines{});
+  EXPECT_EQ(value("UINT64", "-1"), wrong);
+  EXPECT_EQ(value("FLOAT32", "1e39"), wrong);
+  EXPECT_EQ(value("FLOAT64", "1e39"), Lines{});
+  EXPECT_EQ(value("UINT8\", \"normalized\": true, \"semantic\": \"x", "0.5"), Lines{});
+}
+
+TEST(MetadataSchema, MembersAreThereWhereTheyMeanSomething) {
+  const auto code = [](const std::string& members) {
+    const Lines lines = of_class_property(members);
+    return lines.empty() ? "" : lines.front().substr(0, lines.front().find(' '));
+  };
+  const std::string scalar = R"("type": "SCALAR", "componentType": )";
+  EXPECT_EQ(code(R"("type": "SCALAR")"), "UNDEFINED_PROPERTY");
+  EXPECT_EQ(code(R"("type": "STRING", "componentType": "INT8")"), "CONDITION_MISMATCH");
+  EXPECT_EQ(code(R"("type": "ENUM")"), "UNDEFINED_PROPERTY");
+  EXPECT_EQ(code(R"("type": "STRING", "enumType": "e")"), "CONDITION_MISMATCH");
+  EXPECT_EQ(code(scalar + R"("INT8", "count": 2)"), "CONDITION_MISMATCH");
+  EXPECT_EQ(code(scalar + R"("INT8", "scale": 2)"), "CONDITION_MISMATCH");
+  EXPECT_EQ(code(scalar + R"("INT8", "normalized": true, "scale": 2)"), "");
+  EXPECT_EQ(code(scalar + R"("FLOAT32", "scale": 2)"), "");
+  EXPECT_EQ(code(scalar + R"("FLOAT32", "normalized": true)"), "VALUE_NOT_IN_LIST");
+  EXPECT_EQ(code(scalar + R"("FLOAT32", "array": true, "min": 2)"), "CONDITION_MISMATCH");
+  EXPECT_EQ(code(scalar + R"("FLOAT32", "required": true, "noData": 2)"), "CONDITION_MISMATCH");
+  EXPECT_EQ(code(R"("type": "BOOLEAN", "noData": "x")"), "CONDITION_MISMATCH");
+}
+
+TEST(MetadataSchema, NamesAndSemanticsAreUnique) {
+  const auto two = [](const std::string& one, const std::string& other) {
+    return metadata_findings(
+        metadata_asset(metadata_schema(R"("c": {"properties": {"p": {"type": "STRING", )" + one +
+                                       R"(}, "q": {"type": "STRING", )" + other + "}}}")));
+  };
+  const std::string q = kMetadataRoot + "/schema/classes/c/properties/q/";
+  EXPECT_EQ(two(R"("semantic": "A")", R"("semantic": "B")"), Lines{});
+  EXPECT_EQ(two(R"("semantic": "A")", R"("semantic": "\u0041")"),
+            Lines{"METADATA_REPEATED " + q + "semantic"});
+  EXPECT_EQ(two(R"("name": "A")", R"("name": "A")"), Lines{"METADATA_REPEATED " + q + "name"});
+}
+
+TEST(MetadataSchema, EnumsHaveDifferentValuesInTheirRange) {
+  const auto values = [](const std::string& more, const std::string& list) {
+    return metadata_findings(metadata_asset(
+        metadata_schema(R"("c": {})", R"("e": {)" + more + R"("values": [)" + list + "]}")));
+  };
+  const std::string place = kMetadataRoot + "/schema/enums/e/values/";
+  EXPECT_EQ(values("", R"({"name": "a", "value": 0}, {"name": "b", "value": 1})"), Lines{});
+  EXPECT_EQ(values("", R"({"name": "a", "value": 0}, {"name": "a", "value": 1})"),
+            Lines{"METADATA_REPEATED " + place + "1/name"});
+  EXPECT_EQ(values("", R"({"name": "a", "value": 0}, {"name": "b", "value": 0})"),
+            Lines{"METADATA_REPEATED " + place + "1/value"});
+  EXPECT_EQ(values("", R"({"name": "a", "value": -1})"),
+            Lines{"METADATA_ENUM_OUT_OF_RANGE " + place + "0/value"});
+  EXPECT_EQ(values(R"("valueType": "INT8", )", R"({"name": "a", "value": -1})"), Lines{});
+}
+
+TEST(MetadataSchema, IdsLeadSomewhere) {
+  EXPECT_EQ(of_class_property(R"("type": "ENUM", "enumType": "e")"),
+            Lines{"METADATA_UNRESOLVED_ID " + kClassProperty + "/enumType"});
+  const std::string string = class_property(R"("type": "STRING", "required": true)");
+  EXPECT_EQ(metadata_findings(
+                metadata_asset(string + R"(, "propertyTables": [{"class": "d", "count": 1}])")),
+            Lines{"METADATA_UNRESOLVED_ID " + kMetadataRoot + "/propertyTables/0/class"});
+  EXPECT_EQ(metadata_findings(
+                metadata_asset(string + R"(, "propertyTables": [{"class": "c", "count": 1}])")),
+            Lines{"METADATA_PROPERTY_MISSING " + kMetadataRoot + "/propertyTables/0"});
+}
+
+TEST(MetadataOfObjects, HasTheFormOfItsClass) {
+  const auto node = [](const std::string& members) {
+    return metadata_findings(
+        metadata_asset(class_property(R"("type": "VEC2", "componentType": "FLOAT32")"),
+                       R"(, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions":
+                             {"EXT_structural_metadata": {)" +
+                           members + "}}}]"));
+  };
+  const std::string place = "/nodes/0/extensions/EXT_structural_metadata";
+  EXPECT_EQ(node(R"("class": "c", "properties": {"p": [1, 2]})"), Lines{});
+  EXPECT_EQ(node(R"("class": "c", "properties": {"p": 1})"),
+            Lines{"METADATA_VALUE_INVALID " + place + "/properties/p"});
+  EXPECT_EQ(node(R"("class": "c", "properties": {"q": 1})"),
+            Lines{"METADATA_UNRESOLVED_ID " + place + "/properties/q"});
+  EXPECT_EQ(node(R"("class": "d")"), Lines{"METADATA_UNRESOLVED_ID " + place + "/class"});
+}
+
+// --- schemaUri ---
+
+class SchemaFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) / "gltfx_schema_file";
+    std::filesystem::create_directories(folder_ / "asset");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  FileReport validate(const std::string& uri) const {
+    write("asset/a.gltf", metadata_asset(R"("schemaUri": ")" + uri + "\""));
+    return validate_file((folder_ / "asset/a.gltf").string(), {});
+  }
+  static Lines codes(const FileReport& report) {
+    Lines lines;
+    for (const Diagnostic& each : report.diagnostics) {
+      if (each.code.substr(0, 7) == "UNUSED_") continue;
+      lines.push_back(std::string(each.code) + " " + each.pointer);
+    }
+    return lines;
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(SchemaFile, IsCheckedAsOneInTheAsset) {
+  const std::string member = " " + kMetadataRoot + "/schemaUri";
+  write("asset/s.json",
+        R"({"id": "s", "classes": {"c": {"properties": {"p": {"type": "STRING"}}}}})");
+  EXPECT_THAT(codes(validate("s.json")), IsEmpty());
+  write("asset/s.json",
+        "{\"id\": \"s\",\n \"classes\": {\"c\": {\"properties\": {\"p\": {\n\"type\": 1}}}}}");
+  const FileReport report = validate("s.json");
+  EXPECT_EQ(codes(report), Lines{"TYPE_MISMATCH" + member});
+  EXPECT_THAT(report.diagnostics.front().message, HasSubstr("Line 3 of 's.json': "));
+  write("asset/s.json", R"({"id": "s", "classes": {"c": {"properties": {"p": {"type": "ENUM",
+    "enumType": "e"}}}}})");
+  EXPECT_EQ(codes(validate("s.json")), Lines{"METADATA_UNRESOLVED_ID" + member});
+}
+
+TEST_F(SchemaFile, IsReadInsideTheRootOnly) {
+  write("s.json", R"({"id": "s"})");
+  const std::string member = " " + kMetadataRoot + "/schemaUri";
+  EXPECT_EQ(codes(validate("../s.json")), Lines{"URI_OUTSIDE_ROOT" + member});
+  EXPECT_EQ(codes(validate("missing.json")), Lines{"IO_ERROR" + member});
+  std::filesystem::create_symlink(folder_ / "s.json", folder_ / "asset/link.json");
+  EXPECT_EQ(codes(validate("link.json")), Lines{"URI_OUTSIDE_ROOT" + member});
+}
+
+TEST_F(SchemaFile, IsJson) {
+  const std::string member = " " + kMetadataRoot + "/schemaUri";
+  for (const std::string text : {"", "{", "[]", "{\"id\": }", "\xFF\xFE"}) {
+    write("asset/s.json", text);
+    EXPECT_EQ(codes(validate("s.json")), Lines{"METADATA_SCHEMA_UNREADABLE" + member}) << text;
+  }
+  write("asset/s.json", std::string(5000, '[') + std::string(5000, ']'));
+  EXPECT_EQ(codes(validate("s.json")), Lines{"METADATA_SCHEMA_UNREADABLE" + member}) << "deep";
+}
+
+// --- Feature ids ---
+
+/// A triangle with a set of feature ids.
+std::string id_features(const std::string& set, const std::string& ids = floats({0, 1, 1}),
+                        const std::string& table = {}, const std::string& format = {}) {
+  DataAsset data;
+  data.accessor("VEC3", kFloat, 3, floats({0, 0, 0, 1, 0, 0, 0, 1, 0}),
+                R"(, "min": [0, 0, 0], "max": [1, 1, 0])");
+  data.accessor("SCALAR", kFloat, 3, ids, format);
+  const std::string tables =
+      table.empty() ? ""
+                    : R"(, "extensions": {"EXT_structural_metadata": {"schema": {"id": "s",
+                      "classes": {"c": {}}}, "propertyTables": [{"class": "c", "count": )" +
+                          table + "}]}}";
+  return data.text(
+      R"("extensionsUsed": ["EXT_mesh_features", "EXT_structural_metadata"],
+    "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], )" +
+      mesh(R"("POSITION": 0, "_FEATURE_ID_0": 1)",
+           R"(, "extensions": {"EXT_mesh_features": {"featureIds": [{)" + set + "}]}}") +
+      tables);
+}
+const std::string kIdSet = "/meshes/0/primitives/0/extensions/EXT_mesh_features/featureIds/0";
+
+TEST(FeatureIds, AreCounted) {
+  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 2, "attribute": 0)")), Lines{});
+  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 9, "attribute": 0)")), Lines{});
+  const Lines wrong{"FEATURE_ID_COUNT_MISMATCH " + kIdSet + "/featureCount"};
+  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 1, "attribute": 0)")), wrong);
+  EXPECT_EQ(
+      metadata_findings(id_features(R"("featureCount": 1, "attribute": 0, "nullFeatureId": 0)")),
+      Lines{});
+  EXPECT_EQ(
+      metadata_findings(id_features(R"("featureCount": 1, "attribute": 0, "nullFeatureId": 7)")),
+      wrong);
+  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 3)")), Lines{}) << "by vertex";
+  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 2)")), wrong);
+}
+
+TEST(FeatureIds, AreRowsOfTheTable) {
+  const std::string set = R"("featureCount": 3, "attribute": 0, "propertyTable": 0)";
+  const Lines wrong{"FEATURE_ID_OOB " + kIdSet + "/propertyTable"};
+  EXPECT_EQ(metadata_findings(id_features(set, floats({0, 1, 2}), "3")), Lines{});
+  EXPECT_EQ(metadata_findings(id_features(set, floats({0, 1, 2}), "2")), wrong);
+  EXPECT_EQ(metadata_findings(id_features(set + R"(, "nullFeatureId": 2)", floats({0, 1, 2}), "2")),
+            Lines{});
+  EXPECT_EQ(metadata_findings(
+                id_features(R"("featureCount": 3, "propertyTable": 0)", floats({0, 1, 2}), "2")),
+            wrong);
+}
+
+TEST(FeatureIds, AreWholeNumbers) {
+  const Lines wrong{"FEATURE_ID_NOT_INTEGER " + kIdSet + "/attribute"};
+  const std::string set = R"("featureCount": 3, "attribute": 0)";
+  EXPECT_EQ(metadata_findings(id_features(set, floats({0, 0.5, 1}))), wrong);
+  EXPECT_EQ(metadata_findings(id_features(set, floats({0, -1, 1}))), wrong);
+}
+
+TEST(FeatureIds, AttributesExist) {
+  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 3, "attribute": 1)")),
+            Lines{"FEATURE_ID_ATTRIBUTE_MISSING " + kIdSet + "/attribute"});
+  EXPECT_EQ(metadata_findings(
+                id_features(R"("featureCount": 3, "attribute": 0, "texture": {"index": 0})"))
+                .front(),
+            "ONE_OF_MISMATCH " + kIdSet);
+}
+
+std::string id_texture(const std::string& set, const std::string& image,
+                       const std::string& sampler = "{}", const std::string& uv = "TEXCOORD_0") {
+  DataAsset data;
+  data.accessor("VEC3", kFloat, 3, floats({0, 0, 0, 1, 0, 0, 0, 1, 0}),
+                R"(, "min": [0, 0, 0], "max": [1, 1, 0])");
+  data.accessor("VEC2", kFloat, 3, floats({0, 0, 1, 0, 0, 1}));
+  return data.text(
+      R"("extensionsUsed": ["EXT_mesh_features"], "scene": 0, "scenes": [{"nodes":
+    [0]}], "nodes": [{"mesh": 0}], "textures": [{"source": 0, "sampler": 0}], "samplers": [)" +
+      sampler + R"(], "images": [{"uri": "data:image/png;base64,)" + base64(image) + R"("}], )" +
+      mesh(R"("POSITION": 0, ")" + uv + R"(": 1)",
+           R"(, "extensions": {"EXT_mesh_features": {"featureIds": [{)" + set + "}]}}"));
+}
+
+TEST(FeatureIds, TexturesHaveTheirChannels) {
+  const std::string set = R"("featureCount": 9, "texture": {"index": 0, "channels": )";
+  EXPECT_EQ(metadata_findings(id_texture(set + "[0, 1]}", rgb_png())), Lines{});
+  EXPECT_EQ(metadata_findings(id_texture(set + "[3]}", rgb_png())),
+            Lines{"DATA_TEXTURE_CHANNEL_MISSING " + kIdSet + "/texture/channels"});
+  EXPECT_EQ(metadata_findings(id_texture(set + "[0]}", rgb_png(), R"({"magFilter": 9729})")),
+            Lines{"DATA_TEXTURE_FILTER_INVALID " + kIdSet + "/texture/index"});
+  const Lines lines = metadata_findings(id_texture(set + R"([0], "texCoord": 1})", rgb_png()));
+  EXPECT_EQ(lines, Lines{"DATA_TEXTURE_TEXCOORD_MISSING " + kIdSet + "/texture"});
+}
+
+TEST(FeatureIds, TexelsAreLookedAtWhenAskedFor) {
+  const std::string set = R"("featureCount": 1, "texture": {"index": 0, "channels": [1]})";
+  const std::string image = rgb_png("\1\2\3\1\4\3");
+  EXPECT_EQ(metadata_findings(id_texture(set, image)), Lines{});
+  EXPECT_EQ(metadata_findings(id_texture(set, image), PixelLevel::needed),
+            Lines{"FEATURE_ID_COUNT_MISMATCH " + kIdSet + "/featureCount"});
+  EXPECT_EQ(
+      metadata_findings(id_texture(set + R"(, "nullFeatureId": 4)", image), PixelLevel::needed),
+      Lines{});
+}
+
+}  // namespace
+}  // namespace gltfx::test
