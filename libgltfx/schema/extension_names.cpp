@@ -12,8 +12,6 @@ namespace {
 // From the registry of Khronos, its open proposals and the lists of the vendors.
 constexpr std::string_view kWithoutSchema[]{
     "BENTLEY_materials_line_style",
-    "CESIUM_RTC",
-    "CESIUM_tile_edges",
     "EXT_feature_metadata",
     "EXT_instance_features",
     "EXT_mesh_bmesh",
@@ -21,7 +19,6 @@ constexpr std::string_view kWithoutSchema[]{
     "EXT_primitive_voxels",
     "EXT_implicit_ellipsoid_region",
     "EXT_structural_metadata",
-    "EXT_texture_avif",
     "EXT_texture_procedurals_mx_1_39",
     "EXT_texture_video",
     "FB_ngon_encoding",
@@ -29,27 +26,14 @@ constexpr std::string_view kWithoutSchema[]{
     "GOOGLE_camera_settings",
     "GOOGLE_tilt_brush_material",
     "KHR_accessor_float16",
-    "KHR_audio_emitter",
     "KHR_audio_graph",
     "KHR_binary_glTF",
     "KHR_environment_map",
     "KHR_gaussian_splatting_compression_spz",
     "KHR_gaussian_splatting_compression_spz_2",
-    "KHR_implicit_shapes",
     "KHR_lights_environment",
-    "KHR_materials_clearcoat_anisotropy",
-    "KHR_materials_clearcoat_color",
-    "KHR_materials_clearcoat_darkening",
-    "KHR_materials_clearcoat_ior",
-    "KHR_materials_coat",
     "KHR_materials_common",
-    "KHR_materials_fuzz",
-    "KHR_physics_rigid_bodies",
     "KHR_quantized_geometry",
-    "KHR_texture_procedurals",
-    "MAXAR_image_ortho",
-    "MAXAR_nonvisual_geometry",
-    "MAXAR_temporal_light_traits",
     "MOZ_hubs_components",
     "MOZ_lightmap",
     "MSFT_audio_emitter",
@@ -57,31 +41,9 @@ constexpr std::string_view kWithoutSchema[]{
     "NEEDLE_lightmaps",
     "NEEDLE_persistent_assets",
     "NEEDLE_progressive",
-    "NGA_gpm_local",
     "OMI_audio_emitter",
-    "OMI_audio_ogg_vorbis",
-    "OMI_audio_opus",
-    "OMI_environment_sky",
     "OMI_link",
     "OMI_personality",
-    "OMI_physics_body",
-    "OMI_physics_gravity",
-    "OMI_physics_joint",
-    "OMI_physics_shape",
-    "OMI_seat",
-    "OMI_spawn_point",
-    "OMI_vehicle_body",
-    "OMI_vehicle_hover_thruster",
-    "OMI_vehicle_thruster",
-    "OMI_vehicle_wheel",
-    "VRM",
-    "VRMC_materials_hdr_emissiveMultiplier",
-    "VRMC_materials_mtoon",
-    "VRMC_node_constraint",
-    "VRMC_springBone",
-    "VRMC_springBone_extended_collider",
-    "VRMC_vrm",
-    "VRMC_vrm_animation",
     "WEB3D_quantized_attributes",
 };
 
@@ -96,8 +58,7 @@ bool may_add_values(const Set& set, std::string_view name) {
   if (set.find_extension(name) != kNone) return false;
   if (!is_known_without_schema(name)) return misspelt_extension(set, name).empty();
   // A type of components, and media types of images.
-  return name == "KHR_accessor_float16" || name == "EXT_texture_avif" ||
-         name == "EXT_texture_video";
+  return name == "KHR_accessor_float16" || name == "EXT_texture_video";
 }
 
 std::string_view misspelt_extension(const Set& set, std::string_view name) {
