@@ -141,9 +141,8 @@ TEST(ExtensionName, OfAnUndeclaredObjectIsGuessedToo) {
 }
 
 TEST(ExtensionName, ThatIsInUseIsNeverToBeRenamed) {
-  for (const char* const name :
-       {"EXT_texture_video", "KHR_accessor_float16", "KHR_environment_map", "OMI_link",
-        "MOZ_hubs_components", "ACME_sparkle"}) {
+  for (const char* const name : {"EXT_texture_video", "KHR_accessor_float16", "KHR_environment_map",
+                                 "OMI_link", "MOZ_hubs_components", "ACME_sparkle"}) {
     EXPECT_EQ(findings("\"extensionsUsed\": [\"" + std::string(name) + "\"]", {""}),
               Lines{"UNSUPPORTED_EXTENSION /extensionsUsed/0"})
         << name;
