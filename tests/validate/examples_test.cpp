@@ -32,7 +32,9 @@ const std::map<std::string_view, std::set<std::string_view>>& companions() {
       {"DRACO_NOT_CHECKED", {"DRACO_LIMIT_EXCEEDED"}},
       // Nobody knows an extension whose name is none.
       {"INVALID_EXTENSION_NAME_FORMAT", {"UNSUPPORTED_EXTENSION"}},
-      // Rules about an extension that is archived, however well it is used.
+      // Rules about an extension that is archived, or a draft, however well it is used.
+      {"AUDIO_DISTANCE_ORDER", {"EXTENSION_DRAFT"}},
+      {"AUDIO_EMITTER_NOT_GLOBAL", {"EXTENSION_DRAFT"}},
       {"TECHNIQUE_SEMANTIC_UNKNOWN", {"EXTENSION_ARCHIVED"}},
       {"TECHNIQUE_VALUE_MISSING", {"EXTENSION_ARCHIVED"}},
       {"TECHNIQUE_VALUE_UNKNOWN", {"EXTENSION_ARCHIVED"}},
