@@ -156,7 +156,7 @@ class SceneBuilder {
     SceneTextures textures(asset_, resources_, notes_, scene_);
     // A scene's material is large: the vector is not to be copied while it grows.
     scene_.materials.reserve(most_materials());
-    SceneMaterials materials(asset_, animated_, textures, scene_);
+    SceneMaterials materials(asset_, animated_, textures, notes_, scene_);
     SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
                        notes_, scene_);
     place_all(pose, meshes);

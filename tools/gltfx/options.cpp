@@ -119,6 +119,10 @@ Result<MatrixFormat> parse_matrix_format(std::string_view text) {
   return parse_word<MatrixFormat>("--format", text, kMatrixFormatWords);
 }
 
+Result<schema::Status> parse_status(std::string_view text) {
+  return parse_word<schema::Status>("--status", text, kStatusWords);
+}
+
 Result<Profile> parse_profile(std::string_view text) {
   return parse_word<Profile>("--profile", text, kProfileWords);
 }

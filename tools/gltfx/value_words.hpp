@@ -28,6 +28,14 @@ inline constexpr std::array<Word<MatrixFormat>, 3> kMatrixFormatWords{
     {{"text", MatrixFormat::text},
      {"json", MatrixFormat::json},
      {"markdown", MatrixFormat::markdown}}};
+inline constexpr std::array<Word<schema::Status>, 7> kStatusWords{
+    {{"ratified", schema::Status::ratified},
+     {"release-candidate", schema::Status::release_candidate},
+     {"draft", schema::Status::draft},
+     {"legacy", schema::Status::legacy},
+     {"archived", schema::Status::archived},
+     {"registered-vendor", schema::Status::registered_vendor},
+     {"vendor", schema::Status::vendor}}};
 inline constexpr std::array<Word<Profile>, 3> kProfileWords{
     {{"default", Profile::standard}, {"khronos", Profile::khronos}, {"strict", Profile::strict}}};
 inline constexpr std::array<Word<std::optional<PixelLevel>>, 3> kPixelWords{
