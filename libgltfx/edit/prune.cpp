@@ -2,7 +2,6 @@
 #include "edit/prune.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <optional>
 #include <utility>
@@ -11,6 +10,8 @@
 
 #include "base/json_pointer.hpp"
 #include "base/text.hpp"
+#include "edit/bin_cut.hpp"
+#include "edit/extras.hpp"
 #include "edit/name_list.hpp"
 #include "edit/pointers.hpp"
 #include "edit/removal.hpp"
@@ -33,31 +34,6 @@ class Shift {
  private:
   std::vector<std::uint64_t> gone_;
 };
-
-// Names by which people note down indices of their own.
-bool sounds_like_an_index(std::string_view name) {
-  std::string lower(name);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* word : {"texture", "image", "bufferview"}) {
-    if (lower.find(word) != std::string::npos) return true;
-  }
-  return false;
-}
-
-// A member of some extras with such a name and a number; empty: none.
-std::string index_in_extras(const json::Document& document) {
-  const json::KeyId extras = document.key_id("extras");
-  if (extras == json::kNoKey) return {};
-  json::NodeId end = 0;  // of the extras that are being looked at
-  for (json::NodeId id = 0; id < document.node_count(); ++id) {
-    const json::Node& node = document.node(id);
-    if (node.kind != json::Kind::key) continue;
-    if (node.next == extras) end = std::max(end, document.next(id + 1));
-    if (id >= end || !document.is_number(id + 1)) continue;
-    if (sounds_like_an_index(document.key(node.next))) return document.pointer_of(id + 1);
-  }
-  return {};
-}
 
 class Pruner {
  public:
@@ -85,8 +61,10 @@ class Pruner {
       return fmt::format("{} is unknown and may contain indices",
                          gltfx::quoted(references_.unknown_extension()));
     }
-    const std::string extras = index_in_extras(document_);
-    if (!extras.empty()) return fmt::format("{} may be an index", printable(extras));
+    for (const json::NodeId value : likely_indices(document_, {"texture", "image", "bufferview"})) {
+      if (!document_.is_number(value)) continue;
+      return fmt::format("{} may be an index", printable(document_.pointer_of(value)));
+    }
     for (const PointerUse& use : pointers_.all()) {
       const auto gone = orphans_.find(use.steps[0]);
       if (gone == orphans_.end() || gone->second.empty() || !Pointers::is_template(use)) continue;
@@ -146,112 +124,14 @@ class Pruner {
     }
   }
 
-  /// A buffer view in buffer 0.
-  struct View {
-    json::NodeId node;
-    ByteRange bytes;
-    bool gone;
-  };
-
-  std::optional<std::uint64_t> number(json::NodeId object, std::string_view member) const {
-    const json::NodeId value = document_.find(object, member);
-    return value == json::kNoNode ? std::nullopt : document_.unsigned_integer(value);
-  }
-
-  std::vector<json::NodeId> buffers_of_document() const {
-    std::vector<json::NodeId> buffers;
-    const json::NodeId nodes = list("buffers");
-    if (nodes == json::kNoNode || document_.kind(nodes) != json::Kind::array) return buffers;
-    for (const json::NodeId buffer : document_.elements(nodes)) buffers.push_back(buffer);
-    return buffers;
-  }
-
-  // Nothing where something beside plain buffer views refers to the buffer.
-  std::optional<std::vector<View>> views_of_bin() const {
-    const auto found = orphans_.find("bufferViews");
-    if (found == orphans_.end() || found->second.empty()) return std::nullopt;
-    const json::NodeId list_of_views = list("bufferViews");
-    if (document_.kind(list_of_views) != json::Kind::array) return std::nullopt;
-    const std::vector<json::NodeId> buffers = buffers_of_document();
-    std::vector<View> views;
-    std::uint64_t index = 0, references = 0;
-    for (const json::NodeId view : document_.elements(list_of_views)) {
-      const bool gone = found->second.count(index++) != 0;
-      const auto buffer = number(view, "buffer");
-      const std::uint64_t length = number(view, "byteLength").value_or(0);
-      if (!buffer || *buffer >= buffers.size() || length == 0) return std::nullopt;
-      if (!document_.is_object(buffers[*buffer])) return std::nullopt;
-      if (document_.find(view, "extensions") != json::kNoNode) return std::nullopt;
-      references += *buffer == 0 ? 1U : 0U;
-      const std::uint64_t begin = number(view, "byteOffset").value_or(0);
-      if (*buffer == 0) views.push_back({view, {begin, begin + length}, gone});
-    }
+  void cut_bytes(std::uint64_t bin_size) {
+    const auto views = orphans_.find("bufferViews");
+    if (views == orphans_.end()) return;
     const auto& to_buffers = references_.to("buffers");
     const auto to_bin = std::count_if(to_buffers.begin(), to_buffers.end(),
                                       [](const Reference& each) { return each.index == 0; });
-    if (static_cast<std::uint64_t>(to_bin) != references) return std::nullopt;
-    std::stable_sort(views.begin(), views.end(),
-                     [](const View& a, const View& b) { return a.bytes.begin < b.bytes.begin; });
-    return views;
-  }
-
-  // Where the next view that stays begins, by view.
-  static std::vector<std::uint64_t> next_begins(const std::vector<View>& views) {
-    std::vector<std::uint64_t> begins(views.size());
-    std::uint64_t next = UINT64_MAX;
-    for (std::size_t i = views.size(); i > 0; --i) {
-      begins[i - 1] = next;
-      if (!views[i - 1].gone) next = views[i - 1].bytes.begin;
-    }
-    return begins;
-  }
-
-  // Whole words of what only views that go lie in, with the bytes that filled them up.
-  void cut_bytes(std::uint64_t bin_size) {
-    const auto views = views_of_bin();
-    if (!views) return;
-    const std::vector<std::uint64_t> next = next_begins(*views);
-    std::uint64_t kept = 0;  // end of all views so far that stay, and of what was cut
-    for (std::size_t i = 0; i < views->size(); ++i) {
-      const View& view = (*views)[i];
-      std::uint64_t end = view.bytes.end;
-      if (view.gone) {
-        const std::uint64_t begin = std::max(view.bytes.begin, kept);
-        end = std::min({(end + 3) / 4 * 4, next[i], bin_size});
-        if (end < begin + 4) continue;
-        end = begin + (end - begin) / 4 * 4;
-        pruned_.cut.push_back({begin, end});
-      }
-      kept = std::max(kept, end);
-    }
-    shorten_buffer();
-    if (!pruned_.cut.empty()) move_views(*views);
-  }
-
-  // A buffer keeps at least a byte: else nothing is cut.
-  void shorten_buffer() {
-    const json::NodeId buffer = buffers_of_document().front();
-    const std::uint64_t old = number(buffer, "byteLength").value_or(0);
-    std::uint64_t left = old;
-    for (const ByteRange& range : pruned_.cut) {
-      left -= std::min(range.end, old) - std::min(range.begin, old);
-    }
-    if (left == 0) pruned_.cut.clear();
-    if (left == 0 || left == old) return;
-    editor_.replace_scalar(document_.find(buffer, "byteLength"), std::to_string(left));
-  }
-
-  void move_views(const std::vector<View>& views) {
-    std::uint64_t gone = 0;
-    auto cut = pruned_.cut.begin();
-    for (const View& view : views) {
-      for (; cut != pruned_.cut.end() && cut->end <= view.bytes.begin; ++cut) {
-        gone += cut->end - cut->begin;
-      }
-      if (view.gone || gone == 0) continue;
-      editor_.replace_scalar(document_.find(view.node, "byteOffset"),
-                             std::to_string(view.bytes.begin - gone));
-    }
+    pruned_.cut =
+        cut_bin(document_, views->second, static_cast<std::uint64_t>(to_bin), bin_size, editor_);
   }
 
   const json::Document& document_;

@@ -16,9 +16,9 @@ std::string first_unknown(const schema::CheckResult& result, const schema::Set& 
 }  // namespace
 
 References::References(const json::Document& document, const schema::Set& set) {
-  const schema::ReferenceVisitor visit = [this](std::string_view array, std::uint64_t index,
-                                                Span span) {
-    if (array.size() > 1) by_array_[std::string(array.substr(1))].push_back({index, span});
+  const schema::ReferenceVisitor visit = [this](const schema::ReferenceUse& use) {
+    if (use.array.empty()) return;
+    by_array_[std::string(use.array.substr(1))].push_back({use.index, use.span});
   };
   schema::CheckOptions options;
   options.references = &visit;

@@ -102,7 +102,8 @@ Result<Pieces> rewrite_glb(const container::Container& container, std::string_vi
   const Pieces bin = changed(rest.bin, change);
   const std::size_t bin_size = size_of(bin);
   json = without_padding(json);
-  const std::uint64_t added = change.empty() ? 0 : kChunkHeader + std::uint64_t{padded(bin_size)};
+  const bool has_new = !change.empty() && !change.drop;
+  const std::uint64_t added = has_new ? kChunkHeader + std::uint64_t{padded(bin_size)} : 0;
   // What lies behind the last chunk is none of the asset and not counted.
   const std::size_t end = container.chunks.back().offset + container.chunks.back().length;
   const std::size_t uncounted = container.bytes.size() - end;
@@ -114,7 +115,7 @@ Result<Pieces> rewrite_glb(const container::Container& container, std::string_vi
   head += chunk_header(container::kChunkJson, padded(json.size()));
   head.append(json).append(padded(json.size()) - json.size(), ' ');
   Pieces pieces{Bytes::from_string(std::move(head)), rest.before};
-  if (!change.empty()) {
+  if (has_new) {
     pieces.push_back(Bytes::from_string(chunk_header(container::kChunkBin, padded(bin_size))));
     pieces.insert(pieces.end(), bin.begin(), bin.end());
     pieces.push_back(Bytes::from_string(std::string(padded(bin_size) - bin_size, '\0')));

@@ -25,7 +25,8 @@ struct ByteRange {
 struct BinChange {
   std::string more;            ///< behind its data; a chunk is made when there is none
   std::vector<ByteRange> cut;  ///< of its data, in order, none overlaps; taken out
-  bool empty() const { return more.empty() && cut.empty(); }
+  bool drop = false;           ///< the whole chunk goes; nothing else is to be done with it
+  bool empty() const { return more.empty() && cut.empty() && !drop; }
 };
 
 /// What error of a GLB leaves open where its chunks lie, or nothing: the file can be rewritten,

@@ -96,8 +96,9 @@ class Reader {
 Uses find_uses(const model::Asset& asset, const schema::Set& schemas) {
   Uses uses;
   Reader reader(asset, uses);
-  const schema::ReferenceVisitor visit = [&reader](std::string_view array, std::uint64_t index,
-                                                   Span span) { reader.note(array, index, span); };
+  const schema::ReferenceVisitor visit = [&reader](const schema::ReferenceUse& use) {
+    reader.note(use.array, use.index, use.span);
+  };
   schema::CheckOptions options;
   options.references = &visit;
   schema::NoFindings nobody;

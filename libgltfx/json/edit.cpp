@@ -124,6 +124,10 @@ void Editor::enclose(NodeId container, NodeId value, std::string_view name) {
 
 void Editor::remove(NodeId container, NodeId item) { removed_.push_back({container, item}); }
 
+void Editor::remove_number(NodeId number_array, std::uint32_t index) {
+  removed_.push_back({number_array, index});
+}
+
 void Editor::append_member(NodeId object, std::string_view name, std::string_view json) {
   const Layout layout = layout_.of(object);
   std::string text;
@@ -139,13 +143,22 @@ void Editor::append_element(NodeId array, std::string_view json) {
 
 std::vector<Editor::Item> Editor::items(NodeId container, const Change& change) const {
   std::vector<Item> all;
+  const auto is_kept = [&](NodeId item) {
+    const Removal removal{container, item};
+    return !std::binary_search(change.removed.begin(), change.removed.end(), removal);
+  };
+  if (document_.kind(container) == Kind::number_array) {
+    std::uint32_t index = 0;
+    for (NumberCursor at(document_, container); at.valid(); at.advance()) {
+      all.push_back({at.number().span.begin, at.number().span.end, is_kept(index++)});
+    }
+    return all;
+  }
   const bool object = document_.is_object(container);
   const NodeId end = document_.next(container);
   for (NodeId at = container + 1; at < end;) {
     const NodeId value = object ? at + 1 : at;
-    const bool removed =
-        std::binary_search(change.removed.begin(), change.removed.end(), Removal{container, at});
-    all.push_back({document_.span(at).begin, document_.span(value).end, !removed});
+    all.push_back({document_.span(at).begin, document_.span(value).end, is_kept(at)});
     at = document_.next(value);
   }
   return all;
@@ -154,6 +167,7 @@ std::vector<Editor::Item> Editor::items(NodeId container, const Change& change) 
 // Nothing that was there stays: only the brackets do.
 void Editor::refill(NodeId container, const Change& change) {
   const Span span = document_.span(container);
+  if (change.added.empty()) return add(span.begin + 1, span.end - 1, {});
   const Layout layout = layout_.of(container);
   std::string text;
   for (const Addition& item : change.added) {
@@ -165,8 +179,9 @@ void Editor::refill(NodeId container, const Change& change) {
     }
     text += item.text;
   }
-  if (!change.added.empty() && layout.line_end.empty()) text += layout.padding;
-  if (!change.added.empty() && !layout.line_end.empty()) {
+  if (layout.line_end.empty()) {
+    text += layout.padding;
+  } else {
     const std::string_view outer = layout.indent;
     const bool nested = outer.ends_with(layout.unit);
     text += layout.line_end;

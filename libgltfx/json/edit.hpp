@@ -55,6 +55,8 @@ class Editor {
   void replace_text(Span span, std::string text) { add(span.begin, span.end, std::move(text)); }
   /// Takes out a member (by its key) or an element of `container`, with the comma it needs.
   void remove(NodeId container, NodeId item);
+  /// Takes out an element of a number_array, with the comma it needs.
+  void remove_number(NodeId number_array, std::uint32_t index);
   /// Adds a member behind those of an object.
   void append_member(NodeId object, std::string_view name, std::string_view json);
   /// Adds an element behind those of an array, which holds more than numbers or nothing.
@@ -66,7 +68,7 @@ class Editor {
  private:
   struct Removal {
     NodeId container;
-    NodeId item;
+    NodeId item;  ///< of a number_array: the index of the element
     friend auto operator<=>(const Removal&, const Removal&) = default;
   };
   struct Addition {

@@ -51,11 +51,20 @@ class MemberVisitor {
   MemberVisitor& operator=(const MemberVisitor&) = default;
 };
 
-/// Called for each index of the document, also one that leads nowhere: the array that is meant,
-/// such as "/textures" (empty for one that is not reached from the root), the index, and the bytes
-/// of the text it stands in.
-using ReferenceVisitor =
-    std::function<void(std::string_view array, std::uint64_t index, Span span)>;
+/// An index of the document, also one that leads nowhere.
+struct ReferenceUse {
+  /// That is meant, such as "/textures"; empty for one that is not reached from the root, or when
+  /// it may be one of several.
+  std::string_view array;
+  std::uint64_t index = 0;
+  Span span;                           ///< of the number
+  json::NodeId list = json::kNoNode;   ///< the array; kNoNode: not there, or one of several
+  json::NodeId value = json::kNoNode;  ///< the number, or the number_array it stands in
+  const Target* target = nullptr;      ///< lives in the Set
+};
+using ReferenceVisitor = std::function<void(const ReferenceUse&)>;
+/// Called for each string that is a JSON pointer by its schema, also one that leads nowhere.
+using PointerVisitor = std::function<void(json::NodeId)>;
 
 struct CheckOptions {
   Deviations deviations = {};
@@ -65,6 +74,7 @@ struct CheckOptions {
   json::Document* shown = nullptr;
   MemberVisitor* members = nullptr;              ///< or nobody
   const ReferenceVisitor* references = nullptr;  ///< Part::all
+  const PointerVisitor* pointers = nullptr;      ///< or nobody
 };
 
 /// A texture slot that is filled.

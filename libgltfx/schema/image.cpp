@@ -46,8 +46,9 @@ void exchange(Archive& archive, Shape& shape) {
           shape.max_properties, shape.unique_items, shape.pattern, shape.format, shape.literals,
           shape.is_const, shape.items, shape.type, shape.values, shape.pattern_properties,
           shape.property_names, shape.all_of, shape.any_of, shape.one_of, shape.not_shape,
-          shape.conditions, shape.dependent_required, shape.ref, shape.ref_name, shape.slot,
-          shape.title, shape.description, shape.hint);
+          shape.conditions, shape.dependent_required, shape.ref, shape.ref_name, shape.may_refer,
+          shape.may_point, shape.essential, shape.by_position, shape.slot, shape.title,
+          shape.description, shape.hint);
 }
 
 template <class Archive>
@@ -106,7 +107,7 @@ void exchange(Archive& archive, Extension& extension) {
 }
 
 constexpr std::uint64_t kMagic =
-    0x6778'5363'6865'0004;  // its last digits count the format's versions
+    0x6778'5363'6865'0005;  // its last digits count the format's versions
 
 class Writer {
  public:

@@ -22,6 +22,7 @@ class ReferenceCheck {
     const auto count = static_cast<ShapeId>(set_.shapes.size());
     for (ShapeId id = 0; id < count; ++id) {
       if (set_.shapes[id].ref) target(id, *set_.shapes[id].ref, "ref");
+      if (set_.shapes[id].may_refer) target(id, *set_.shapes[id].may_refer, "mayRefer");
       if (set_.shapes[id].ref_name) target(id, *set_.shapes[id].ref_name, "refName");
     }
     for (TypeId id = 0; id < set_.types.size(); ++id) slots(set_.types[id]);
@@ -66,7 +67,7 @@ class ReferenceCheck {
     for (std::size_t i = 0; i < target.steps.size(); ++i) {
       if (!step(place, target.steps, i, at)) return;
     }
-    if (which == "ref" && !is_array(place.shape)) {
+    if (which != "refName" && !is_array(place.shape)) {
       build_.errors.add(at, quoted(target.text) + " is not an array");
     }
   }

@@ -119,6 +119,10 @@ struct Shape {
   std::vector<std::pair<std::string, std::vector<std::string>>> dependent_required;
   std::optional<Target> ref;
   std::optional<Target> ref_name;
+  std::optional<Target> may_refer;  ///< of a list: what integers in it index, if anything is there
+  bool may_point = false;   ///< of a list: strings in it that begin with '/' are JSON pointers
+  bool essential = false;   ///< without it, an object that no extension completes is of no use
+  std::string by_position;  ///< why no element of an array may go: what goes by their positions
   std::optional<Slot> slot;
   std::string title, description, hint;
 };

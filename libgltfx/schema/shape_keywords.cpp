@@ -180,6 +180,14 @@ void ShapeBuilder::read_annotation(Site annotation, Shape& shape) {
   if (const Site hint = word("hint"); hint.exists()) shape.hint = build_.text(hint);
   if (const Site ref = word("ref"); ref.exists()) shape.ref = read_target(build_, ref);
   if (const Site name = word("refName"); name.exists()) shape.ref_name = read_target(build_, name);
+  if (const Site ref = word("mayRefer"); ref.exists()) shape.may_refer = read_target(build_, ref);
+  const auto is_set = [&](std::string_view name) {
+    const Site flag = word(name);
+    return flag.exists() && build_.document(flag).kind(flag.node) == json::Kind::true_value;
+  };
+  shape.may_point = is_set("mayPoint");
+  shape.essential = is_set("essential");
+  if (const Site why = word("byPosition"); why.exists()) shape.by_position = build_.text(why);
   if (const Site slot = word("slot"); slot.exists()) shape.slot = read_slot(build_, slot);
   const Site names = word("enumNames");
   if (!names.exists()) return;

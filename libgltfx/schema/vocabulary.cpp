@@ -69,6 +69,10 @@ constexpr auto kSchema = [] {
 constexpr std::array kWord{
     Word{"ref", F::target},
     Word{"refName", F::name_target},
+    Word{"mayRefer", F::target},
+    Word{"mayPoint", F::flag},
+    Word{"essential", F::flag},
+    Word{"byPosition", F::nonempty_text},
     Word{"slot", F::slot},
     Word{"parameter", F::nonempty_text},
     Word{"mutable", F::mutable_type},

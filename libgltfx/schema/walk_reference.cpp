@@ -54,11 +54,12 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   const TargetPlan& plan = tables_.targets[target];
   const bool of_root = top_ != nullptr && top_->parent == nullptr;
   if (options_.part == (of_root ? Part::references : Part::form)) return;
-  if (options_.references != nullptr) {
-    (*options_.references)(plan.steps_over ? std::string_view() : plan.pointer, index,
-                           values_.span(value));
-  }
   Targets::Array* array = array_of(plan, target);
+  if (options_.references != nullptr) {
+    (*options_.references)({plan.steps_over ? std::string_view() : plan.pointer, index,
+                            values_.span(value), array == nullptr ? json::kNoNode : array->node,
+                            value.node, plan.target});
+  }
   const bool hole = array != nullptr && array->is_hole(index);
   if (array != nullptr && index < array->size && !(deviations().broken_values_are_absent && hole)) {
     if (index < array->used.size()) array->used.mark(index);

@@ -231,7 +231,9 @@ void Walker::judge_text(ShapeId id, Value value, const Path& path) {
            name_of(path) + " is " + shown(values_, value) + "; it must match " +
                std::string(set_.pattern_text(shape.pattern)) + ".");
   }
-  if (shape.format == "json-pointer" && !is_json_pointer(text)) {
+  const bool pointer = shape.format == "json-pointer";
+  if (pointer && options_.pointers != nullptr) (*options_.pointers)(value.node);
+  if (pointer && !is_json_pointer(text)) {
     unset_ = true;
     report(path, Code::PATTERN_MISMATCH, values_.span(value),
            name_of(path) + " is " + shown(values_, value) + "; it must be a JSON pointer.",

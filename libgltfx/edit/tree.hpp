@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where the values of a document stand in it: what holds them, and at which position.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "json/document.hpp"
+
+namespace gltfx::edit {
+
+/// A value: a node, or an element of a number_array, which has none of its own.
+struct Place {
+  json::NodeId node = json::kNoNode;  ///< of an element: its array
+  std::optional<std::uint64_t> element;
+};
+
+/// Any number of questions take time linear in them and in the document. The document must outlive
+/// it. Not thread-safe.
+class Tree {
+ public:
+  explicit Tree(const json::Document& document);
+
+  const json::Document& document() const { return document_; }
+  /// The object or array that holds a value; kNoNode for the root.
+  json::NodeId parent(json::NodeId value) const { return parents_[value]; }
+  /// The position of an element in its array.
+  std::uint32_t position(json::NodeId element) const { return positions_[element]; }
+  bool is_member(json::NodeId value) const {
+    return value > 0 && document_.kind(value - 1) == json::Kind::key;
+  }
+  /// The name of a member.
+  std::string_view name(json::NodeId value) const {
+    return document_.key(document_.node(value - 1).next);
+  }
+
+  /// The number of elements or members, repeats included.
+  std::uint64_t size(json::NodeId container) const;
+  /// The element of a number_array that begins at that byte of the text.
+  std::uint64_t number_at(json::NodeId array, std::uint32_t begin) const;
+  /// The node of an element; kNoNode where there is none.
+  json::NodeId element(json::NodeId array, std::uint64_t index) const;
+  /// The value of a member; kNoNode where there is none.
+  json::NodeId member(json::NodeId object, std::string_view name) const;
+  /// What the step of a pointer leads to from a value; a null node: nothing.
+  Place step(json::NodeId from, std::string_view name) const;
+  /// The place that a pointer names; a null node: it leads nowhere, or is none.
+  Place find(std::string_view pointer) const;
+  std::string pointer(Place place) const;
+  std::string pointer(json::NodeId value) const { return pointer(Place{value, std::nullopt}); }
+
+ private:
+  const std::vector<json::NodeId>& elements(json::NodeId array) const;
+  const std::vector<std::uint32_t>& numbers(json::NodeId array) const;
+
+  const json::Document& document_;
+  std::vector<json::NodeId> parents_;     ///< by node
+  std::vector<std::uint32_t> positions_;  ///< by node
+  std::vector<std::uint32_t> sizes_;      ///< by node, of containers that have nodes inside
+  mutable std::unordered_map<json::NodeId, std::vector<json::NodeId>> elements_;
+  /// Where the elements of number_arrays begin.
+  mutable std::unordered_map<json::NodeId, std::vector<std::uint32_t>> numbers_;
+  mutable std::unordered_map<std::uint64_t, json::NodeId> members_;  ///< by object and KeyId
+  mutable std::unordered_set<json::NodeId> known_objects_;           ///< in members_
+};
+
+}  // namespace gltfx::edit
