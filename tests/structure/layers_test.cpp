@@ -32,6 +32,8 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/report.hpp", "report"},
     {"gltfx/validate.hpp", "validate"},
     {"gltfx/upgrade.hpp", "upgrade"},
+    {"gltfx/edited_file.hpp", "edit"},
+    {"gltfx/fix.hpp", "validate"},
     {"gltfx/pipeline.hpp", "pipeline"},
     {"gltfx/mapping.hpp", "container"},
     {"gltfx/bake.hpp", "report"},

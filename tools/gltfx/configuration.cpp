@@ -173,7 +173,7 @@ void Configuration::fill(std::string_view key, std::string& word) const {
   if (word.empty() && !said.empty()) word = std::move(said.front());
 }
 
-void Configuration::apply(RawUpgradeOptions& words) const {
+void Configuration::apply(RawEditOptions& words) const {
   fill("root", words.root);
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
@@ -245,6 +245,10 @@ Result<Wanted> request_with_configuration(Words words) {
 
 Result<UpgradeRequest> configured(RawUpgradeOptions words) {
   return request_with_configuration<UpgradeRequest>(std::move(words));
+}
+
+Result<FixRequest> configured(RawFixOptions words) {
+  return request_with_configuration<FixRequest>(std::move(words));
 }
 
 Result<BakeRequest> configured(RawBakeOptions words) {

@@ -13,6 +13,7 @@ namespace {
 constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx validate model.glb           validate an asset
   gltfx validate assets/ --jobs 4    validate a folder
+  gltfx fix assets/ --in-place       fix what is surely fixable
   gltfx upgrade assets/ --in-place   upgrade legacy extensions
   gltfx bake model.glb -o model.png  render a preview
   gltfx report assets/ -o r.html     write an HTML page
@@ -31,6 +32,16 @@ constexpr std::string_view kValidateExamples = R"(Examples:
   gltfx validate assets/ --baseline known.json         fails on new findings
   gltfx validate model.gltf --schema ACME_leaf.schema.json
   gltfx validate library/ --cache .gltfx-cache         checks changed files only
+)";
+
+constexpr std::string_view kFixExamples = R"(Examples:
+  gltfx fix model.gltf                      dry run: nothing is written
+  gltfx fix model.gltf --diff               show the changes
+  gltfx fix assets/ --in-place --backup     safe fixes only
+  gltfx fix assets/ --check                 for CI: exit 1 if work is left
+  gltfx fix assets/ -o fixed/               copy the tree with its resources
+  gltfx fix model.glb --only ACCESSOR_MIN_MISMATCH,ACCESSOR_MAX_MISMATCH
+  gltfx fix model.gltf --unsafe --only EXTENSION_NAME_MISSPELT --in-place
 )";
 
 constexpr std::string_view kUpgradeExamples = R"(Examples:
@@ -73,6 +84,7 @@ constexpr std::string_view kHookExamples =
 file. Fails if a referenced file is not staged.
 
 Examples:
+  gltfx hook fix --in-place              lists the files to stage
   gltfx hook upgrade --check             in .git/hooks/pre-commit
   gltfx hook upgrade --in-place          lists the files to stage
   gltfx hook validate --fail-on warning
@@ -110,6 +122,7 @@ constexpr std::string_view kConfigExamples = R"(Examples:
 
 std::string_view help_examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
+  if (verb == "fix") return kFixExamples;
   if (verb == "upgrade") return kUpgradeExamples;
   if (verb == "bake") return kBakeExamples;
   if (verb == "report") return kReportExamples;

@@ -80,6 +80,7 @@ Table common_values() {
       {"--profile", choice(set_of(kProfileWords))},
       {"--select", comma_list(codes())},
       {"--ignore", comma_list(codes())},
+      {"--skip", comma_list(codes())},
       {"--severity", severities()},
       {"--pixels", choice(set_of(kPixelWords))},
       {"--root", folder()},
@@ -113,6 +114,9 @@ Table own_values() {
       {"validate --format", report_formats()},
       {"merge --format", report_formats()},
       {"bake --format", choice(set_of(kPictureFormats))},
+      {"fix --output", assets()},
+      {"fix --only", comma_list(codes())},
+      {"fix ", assets()},
       {"upgrade --output", assets()},
       {"bake --output", picture_or_folder()},
       {"report --output", file({"html"})},
@@ -125,7 +129,7 @@ Table own_values() {
       {"explain ", choice(codes())},
       {"schema ", choice(schema_names())},
       {"config ", {.words = {{}, {"import"}}, .files = true, .folders = true}},
-      {"hook ", choice({{}, {"validate", "upgrade"}})},
+      {"hook ", choice({{}, {"validate", "fix", "upgrade"}})},
   };
 }
 
