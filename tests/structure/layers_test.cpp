@@ -34,6 +34,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/upgrade.hpp", "upgrade"},
     {"gltfx/edited_file.hpp", "edit"},
     {"gltfx/fix.hpp", "validate"},
+    {"gltfx/deletion.hpp", "pipeline"},
     {"gltfx/pipeline.hpp", "pipeline"},
     {"gltfx/mapping.hpp", "container"},
     {"gltfx/bake.hpp", "report"},

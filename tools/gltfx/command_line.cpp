@@ -38,6 +38,7 @@ class Declaration {
     declare_validate(verb("validate", "Validate .gltf and .glb files"), validate_);
     declare_fix(verb("fix", "Fix what a program can fix with certainty"), fix_);
     declare_upgrade(verb("upgrade", "Upgrade legacy extensions to their successors"), upgrade_);
+    declare_edit(verb("edit", "Delete objects and renumber what refers to others"), edit_);
     declare_hook();
     declare_bake(verb("bake", "Render previews of assets"), bake_);
     declare_report(verb("report", "Write an HTML page: findings, previews, sizes"), report_);
@@ -73,6 +74,7 @@ class Declaration {
   RawMergeOptions merge_;
   RawFixOptions fix_;
   RawUpgradeOptions upgrade_;
+  RawDeleteOptions edit_;
   RawBakeOptions bake_;
   RawInspectOptions inspect_;
   RawPageOptions report_;
@@ -179,6 +181,7 @@ std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "validate") return &validate_.inputs.paths;
   if (verb == "fix") return &fix_.inputs.paths;
   if (verb == "upgrade") return &upgrade_.inputs.paths;
+  if (verb == "edit") return &edit_.inputs.paths;
   if (verb == "bake") return &bake_.inputs.paths;
   if (verb == "merge") return &merge_.files;
   if (verb == "inspect") return &inspect_.paths;
@@ -222,6 +225,7 @@ CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "validate") return command_of(verb, configured(validate_));
   if (verb == "fix") return command_of(verb, configured(fix_));
   if (verb == "upgrade") return command_of(verb, configured(upgrade_));
+  if (verb == "edit") return command_of(verb, configured(edit_));
   if (verb == "bake") return command_of(verb, configured(bake_));
   if (verb == "report") return command_of(verb, configured(report_));
   if (verb == "inspect") return command_of(verb, configured(inspect_));

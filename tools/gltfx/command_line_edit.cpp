@@ -56,4 +56,12 @@ void declare_fix(CLI::App& app, RawFixOptions& words) {
   declare_sources(app, words);
 }
 
+void declare_edit(CLI::App& app, RawDeleteOptions& words) {
+  add_list(app, "--delete", words.pointers, "POINTER",
+           "Delete what a JSON pointer names: /meshes/3 (repeatable)");
+  app.add_flag("--cascade", words.cascade, "Delete what refers to it, too");
+  declare_destination(app, words);
+  declare_sources(app, words);
+}
+
 }  // namespace gltfx::tool

@@ -64,6 +64,8 @@ void declare_report(CLI::App& app, RawPageOptions& words);
 void declare_upgrade(CLI::App& app, RawUpgradeOptions& words);
 /// The options of `gltfx fix`.
 void declare_fix(CLI::App& app, RawFixOptions& words);
+/// The options of `gltfx edit`.
+void declare_edit(CLI::App& app, RawDeleteOptions& words);
 /// The options of `gltfx inspect`.
 void declare_inspect(CLI::App& app, RawInspectOptions& words);
 /// The options of `gltfx merge`.

@@ -59,6 +59,7 @@ ExitCode run(const ValidateRequest& request);
 ExitCode run(const MergeRequest& request);
 ExitCode run(const FixRequest& request);
 ExitCode run(const UpgradeRequest& request);
+ExitCode run(const DeleteRequest& request);
 ExitCode run(const HookRequest& request);
 ExitCode run(const BakeRequest& request);
 ExitCode run(const PageRequest& request);

@@ -251,6 +251,10 @@ Result<FixRequest> configured(RawFixOptions words) {
   return request_with_configuration<FixRequest>(std::move(words));
 }
 
+Result<DeleteRequest> configured(RawDeleteOptions words) {
+  return request_with_configuration<DeleteRequest>(std::move(words));
+}
+
 Result<BakeRequest> configured(RawBakeOptions words) {
   return request_with_configuration<BakeRequest>(std::move(words));
 }

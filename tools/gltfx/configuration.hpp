@@ -88,6 +88,7 @@ Result<ValidateRequest> configured(const RawValidateOptions& words);
 Result<PageRequest> configured(const RawPageOptions& words);
 Result<UpgradeRequest> configured(RawUpgradeOptions words);
 Result<FixRequest> configured(RawFixOptions words);
+Result<DeleteRequest> configured(RawDeleteOptions words);
 Result<BakeRequest> configured(RawBakeOptions words);
 Result<InspectRequest> configured(RawInspectOptions words);
 Result<SchemaRequest> configured(RawSchemaOptions words);

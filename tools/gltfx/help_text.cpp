@@ -57,6 +57,13 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade wax.gltf --to KHR_materials_scatter --in-place
 )";
 
+constexpr std::string_view kEditExamples = R"(Examples:
+  gltfx edit model.gltf --delete /meshes/3   dry run: what goes, what refers to it
+  gltfx edit model.gltf --delete /nodes/7 --cascade --diff
+  gltfx edit model.glb --delete /animations/0 --delete /animations/2 -o new.glb
+  gltfx edit model.glb --delete /materials/1 --cascade --in-place --backup
+)";
+
 constexpr std::string_view kBakeExamples = R"(Examples:
   gltfx bake model.glb -o model.png
   gltfx bake assets/ -o thumbnails/ --size 256      previews and a contact sheet
@@ -124,6 +131,7 @@ std::string_view help_examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
   if (verb == "fix") return kFixExamples;
   if (verb == "upgrade") return kUpgradeExamples;
+  if (verb == "edit") return kEditExamples;
   if (verb == "bake") return kBakeExamples;
   if (verb == "report") return kReportExamples;
   if (verb == "inspect") return kInspectExamples;

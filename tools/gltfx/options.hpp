@@ -128,6 +128,10 @@ struct FixRequest : EditRequest {
   FixOptions fix;  ///< likewise
 };
 
+struct DeleteRequest : EditRequest {
+  DeleteOptions deletion;  ///< likewise
+};
+
 struct BakeRequest {
   CommonOptions common;
   NamedPaths paths;
@@ -187,7 +191,7 @@ struct ConfigRequest {
   std::string import_file;  ///< not empty: a configuration of the Khronos validator to be read
 };
 
-using Request = std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, BakeRequest,
+using Request = std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, DeleteRequest, BakeRequest,
                              InspectRequest, PageRequest, HookRequest, ExplainRequest, RulesRequest,
                              SchemaRequest, ConfigRequest>;
 

@@ -227,6 +227,17 @@ Result<UpgradeRequest> request_of(const RawUpgradeOptions& words) {
   return reading.finish(request);
 }
 
+Result<DeleteRequest> request_of(const RawDeleteOptions& words) {
+  Reading reading;
+  DeleteRequest request;
+  read_edit(reading, words, "edit", request, request.deletion);
+  reading.require(words.restore || !words.pointers.empty(),
+                  "edit: name what is to go: --delete POINTER.");
+  request.deletion.pointers = words.pointers;
+  request.deletion.cascade = words.cascade;
+  return reading.finish(request);
+}
+
 Result<FixRequest> request_of(const RawFixOptions& words) {
   Reading reading;
   FixRequest request;

@@ -82,6 +82,11 @@ struct RawFixOptions : RawEditOptions {
   std::vector<std::string> skip;
 };
 
+struct RawDeleteOptions : RawEditOptions {
+  std::vector<std::string> pointers;
+  bool cascade = false;
+};
+
 struct RawBakeOptions {
   RawCommonOptions common;
   ConfigChoice configuration;
@@ -133,6 +138,7 @@ Result<PageRequest> request_of(const RawPageOptions& words, ValidateRequest vali
 Result<MergeRequest> request_of(const RawMergeOptions& words);
 Result<UpgradeRequest> request_of(const RawUpgradeOptions& words);
 Result<FixRequest> request_of(const RawFixOptions& words);
+Result<DeleteRequest> request_of(const RawDeleteOptions& words);
 Result<BakeRequest> request_of(const RawBakeOptions& words);
 Result<InspectRequest> request_of(const RawInspectOptions& words);
 Result<ExplainRequest> request_of(const RawExplainOptions& words);

@@ -70,6 +70,19 @@ at all, and not when it changed meanwhile, is no regular file or has other hard 
 image has to be made anew it goes where the old one was: into the binary chunk of a GLB, into a file
 beside the asset, or into a data URI.)";
 
+constexpr std::string_view kEdit =
+    R"(Deletes elements of arrays, or members, that JSON pointers name. Every index and every JSON pointer
+that leads behind them is counted anew, in the core of glTF and in all extensions that gltfx or a
+`--schema` describes. All else in the file stays byte for byte.
+
+What refers to something that would go is listed, and the file stays as it is. With `--cascade` it
+goes, too: an entry of a list alone, a member alone where the object can be without it, else the
+object. What a deleted object referred to stays.
+
+Without `--in-place` or `--output` nothing is written: the verb says what would be done. The new asset
+is validated before it takes the place of the old one. A file is replaced whole or not at all, and not
+when it changed meanwhile, is no regular file or has other hard links.)";
+
 constexpr std::string_view kHook =
     R"(Runs gltfx-validate(1), gltfx-fix(1) or gltfx-upgrade(1) with their options over the assets of a commit of
 git that is about to be made. PATH names files that changed besides those that git knows of.)";
@@ -119,11 +132,12 @@ constexpr std::string_view kConfig =
 gltfx.toml(5) or the default that says so. `gltfx config import FILE` prints a configuration of the
 Khronos validator, in YAML, as one of gltfx.)";
 
-constexpr std::array<VerbText, 13> kTexts{{
+constexpr std::array<VerbText, 14> kTexts{{
     {"", "VERB [OPTION]... [ARGUMENT]...", kProgram},
     {"validate", "PATH...", kValidate},
     {"fix", "PATH...", kFix},
     {"upgrade", "PATH...", kUpgrade},
+    {"edit", "PATH...", kEdit},
     {"hook", "VERB [OPTION]... [PATH]...", kHook},
     {"bake", "PATH...", kBake},
     {"report", "PATH...", kReport},

@@ -118,6 +118,8 @@ Table own_values() {
       {"fix --only", comma_list(codes())},
       {"fix ", assets()},
       {"upgrade --output", assets()},
+      {"edit --output", assets()},
+      {"edit ", assets()},
       {"bake --output", picture_or_folder()},
       {"report --output", file({"html"})},
       {"validate ", assets()},

@@ -5,6 +5,7 @@
 
 #include <gltfx/bake.hpp>
 #include <gltfx/decoders.hpp>
+#include <gltfx/deletion.hpp>
 #include <gltfx/fix.hpp>
 #include <gltfx/inspect.hpp>
 #include <gltfx/page.hpp>
@@ -95,6 +96,16 @@ void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, 
 
 /// The bytes of an example of a rule with nothing but that rule's fix, as they would be written.
 std::string fix_example(const RuleDescription& rule, std::string_view example);
+
+/// Deletes what the options name from the asset at `path`: every index and JSON pointer that leads
+/// behind is counted anew. A file is changed whole or not at all, only after the new bytes were
+/// validated. Never throws. Safe to call from several threads for different files.
+DeleteReport delete_objects(const std::string& path, const DeleteOptions& options);
+
+/// The same for many files on `jobs` threads (at least 1), which hands over the reports in the order
+/// of `inputs`, one at a time.
+void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
+                             unsigned jobs, const std::function<void(DeleteReport&&)>& consume);
 
 /// Draws the file at `path` and writes what the options ask for. Never throws; files are written
 /// whole or not at all. Safe to call from several threads for different files.
