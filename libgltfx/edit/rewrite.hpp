@@ -31,7 +31,7 @@ struct BytePatch {
 struct BinChange {
   std::string more;            ///< behind its data; a chunk is made when there is none
   std::vector<ByteRange> cut;  ///< of its data, in order, none overlaps; taken out
-  bool drop = false;  ///< the whole chunk goes; nothing else is to be done with it
+  bool drop = false;           ///< the whole chunk goes; nothing else is to be done with it
   /// Of its data, in order; none overlaps another or a cut.
   std::vector<BytePatch> patches = {};
   bool empty() const { return more.empty() && cut.empty() && patches.empty() && !drop; }

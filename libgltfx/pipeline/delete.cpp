@@ -96,14 +96,15 @@ class DeleteRun {
   }
 
   void refuse_for_obstacles() {
-    const auto references = std::count_if(
-        report_.obstacles.begin(), report_.obstacles.end(),
-        [](const DeleteObstacle& obstacle) { return !obstacle.must_have; });
+    const auto references =
+        std::count_if(report_.obstacles.begin(), report_.obstacles.end(),
+                      [](const DeleteObstacle& obstacle) { return !obstacle.must_have; });
     const auto owners = static_cast<std::ptrdiff_t>(report_.obstacles.size()) - references;
-    refuse(owners == 0 ? fmt::format("{} to what was to be deleted; --cascade deletes "
-                                     "what refers to it, too",
-                                     report::counted(static_cast<std::uint64_t>(references), "reference"))
-                       : "an object cannot be without what was to be deleted; --cascade deletes it, too");
+    refuse(owners == 0
+               ? fmt::format("{} to what was to be deleted; --cascade deletes "
+                             "what refers to it, too",
+                             report::counted(static_cast<std::uint64_t>(references), "reference"))
+               : "an object cannot be without what was to be deleted; --cascade deletes it, too");
   }
 
   void describe(edit::Deletion& planned) {

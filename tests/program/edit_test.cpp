@@ -117,8 +117,9 @@ TEST_F(EditTest, PlansAreReadByPrograms) {
 }
 
 TEST_F(EditTest, HostilePointersAreRefused) {
-  for (const char* pointer : {"/meshes/99999999999", "/cameras/-", "/cameras/2", "", "/asset",
-                              "/asset/version", "cameras/0", "/nodes/\xff\xfe", "/scenes/0/nodes"}) {
+  for (const char* pointer :
+       {"/meshes/99999999999", "/cameras/-", "/cameras/2", "", "/asset", "/asset/version",
+        "cameras/0", "/nodes/\xff\xfe", "/scenes/0/nodes"}) {
     const Outcome outcome = here({"a.gltf", "--delete", pointer, "--in-place"});
     const bool member = std::string(pointer) == "/scenes/0/nodes";
     EXPECT_EQ(outcome.code, member ? 0 : 1) << pointer << outcome.err;

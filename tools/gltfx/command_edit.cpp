@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "delete_print.hpp"
 #include "edit_run.hpp"
+#include "fix_print.hpp"
 #include "input_paths.hpp"
 #include "output_places.hpp"
 #include "read_input.hpp"
@@ -76,7 +77,7 @@ class DeleteCommand {
     }
     if (request_.check && report.changes) code_ = worse(code_, ExitCode::findings);
     if (report.problem == EditProblem::none) return;
-    complain(fmt::format("{}: {}", printable(report.path), report.error));
+    complain(fmt::format("{}: {}", printable(report.path), printable(report.error)));
     code_ = worse(code_, exit_code_of(report.problem));
   }
 

@@ -39,8 +39,8 @@ struct DeleteObstacle {
 struct DeleteReport : EditOutcome {
   std::vector<DeletedObject> deleted;  ///< first what was asked for
   std::vector<DeleteObstacle> obstacles;
-  std::uint64_t renumbered = 0;        ///< indices and JSON pointers that are counted anew
-  std::uint64_t bytes = 0;             ///< of the BIN chunk of a GLB that go, too
+  std::uint64_t renumbered = 0;            ///< indices and JSON pointers that are counted anew
+  std::uint64_t bytes = 0;                 ///< of the BIN chunk of a GLB that go, too
   std::vector<std::string> names_removed;  ///< extensions whose last object is deleted
   /// Pointers to what may be an index, in `extras`: it stays as it is.
   std::vector<std::string> doubtful;
