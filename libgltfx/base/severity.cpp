@@ -19,4 +19,9 @@ std::optional<Severity> severity_from_name(std::string_view name) {
   return std::nullopt;
 }
 
+std::string_view fix_name(Fix fix) {
+  constexpr std::array<std::string_view, 4> kFixes{"none", "safe", "unsafe", "upgrade"};
+  return kFixes[static_cast<std::size_t>(fix)];
+}
+
 }  // namespace gltfx

@@ -94,8 +94,10 @@ std::optional<Error> make_folder(const fs::path& folder) {
 }
 
 std::optional<Error> copy_companions(const json::Document& document,
-                                     const container::Resolver& resolver, const fs::path& folder) {
+                                     const container::Resolver& resolver, const fs::path& folder,
+                                     const std::set<std::string>& but) {
   for (const std::string& path : referred_paths(document)) {
+    if (but.count(path) != 0) continue;
     if (auto trouble = copy(path, resolver, folder)) return trouble;
   }
   return std::nullopt;

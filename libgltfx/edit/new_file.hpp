@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A file that is written beside an asset.
+/// Files that are written beside an asset.
 #pragma once
 
 #include <memory>
 #include <span>
 #include <string>
 
+#include "base/file_state.hpp"
 #include "container/bytes.hpp"
 
 namespace gltfx::edit {
@@ -17,6 +18,14 @@ struct NewFile {
 
   /// The bytes, which keep their memory.
   container::Bytes content() const { return {std::as_bytes(std::span(*bytes)), bytes}; }
+};
+
+/// A file that the asset refers to and that gets other bytes.
+struct ReplacedFile {
+  std::string path;         ///< as NewFile::path
+  FileState state;          ///< when it was read
+  container::Bytes before;  ///< what was read
+  container::Bytes after;   ///< what takes its place
 };
 
 }  // namespace gltfx::edit

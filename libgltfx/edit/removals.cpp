@@ -11,7 +11,7 @@
 namespace gltfx::edit {
 namespace {
 
-constexpr std::string_view kExtensions = "extensions";
+constexpr std::string_view kExtensionsMember = "extensions";
 
 // The names of a shape that says nothing but that members must be there.
 std::vector<std::string_view> required_names(const schema::Set& set, schema::ShapeId id) {
@@ -81,7 +81,7 @@ bool Removals::empties(Place place) const {
     const schema::Shape& shape = graph_.set().shape(id);
     least = array ? shape.min_items : shape.min_properties;
   }
-  if (!array && tree.is_member(holder) && tree.name(holder) == kExtensions) least = 1;
+  if (!array && tree.is_member(holder) && tree.name(holder) == kExtensionsMember) least = 1;
   return least > 0 && tree.size(holder) < gone + least;
 }
 
@@ -115,14 +115,14 @@ bool Removals::falls(json::NodeId object, const Step& step) const {
   if (type == schema::kNone) return false;
   const json::NodeId value = step.place.node;
   const std::string_view name = graph_.tree().name(value);
-  const bool extensions = name == kExtensions;
+  const bool extensions = name == kExtensionsMember;
   const schema::Set& set = graph_.set();
   for (const schema::Property& property : set.type(type).properties) {
     const bool itself = property.name == name;
     if (itself && property.required) return true;
     if (property.shape == schema::kNone || !set.shape(property.shape).essential) continue;
     const bool concerned = extensions || (itself && !step.asked);
-    const std::string_view other = itself ? kExtensions : std::string_view(property.name);
+    const std::string_view other = itself ? kExtensionsMember : std::string_view(property.name);
     if (concerned && !lives(object, other, value)) return true;
   }
   return !has_alternative(set.shape(set.type(type).shape), object, value);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "base/codes.hpp"
@@ -58,11 +59,20 @@ std::size_t size_of(const Pieces& pieces) {
 Pieces changed(const Bytes& bin, const BinChange& change) {
   Pieces data;
   std::size_t at = 0;
+  auto patch = change.patches.begin();
+  const auto keep_to = [&](std::size_t end) {
+    for (; patch != change.patches.end() && patch->offset < end; ++patch) {
+      data.push_back(bin.part(at, patch->offset - at));
+      data.push_back(Bytes::from_string(patch->bytes));
+      at = patch->offset + patch->bytes.size();
+    }
+    data.push_back(bin.part(at, end - at));
+  };
   for (const ByteRange& range : change.cut) {
-    data.push_back(bin.part(at, range.begin - at));
+    keep_to(range.begin);
     at = range.end;
   }
-  data.push_back(bin.part(at, bin.size() - at));
+  keep_to(bin.size());
   data.push_back(Bytes::from_string(change.more));
   return data;
 }
@@ -124,7 +134,32 @@ Result<Pieces> rewrite_glb(const container::Container& container, std::string_vi
   return pieces;
 }
 
-using container::Bytes;
+Result<Pieces> rewrite_sound(const container::Container& container, std::string_view json,
+                             const BinChange& bin) {
+  json = without_padding(json);
+  std::vector<std::pair<std::uint32_t, Pieces>> chunks;
+  chunks.push_back({container::kChunkJson, {Bytes::from_string(std::string(json))}});
+  for (const container::Chunk& chunk : std::span(container.chunks).subspan(1)) {
+    const Bytes data = container.bytes.part(chunk.offset, chunk.length);
+    const bool changes = container.bin && container.bin->offset == chunk.offset;
+    chunks.push_back({chunk.type, changes ? changed(data, bin) : Pieces{data}});
+  }
+  Pieces pieces(1);
+  std::uint64_t total = kHeader;
+  for (const auto& [type, data] : chunks) {
+    const std::size_t size = size_of(data);
+    total += kChunkHeader + std::uint64_t{padded(size)};
+    pieces.push_back(Bytes::from_string(chunk_header(type, padded(size))));
+    pieces.insert(pieces.end(), data.begin(), data.end());
+    const char blank = type == container::kChunkJson ? ' ' : '\0';
+    pieces.push_back(Bytes::from_string(std::string(padded(size) - size, blank)));
+  }
+  if (total > UINT32_MAX) return Error{"the new file exceeds the maximum size of a GLB (4 GiB)"};
+  std::string head(container.bytes.text().substr(0, kHeader - 4));  // magic and version
+  append_little_endian(head, total);
+  pieces.front() = Bytes::from_string(std::move(head));
+  return pieces;
+}
 
 Result<std::vector<Bytes>> rewrite(const container::Container& container, const SharedText& json,
                                    const BinChange& bin) {

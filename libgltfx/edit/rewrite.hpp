@@ -21,12 +21,20 @@ struct ByteRange {
   std::uint64_t end = 0;
 };
 
+/// Bytes in the place of as many others.
+struct BytePatch {
+  std::uint64_t offset = 0;
+  std::string bytes;
+};
+
 /// What becomes of the BIN chunk.
 struct BinChange {
   std::string more;            ///< behind its data; a chunk is made when there is none
   std::vector<ByteRange> cut;  ///< of its data, in order, none overlaps; taken out
   bool drop = false;           ///< the whole chunk goes; nothing else is to be done with it
-  bool empty() const { return more.empty() && cut.empty() && !drop; }
+  /// Of its data, in order; none overlaps another or a cut.
+  std::vector<BytePatch> patches = {};
+  bool empty() const { return more.empty() && cut.empty() && patches.empty() && !drop; }
 };
 
 /// What error of a GLB leaves open where its chunks lie, or nothing: the file can be rewritten,
@@ -39,6 +47,12 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 /// in order, are the file; what stays is shown where it is, not copied.
 Result<std::vector<container::Bytes>> rewrite_glb(const container::Container& container,
                                                   std::string_view json, const BinChange& bin = {});
+
+/// As rewrite_glb(), but nothing of the container stays that it must not have: each chunk has a
+/// length that is a multiple of 4, and zeros behind the last chunk go.
+Result<std::vector<container::Bytes>> rewrite_sound(const container::Container& container,
+                                                    std::string_view json,
+                                                    const BinChange& bin = {});
 
 /// The bytes of the container with another JSON text and a changed BIN chunk, as pieces one
 /// behind the other; what stays is shown where it is, not copied. An Error when a GLB would be too

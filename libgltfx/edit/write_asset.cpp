@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "edit/write_asset.hpp"
 
+#include <gltfx/edited_file.hpp>
+
+#include <array>
+#include <deque>
+#include <set>
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/replace_file.hpp"
+#include "base/text.hpp"
 #include "container/bytes.hpp"
 #include "container/container.hpp"
 #include "edit/companions.hpp"
@@ -66,18 +74,41 @@ class Writer {
     if (auto failure = fill(draft)) return failure;
     if (auto failure = not_written(write_files())) return failure;
     const fs::path copy = old_.path + ".bak";
-    if (auto failure = not_written(to_.backup ? keep_old(copy) : std::nullopt)) return failure;
+    if (auto failure = not_written(
+            to_.backup ? keep_old(copy, old_.path, old_.container.bytes) : std::nullopt)) {
+      return failure;
+    }
+    if (auto failure = not_written(replace_files())) return failure;
     const Failure failure = not_written(draft.publish());
     std::error_code ignored;
     if (failure && to_.backup) fs::remove(copy, ignored);
     return failure;
   }
 
-  Trouble keep_old(const fs::path& copy) const {
-    FileDraft draft(copy, fs::path(old_.path));
-    if (auto trouble = container::write_pieces(draft, {old_.container.bytes})) return trouble;
+  static Trouble keep_old(const fs::path& copy, const fs::path& path,
+                          const container::Bytes& bytes) {
+    FileDraft draft(copy, path);
+    if (auto trouble = container::write_pieces(draft, {bytes})) return trouble;
     if (auto trouble = draft.finish()) return trouble;
     return draft.publish();
+  }
+
+  // All drafts are there before the first one takes its place.
+  Trouble replace_files() const {
+    const fs::path folder = target_folder(old_.path, {});
+    std::deque<FileDraft> drafts;
+    for (const ReplacedFile& file : bytes_.replaced) {
+      const fs::path path = folder / file.path;
+      FileDraft& draft = drafts.emplace_back(path, file.state);
+      if (auto trouble = container::write_pieces(draft, {file.after})) return trouble;
+      if (auto trouble = draft.finish()) return trouble;
+      if (!to_.backup) continue;
+      if (auto trouble = keep_old(path.native() + ".bak", path, file.before)) return trouble;
+    }
+    for (FileDraft& draft : drafts) {
+      if (auto trouble = draft.publish()) return trouble;
+    }
+    return std::nullopt;
   }
 
   Failure write_elsewhere() const {
@@ -87,16 +118,40 @@ class Writer {
     if (!seen) return not_written(seen.error());
     FileDraft draft(to_.output, *seen);
     if (auto failure = fill(draft)) return failure;
+    if (auto failure = not_written(write_replaced(folder))) return failure;
     if (auto failure = not_written(copy_others(folder))) return failure;
     if (auto failure = not_written(write_files())) return failure;
     return not_written(draft.publish());
   }
 
-  Trouble copy_others(const fs::path& folder) const {
-    const fs::path own = fs::path(old_.path).parent_path();
+  bool is_own_folder(const fs::path& folder) const {
     std::error_code error;
-    if (fs::equivalent(folder, own.empty() ? fs::path(".") : own, error)) return std::nullopt;
-    return copy_companions(old_.document(), old_.resolver, folder);
+    return fs::equivalent(folder, target_folder(old_.path, {}), error);
+  }
+
+  Trouble write_replaced(const fs::path& folder) const {
+    if (bytes_.replaced.empty()) return std::nullopt;
+    if (is_own_folder(folder)) {
+      return Error{fmt::format(
+          "{} would change, to which the old asset refers, too; use --in-place or another folder",
+          quoted(bytes_.replaced.front().path, 200))};
+    }
+    for (const ReplacedFile& file : bytes_.replaced) {
+      if (file.path.starts_with("..")) {
+        return Error{fmt::format("{} lies outside the asset's folder", quoted(file.path, 200))};
+      }
+      const fs::path target = folder / file.path;
+      if (auto trouble = make_folder(target.parent_path())) return trouble;
+      if (auto trouble = put_file(target, file.after)) return trouble;
+    }
+    return std::nullopt;
+  }
+
+  Trouble copy_others(const fs::path& folder) const {
+    if (is_own_folder(folder)) return std::nullopt;
+    std::set<std::string> written;
+    for (const ReplacedFile& file : bytes_.replaced) written.insert(file.path);
+    return copy_companions(old_.document(), old_.resolver, folder, written);
   }
 
   const OldAsset& old_;
@@ -118,3 +173,12 @@ fs::path target_folder(const std::string& path, const std::string& output) {
 }
 
 }  // namespace gltfx::edit
+
+namespace gltfx {
+
+std::string_view edit_problem_name(EditProblem problem) {
+  constexpr std::array<std::string_view, 4> kNames{"none", "unreadable", "refused", "not written"};
+  return kNames[static_cast<std::size_t>(problem)];
+}
+
+}  // namespace gltfx

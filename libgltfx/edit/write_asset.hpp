@@ -39,6 +39,7 @@ std::filesystem::path target_folder(const std::string& path, const std::string& 
 struct NewBytes {
   const std::vector<container::Bytes>& pieces;  ///< one behind the other, of the asset
   const std::vector<NewFile>& files;            ///< that it refers to
+  std::vector<ReplacedFile> replaced = {};      ///< that it refers to, with other bytes than before
 };
 
 /// Why new bytes were not written. `refused`: the check said so.
@@ -50,7 +51,9 @@ struct WriteFailure {
 /// Why an asset must not be written, or nothing.
 using WriteCheck = std::function<std::optional<std::string>(container::Container)>;
 
-/// Writes the bytes to their destination, files before the asset that refers to them. The asset is
+/// Writes the bytes to their destination, files before the asset that refers to them: somebody who
+/// stops between two files leaves the old asset with new files. A file is not replaced in the folder
+/// of the old asset unless the asset is, which refers to it, too. The asset is
 /// checked as it is on the disk, before it takes its place; a null check passes. Nothing when all
 /// is durable, else why it is not; then the old bytes are there still.
 std::optional<WriteFailure> write_asset(const OldAsset& old, const Destination& to,

@@ -3,6 +3,10 @@
 
 #include <utility>
 
+#include "container/container.hpp"
+#include "edit/rewrite.hpp"
+#include "pipeline/fix_rounds.hpp"
+#include "pipeline/open_asset.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -53,9 +57,7 @@ std::vector<TargetChoice> example_targets() {
   return {{std::make_shared<const Target>(std::move(target)), 0}};
 }
 
-}  // namespace
-
-FileReport validate_example(const RuleDescription& rule, std::string_view example) {
+ValidateOptions options_for(const RuleDescription& rule, std::string_view example) {
   ValidateOptions options;
   options.profile = Profile::strict;
   // What only the Khronos profile says is only said there.
@@ -68,9 +70,35 @@ FileReport validate_example(const RuleDescription& rule, std::string_view exampl
   if (rule.code.substr(0, 7) == "BUDGET_") options.budgets = {4, 8, 2, 2, 2000};
   if (rule.code.starts_with("TARGET_")) options.targets = example_targets();
   if (example.find("ACME_leaf") != std::string_view::npos) options.schemas = leaf_schemas();
+  return options;
+}
+
+}  // namespace
+
+FileReport validate_example(const RuleDescription& rule, std::string_view example) {
+  const ValidateOptions options = options_for(rule, example);
   std::string bytes = example_bytes(example);
   const std::string name = name_for(rule.code, bytes);
   return validate_bytes(std::move(bytes), name, options);
+}
+
+std::string fix_example(const RuleDescription& rule, std::string_view example) {
+  std::string bytes = example_bytes(example);
+  const std::string name = name_for(rule.code, bytes);
+  container::Container container =
+      container::open_bytes(container::Bytes::from_string(std::move(bytes)), name);
+  FixOptions options;
+  options.only.emplace(rule.code);
+  options.unsafe = true;
+  const auto known = options_for(rule, example).schemas;
+  const auto schemas = known ? known : schema::builtin_set();
+  model::OpenedAsset asset(name, std::move(container), resolver_for(".", {}));
+  const FixedAsset fixed =
+      fix_in_rounds({std::move(asset), fix_judgement(schemas)}, options, schemas, false);
+  const container::Container& after = fixed.after.asset().container();
+  if (!fixed.changes) return std::string(after.bytes.text());
+  const auto pieces = edit::rewrite(after, after.json, {});
+  return pieces ? container::join(*pieces) : std::string();
 }
 
 }  // namespace gltfx

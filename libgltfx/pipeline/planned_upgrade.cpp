@@ -13,11 +13,11 @@
 
 #include "base/pages.hpp"
 #include "edit/companions.hpp"
-#include "edit/diff.hpp"
 #include "edit/orphans.hpp"
 #include "edit/prune.hpp"
 #include "edit/references.hpp"
 #include "edit/write_asset.hpp"
+#include "pipeline/edit_asset.hpp"
 #include "upgrade/ambiguity.hpp"
 #include "upgrade/asset_pictures.hpp"
 #include "upgrade/plan.hpp"
@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using model::OpenedAsset;
 
-PlannedUpgrade without_plan(PlannedUpgrade planned, UpgradeProblem problem, std::string error) {
+PlannedUpgrade without_plan(PlannedUpgrade planned, EditProblem problem, std::string error) {
   return {failed(std::move(planned.report), problem, std::move(error)), {}, {}, {}, {}};
 }
 
@@ -54,17 +54,6 @@ bool is_free(const OpenedAsset& asset, const std::string& output, const std::str
   return !fs::exists(fs::symlink_status(there, error)) ||
          edit::has_bytes(there,
                          {std::as_bytes(std::span(content.data(), content.size())), nullptr});
-}
-
-// From the working folder, without "." and through no symbolic link, where the file lies below that
-// folder; otherwise as it is named, without a leading '/'.
-std::string patch_path(const fs::path& path) {
-  std::error_code error;
-  const fs::path here = fs::canonical(".", error);
-  const fs::path file = error ? fs::path() : fs::canonical(path, error);
-  const fs::path below = error ? fs::path() : file.lexically_relative(here);
-  if (!below.empty() && *below.begin() != "..") return below.native();
-  return path.lexically_normal().relative_path().native();
 }
 
 // Makes new images and finds a place for all that is added.
@@ -152,13 +141,6 @@ void look_for_orphans(const OpenedAsset& asset, Before before, const UpgradeOpti
   planned.parsed = {};  // the text is another one by now
 }
 
-// No patch changes the JSON inside a binary file: there the diff is a comment of one.
-std::string diff_text(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
-  const bool is_text = asset.container().format == container::Format::gltf;
-  return edit::unified_diff(*asset.container().json, edits, patch_path(asset.name()),
-                            is_text ? "" : "# ");
-}
-
 // Said with the plan: what is valid may still not be seen.
 void note_targets(const std::vector<TargetChoice>& targets, std::vector<UpgradeAction>& actions) {
   for (UpgradeAction& action : actions) {
@@ -181,15 +163,12 @@ bool same_but_for_padding(std::string_view with, std::string_view without) {
 
 }  // namespace
 
-UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string error) {
-  report.problem = problem;
-  report.error = std::move(error);
+UpgradeReport failed(UpgradeReport report, EditProblem problem, std::string error) {
+  note_failure(report, problem, std::move(error));
   for (UpgradeAction& action : report.actions) action.done = false;
-  report.changes = false;
   report.new_files.clear();
   report.new_warnings.clear();
   report.verified = false;
-  report.diff.clear();
   report.orphans.clear();
   return report;
 }
@@ -207,7 +186,7 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   UpgradeReport& report = planned.report;
   report.path = asset.name();
   if (const std::string why = pictures.failure(); !why.empty()) {
-    return without_plan(std::move(planned), UpgradeProblem::unreadable, why);
+    return without_plan(std::move(planned), EditProblem::unreadable, why);
   }
   const auto ambiguity = upgrade::find_ambiguity(asset.parsed(), plan);
   report.actions = std::move(plan.actions);
@@ -215,7 +194,7 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   std::vector<json::Edit> edits = std::move(plan.edits);
   if (report.due() == 0) return planned;
   const auto refuse = [&planned](std::string why) {
-    return without_plan(std::move(planned), UpgradeProblem::refused, std::move(why));
+    return without_plan(std::move(planned), EditProblem::refused, std::move(why));
   };
   if (ambiguity) return refuse(*ambiguity);
   const auto obstacle = edit::find_glb_obstacle(asset.container());
@@ -243,7 +222,7 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   give_back_memory();
   if (before) look_for_orphans(asset, *std::move(before), options, *schemas, edits, planned);
   release();
-  if (options.diff) report.diff = diff_text(asset, edits);
+  if (options.diff) report.diff = diff_of(asset, edits);
   return planned;
 }
 

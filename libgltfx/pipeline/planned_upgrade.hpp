@@ -34,7 +34,7 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& asset, const Upgrade
                             const std::function<void()>& release);
 
 /// Why a file is not dealt with as it was asked: the report says that nothing was done.
-UpgradeReport failed(UpgradeReport report, UpgradeProblem problem, std::string error);
+UpgradeReport failed(UpgradeReport report, EditProblem problem, std::string error);
 
 /// The asset that the changed container makes, with new files where it looks for them. The new text
 /// is not parsed a second time.

@@ -14,8 +14,9 @@
 
 #include "base/file_state.hpp"
 #include "base/material_table.hpp"
-#include "edit/write_asset.hpp"
+#include "edit/rewrite.hpp"
 #include "pipeline/asset_verbs.hpp"
+#include "pipeline/edit_asset.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
@@ -44,7 +45,7 @@ UpgradeReport report_on(const std::string& path) {
 }
 
 UpgradeReport unreadable(const std::string& path, std::string why) {
-  return failed(report_on(path), UpgradeProblem::unreadable, std::move(why));
+  return failed(report_on(path), EditProblem::unreadable, std::move(why));
 }
 
 // The library does not throw.
@@ -57,16 +58,6 @@ UpgradeReport guarded(const std::string& path, const Work& work) {
   } catch (const fs::filesystem_error&) {
     return unreadable(path, "the path cannot be looked up");
   }
-}
-
-// Some writers fill the JSON chunk up with zeros; the new one gets blanks.
-container::Container without_zero_padding(container::Container container) {
-  if (container.format != container::Format::glb || !container.json) return container;
-  const std::size_t end = container.json->find_last_not_of('\0') + 1;
-  if (end != container.json->size()) {
-    container.json = share_text(std::string(container.json->substr(0, end)));
-  }
-  return container;
 }
 
 // A container of glTF 1.0, of which the text has another meaning.
@@ -143,43 +134,28 @@ Rehearsal try_out(const ValidatedAsset& before, PlannedUpgrade planned, const Sc
   const OpenedAsset& asset = before.asset();
   auto changed = edit::rewritten(asset.container(), planned.text, planned.bin, asset.name());
   if (!changed) {
-    return {failed(std::move(report), UpgradeProblem::refused, changed.error().message), {}};
+    return {failed(std::move(report), EditProblem::refused, changed.error().message), {}};
   }
   const Judge judge(before, schemas, options, report.actions);
   ValidatedAsset after(upgraded(asset, planned, *std::move(changed)), default_judgement(schemas));
   if (auto error = judge.find_error(after, report)) {
-    return {failed(std::move(report), UpgradeProblem::refused, *std::move(error)), {}};
+    return {failed(std::move(report), EditProblem::refused, *std::move(error)), {}};
   }
   return {std::move(report), std::move(after)};
 }
 
-edit::Destination destination_of(const UpgradeOptions& options) {
-  return {options.output, options.in_place, options.backup};
+// What write_edited() says is all of it where it succeeds.
+UpgradeReport written(UpgradeReport report, bool succeeded) {
+  if (succeeded) return report;
+  const EditProblem problem = report.problem;
+  std::string error = std::move(report.error);
+  return failed(std::move(report), problem, std::move(error));
 }
 
-UpgradeReport written(UpgradeReport report, const std::optional<edit::WriteFailure>& failure,
-                      const UpgradeOptions& options) {
-  if (failure) {
-    const auto problem = failure->refused ? UpgradeProblem::refused : UpgradeProblem::not_written;
-    return failed(std::move(report), problem, failure->error);
-  }
-  report.written = true;
-  report.written_to = options.in_place ? report.path : options.output;
-  return report;
-}
-
-edit::OldAsset old_asset(const OpenedAsset& asset, const FileState& state) {
-  return {asset.name(), state, asset.container(),
-          [&asset]() -> const json::Document& { return asset.document(); }, asset.resolver()};
-}
-
-// The asset as it is, where it is wanted somewhere else.
 UpgradeReport copy(const OpenedAsset& asset, const FileState& state, UpgradeReport report,
                    const UpgradeOptions& options) {
-  if (options.output.empty()) return report;
-  const auto failure = edit::write_asset(old_asset(asset, state), destination_of(options),
-                                         {{asset.container().bytes}, {}}, nullptr);
-  return written(std::move(report), failure, options);
+  const bool copied = copy_unchanged(asset, state, options, report);
+  return written(std::move(report), copied);
 }
 
 UpgradeReport write(const ValidatedAsset& before, const FileState& state, PlannedUpgrade planned,
@@ -187,7 +163,7 @@ UpgradeReport write(const ValidatedAsset& before, const FileState& state, Planne
   const OpenedAsset& asset = before.asset();
   const auto pieces = edit::rewrite(asset.container(), planned.text, planned.bin);
   if (!pieces) {
-    return failed(std::move(planned.report), UpgradeProblem::refused, pieces.error().message);
+    return failed(std::move(planned.report), EditProblem::refused, pieces.error().message);
   }
   const Judge judge(before, schemas, options, planned.report.actions);
   const auto check = [&](container::Container on_disk) {
@@ -195,36 +171,33 @@ UpgradeReport write(const ValidatedAsset& before, const FileState& state, Planne
                                default_judgement(schemas));
     return judge.find_error(after, planned.report);
   };
-  const auto failure = edit::write_asset(old_asset(asset, state), destination_of(options),
-                                         {*pieces, planned.files}, check);
-  return written(std::move(planned.report), failure, options);
+  const bool done =
+      write_edited(asset, state, {*pieces, planned.files, {}}, options, check, planned.report);
+  return written(std::move(planned.report), done);
 }
 
-// The state is taken before the bytes: a change between the two is seen when it is written.
 UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options) {
-  const auto state = file_state(path);
-  auto container = container::open_file(path);
-  if (!container) return unreadable(path, container.error().message);
-  if (!state) return unreadable(path, state.error().message);
-  OpenedAsset asset(path, without_zero_padding(*std::move(container)),
-                    resolver_for(fs::path(path).parent_path(), options.root));
+  auto opened = open_to_edit(path, options.root);
+  if (!opened) return unreadable(path, opened.error().message);
+  OpenedAsset& asset = opened->asset;
+  const FileState& state = opened->state;
   if (auto report = find_old_container(asset, options)) return *std::move(report);
   if (const auto obstacle = find_obstacle(asset)) return unreadable(path, obstacle->message);
   const SchemaSet schemas = schemas_of(options);
   if (!upgrade::names_legacy(asset.document(), *schemas)) {
-    return copy(asset, *state, report_on(path), options);
+    return copy(asset, state, report_on(path), options);
   }
   ValidatedAsset before = validated(std::move(asset), schemas);
   PlannedUpgrade planned =
       plan_upgrade(before, options, schemas, [&before] { before.forget_large_document(); });
-  if (planned.report.problem != UpgradeProblem::none) return std::move(planned.report);
+  if (planned.report.problem != EditProblem::none) return std::move(planned.report);
   if (!planned.report.changes) {
-    return copy(before.asset(), *state, std::move(planned.report), options);
+    return copy(before.asset(), state, std::move(planned.report), options);
   }
   if (options.output.empty() && !options.in_place) {
     return try_out(before, std::move(planned), schemas, options).report;
   }
-  return write(before, *state, std::move(planned), schemas, options);
+  return write(before, state, std::move(planned), schemas, options);
 }
 
 }  // namespace
@@ -259,7 +232,7 @@ UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& option
   return guarded(path, [&] { return upgrade_path(path, options); });
 }
 
-void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions& options,
+void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& options,
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume) {
   report_in_order<UpgradeReport>(
       inputs.size(), jobs,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // For programs that read as people do, and for grep: everything about a finding in one line.
 //
-//     SEVERITY[CODE] PLACE at POINTER ('NAME'): MESSAGE | help: HELP | note: REPEATS
+//     SEVERITY[CODE] PLACE at POINTER ('NAME'): MESSAGE | help: HELP | fix: TOOL | note: REPEATS
 //     summary: 3 files, 1 error; profile default, pixels headers
 //
 // PLACE is PATH:LINE:COLUMN, or PATH alone; parts behind ':' that there is nothing to say for are
@@ -42,6 +42,7 @@ class AgentWriter final : public ReportWriter {
           fmt::format("{}[{}] {}{}: {}", severity_name(finding.severity), safe(finding.code),
                       file_place(report, finding), document_place(finding), safe(finding.message));
       remark("help", help_for(finding), out);
+      if (finding.fixable) remark("fix", "gltfx fix does this", out);
       remark("note", repeat_note(finding), out);
       out += '\n';
     }
@@ -55,6 +56,7 @@ class AgentWriter final : public ReportWriter {
     if (summary.unreadable > 0) {
       out += fmt::format("; {} could not be read", counted(summary.unreadable, "file"));
     }
+    if (summary.fixable > 0) out += "; " + fixable_note(summary);
     if (summary.unverified > 0) out += "; " + unverified_note(summary.unverified);
     if (summary.images_decoded < summary.images_wanted) {
       out += "; " + pixels_note(summary, options_.pixel_level);

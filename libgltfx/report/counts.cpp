@@ -46,6 +46,8 @@ void RunSummary::add(const FileReport& report) {
   images_wanted += report.images_wanted;
   images_decoded += report.images_decoded;
   unchanged += report.unchanged;
+  if (report.fixable > 0) fixable_path = fixable == 0 ? report.path : std::string();
+  fixable += report.fixable;
   counts += report.counts;
 }
 

@@ -146,6 +146,7 @@ void write_finding(json::Writer& writer, const Diagnostic& finding, bool readabl
   writer.member("severity", severity_name(finding.severity));
   writer.member("message", finding.message);
   if (!finding.help.empty()) writer.member("help", finding.help);
+  if (finding.fixable) writer.member("fixable", true);
   const bool full = detail == Detail::full;
   if (finding.offset) writer.member("offset", *finding.offset);
   if (full ? !finding.pointer.empty() : readable && !finding.offset) {
@@ -222,6 +223,7 @@ void write_entry(json::Writer& writer, const FileReport& report, Detail detail, 
   writer.member("suppressed", report.suppressed);
   writer.member("leftOut", report.left_out);
   writer.member("unchanged", report.unchanged);
+  writer.member("fixable", report.fixable);
   writer.member("unverified", report.unverified);
   writer.member("imagesWanted", report.images_wanted);
   writer.member("imagesDecoded", report.images_decoded);
@@ -244,6 +246,7 @@ void write_summary(json::Writer& writer, const RunSummary& summary) {
   writer.member("files", summary.files);
   writer.member("filesWithErrors", summary.files_with_errors);
   writer.member("unreadable", summary.unreadable);
+  writer.member("fixable", summary.fixable);
   writer.member("unverified", summary.unverified);
   writer.member("suppressed", summary.suppressed);
   writer.member("leftOut", summary.left_out);

@@ -172,7 +172,7 @@ void carry_finding(Archive& archive, Finding& finding) {
     if (finding.severity > Severity::hint) archive.refuse();
   }
   carry_all(archive, finding.message, finding.pointer, finding.help, finding.object_name,
-            finding.count, finding.last_pointer);
+            finding.count, finding.last_pointer, finding.fixable);
   carry_optional(archive, finding.offset, [&](auto& value) { carry_number(archive, value); });
   carry_location(archive, finding.location);
   auto& excerpt = finding.excerpt;
@@ -223,7 +223,8 @@ void carry_info(Archive& archive, Info& info) {
 template <class Archive, class Report>
 void carry(Archive& archive, Report& report) {
   carry_all(archive, report.mime_type, report.readable, report.truncated, report.suppressed,
-            report.left_out, report.unverified, report.images_wanted, report.images_decoded);
+            report.left_out, report.unverified, report.images_wanted, report.images_decoded,
+            report.fixable);
   auto& counts = report.counts;
   carry_all(archive, counts.errors, counts.warnings, counts.infos, counts.hints);
   carry_list(archive, report.diagnostics, [&](auto& finding) { carry_finding(archive, finding); });

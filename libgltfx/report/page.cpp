@@ -47,6 +47,7 @@ void write_finding(Writer& writer, const Diagnostic& finding) {
   writer.member("severity", severity_name(finding.severity));
   writer.member("message", finding.message);
   member_if(writer, "help", finding.help);
+  if (finding.fixable) writer.member("fixable", true);
   member_if(writer, "pointer", finding.pointer);
   member_if(writer, "object", finding.object_name);
   if (finding.offset) writer.member("offset", *finding.offset);

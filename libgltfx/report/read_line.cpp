@@ -180,6 +180,7 @@ Diagnostic Reader::finding(NodeId node) {
   finding.severity = severity.value_or(Severity::error);
   text(node, "message", finding.message);
   text(node, "help", finding.help);
+  flag(node, "fixable", finding.fixable);
   text(node, "pointer", finding.pointer);
   text(node, "object", finding.object_name);
   text(node, "lastPointer", finding.last_pointer);
@@ -266,6 +267,7 @@ FileReport Reader::file(NodeId entry) {
   number(entry, "leftOut", report.left_out);
   number(entry, "unchanged", report.unchanged);
   number(entry, "microseconds", report.microseconds);
+  number(entry, "fixable", report.fixable);
   number(entry, "unverified", report.unverified);
   number(entry, "imagesWanted", report.images_wanted);
   number(entry, "imagesDecoded", report.images_decoded);

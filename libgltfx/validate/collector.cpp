@@ -196,18 +196,39 @@ void Collector::add(Phase phase, const Path& path, Finding finding) {
       suppressions_->covers(finding.code, path, static_cast<std::size_t>(phase), finding.count)) {
     return;
   }
+  keep_site(phase, finding);
   if (fold(phase, severity, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
 
 void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (wants(finding, severity)) store(phase, severity, std::move(finding), {}, offset);
+  if (!wants(finding, severity)) return;
+  keep_site(phase, finding);
+  store(phase, severity, std::move(finding), {}, offset);
 }
 
 void Collector::report_file(Phase phase, Finding finding) {
   const Severity severity = severity_of(finding);
-  if (wants(finding, severity)) store(phase, severity, std::move(finding), {}, std::nullopt);
+  if (!wants(finding, severity)) return;
+  keep_site(phase, finding);
+  store(phase, severity, std::move(finding), {}, std::nullopt);
+}
+
+void Collector::keep_site(Phase phase, const Finding& finding) {
+  constexpr std::size_t kMostSites = 1U << 20U;
+  Sites& sites = phases_[static_cast<std::size_t>(phase)].sites;
+  if (sites.size() == kMostSites || find_fix(finding.code) == nullptr) return;
+  sites.push_back({finding.code, finding.span});
+}
+
+Sites Collector::take_sites() {
+  Sites all;
+  for (PhaseFindings& findings : phases_) {
+    all.insert(all.end(), findings.sites.begin(), findings.sites.end());
+    findings.sites = {};
+  }
+  return all;
 }
 
 void Collector::store(Phase phase, Severity severity, Finding finding, std::string pointer,

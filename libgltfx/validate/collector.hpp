@@ -19,6 +19,7 @@
 #include "json/document.hpp"
 #include "json/lines.hpp"
 #include "model/fields.hpp"
+#include "validate/fix_entry.hpp"
 #include "validate/khronos/deviations.hpp"
 #include "validate/suppressions.hpp"
 
@@ -75,6 +76,9 @@ class Collector {
   /// What the asset asks to leave out from now on; null: nothing. Outlives the collector's phases.
   void suppress(Suppressions* suppressions) { suppressions_ = suppressions; }
 
+  /// What findings of rules that have a fix mark, of all phases; the first million of each.
+  Sites take_sites();
+
   /// Moves everything into `report`: diagnostics in order, counts, and for those with a place in
   /// the text its line, column, excerpt and name. `document` may be empty. `json_offset` is where
   /// the text begins in the file. Call once.
@@ -106,6 +110,7 @@ class Collector {
 
   struct PhaseFindings {
     PhaseSink sink;
+    Sites sites;
     std::vector<Entry> entries;
     std::unordered_map<std::uint64_t, std::size_t> listed;  ///< positions in entries by fold key
     std::unordered_map<std::uint64_t, Places> places;       ///< by code and severity
@@ -113,6 +118,7 @@ class Collector {
 
   void add(Phase phase, const Path& path, Finding finding);
   bool wants(const Finding& finding, Severity severity);
+  void keep_site(Phase phase, const Finding& finding);
   bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);
   Severity severity_of(const Finding& finding) const;
   Entry entry_of(Phase phase, Severity severity, Finding finding, std::string pointer) const;

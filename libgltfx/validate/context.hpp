@@ -20,6 +20,7 @@
 #include "schema/check.hpp"
 #include "schema/set.hpp"
 #include "validate/data_uris.hpp"
+#include "validate/fix_entry.hpp"
 #include "validate/khronos/deviations.hpp"
 #include "validate/khronos/link_order.hpp"
 
@@ -95,6 +96,8 @@ struct Family {
   std::span<const LinkRule> link_rules = {};
   std::span<const MemberRuleEntry> member_rules = {};
   std::span<const MapRule> map_rules = {};
+  /// What of its findings can be fixed (validate/fix.hpp).
+  std::span<const FixEntry> fixes = {};
 };
 
 /// All families, sorted by their order.

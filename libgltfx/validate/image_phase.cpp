@@ -9,7 +9,10 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "container/content.hpp"
+#include "container/uri.hpp"
+#include "json/writer.hpp"
 #include "model/fields.hpp"
+#include "validate/fix.hpp"
 #include "validate/phases.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/extension_walk.hpp"
@@ -298,7 +301,66 @@ struct TextureCheck {
   }
 };
 
+// --- Fixes: what an image says it is becomes what it is ---
+
+std::string with_media_type(const std::string& uri, std::string_view type) {
+  const std::size_t end = uri.find_first_of(";,");
+  std::string text;
+  json::append_string(text, fmt::format("data:{}{}", type, std::string_view(uri).substr(end)));
+  return text;
+}
+
+bool say_type(Fixing& fixing, std::uint32_t index) {
+  const json::Document& document = fixing.document();
+  const json::NodeId image = fixing.elements().elements(model::RootArray::images)[index];
+  const auto& format = fixing.resources().images[index].format;
+  if (!format || !fixing.claim(image)) return false;
+  const std::string_view type = image::media_type(*format);
+  bool changed = false;
+  const json::NodeId declared = document.find(image, "mimeType");
+  if (declared != json::kNoNode && document.is_string(declared) &&
+      document.string(declared) != type) {
+    changed = fixing.replace_scalar(declared, fmt::format("\"{}\"", type));
+  }
+  const std::string uri = model::string_member(document, image, "uri");
+  const auto data = container::split_data_uri(uri);
+  if (container::classify_uri(uri).kind == container::UriKind::data && data &&
+      data->media_type != type) {
+    changed = fixing.replace_scalar(document.find(image, "uri"), with_media_type(uri, type));
+  }
+  return changed;
+}
+
+// `place` is a member of the image.
+bool correct_type(Fixing& fixing, Span place) {
+  const json::NodeId member = fixing.node_at(place);
+  if (member == json::kNoNode) return false;
+  const json::NodeId object = fixing.parent(member);
+  const auto& images = fixing.elements().elements(model::RootArray::images);
+  const auto image = std::find(images.begin(), images.end(), object);
+  return image != images.end() &&
+         say_type(fixing, static_cast<std::uint32_t>(image - images.begin()));
+}
+
+// `place` is the source of a texture.
+bool correct_type_of_source(Fixing& fixing, Span place) {
+  const json::NodeId source = fixing.node_at(place);
+  if (source == json::kNoNode || !fixing.document().is_number(source)) return false;
+  const auto image =
+      fixing.elements().index(fixing.document().number(source).value, model::RootArray::images);
+  return image && say_type(fixing, *image);
+}
+
+constexpr FixEntry kImageFixes[] = {
+    {Code::IMAGE_MIME_TYPE_INVALID, correct_type},
+    {Code::TEXTURE_INVALID_IMAGE_MIME_TYPE, correct_type_of_source}};
+
 }  // namespace
+
+const Family& images_family() {
+  static constexpr Family family{.fixes = kImageFixes};
+  return family;
+}
 
 void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources) {
   const Path root;

@@ -2,6 +2,8 @@
 #include <utility>
 
 #include "base/codes.hpp"
+#include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
@@ -46,7 +48,38 @@ bool check_promised_glb(const container::Container& container, Collector& collec
   return false;
 }
 
+// --- Fixes: a container that is written anew has right lengths and padding ---
+
+bool rewrite(Fixing& fixing, Span) {
+  fixing.rewrite_container();
+  return true;
+}
+
+// Zeros and blanks behind the last chunk are nobody's.
+bool drop_trailing_zeros(Fixing& fixing, Span) {
+  const container::Container& glb = fixing.opened().container();
+  if (glb.chunks.empty()) return false;
+  const container::Chunk& last = glb.chunks.back();
+  const std::string_view rest = glb.bytes.text().substr(last.offset + last.length);
+  if (rest.find_first_not_of(std::string_view("\0 ", 2)) != std::string_view::npos) return false;
+  fixing.rewrite_container();
+  return true;
+}
+
+constexpr FixEntry kContainerFixes[] = {
+    {Code::GLB_LENGTH_MISMATCH, drop_trailing_zeros, FixStage::container},
+    {Code::GLB_LENGTH_TOO_SMALL, rewrite, FixStage::container},
+    {Code::GLB_CHUNK_LENGTH_UNALIGNED, rewrite, FixStage::container},
+    {Code::GLB_CHUNK_TOO_BIG, rewrite, FixStage::container},
+    {Code::GLB_EXTRA_DATA, drop_trailing_zeros, FixStage::container},
+};
+
 }  // namespace
+
+const Family& container_family() {
+  static constexpr Family family{.fixes = kContainerFixes};
+  return family;
+}
 
 bool check_container(const container::Container& container, const std::string& name,
                      FileReport& report, Collector& collector) {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <set>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "json/equal.hpp"
 #include "json/parse.hpp"
+#include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/phases.hpp"
 
 namespace gltfx::validate {
@@ -154,7 +160,110 @@ bool report_syntax(const json::Parsed& parsed, std::string_view text, const json
   return true;
 }
 
+// --- Fixes. The first finding of a kind fixes all errors of that kind. ---
+
+/// All errors, of which reports have the first.
+struct TextErrors {
+  explicit TextErrors(Fixing& fixing) {
+    constexpr std::uint32_t kMost = 1U << 20U;
+    json::Limits limits;
+    limits.recorded_errors = kMost;
+    parsed = json::parse(fixing.opened().container().json, limits);
+  }
+  json::Parsed parsed;
+  std::set<json::SyntaxError> done;
+};
+
+template <class Fix>
+bool fix_each(Fixing& fixing, json::SyntaxError kind, const Fix& fix) {
+  TextErrors& errors = fixing.table<TextErrors>();
+  if (!errors.done.insert(kind).second) return true;
+  bool any = false;
+  for (const json::ParseError& error : errors.parsed.errors) {
+    if (error.error == kind) any = fix(error) || any;
+  }
+  return any;
+}
+
+template <json::SyntaxError kind>
+bool cut_out(Fixing& fixing, Span) {
+  return fix_each(fixing, kind, [&](const json::ParseError& error) {
+    fixing.replace_text(error.span, "");
+    return true;
+  });
+}
+
+bool add_comma(Fixing& fixing, Span) {
+  const std::string_view text = *fixing.opened().container().json;
+  return fix_each(fixing, json::SyntaxError::missing_comma, [&](const json::ParseError& error) {
+    const std::size_t before = text.find_last_not_of(" \t\r\n", error.span.begin - 1);
+    const auto at = static_cast<std::uint32_t>(before) + 1;
+    fixing.replace_text({at, at}, ",");
+    return true;
+  });
+}
+
+// Whichever of two equal values a reader takes, it is the same.
+bool remove_equal_repeat(Fixing& fixing, Span place) {
+  const json::NodeId key = fixing.node_at(place);
+  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+  const json::Document& document = fixing.document();
+  const json::NodeId object = fixing.parent(key);
+  const json::KeyId name = document.node(key).next;
+  for (const auto member : document.members(object)) {
+    if (member.key_id != name || member.key >= key) continue;
+    return json::equal(document, member.value, key + 1) && fixing.remove_member(key + 1);
+  }
+  return false;
+}
+
+std::string escaped(char control) {
+  switch (control) {
+    case '\t':
+      return "\\t";
+    case '\n':
+      return "\\n";
+    case '\r':
+      return "\\r";
+    default:
+      return fmt::format("\\u{:04x}", static_cast<unsigned char>(control));
+  }
+}
+
+// Raw control characters inside strings, where nothing else is wrong with the text.
+bool escape_controls(Fixing& fixing, Span) {
+  TextErrors& errors = fixing.table<TextErrors>();
+  const bool is_one = !errors.parsed.errors.empty() &&
+                      errors.parsed.errors.back().error == json::SyntaxError::control_character;
+  if (!is_one || !errors.done.insert(json::SyntaxError::control_character).second) return false;
+  const std::string_view text = *fixing.opened().container().json;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') in_string = !in_string;
+    if (in_string && text[i] == '\\') {
+      ++i;
+    } else if (in_string && static_cast<unsigned char>(text[i]) < 0x20) {
+      const auto at = static_cast<std::uint32_t>(i);
+      fixing.replace_text({at, at + 1}, escaped(text[i]));
+    }
+  }
+  return true;
+}
+
+constexpr FixEntry kTextFixes[] = {
+    {Code::JSON_BYTE_ORDER_MARK, cut_out<json::SyntaxError::byte_order_mark>, FixStage::syntax},
+    {Code::JSON_TRAILING_COMMA, cut_out<json::SyntaxError::trailing_comma>, FixStage::syntax},
+    {Code::JSON_MISSING_COMMA, add_comma, FixStage::syntax},
+    {Code::INVALID_JSON, escape_controls, FixStage::syntax},
+    {Code::JSON_DUPLICATE_KEY, remove_equal_repeat},
+};
+
 }  // namespace
+
+const Family& text_family() {
+  static constexpr Family family{.fixes = kTextFixes};
+  return family;
+}
 
 bool check_text(const SharedText& text, const json::Parsed& parsed, const ValidateOptions& options,
                 Collector& collector) {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffers: where their bytes come from, and whether there are enough of them.
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/checked.hpp"
 #include "base/codes.hpp"
 #include "container/content.hpp"
 #include "container/mapping.hpp"
+#include "container/resolver.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
+#include "validate/fix.hpp"
 #include "validate/phases.hpp"
 #include "validate/resource_fetch.hpp"
 #include "validate/rules/finding.hpp"
@@ -130,7 +134,55 @@ void report_torn(const Context& context, model::RootArray array, std::size_t ind
       "The file became shorter while it was read; the missing bytes are treated as zeros.");
 }
 
+// --- Fixes ---
+
+// The bytes behind a buffer, whatever it declares; nothing where there are none.
+std::optional<Bytes> bytes_of(Fixing& fixing, json::NodeId buffer) {
+  const std::string uri = model::string_member(fixing.document(), buffer, "uri");
+  if (!uri.empty()) {
+    auto bytes = container::fetch(fixing.opened().resolver(), uri);
+    return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
+  }
+  const container::Container& glb = fixing.opened().container();
+  if (!glb.bin || fixing.document().holds(buffer, "uri")) return std::nullopt;
+  return glb.bytes.part(glb.bin->offset, glb.bin->length);
+}
+
+// Less is enough where no buffer view needs more.
+bool declare_actual_length(Fixing& fixing, Span place) {
+  const json::NodeId length = fixing.node_at(place);
+  if (length == json::kNoNode) return false;
+  const json::NodeId buffer = fixing.parent(length);
+  const auto bytes = bytes_of(fixing, buffer);
+  if (!bytes || bytes->empty()) return false;
+  const auto& buffers = fixing.elements().elements(model::RootArray::buffers);
+  for (const model::BufferView& view : fixing.views().buffer_views) {
+    if (!view.buffer || buffers[*view.buffer] != buffer) continue;
+    if (!fits(view.byte_offset.value_or(0), view.byte_length.value_or(0), bytes->size())) {
+      return false;
+    }
+  }
+  return fixing.replace_scalar(length, std::to_string(bytes->size()));
+}
+
+// `place` is the buffer.
+bool declare_whole_chunk(Fixing& fixing, Span place) {
+  const json::NodeId buffer = fixing.node_at(place);
+  const json::NodeId length = fixing.document().find(buffer, "byteLength");
+  const auto& bin = fixing.opened().container().bin;
+  return length != json::kNoNode && bin &&
+         fixing.replace_scalar(length, std::to_string(bin->length));
+}
+
+constexpr FixEntry kBufferFixes[] = {{Code::BUFFER_BYTE_LENGTH_MISMATCH, declare_actual_length},
+                                     {Code::BUFFER_GLB_CHUNK_TOO_BIG, declare_whole_chunk}};
+
 }  // namespace
+
+const Family& buffers_family() {
+  static constexpr Family family{.fixes = kBufferFixes};
+  return family;
+}
 
 void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink) {
   const auto& buffers = context.asset.elements(model::RootArray::buffers);

@@ -31,7 +31,7 @@ bool judges_by_default(const ValidateOptions& options) {
 
 ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options)
     : asset_(std::move(asset)),
-      report_(validate(asset_, options)),
+      report_(validate(asset_, options, &sites_)),
       by_default_(judges_by_default(options)) {}
 
 ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, FileReport report,

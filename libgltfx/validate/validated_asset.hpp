@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "model/opened_asset.hpp"
+#include "validate/fix_entry.hpp"
 
 namespace gltfx::validate {
 
@@ -24,6 +25,10 @@ class ValidatedAsset {
 
   const model::OpenedAsset& asset() const { return asset_; }
   const FileReport& report() const { return report_; }
+  /// What findings with a fix mark; empty where the report is of an earlier validation.
+  const Sites& sites() const { return sites_; }
+  /// For what is said of findings beside them.
+  FileReport& report() { return report_; }
   /// Whether the report has all errors and warnings that default options give.
   bool judged_by_default() const { return by_default_; }
   /// Says how a finding, by its place in the report, can be fixed.
@@ -42,6 +47,7 @@ class ValidatedAsset {
 
  private:
   model::OpenedAsset asset_;
+  Sites sites_;
   FileReport report_;
   bool by_default_;
 };

@@ -117,7 +117,7 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
 
 }  // namespace
 
-FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options) {
+FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites) {
   ++work_count.validated;
   const container::Container& container = opened.container();
   const Deviations& deviations = deviations_of(options.profile);
@@ -165,6 +165,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options) 
     report.left_out = suppressions.total();
   }
   report.mime_type = mime_type(container, readable && document.is_object(document.root()));
+  if (sites != nullptr) *sites = collector.take_sites();
   collector.finish(report, document, container.json_offset);
   return report;
 }

@@ -141,7 +141,7 @@ inline Upgraded upgraded(Scene scene) {
   options.in_place = true;
   Upgraded result{upgrade_file(path, options), {}, content(path)};
   result.json = Json::parse(result.text);
-  EXPECT_EQ(result.report.problem, UpgradeProblem::none) << result.report.error;
+  EXPECT_EQ(result.report.problem, EditProblem::none) << result.report.error;
   if (!result.report.written) return result;
   EXPECT_FALSE(upgrade_file(path, options).changes);
   for (const Diagnostic& finding : validate_file(path).diagnostics) {

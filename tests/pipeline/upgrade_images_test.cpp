@@ -358,7 +358,7 @@ TEST(UpgradeImages, NothingNewIsLeftOfAFileThatCannotBeReplaced) {
   folder.write("leaf.png", noisy_png(PngColor::rgb, 8, 24));
   const auto path = folder.write("a.gltf", document({mapped()}, {{{"uri", "leaf.png"}}}).dump());
   std::filesystem::create_hard_link(path, folder.path() / "link.gltf");
-  EXPECT_EQ(upgrade_file(path.native(), in_place()).problem, UpgradeProblem::not_written);
+  EXPECT_EQ(upgrade_file(path.native(), in_place()).problem, EditProblem::not_written);
   const auto files = std::distance(std::filesystem::directory_iterator(folder.path()), {});
   EXPECT_EQ(files, 3);
 }
@@ -376,7 +376,7 @@ TEST(UpgradeImages, AssetsThatShareAMapShareTheNewOneAlsoAfterACrash) {
   folder.write("leaf.png", map);
   folder.write(left_by(ended_process(), alone.new_files[0], 0), "half");
   folder.write(left_by(ended_process(), "7.gltf", 3), "half");
-  std::vector<UpgradeInput> inputs;
+  std::vector<EditInput> inputs;
   for (int i = 0; i < 40; ++i) {
     inputs.push_back({folder.write(std::to_string(i) + ".gltf", text).native(), {}});
   }

@@ -33,7 +33,7 @@ TEST(UpgradeFile, TellsThePlanAndWritesNothingUnasked) {
   UpgradeOptions options;
   options.diff = true;
   const UpgradeReport report = upgrade_file(path, options);
-  EXPECT_EQ(report.problem, UpgradeProblem::none);
+  EXPECT_EQ(report.problem, EditProblem::none);
   ASSERT_EQ(report.actions.size(), 1U);
   EXPECT_TRUE(report.actions[0].done);
   EXPECT_TRUE(report.changes);
@@ -51,7 +51,7 @@ TEST(UpgradeFile, TooManyObjectsAreAReasonNotAnEmptyPlan) {
       folder.write("a.gltf", R"({"asset":{"version":"2.0"},"nodes":[)" + nodes + "]}").native();
   const std::string why = "its root arrays have 1200000 elements; at most ";
   const UpgradeReport report = upgrade_file(path, {});
-  EXPECT_EQ(report.problem, UpgradeProblem::unreadable);
+  EXPECT_EQ(report.problem, EditProblem::unreadable);
   EXPECT_EQ(report.error.find(why), 0U) << report.error;
   EXPECT_EQ(inspect_file(path, {}).error, report.error);
 }
@@ -145,10 +145,10 @@ TEST(UpgradeFile, SaysWhyAFileCannotBeRead) {
   const TempFolder folder;
   for (const char* text : {"", "hello", "{\"asset\":", "glTF"}) {
     const UpgradeReport report = upgrade_file(folder.write("a.gltf", text).native());
-    EXPECT_EQ(report.problem, UpgradeProblem::unreadable) << text;
+    EXPECT_EQ(report.problem, EditProblem::unreadable) << text;
     EXPECT_FALSE(report.error.empty()) << text;
   }
-  EXPECT_EQ(upgrade_file((folder.path() / "b.gltf").native()).problem, UpgradeProblem::unreadable);
+  EXPECT_EQ(upgrade_file((folder.path() / "b.gltf").native()).problem, EditProblem::unreadable);
 }
 
 TEST(UpgradeFile, AFileThatWouldHaveANewErrorIsNotWritten) {
@@ -176,7 +176,7 @@ TEST(UpgradeFile, AFileThatWouldHaveANewErrorIsNotWritten) {
   options.in_place = true;
   options.schemas = schemas.set;
   const UpgradeReport report = upgrade_file(path, options);
-  EXPECT_EQ(report.problem, UpgradeProblem::refused);
+  EXPECT_EQ(report.problem, EditProblem::refused);
   EXPECT_NE(report.error.find("UNDEFINED_PROPERTY"), std::string::npos) << report.error;
   EXPECT_EQ(report.left(), 1U);
   EXPECT_EQ(file_text(path), text);
@@ -184,7 +184,7 @@ TEST(UpgradeFile, AFileThatWouldHaveANewErrorIsNotWritten) {
 
 TEST(UpgradeFiles, ReportInTheOrderOfTheInputs) {
   const TempFolder folder;
-  std::vector<UpgradeInput> inputs;
+  std::vector<EditInput> inputs;
   for (int i = 0; i < 20; ++i) {
     const std::string name = std::to_string(i);
     inputs.push_back({folder.write(name + ".gltf", kLegacy).native(),

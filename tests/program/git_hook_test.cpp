@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// `gltfx hook` in repositories of git: what it looks at, and when it holds a commit up.
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -234,6 +236,32 @@ TEST_F(GitHook, FilesInASubmoduleAreItsOwnBusiness) {
   shell("git commit -q --allow-empty -m y", "sub");
   shell("git add sub");
   EXPECT_THAT(hook("validate").out, HasSubstr("1 file checked"));  // the submodule's commit changed
+}
+
+// Twenty broken assets, each in its own way.
+TEST_F(GitHook, FixesAndNamesWhatIsToBeStaged) {
+  const std::vector<std::string> broken{
+      R"({"asset":{"version":"2.0"},})",
+      R"({"asset":{"version":"2.0"},"nodes":[]})",
+      R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"]})",
+      R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_materials_unlit"]})",
+      "\xEF\xBB\xBF{\"asset\":{\"version\":\"2.0\"}}",
+  };
+  for (std::size_t i = 0; i < 20; ++i) {
+    folder_.write("broken " + std::to_string(i) + ".gltf", broken[i % broken.size()]);
+  }
+  folder_.write("sound.gltf", R"({"asset":{"version":"2.0"}})");
+  shell("git add -A");
+  const Outcome first = hook("fix --in-place");
+  EXPECT_EQ(first.code, 1);
+  EXPECT_THAT(first.out, HasSubstr("20 files have to be staged"));
+  EXPECT_THAT(first.out, AllOf(HasSubstr("  git add -- 'broken 0.gltf'"), Not(HasSubstr("sound"))));
+  const std::size_t line = first.out.find("git add --");
+  ASSERT_NE(line, std::string::npos);
+  EXPECT_EQ(shell(first.out.substr(line, first.out.find('\n', line) - line)).code, 0);
+  EXPECT_EQ(hook("fix --in-place").code, 0);
+  EXPECT_EQ(hook("fix --check").code, 0);
+  EXPECT_EQ(shell("\"$GLTFX\" validate --fail-on info .").code, 0);
 }
 
 TEST_F(GitHook, OutsideOfARepositoryItCannotRun) {

@@ -50,6 +50,11 @@ const std::vector<Verb>& verbs() {
                         "--files-from --shard --exclude --no-ignore --allow-empty --isolated "
                         "--unsandboxed-decoders --quiet "
                         "--jobs --color")},
+      {"edit",
+       words(
+           "PATH --delete --cascade --format --restore --in-place --output --backup --check --diff "
+           "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
+           "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
        words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "

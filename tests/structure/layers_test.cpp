@@ -25,14 +25,25 @@ const std::map<std::string, int, std::less<>> kLayers{
 
 // The module a public header belongs to.
 const std::map<std::string, std::string, std::less<>> kPublicHeaders{
-    {"gltfx/diagnostic.hpp", "base"},   {"gltfx/version.hpp", "base"},
-    {"gltfx/decoders.hpp", "codec"},    {"gltfx/schema.hpp", "schema"},
-    {"gltfx/report.hpp", "report"},     {"gltfx/targets.hpp", "target"},
-    {"gltfx/validate.hpp", "validate"}, {"gltfx/upgrade.hpp", "upgrade"},
-    {"gltfx/pipeline.hpp", "pipeline"}, {"gltfx/mapping.hpp", "container"},
-    {"gltfx/bake.hpp", "report"},       {"gltfx/vec3.hpp", "base"},
-    {"gltfx/material.hpp", "bake"},     {"gltfx/result_cache.hpp", "pipeline"},
-    {"gltfx/inspect.hpp", "report"},    {"gltfx/page.hpp", "report"},
+    {"gltfx/diagnostic.hpp", "base"},
+    {"gltfx/version.hpp", "base"},
+    {"gltfx/decoders.hpp", "codec"},
+    {"gltfx/schema.hpp", "schema"},
+    {"gltfx/report.hpp", "report"},
+    {"gltfx/targets.hpp", "target"},
+    {"gltfx/validate.hpp", "validate"},
+    {"gltfx/upgrade.hpp", "upgrade"},
+    {"gltfx/edited_file.hpp", "edit"},
+    {"gltfx/fix.hpp", "validate"},
+    {"gltfx/deletion.hpp", "pipeline"},
+    {"gltfx/pipeline.hpp", "pipeline"},
+    {"gltfx/mapping.hpp", "container"},
+    {"gltfx/bake.hpp", "report"},
+    {"gltfx/vec3.hpp", "base"},
+    {"gltfx/material.hpp", "bake"},
+    {"gltfx/result_cache.hpp", "pipeline"},
+    {"gltfx/inspect.hpp", "report"},
+    {"gltfx/page.hpp", "report"},
     {"gltfx/tinygltf.hpp", "interop"},
 };
 

@@ -27,6 +27,7 @@ constexpr std::size_t kMostMembers = 12;
 const std::map<std::string, std::string, std::less<>> kLargeClasses{
     {"Walker",
      "one walk: what it reads, where it reports, and the stack that stands for recursion"},
+    {"Declaration", "what the options of each verb are read into"},
 };
 
 Problems check_file_length(const Source& source) {

@@ -37,16 +37,18 @@ std::string verdict_on(const RuleDescription& rule, bool color) {
   return text;
 }
 
-std::string_view fix_text(Fix fix) {
-  switch (fix) {
+std::string way_to_fix(const RuleDescription& rule) {
+  switch (rule.fix) {
     case Fix::none:
       return "by hand";
     case Fix::safe:
-      return "can be automated; the picture stays the same";
+      return "'gltfx fix' does it; picture, animation and names stay";
+    case Fix::upgrade:
+      return "'gltfx upgrade' does it; the picture stays";
     case Fix::unsafe:
       break;
   }
-  return "can be automated, but may change the picture";
+  return fmt::format("'gltfx fix --unsafe --only {}' does it, with a loss", rule.code);
 }
 
 std::string explanation(const RuleDescription& rule, bool color) {
@@ -69,9 +71,15 @@ std::string explanation(const RuleDescription& rule, bool color) {
   text += indented(verdict_on(rule, color), kIndent + 2);
   heading("Good");
   text += example_text(rule.good);
+  if (!rule.fix_does.empty()) {
+    heading("What the fix does");
+    text += wrapped(rule.fix_does, kIndent + 2);
+    heading("Fixed");
+    text += example_text(rule.fixed);
+  }
   heading("See also");
   if (!rule.section.empty()) text += fmt::format("    {}: {}\n", rule.section, rule.link);
-  text += fmt::format("    fix: {}\n", fix_text(rule.fix));
+  text += fmt::format("    fix: {}\n", way_to_fix(rule));
   text += rule.khronos ? "    the Khronos validator has the same code\n"
                        : "    the Khronos validator has no such code\n";
   return text;

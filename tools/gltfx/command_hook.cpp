@@ -42,7 +42,9 @@ class Hook {
   }
   bool fixes() const {
     const auto* upgrade = std::get_if<UpgradeRequest>(&request_.verb);
-    return upgrade != nullptr && upgrade->upgrade.in_place;
+    const auto* fix = std::get_if<FixRequest>(&request_.verb);
+    return (upgrade != nullptr && upgrade->upgrade.in_place) ||
+           (fix != nullptr && fix->fix.in_place);
   }
   void say(const std::string& text) { code_ = worse(code_, print(text)); }
   void fail(const std::string& text) {
@@ -90,13 +92,14 @@ class Hook {
     for (const RepositoryName& asset : assets_.found()) {
       if (after->count(asset) > before->count(asset)) to_stage_.push_back(asset);
     }
-    return check_half_staged(std::get<UpgradeRequest>(request_.verb), half_staged);
+    return check_half_staged(half_staged);
   }
 
   // Whoever stages a part of a file chooses what else of it goes into the commit.
-  std::optional<Error> check_half_staged(const UpgradeRequest& request,
-                                         const std::vector<RepositoryName>& assets) {
-    if (assets.empty()) return std::nullopt;
+  std::optional<Error> check_half_staged(const std::vector<RepositoryName>& assets) {
+    const auto* upgrade = std::get_if<UpgradeRequest>(&request_.verb);
+    if (assets.empty() || upgrade == nullptr) return std::nullopt;
+    const UpgradeRequest& request = *upgrade;
     auto schemas = load_schemas(request.schema_files, request.schema_folders);
     if (!schemas) return schemas.error();
     const auto set = *schemas ? *std::move(schemas) : schema::builtin_set();

@@ -36,7 +36,9 @@ class Declaration {
     app_.footer([] { return help_footer(""); });
     app_.add_flag("-V,--version", version_, "Print the versions of gltfx and its libraries");
     declare_validate(verb("validate", "Validate .gltf and .glb files"), validate_);
-    declare_upgrade();
+    declare_fix(verb("fix", "Fix what a program can fix with certainty"), fix_);
+    declare_upgrade(verb("upgrade", "Upgrade legacy extensions to their successors"), upgrade_);
+    declare_edit(verb("edit", "Delete objects and renumber what refers to others"), edit_);
     declare_hook();
     declare_bake(verb("bake", "Render previews of assets"), bake_);
     declare_report(verb("report", "Write an HTML page: findings, previews, sizes"), report_);
@@ -55,7 +57,6 @@ class Declaration {
  private:
   CLI::App& verb(const char* name, const char* text);
   std::string help() const;
-  void declare_upgrade();
   void declare_hook();
   void declare_explain();
   void declare_rules();
@@ -67,13 +68,15 @@ class Declaration {
   std::string verb_among(const std::vector<std::string>& words) const;
   CommandLine request(std::string_view verb) const;
 
-  CLI::App app_{"Validates glTF 2.0 assets, upgrades legacy extensions and renders previews.",
+  CLI::App app_{"Validates and fixes glTF 2.0 assets, upgrades legacy extensions and renders previews.",
                 "gltfx"};
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
   RawValidateOptions validate_;
   RawMergeOptions merge_;
+  RawFixOptions fix_;
   RawUpgradeOptions upgrade_;
+  RawDeleteOptions edit_;
   RawBakeOptions bake_;
   RawInspectOptions inspect_;
   RawPageOptions report_;
@@ -89,38 +92,6 @@ CLI::App& Declaration::verb(const char* name, const char* text) {
   app.allow_extras();
   app.footer([name] { return help_footer(name); });
   return app;
-}
-
-void Declaration::declare_upgrade() {
-  CLI::App& app = verb("upgrade", "Upgrade legacy extensions to their successors");
-  describe_positional(app, "PATH", "Files, folders (recursive) or globs");
-  add_word(app, "-f,--format", upgrade_.format, "NAME", "Output format: text (default) or json");
-  app.add_flag("--in-place", upgrade_.in_place,
-               "Replace the files; each one is written atomically");
-  add_word(app, "-o,--output", upgrade_.output, "FILE|DIR",
-           "Output file; a folder if it ends in / or exists");
-  app.add_flag("--backup", upgrade_.backup, "With --in-place: keep the old file as NAME.bak");
-  app.add_flag("--restore", upgrade_.restore, "Restore the files that --backup kept");
-  app.add_flag("--check", upgrade_.check, "Write nothing; exit 1 if there is work to do");
-  app.add_flag("--diff", upgrade_.diff, "Print the changes as a unified diff");
-  app.add_flag("--verify", upgrade_.verify, "Refuse upgrades that change the rendered picture");
-  app.add_flag("--unsafe", upgrade_.unsafe, "Allow lossy upgrades");
-  app.add_flag("--strict", upgrade_.strict, "Skip files that cannot be upgraded without loss");
-  add_list(app, "--only", upgrade_.only, "NAME", "Upgrade only this extension (repeatable)");
-  add_list(app, "--to", upgrade_.to, "NAME", "Upgrade only to this extension (repeatable)");
-  add_word(app, "--ior", upgrade_.ior, "N", "ior for specular-glossiness: 0 (default) or 1000");
-  app.add_flag("--pack", upgrade_.pack, "Pack color and factor into one image if exact");
-  app.add_flag("--prune", upgrade_.prune, "Remove textures and images left unused");
-  add_word(app, "--generation", upgrade_.generation, "NAME",
-           "Draft of legacy objects: auto (default), v1, v2, v3");
-  add_targets(app, upgrade_.targets, upgrade_.target_files);
-  add_root(app, upgrade_.root);
-  add_inputs(app, upgrade_.inputs);
-  add_schema_sources(app, upgrade_.schema_files, upgrade_.schema_folders);
-  app.add_flag("-q,--quiet", upgrade_.quiet, "Print errors only, no plan and no summary");
-  add_configuration(app, upgrade_.configuration);
-  add_decoders(app, upgrade_.common);
-  add_common(app, upgrade_.common);
 }
 
 // For the help: read() takes the word away, so that the verb behind it has its own options.
@@ -222,7 +193,9 @@ std::string Declaration::take_positionals() {
 
 std::vector<std::string>* Declaration::positionals(std::string_view verb) {
   if (verb == "validate") return &validate_.inputs.paths;
+  if (verb == "fix") return &fix_.inputs.paths;
   if (verb == "upgrade") return &upgrade_.inputs.paths;
+  if (verb == "edit") return &edit_.inputs.paths;
   if (verb == "bake") return &bake_.inputs.paths;
   if (verb == "merge") return &merge_.files;
   if (verb == "inspect") return &inspect_.paths;
@@ -251,18 +224,23 @@ CommandLine hooked(CommandLine line) {
   if (auto* validate = std::get_if<ValidateRequest>(wanted)) {
     return Request(HookRequest{std::move(*validate)});
   }
+  if (auto* fix = std::get_if<FixRequest>(wanted)) {
+    return Request(HookRequest{std::move(*fix)});
+  }
   if (auto* upgrade = std::get_if<UpgradeRequest>(wanted)) {
     return Request(HookRequest{std::move(*upgrade)});
   }
-  return usage_error("hook", "hook: only validate and upgrade go with it.");
+  return usage_error("hook", "hook: only validate, fix and upgrade go with it.");
 }
 
 CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "hook") {
-    return usage_error(verb, "hook: name the verb to run: validate or upgrade, with its options.");
+    return usage_error(verb, "hook: name the verb to run: validate, fix or upgrade, with its options.");
   }
   if (verb == "validate") return command_of(verb, configured(validate_));
+  if (verb == "fix") return command_of(verb, configured(fix_));
   if (verb == "upgrade") return command_of(verb, configured(upgrade_));
+  if (verb == "edit") return command_of(verb, configured(edit_));
   if (verb == "bake") return command_of(verb, configured(bake_));
   if (verb == "report") return command_of(verb, configured(report_));
   if (verb == "inspect") return command_of(verb, configured(inspect_));
@@ -293,7 +271,7 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   if (hook) {
     --argc;
     ++argv;
-    validate_.hook = upgrade_.hook = true;
+    validate_.hook = fix_.hook = upgrade_.hook = true;
   }
   const char* const* mark =
       std::find(argv + std::min(argc, 1), argv + argc, std::string_view("--"));

@@ -64,6 +64,12 @@ void declare_bake(CLI::App& app, RawBakeOptions& words);
 /// The options of `gltfx validate`, and of `gltfx report` which asks for most of them, too.
 void declare_validate(CLI::App& app, RawValidateOptions& words);
 void declare_report(CLI::App& app, RawPageOptions& words);
+/// The options of `gltfx upgrade`.
+void declare_upgrade(CLI::App& app, RawUpgradeOptions& words);
+/// The options of `gltfx fix`.
+void declare_fix(CLI::App& app, RawFixOptions& words);
+/// The options of `gltfx edit`.
+void declare_edit(CLI::App& app, RawDeleteOptions& words);
 /// The options of `gltfx inspect`.
 void declare_inspect(CLI::App& app, RawInspectOptions& words);
 /// The options of `gltfx merge`.

@@ -11,18 +11,6 @@
 namespace gltfx::tool {
 namespace {
 
-std::string_view fix_name(Fix fix) {
-  switch (fix) {
-    case Fix::none:
-      return "none";
-    case Fix::safe:
-      return "safe";
-    case Fix::unsafe:
-      break;
-  }
-  return "unsafe";
-}
-
 void write_rule(json::Writer& writer, const RuleDescription& rule) {
   writer.begin_object();
   writer.member("code", rule.code);
@@ -36,6 +24,10 @@ void write_rule(json::Writer& writer, const RuleDescription& rule) {
   writer.member("bad", rule.bad);
   writer.member("good", rule.good);
   writer.member("fix", fix_name(rule.fix));
+  if (!rule.fix_does.empty()) {
+    writer.member("fixDoes", rule.fix_does);
+    writer.member("fixed", rule.fixed);
+  }
   writer.member("khronos", rule.khronos);
   writer.member("pixels", rule.pixels);
   writer.end_object();

@@ -3,19 +3,17 @@
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "edit_run.hpp"
 #include "input_paths.hpp"
 #include "output_places.hpp"
 #include "read_input.hpp"
@@ -26,18 +24,6 @@
 
 namespace gltfx::tool {
 namespace {
-
-// Lines of an asset go to a program as they are, to a terminal without what could drive it.
-std::string diff_text(std::string_view diff) {
-  if (::isatty(STDOUT_FILENO) == 0) return std::string(diff);
-  std::string text;
-  while (!diff.empty()) {
-    const std::size_t end = std::min(diff.find('\n'), diff.size());
-    text.append(printable(diff.substr(0, end))).append(1, '\n');
-    diff.remove_prefix(std::min(end + 1, diff.size()));
-  }
-  return text;
-}
 
 // An Error about the first name that is none of those known.
 std::optional<Error> unknown_name(std::string_view option, const std::vector<std::string>& wanted,
@@ -65,43 +51,6 @@ Result<UpgradeOptions> options_of(const UpgradeRequest& request) {
   return options;
 }
 
-// Why the copy that --backup made cannot take the place of the asset, or nothing. Links are
-// followed to the asset, not to the copy.
-std::optional<std::string> restore(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path copy = path + ".bak";
-  const fs::file_status found = fs::symlink_status(copy, error);
-  if (!fs::exists(found)) return "there is no " + quoted(copy.native(), 200);
-  if (!fs::is_regular_file(found)) return quoted(copy.native(), 200) + " is not a regular file";
-  const fs::path target = fs::canonical(path, error);
-  if (!error) fs::rename(copy, target, error);
-  if (error) return "cannot be restored: " + error.message();
-  return std::nullopt;
-}
-
-ExitCode restore_all(const UpgradeRequest& request) {
-  const auto named = expand_paths(request.paths, request.quiet);
-  if (!named) {
-    complain(named.error().message);
-    return ExitCode::usage;
-  }
-  ExitCode code = ExitCode::ok;
-  for (const std::string& path : named->paths) {
-    std::error_code error;
-    const bool has_copy =
-        std::filesystem::exists(std::filesystem::symlink_status(path + ".bak", error));
-    if (named->several && !has_copy) continue;
-    if (const auto why = restore(path)) {
-      complain(fmt::format("{}: {}", printable(path), printable(*why)));
-      code = worse(code, ExitCode::internal);
-    } else if (!request.quiet) {
-      code = worse(code, print(printable(path) + ": restored\n"));
-    }
-  }
-  return code;
-}
-
 /// A run of inputs through the upgrade.
 class UpgradeRun {
  public:
@@ -113,7 +62,7 @@ class UpgradeRun {
   ExitCode execute() {
     const auto named = expand_paths(request_.paths, request_.quiet);
     const auto inputs = named ? place_outputs(*named, options_.output)
-                              : Result<std::vector<UpgradeInput>>(named.error());
+                              : Result<std::vector<EditInput>>(named.error());
     if (!inputs) {
       complain(inputs.error().message);
       return ExitCode::usage;
@@ -159,7 +108,7 @@ class UpgradeRun {
     if (as_json()) say(upgrade_json(report, summary_.files + summary_.unreadable == 0));
     summary_.add(report);
     if (!as_json()) show(report);
-    if (report.problem != UpgradeProblem::none) {
+    if (report.problem != EditProblem::none) {
       complain(fmt::format("{}: {}", printable(report.path), report.error));
     }
     code_ = worse(code_, verdict(report));
@@ -175,16 +124,7 @@ class UpgradeRun {
   }
 
   ExitCode verdict(const UpgradeReport& report) const {
-    switch (report.problem) {
-      case UpgradeProblem::unreadable:
-        return ExitCode::unreadable;
-      case UpgradeProblem::refused:
-        return ExitCode::findings;
-      case UpgradeProblem::not_written:
-        return ExitCode::internal;
-      case UpgradeProblem::none:
-        break;
-    }
+    if (report.problem != EditProblem::none) return exit_code_of(report.problem);
     const bool unfinished = writing() && report.left() > 0;
     const bool to_do = request_.check && report.due() > 0;
     return unfinished || to_do ? ExitCode::findings : ExitCode::ok;

@@ -173,7 +173,7 @@ void Configuration::fill(std::string_view key, std::string& word) const {
   if (word.empty() && !said.empty()) word = std::move(said.front());
 }
 
-void Configuration::apply(RawUpgradeOptions& words) const {
+void Configuration::apply(RawEditOptions& words) const {
   fill("root", words.root);
   if (words.targets.empty()) words.targets = words_of(*find_config_key("targets"), {});
   add_excludes(words.inputs.exclude);
@@ -247,6 +247,14 @@ Result<Wanted> request_with_configuration(Words words) {
 
 Result<UpgradeRequest> configured(RawUpgradeOptions words) {
   return request_with_configuration<UpgradeRequest>(std::move(words));
+}
+
+Result<FixRequest> configured(RawFixOptions words) {
+  return request_with_configuration<FixRequest>(std::move(words));
+}
+
+Result<DeleteRequest> configured(RawDeleteOptions words) {
+  return request_with_configuration<DeleteRequest>(std::move(words));
 }
 
 Result<BakeRequest> configured(RawBakeOptions words) {

@@ -45,7 +45,7 @@ class Configuration {
   /// The words with what the file says where they say nothing.
   RawValidateOptions apply(RawValidateOptions words,
                            const std::vector<std::size_t>& overrides) const;
-  void apply(RawUpgradeOptions& words) const;
+  void apply(RawEditOptions& words) const;
   void apply(RawBakeOptions& words) const;
   void apply(RawInspectOptions& words) const;
   void apply(RawSchemaOptions& words) const;
@@ -87,6 +87,8 @@ class PathOptions {
 Result<ValidateRequest> configured(const RawValidateOptions& words);
 Result<PageRequest> configured(const RawPageOptions& words);
 Result<UpgradeRequest> configured(RawUpgradeOptions words);
+Result<FixRequest> configured(RawFixOptions words);
+Result<DeleteRequest> configured(RawDeleteOptions words);
 Result<BakeRequest> configured(RawBakeOptions words);
 Result<InspectRequest> configured(RawInspectOptions words);
 Result<SchemaRequest> configured(RawSchemaOptions words);

@@ -13,6 +13,7 @@ namespace {
 constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx validate model.glb           validate an asset
   gltfx validate assets/ --jobs 4    validate a folder
+  gltfx fix assets/ --in-place       fix what is surely fixable
   gltfx upgrade assets/ --in-place   upgrade legacy extensions
   gltfx bake model.glb -o model.png  render a preview
   gltfx report assets/ -o r.html     write an HTML page
@@ -33,6 +34,16 @@ constexpr std::string_view kValidateExamples = R"(Examples:
   gltfx validate library/ --cache .gltfx-cache         checks changed files only
 )";
 
+constexpr std::string_view kFixExamples = R"(Examples:
+  gltfx fix model.gltf                      dry run: nothing is written
+  gltfx fix model.gltf --diff               show the changes
+  gltfx fix assets/ --in-place --backup     safe fixes only
+  gltfx fix assets/ --check                 for CI: exit 1 if work is left
+  gltfx fix assets/ -o fixed/               copy the tree with its resources
+  gltfx fix model.glb --only ACCESSOR_MIN_MISMATCH,ACCESSOR_MAX_MISMATCH
+  gltfx fix model.gltf --unsafe --only EXTENSION_NAME_MISSPELT --in-place
+)";
+
 constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade model.gltf                  dry run: nothing is written
   gltfx upgrade model.gltf --diff           show the changes
@@ -44,6 +55,13 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
   gltfx upgrade old.glb -o new.glb --unsafe --generation v2
   gltfx upgrade wax.gltf --only KHR_materials_sss --in-place   opt in to a draft
   gltfx upgrade wax.gltf --to KHR_materials_scatter --in-place
+)";
+
+constexpr std::string_view kEditExamples = R"(Examples:
+  gltfx edit model.gltf --delete /meshes/3   dry run: what goes, what refers to it
+  gltfx edit model.gltf --delete /nodes/7 --cascade --diff
+  gltfx edit model.glb --delete /animations/0 --delete /animations/2 -o new.glb
+  gltfx edit model.glb --delete /materials/1 --cascade --in-place --backup
 )";
 
 constexpr std::string_view kBakeExamples = R"(Examples:
@@ -73,6 +91,7 @@ constexpr std::string_view kHookExamples =
 file. Fails if a referenced file is not staged.
 
 Examples:
+  gltfx hook fix --in-place              lists the files to stage
   gltfx hook upgrade --check             in .git/hooks/pre-commit
   gltfx hook upgrade --in-place          lists the files to stage
   gltfx hook validate --fail-on warning
@@ -117,7 +136,9 @@ constexpr std::string_view kConfigExamples = R"(Examples:
 
 std::string_view help_examples(std::string_view verb) {
   if (verb == "validate") return kValidateExamples;
+  if (verb == "fix") return kFixExamples;
   if (verb == "upgrade") return kUpgradeExamples;
+  if (verb == "edit") return kEditExamples;
   if (verb == "bake") return kBakeExamples;
   if (verb == "report") return kReportExamples;
   if (verb == "inspect") return kInspectExamples;

@@ -108,18 +108,29 @@ struct MergeRequest : ReportRequest {
   bool as_loud_as_runs = true;     ///< `fail_on` is that of the runs
 };
 
-struct UpgradeRequest {
+/// What the verbs that change assets have in common.
+struct EditRequest {
   CommonOptions common;
   NamedPaths paths;
-  /// All but `schemas`, which comes from the files below. `output` is what was named, a file or a
-  /// folder.
-  UpgradeOptions upgrade;
   TableFormat format = TableFormat::text;
   bool restore = false;  ///< put back what --backup kept, and nothing else
   bool check = false;    ///< say by the exit code whether something is to do
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
+};
+
+struct UpgradeRequest : EditRequest {
+  /// All but `schemas`, which comes from the files. `output` is what was named, a file or a folder.
+  UpgradeOptions upgrade;
+};
+
+struct FixRequest : EditRequest {
+  FixOptions fix;  ///< likewise
+};
+
+struct DeleteRequest : EditRequest {
+  DeleteOptions deletion;  ///< likewise
 };
 
 struct BakeRequest {
@@ -151,7 +162,7 @@ struct InspectRequest {
 
 /// A verb over the assets that a commit touches; its paths are names that changed besides.
 struct HookRequest {
-  std::variant<ValidateRequest, UpgradeRequest> verb;
+  std::variant<ValidateRequest, UpgradeRequest, FixRequest> verb;
 };
 
 struct ExplainRequest {
@@ -191,7 +202,7 @@ struct ConfigRequest {
   std::string import_file;  ///< not empty: a configuration of the Khronos validator to be read
 };
 
-using Request = std::variant<ValidateRequest, MergeRequest, UpgradeRequest, BakeRequest,
+using Request = std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, DeleteRequest, BakeRequest,
                              InspectRequest, PageRequest, HookRequest, ExplainRequest, RulesRequest,
                              TargetsRequest, SchemaRequest, ConfigRequest>;
 

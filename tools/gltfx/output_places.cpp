@@ -73,7 +73,7 @@ class Destination {
     }
     if (!is_asset_name(path) || own == ending_of(output_)) return output_;
     return Error{
-        fmt::format("--output: {} has to end in {} as {} does: an upgrade changes no container.",
+        fmt::format("--output: {} has to end in {} as {} does: the container stays.",
                     quoted(output_, 200), own, quoted(path, 200))};
   }
 
@@ -130,13 +130,13 @@ std::optional<Error> check_name(const char* option, const std::string& name,
 
 }  // namespace
 
-Result<std::vector<UpgradeInput>> place_outputs(const Inputs& inputs, const std::string& output) {
+Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::string& output) {
   const Destination destination(output, inputs);
   const bool placing = !output.empty();
   if (std::string problem = placing ? destination.problem() : std::string(); !problem.empty()) {
     return Error{std::move(problem)};
   }
-  std::vector<UpgradeInput> placed;
+  std::vector<EditInput> placed;
   std::set<fs::path> seen;
   std::set<std::string> taken = taken_by_others(inputs, output);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {

@@ -18,7 +18,7 @@ namespace gltfx::tool {
 /// Inputs::several). What was found below a folder keeps its place below it; what lies in the
 /// output folder of an earlier run is not found. Else `output` is a file whose ending has to be
 /// that of the input, because an upgrade keeps the container. The Error says what to write instead.
-Result<std::vector<UpgradeInput>> place_outputs(const Inputs& inputs, const std::string& output);
+Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::string& output);
 
 struct PicturePlaces {
   std::vector<BakeInput> inputs;

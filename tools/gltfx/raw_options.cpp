@@ -159,26 +159,64 @@ Result<MergeRequest> request_of(const RawMergeOptions& words) {
   return reading.finish(request);
 }
 
-Result<UpgradeRequest> request_of(const RawUpgradeOptions& words) {
-  Reading reading;
-  UpgradeRequest request;
+namespace {
+
+// What the verbs that change assets ask in the same words.
+void read_edit(Reading& reading, const RawEditOptions& words, std::string_view verb,
+               EditRequest& request, EditOptions& options) {
   read_common(reading, words.common, request.common);
-  (words.hook ? read_hooked_inputs : read_inputs)(reading, words.inputs, "upgrade", request.paths);
-  require_files(reading, words.inputs.paths, "upgrade", "found or written");
+  (words.hook ? read_hooked_inputs : read_inputs)(reading, words.inputs, verb, request.paths);
+  require_files(reading, words.inputs.paths, verb, "found or written");
+  const auto require = [&](bool holds, std::string_view text) {
+    reading.require(holds, fmt::format("{}: {}", verb, text));
+  };
   reading.require(!words.hook || words.output.empty(),
                   "hook: the files of a commit stay where they are; leave out --output.");
   const bool writes = words.in_place || !words.output.empty();
-  reading.require(!words.in_place || words.output.empty(),
-                  "upgrade: --in-place and --output are mutually exclusive.");
-  reading.require(!words.check || !writes,
-                  "upgrade: --check writes nothing; leave out "
-                  "--in-place and --output.");
-  reading.require(!words.restore || !(writes || words.check || words.diff || words.backup),
-                  "upgrade: --restore puts back backups; leave out other actions.");
-  request.restore = words.restore;
-  reading.require(!words.backup || words.in_place, "upgrade: --backup goes with --in-place.");
-  reading.require(words.ior == "0" || words.ior == "1000", "upgrade: --ior is 0 or 1000.");
+  require(!words.in_place || words.output.empty(),
+          "--in-place and --output are mutually exclusive.");
+  require(!words.check || !writes,
+          "--check writes nothing; leave out --in-place and --output.");
+  require(!words.restore || !(writes || words.check || words.diff || words.backup),
+          "--restore puts back backups; leave out other actions.");
+  require(!words.backup || words.in_place, "--backup goes with --in-place.");
   reading.set(request.format, parse_table_format(words.format));
+  request.restore = words.restore;
+  request.check = words.check;
+  request.quiet = words.quiet;
+  request.schema_files = words.schema_files;
+  request.schema_folders = words.schema_folders;
+  options.diff = words.diff;
+  options.in_place = words.in_place;
+  options.backup = words.backup;
+  options.output = words.output;
+  options.root = words.root;
+}
+
+// A fix that loses something is asked for by its name and by --unsafe.
+std::string find_unasked(const FixOptions& options) {
+  for (const std::string& code : options.only) {
+    const Fix kind = find_rule(code)->fix;
+    if (kind == Fix::unsafe && !options.unsafe) {
+      return fmt::format("--only: the fix of {} is unsafe; add --unsafe.", code);
+    }
+    if (kind == Fix::upgrade) {
+      return fmt::format("--only: 'gltfx upgrade' fixes {}.", code);
+    }
+    if (kind == Fix::none) return fmt::format("--only: {} has no fix.", code);
+  }
+  return options.unsafe && options.only.empty()
+             ? "fix: --unsafe goes with --only, which names the fixes."
+             : std::string();
+}
+
+}  // namespace
+
+Result<UpgradeRequest> request_of(const RawUpgradeOptions& words) {
+  Reading reading;
+  UpgradeRequest request;
+  read_edit(reading, words, "upgrade", request, request.upgrade);
+  reading.require(words.ior == "0" || words.ior == "1000", "upgrade: --ior is 0 or 1000.");
   request.upgrade.ior = words.ior == "0" ? 0 : 1000;
   request.upgrade.only = words.only;
   request.upgrade.to = words.to;
@@ -188,16 +226,30 @@ Result<UpgradeRequest> request_of(const RawUpgradeOptions& words) {
   request.upgrade.pack = words.pack;
   request.upgrade.prune = words.prune;
   request.upgrade.verify = words.verify;
-  request.upgrade.diff = words.diff;
-  request.upgrade.in_place = words.in_place;
-  request.upgrade.backup = words.backup;
-  request.upgrade.output = words.output;
-  request.upgrade.root = words.root;
   reading.set(request.upgrade.targets, read_targets(words.targets, words.target_files));
-  request.check = words.check;
-  request.quiet = words.quiet;
-  request.schema_files = words.schema_files;
-  request.schema_folders = words.schema_folders;
+  return reading.finish(request);
+}
+
+Result<DeleteRequest> request_of(const RawDeleteOptions& words) {
+  Reading reading;
+  DeleteRequest request;
+  read_edit(reading, words, "edit", request, request.deletion);
+  reading.require(words.restore || !words.pointers.empty(),
+                  "edit: name what is to go: --delete POINTER.");
+  request.deletion.pointers = words.pointers;
+  request.deletion.cascade = words.cascade;
+  return reading.finish(request);
+}
+
+Result<FixRequest> request_of(const RawFixOptions& words) {
+  Reading reading;
+  FixRequest request;
+  read_edit(reading, words, "fix", request, request.fix);
+  reading.set(request.fix.only, parse_codes("--only", words.only));
+  reading.set(request.fix.skip, parse_codes("--skip", words.skip));
+  request.fix.unsafe = words.unsafe;
+  const std::string unasked = find_unasked(request.fix);
+  reading.require(unasked.empty(), unasked);
   return reading.finish(request);
 }
 

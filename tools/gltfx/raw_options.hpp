@@ -61,15 +61,31 @@ struct RawMergeOptions {
   bool sarif_notes = false, quiet = false;
 };
 
-struct RawUpgradeOptions {
+/// Of the verbs that change assets.
+struct RawEditOptions {
   RawCommonOptions common;
   ConfigChoice configuration;
   RawInputOptions inputs;
-  std::vector<std::string> schema_files, schema_folders, only, to, targets, target_files;
-  std::string output, generation = "auto", root, ior = "0", format = "text";
+  std::vector<std::string> schema_files, schema_folders, only;
+  std::string output, root, format = "text";
   bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
-       strict = false, pack = false, prune = false, verify = false, restore = false, quiet = false;
+       restore = false, quiet = false;
   bool hook = false;  ///< as above
+};
+
+struct RawUpgradeOptions : RawEditOptions {
+  std::vector<std::string> to, targets, target_files;
+  std::string generation = "auto", ior = "0";
+  bool strict = false, pack = false, prune = false, verify = false;
+};
+
+struct RawFixOptions : RawEditOptions {
+  std::vector<std::string> skip;
+};
+
+struct RawDeleteOptions : RawEditOptions {
+  std::vector<std::string> pointers;
+  bool cascade = false;
 };
 
 struct RawBakeOptions {
@@ -128,6 +144,8 @@ Result<ValidateRequest> request_of(const RawValidateOptions& words);
 Result<PageRequest> request_of(const RawPageOptions& words, ValidateRequest validate);
 Result<MergeRequest> request_of(const RawMergeOptions& words);
 Result<UpgradeRequest> request_of(const RawUpgradeOptions& words);
+Result<FixRequest> request_of(const RawFixOptions& words);
+Result<DeleteRequest> request_of(const RawDeleteOptions& words);
 Result<BakeRequest> request_of(const RawBakeOptions& words);
 Result<InspectRequest> request_of(const RawInspectOptions& words);
 Result<ExplainRequest> request_of(const RawExplainOptions& words);

@@ -181,7 +181,7 @@ class SchemaTests {
     options.unsafe = true;
     options.output = folder.path() / "after.gltf";
     const UpgradeReport report = upgrade_file(path, options);
-    if (report.problem != UpgradeProblem::none) return printable(report.error);
+    if (report.problem != EditProblem::none) return printable(report.error);
     const auto text = read_text_file(options.output, kLongestAsset);
     if (!text) return printable(text.error().message);
     const std::string both = fmt::format("[{},{}]", *text, document_.raw(after));

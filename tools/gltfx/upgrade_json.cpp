@@ -36,20 +36,6 @@ void write_orphan(Writer& writer, const UpgradeOrphan& orphan) {
   writer.end_object();
 }
 
-std::string_view problem_name(UpgradeProblem problem) {
-  switch (problem) {
-    case UpgradeProblem::unreadable:
-      return "unreadable";
-    case UpgradeProblem::refused:
-      return "refused";
-    case UpgradeProblem::not_written:
-      return "not written";
-    case UpgradeProblem::none:
-      break;
-  }
-  return "none";
-}
-
 }  // namespace
 
 std::string upgrade_json_begin() {
@@ -63,7 +49,7 @@ std::string upgrade_json(const UpgradeReport& report, bool first) {
   Writer writer(out);
   writer.begin_object();
   writer.member("path", report.path);
-  writer.member("problem", problem_name(report.problem));
+  writer.member("problem", edit_problem_name(report.problem));
   if (!report.error.empty()) writer.member("error", long_value(report.error));
   writer.member("changes", report.changes);
   writer.member("written", report.written);

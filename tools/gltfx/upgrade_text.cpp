@@ -65,7 +65,7 @@ std::string orphans_text(const UpgradeReport& report) {
 }  // namespace
 
 void UpgradeSummary::add(const UpgradeReport& report) {
-  if (report.problem == UpgradeProblem::unreadable) {
+  if (report.problem == EditProblem::unreadable) {
     ++unreadable;
   } else {
     ++files;
@@ -79,7 +79,7 @@ void UpgradeSummary::add(const UpgradeReport& report) {
 std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
   if (report.actions.empty()) return {};
   std::string text = printable(report.path) + "\n";
-  const bool refused = report.problem != UpgradeProblem::none;
+  const bool refused = report.problem != EditProblem::none;
   for (const UpgradeAction& action : report.actions) text += action_text(action, refused, style);
   for (const std::string& file : report.new_files) {
     text += fmt::format("  new file: {}\n", printable(file));

@@ -44,6 +44,18 @@ decoded.
 
 What is asked of every run in a folder can stand in gltfx.toml(5).)";
 
+constexpr std::string_view kFix =
+    R"(Fixes findings of gltfx-validate(1) whose fix is certain: pictures, animations and names stay,
+within the tolerances that gltfx-explain(1) states, and so does every byte that need not change.
+
+Without `--in-place` or `--output` nothing is written: the verb says what would be done. Fixes that
+lose something are done when `--only` names them and `--unsafe` is given.
+
+Fixes run until none is left to do. The new asset is validated before it takes the place of the old
+one; a fix that would bring a finding which was not there is left out and named. A fix that changes
+bytes of a buffer writes that buffer anew, before the asset. A file is replaced whole or not at all,
+and not when it changed meanwhile, is no regular file or has other hard links.)";
+
 constexpr std::string_view kUpgrade =
     R"(Legacy extensions become what took their place. The picture stays the same, and so does
 every byte of the file that need not change.
@@ -58,8 +70,21 @@ at all, and not when it changed meanwhile, is no regular file or has other hard 
 image has to be made anew it goes where the old one was: into the binary chunk of a GLB, into a file
 beside the asset, or into a data URI.)";
 
+constexpr std::string_view kEdit =
+    R"(Deletes elements of arrays, or members, that JSON pointers name. Every index and every JSON pointer
+that leads behind them is counted anew, in the core of glTF and in all extensions that gltfx or a
+`--schema` describes. All else in the file stays byte for byte.
+
+What refers to something that would go is listed, and the file stays as it is. With `--cascade` it
+goes, too: an entry of a list alone, a member alone where the object can be without it, else the
+object. What a deleted object referred to stays.
+
+Without `--in-place` or `--output` nothing is written: the verb says what would be done. The new asset
+is validated before it takes the place of the old one. A file is replaced whole or not at all, and not
+when it changed meanwhile, is no regular file or has other hard links.)";
+
 constexpr std::string_view kHook =
-    R"(Runs gltfx-validate(1) or gltfx-upgrade(1) with their options over the assets of a commit of
+    R"(Runs gltfx-validate(1), gltfx-fix(1) or gltfx-upgrade(1) with their options over the assets of a commit of
 git that is about to be made. PATH names files that changed besides those that git knows of.)";
 
 constexpr std::string_view kBake =
@@ -112,10 +137,12 @@ constexpr std::string_view kConfig =
 gltfx.toml(5) or the default that says so. `gltfx config import FILE` prints a configuration of the
 Khronos validator, in YAML, as one of gltfx.)";
 
-constexpr std::array<VerbText, 13> kTexts{{
+constexpr std::array<VerbText, 15> kTexts{{
     {"", "VERB [OPTION]... [ARGUMENT]...", kProgram},
     {"validate", "PATH...", kValidate},
+    {"fix", "PATH...", kFix},
     {"upgrade", "PATH...", kUpgrade},
+    {"edit", "PATH...", kEdit},
     {"hook", "VERB [OPTION]... [PATH]...", kHook},
     {"bake", "PATH...", kBake},
     {"report", "PATH...", kReport},
@@ -137,7 +164,7 @@ const VerbText* find_verb_text(std::string_view verb) {
 
 // "Check .gltf and .glb files" as the line behind a name.
 std::string summary_of(const CommandEntry& command) {
-  if (command.name.empty()) return "validate, upgrade and draw glTF 2.0 assets";
+  if (command.name.empty()) return "validate, fix, upgrade and draw glTF 2.0 assets";
   std::string text = command.text;
   if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') {
     text[0] = static_cast<char>(text[0] - 'A' + 'a');

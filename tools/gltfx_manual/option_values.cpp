@@ -87,6 +87,7 @@ Table common_values() {
       {"--profile", choice(set_of(kProfileWords))},
       {"--select", comma_list(codes())},
       {"--ignore", comma_list(codes())},
+      {"--skip", comma_list(codes())},
       {"--severity", severities()},
       {"--pixels", choice(set_of(kPixelWords))},
       {"--root", folder()},
@@ -122,7 +123,12 @@ Table own_values() {
       {"validate --format", report_formats()},
       {"merge --format", report_formats()},
       {"bake --format", choice(set_of(kPictureFormats))},
+      {"fix --output", assets()},
+      {"fix --only", comma_list(codes())},
+      {"fix ", assets()},
       {"upgrade --output", assets()},
+      {"edit --output", assets()},
+      {"edit ", assets()},
       {"bake --output", picture_or_folder()},
       {"report --output", file({"html"})},
       {"validate ", assets()},
@@ -136,7 +142,7 @@ Table own_values() {
       {"targets ", choice(targets())},
       {"schema ", choice(schema_names())},
       {"config ", {.words = {{}, {"import"}}, .files = true, .folders = true}},
-      {"hook ", choice({{}, {"validate", "upgrade"}})},
+      {"hook ", choice({{}, {"validate", "fix", "upgrade"}})},
   };
 }
 

@@ -21,8 +21,12 @@ std::string_view severity_name(Severity severity);
 /// The severity with that name, or nothing.
 std::optional<Severity> severity_from_name(std::string_view name);
 
-/// Whether a program can repair a finding, and whether the picture is certain to stay the same.
-enum class Fix : std::uint8_t { none, safe, unsafe };
+/// What a program can do about a finding. `safe`: `gltfx fix` does it; picture, animation and names
+/// stay. `unsafe`: `gltfx fix` does it when it is asked for by name. `upgrade`: `gltfx upgrade` does.
+enum class Fix : std::uint8_t { none, safe, unsafe, upgrade };
+
+/// Lower-case English name: "none", "safe", "unsafe", "upgrade".
+std::string_view fix_name(Fix fix);
 
 /// One rule: the single source of `explain`, `rules` and every format that links a finding to its
 /// explanation. All text has static storage duration.
@@ -37,7 +41,9 @@ struct RuleDescription {
   std::string_view link;     ///< URL of the section; empty where there is none
   std::string_view bad;      ///< smallest asset that raises the rule, as `example_bytes` reads it
   std::string_view good;     ///< the same asset, fixed: raises nothing
-  Fix fix = Fix::none;       ///< what `gltfx upgrade` can do about it
+  std::string_view fix_does;  ///< what the fix changes, one paragraph; empty: there is none
+  std::string_view fixed;     ///< what the fix makes of `bad`; empty: there is none
+  Fix fix = Fix::none;        ///< whether a program can do it
   bool khronos = false;      ///< the Khronos validator has a code of this name and meaning
   bool pixels = false;       ///< needs decoded pixels: see PixelLevel
   Severity khronos_severity = Severity::error;  ///< that validator's, where it has the code
@@ -92,6 +98,7 @@ struct Diagnostic {
   std::uint64_t count = 1;
   std::string last_pointer;                ///< pointer of the last repeat when count > 1
   std::shared_ptr<const ProposedFix> fix;  ///< null: there is none, or it was not asked for
+  bool fixable = false;  ///< `gltfx fix` fixes it; it does not tell that of repeats
 };
 
 }  // namespace gltfx

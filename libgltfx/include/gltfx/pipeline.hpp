@@ -5,6 +5,8 @@
 
 #include <gltfx/bake.hpp>
 #include <gltfx/decoders.hpp>
+#include <gltfx/deletion.hpp>
+#include <gltfx/fix.hpp>
 #include <gltfx/inspect.hpp>
 #include <gltfx/page.hpp>
 #include <gltfx/report.hpp>
@@ -75,15 +77,35 @@ void validate_files(std::span<const ValidateInput> inputs, unsigned jobs,
 /// files.
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options = {});
 
-/// A file and where its upgrade goes; `output` as in UpgradeOptions.
-struct UpgradeInput {
-  std::string path, output;  ///< of the two files
-};
-
 /// Upgrades many files on `jobs` threads (at least 1) and hands over the reports in the order of
 /// `inputs`, one at a time.
-void upgrade_files(const std::vector<UpgradeInput>& inputs, const UpgradeOptions& options,
+void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& options,
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume);
+
+/// Fixes what `gltfx validate` finds in the file at `path`, as far as rules have a fix and the
+/// options ask for it. Fixes run until nothing is left to do; one that brings a finding that was not
+/// there is left out and named. A file is changed whole or not at all, only after the new bytes were
+/// validated. Buffers that change are written before the file that refers to them. Never throws.
+/// Safe to call from several threads for different files.
+FixReport fix_file(const std::string& path, const FixOptions& options = {});
+
+/// Fixes many files on `jobs` threads (at least 1) and hands over the reports in the order of
+/// `inputs`, one at a time.
+void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, unsigned jobs,
+               const std::function<void(FixReport&&)>& consume);
+
+/// The bytes of an example of a rule with nothing but that rule's fix, as they would be written.
+std::string fix_example(const RuleDescription& rule, std::string_view example);
+
+/// Deletes what the options name from the asset at `path`: every index and JSON pointer that leads
+/// behind is counted anew. A file is changed whole or not at all, only after the new bytes were
+/// validated. Never throws. Safe to call from several threads for different files.
+DeleteReport delete_objects(const std::string& path, const DeleteOptions& options);
+
+/// The same for many files on `jobs` threads (at least 1), which hands over the reports in the order
+/// of `inputs`, one at a time.
+void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
+                             unsigned jobs, const std::function<void(DeleteReport&&)>& consume);
 
 /// Draws the file at `path` and writes what the options ask for. Never throws; files are written
 /// whole or not at all. Safe to call from several threads for different files.

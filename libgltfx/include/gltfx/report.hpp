@@ -77,6 +77,7 @@ struct FileReport {
   std::uint64_t suppressed = 0;         ///< findings a baseline knew
   std::uint64_t left_out = 0;           ///< findings that the asset asks to leave out
   std::uint64_t unchanged = 0;          ///< findings on other lines than those that were asked for
+  std::uint64_t fixable = 0;            ///< findings that `gltfx fix` fixes, repeats counted
   std::uint64_t unverified = 0;         ///< resources not looked into: Git-LFS pointers
   std::uint64_t images_wanted = 0;      ///< whose pixels were to be looked at
   std::uint64_t images_decoded = 0;     ///< of those, the ones whose pixels could be had
@@ -91,7 +92,8 @@ struct RunSummary {
   std::uint64_t unreadable = 0;                                ///< that could not be opened
   std::uint64_t unverified = 0, suppressed = 0, left_out = 0;  ///< sums of those of the files
   std::uint64_t images_wanted = 0, images_decoded = 0;         ///< the same
-  std::uint64_t unchanged = 0;                                 ///< the same
+  std::uint64_t unchanged = 0, fixable = 0;                    ///< the same
+  std::string fixable_path;   ///< of the only file with such findings; empty: there are several
   Counts counts;                                               ///< the same
   std::optional<int> exit_code;        ///< what the program is about to end with, where it is known
   void add(const FileReport& report);  ///< takes in one more

@@ -4,19 +4,15 @@
 /// <gltfx/pipeline.hpp>.
 #pragma once
 
+#include <gltfx/edited_file.hpp>
 #include <gltfx/targets.hpp>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace gltfx {
-
-namespace schema {
-class Set;
-}
 
 /// What an upgrade of one object comes to.
 enum class UpgradeFate : std::uint8_t {
@@ -56,7 +52,7 @@ struct UpgradeOrphan {
 };
 
 /// What an upgrade is asked for.
-struct UpgradeOptions {
+struct UpgradeOptions : EditOptions {
   /// "auto", or the name of a generation: every legacy object is read as that one.
   std::string generation = "auto";
   /// Names of legacy extensions, and of successors, to which the upgrade is limited. Both empty:
@@ -74,41 +70,16 @@ struct UpgradeOptions {
   /// Take out textures, images and buffer views that nothing refers to any more because of this
   /// upgrade.
   bool prune = false;
-  bool diff = false;  ///< fill UpgradeReport::diff
   /// Draw the asset before and after; a file whose picture changes beyond noise is not written.
   bool verify = false;
   /// Engines that the asset is for: a plan notes which of them ignore a successor.
   std::vector<TargetChoice> targets;
   unsigned jobs = 1;  ///< threads for these pictures, which do not depend on it; 0: one a core
-
-  bool in_place = false;  ///< replace the file
-  bool backup = false;    ///< in place: keep the old bytes beside it, with ".bak" behind the name
-  /// Write here instead; empty: nowhere. Files that the asset refers to are copied beside it when
-  /// the folder is another one. Folders are made.
-  std::string output;
-  /// Folder that files may come from; empty: the asset's own.
-  std::string root;
-  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
-  std::shared_ptr<const schema::Set> schemas;
-};
-
-/// Why a file was not dealt with as it was asked.
-enum class UpgradeProblem : std::uint8_t {
-  none,
-  unreadable,   ///< it could not be read, or is no glTF
-  refused,      ///< it could be read, but not be changed safely
-  not_written,  ///< the new bytes could not be written; the old ones are still there
 };
 
 /// What was found in one file, and what became of it. Owns its text.
-struct UpgradeReport {
-  std::string path;                    ///< as the user named it
+struct UpgradeReport : EditOutcome {
   std::vector<UpgradeAction> actions;  ///< in the order of the document; empty: nothing legacy
-  UpgradeProblem problem = UpgradeProblem::none;  ///< why it was not dealt with, if so
-  std::string error;                              ///< what the problem is, one sentence
-  bool changes = false;                           ///< the new document differs from the old one
-  bool written = false;                           ///< the new bytes are durable at `written_to`
-  std::string written_to;              ///< path of the file that was written; may be empty
   std::vector<std::string> new_files;  ///< that the new document refers to, from its folder
   std::vector<UpgradeOrphan> orphans;  ///< by root array, in its order
   /// Warnings of `gltfx validate` that the new document has and the old one has not, one a code:
@@ -119,9 +90,6 @@ struct UpgradeReport {
   bool verified = false;     ///< the picture before and after is the same
   std::string not_verified;  ///< why there is none to compare, without stop; else empty
   std::string orphans_kept;  ///< why they stay although they were to go, without stop
-  /// Unified, of the JSON text, for `git apply` and `patch -p1` in the working folder; of a binary
-  /// file as a comment, which both skip. Raw asset text.
-  std::string diff;
 
   /// Legacy objects that are part of what was asked for.
   std::uint64_t due() const;

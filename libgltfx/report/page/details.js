@@ -48,6 +48,7 @@ function findingItem(finding) {
     place(finding),
     excerpt(finding),
     repeats(finding),
+    finding.fixable ? make("p.help", {}, make("b", {}, "gltfx fix"), " does this.") : null,
     help ? make("p.help", {}, make("b", {}, "To do: "), isolated(help)) : null,
     make("details", {}, make("summary", {}, make("span.code", {}, finding.code)),
       rule ? make("p", {}, rule.summary + ". " + rule.why) : null));

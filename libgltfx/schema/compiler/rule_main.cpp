@@ -24,6 +24,7 @@ int fail(const std::string& message) {
 
 const char* fix_value(Fix fix) {
   if (fix == Fix::none) return "Fix::none";
+  if (fix == Fix::upgrade) return "Fix::upgrade";
   return fix == Fix::safe ? "Fix::safe" : "Fix::unsafe";
 }
 
@@ -38,8 +39,8 @@ std::string row(const RulePage& page) {
   };
   return "  {" + text(page.code) + severity(page.severity) + "," + text(page.summary()) +
          text(page.checks) + text(page.why) + text(page.help) + text(page.section) +
-         text(page.link) + text(page.bad) + text(page.good) + " " + fix_value(page.fix) + ", " +
-         flag(page.khronos) + ", " + flag(page.pixels) + "," +
+         text(page.link) + text(page.bad) + text(page.good) + text(page.fix_does) +
+         text(page.fixed) + " " + fix_value(page.fix) + ", " + flag(page.khronos) + ", " + flag(page.pixels) + "," +
          severity(page.khronos_severity.value_or(page.severity)) + "},\n";
 }
 

@@ -76,6 +76,7 @@ std::optional<bool> yes_or_no(std::string_view word) {
 std::optional<Fix> fix_from_name(std::string_view word) {
   if (word == "none") return Fix::none;
   if (word == "safe") return Fix::safe;
+  if (word == "upgrade") return Fix::upgrade;
   return word == "unsafe" ? std::optional(Fix::unsafe) : std::nullopt;
 }
 
@@ -103,7 +104,7 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Read
   } else if (key == "pixels") {
     set(page.pixels, yes_or_no(value), "yes, no", reader);
   } else if (key == "fix") {
-    set(page.fix, fix_from_name(value), "none, safe, unsafe", reader);
+    set(page.fix, fix_from_name(value), "none, safe, unsafe, upgrade", reader);
   } else if (key == "section") {
     page.section = value;
   } else if (key == "link") {
@@ -149,15 +150,22 @@ RulePage read_rule_page(std::string code, std::string_view text, std::string& mi
     reader.expect(heading);
     *paragraph = reader.paragraph();
   }
-  const std::pair<const char*, std::string*> blocks[] = {{"## Bad", &page.bad},
-                                                         {"## Good", &page.good}};
+  const bool fixes = page.fix == Fix::safe || page.fix == Fix::unsafe;
+  if (fixes) {
+    reader.skip_blank_lines();
+    reader.expect("## What the fix does");
+    page.fix_does = reader.paragraph();
+  }
+  const std::pair<const char*, std::string*> blocks[] = {
+      {"## Bad", &page.bad}, {"## Good", &page.good}, {"## Fixed", &page.fixed}};
   for (const auto& [heading, block] : blocks) {
+    if (block == &page.fixed && !fixes) break;
     reader.skip_blank_lines();
     reader.expect(heading);
     *block = reader.block();
   }
   reader.skip_blank_lines();
-  if (!reader.failed() && !reader.at_end()) reader.fail("expected nothing after '## Good'");
+  if (!reader.failed() && !reader.at_end()) reader.fail("expected nothing after the examples");
   return page;
 }
 

@@ -22,6 +22,8 @@ struct RulePage {
   std::string section, link;  ///< both empty: the rule is ours alone
   std::string checks, why, help;
   std::string bad, good;
+  /// Of a rule that `gltfx fix` knows: what it changes, and what it makes of `bad`.
+  std::string fix_does, fixed;
   /// The first sentence of `checks` without its full stop.
   std::string summary() const;
 };

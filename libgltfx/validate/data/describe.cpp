@@ -11,6 +11,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "validate/data/kernels.hpp"
+#include "validate/data/mend.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -130,7 +131,27 @@ Finding finding_at_bound(const ScanResult& scan_result, const Check& check, cons
   return finding;
 }
 
+constexpr FixEntry kElementFixes[] = {
+    {Code::ACCESSOR_INVALID_FLOAT, fill_unused_vertices},
+    {Code::ACCESSOR_VECTOR3_NON_UNIT, make_unit_vectors},
+    {Code::ACCESSOR_INVALID_SIGN, make_signs},
+    {Code::ACCESSOR_NON_CLAMPED, clamp},
+    {Code::ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION, make_unit_keyframes},
+    {Code::ACCESSOR_INVALID_IBM, make_affine},
+    {Code::INSTANCING_ROTATION_NON_UNIT, make_unit_rotations},
+    {Code::SPLAT_ROTATION_NON_UNIT, make_unit_rotations},
+    {Code::ACCESSOR_MIN_MISMATCH, correct_bounds},
+    {Code::ACCESSOR_MAX_MISMATCH, correct_bounds},
+    {Code::ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND, correct_bounds},
+    {Code::ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND, correct_bounds},
+};
+
 }  // namespace
+
+const Family& element_values_family() {
+  static constexpr Family family{.fixes = kElementFixes};
+  return family;
+}
 
 std::string value_text(double value) {
   if (std::isnan(value)) return "NaN";

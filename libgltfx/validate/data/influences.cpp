@@ -12,6 +12,7 @@
 #include "model/skin.hpp"
 #include "validate/data/describe.hpp"
 #include "validate/data/influence_check.hpp"
+#include "validate/data/mend.hpp"
 #include "validate/data/phases.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -20,6 +21,11 @@ namespace {
 
 using model::AccessorData;
 using model::SemanticKind;
+
+constexpr FixEntry kInfluenceFixes[] = {
+    {Code::ACCESSOR_WEIGHTS_NON_NORMALIZED, normalize_weights},
+    {Code::ACCESSOR_JOINTS_USED_ZERO_WEIGHT, clear_unweighted_joints},
+};
 
 // The smallest skin that deforms a mesh.
 struct Limit {
@@ -268,6 +274,11 @@ class InfluencePhase {
 };
 
 }  // namespace
+
+const Family& influences_family() {
+  static constexpr Family family{.fixes = kInfluenceFixes};
+  return family;
+}
 
 void check_influences(DataPhase& phase) { InfluencePhase(phase).run(); }
 

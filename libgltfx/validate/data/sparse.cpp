@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "validate/data/mend.hpp"
 #include "validate/data/phases.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -79,7 +80,15 @@ void check_indices(DataPhase& phase, std::uint32_t index, const model::Sparse& s
   report.finish();
 }
 
+constexpr FixEntry kSparseFixes[] = {
+    {Code::ACCESSOR_SPARSE_INDICES_NON_INCREASING, sort_sparse}};
+
 }  // namespace
+
+const Family& sparse_family() {
+  static constexpr Family family{.fixes = kSparseFixes};
+  return family;
+}
 
 void check_sparse_indices(DataPhase& phase) {
   const auto& accessors = phase.context.views.accessors;

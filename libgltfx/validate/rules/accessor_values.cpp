@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "model/accessor.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -172,8 +173,9 @@ const Family& accessor_values_family() {
   static constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
                                                      {"accessor", "min", read_min},
                                                      {"accessor", "max", read_max}};
+  static constexpr FixEntry kFixes[] = {{Code::ACCESSOR_NORMALIZED_INVALID, remove_marked}};
   static constexpr Family family{
-      .order = 250, .object_rules = kObjectRules, .member_rules = kMemberRules};
+      .order = 250, .object_rules = kObjectRules, .member_rules = kMemberRules, .fixes = kFixes};
   return family;
 }
 

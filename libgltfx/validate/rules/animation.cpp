@@ -14,6 +14,7 @@
 #include "model/fields.hpp"
 #include "model/skin.hpp"
 #include "validate/context.hpp"
+#include "validate/data/mend.hpp"
 #include "validate/rules/animation_output.hpp"
 #include "validate/rules/animation_paths.hpp"
 #include "validate/rules/finding.hpp"
@@ -287,7 +288,8 @@ void check_animations(const Context& context) {
 
 const Family& animation_family() {
   static constexpr LinkRule kLinkRules[] = {check_animations};
-  static constexpr Family family{.order = 440, .link_rules = kLinkRules};
+  static constexpr FixEntry kFixes[] = {{Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at}, {Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS, add_bounds}};
+  static constexpr Family family{.order = 440, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -5,6 +5,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "validate/context.hpp"
+#include "validate/data/mend.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/mesh_state.hpp"
 
@@ -86,7 +87,16 @@ std::string alignment_text(const model::Accessor& accessor) {
                      model::element_size(accessor.format));
 }
 
+constexpr FixEntry kAttributeFixes[] = {
+    {Code::MESH_PRIMITIVE_POSITION_ACCESSOR_WITHOUT_BOUNDS, add_bounds},
+};
+
 }  // namespace
+
+const Family& attribute_check_family() {
+  static constexpr Family family{.fixes = kAttributeFixes};
+  return family;
+}
 
 void check_attribute(MeshState& state, const AttributeUse& use, const Path& path) {
   check_bounds(state, use, path);

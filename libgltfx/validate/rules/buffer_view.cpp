@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffer views: their stride, and whether they fit their buffer.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
@@ -7,7 +9,9 @@
 #include "model/accessor.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
+#include "validate/fix_users.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/use.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -71,13 +75,31 @@ void check_extents(const Context& context) {
   }
 }
 
+// `place` is the stride, or an index that uses its view.
+bool drop_stride(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  if (value == json::kNoNode) return false;
+  const json::NodeId object = fixing.parent(value);
+  const auto& views = fixing.views().buffer_views;
+  if (fixing.document().find(object, "byteStride") != value) return remove_stride_at(fixing, place);
+  const auto view = std::find_if(views.begin(), views.end(),
+                                 [&](const model::BufferView& each) { return each.node == object; });
+  return view != views.end() &&
+         remove_stride(fixing, static_cast<std::uint32_t>(view - views.begin()));
+}
+
+constexpr FixEntry kStrideFixes[] = {{Code::BUFFER_VIEW_INVALID_BYTE_STRIDE, drop_stride},
+                                     {Code::BUFFER_VIEW_TOO_BIG_BYTE_STRIDE, drop_stride}};
+
 }  // namespace
 
 const Family& buffer_view_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
   static constexpr LinkRule kLinkRules[] = {check_extents};
-  static constexpr Family family{
-      .order = 240, .object_rules = kObjectRules, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 240,
+                                 .object_rules = kObjectRules,
+                                 .link_rules = kLinkRules,
+                                 .fixes = kStrideFixes};
   return family;
 }
 

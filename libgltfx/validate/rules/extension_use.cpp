@@ -14,6 +14,7 @@
 #include "schema/form_check.hpp"
 #include "schema/phrases.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/attribute_formats.hpp"
 #include "validate/rules/use.hpp"
 
@@ -207,11 +208,68 @@ void check_extension_use(const Context& context) {
   check_undeclared(context, names);
 }
 
+// --- Fixes: `place` is the name in extensionsUsed ---
+
+std::string name_at(const Fixing& fixing, Span place) {
+  const json::NodeId name = fixing.node_at(place);
+  const bool text = name != json::kNoNode && fixing.document().is_string(name);
+  return text ? fixing.document().string(name) : std::string();
+}
+
+bool forget(Fixing& fixing, Span place) {
+  const std::string name = name_at(fixing, place);
+  if (name.empty() || !fixing.extensions_used().has(name)) return false;
+  while (fixing.extensions_used().has(name)) fixing.extensions_used().remove(name);
+  while (fixing.extensions_required().has(name)) fixing.extensions_required().remove(name);
+  return true;
+}
+
+bool require(Fixing& fixing, Span place) {
+  const std::string name = name_at(fixing, place);
+  if (name.empty() || fixing.extensions_required().has(name)) return false;
+  fixing.extensions_required().add(name);
+  return true;
+}
+
+bool make_optional(Fixing& fixing, Span place) {
+  const std::string name = name_at(fixing, place);
+  if (name.empty() || !fixing.extensions_required().has(name)) return false;
+  fixing.extensions_required().remove(name);
+  return true;
+}
+
+// Every object of that name gets the one that is meant.
+bool rename_misspelt(Fixing& fixing, Span place) {
+  const json::Document& document = fixing.document();
+  const std::string name = name_at(fixing, place);
+  const std::string_view meant = schema::misspelt_extension(fixing.schemas(), name);
+  if (meant.empty() || document.key_id(meant) != json::kNoKey) return false;
+  fixing.extensions_used().replace(name, meant);
+  if (fixing.extensions_required().has(name)) fixing.extensions_required().replace(name, meant);
+  const json::KeyId key = document.key_id(name);
+  const json::KeyId extensions = document.key_id("extensions");
+  for (json::NodeId id = 0; id < document.node_count(); ++id) {
+    if (document.kind(id) != json::Kind::key || document.node(id).next != key) continue;
+    const json::NodeId holder = fixing.parent(id);
+    if (holder == 0 || document.kind(holder - 1) != json::Kind::key) continue;
+    if (document.node(holder - 1).next == extensions) fixing.editor().rename(id, meant);
+  }
+  return true;
+}
+
+constexpr FixEntry kUseFixes[] = {
+    {Code::EXTENSION_NAME_MISSPELT, rename_misspelt},
+    {Code::EXTENSION_UNUSED, forget},
+    {Code::EXTENSION_SHOULD_BE_REQUIRED, require},
+    {Code::EXTENSION_REQUIRED_WITH_FALLBACK, make_optional},
+};
+
 }  // namespace
 
 const Family& extension_use_family() {
   static constexpr LinkRule kLinkRules[] = {check_extension_use};
-  static constexpr Family family{.order = 50, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{
+      .order = 50, .additional = true, .link_rules = kLinkRules, .fixes = kUseFixes};
   return family;
 }
 

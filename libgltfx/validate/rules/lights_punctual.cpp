@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -94,10 +95,11 @@ const Family& lights_punctual_family() {
   static constexpr MemberRuleEntry kMemberRules[] = {
       {"KHR_lights_punctual.light", "spot", read_spot}};
   static constexpr LinkRule kLinkRules[] = {check_lights_exist};
+  static constexpr FixEntry kFixes[] = {{Code::EXTRA_PROPERTY, remove_marked}};
   static constexpr Family family{.order = 410,
                                  .object_rules = kObjectRules,
                                  .link_rules = kLinkRules,
-                                 .member_rules = kMemberRules};
+                                 .member_rules = kMemberRules, .fixes = kFixes};
   return family;
 }
 

@@ -9,6 +9,7 @@
 #include "base/codes.hpp"
 #include "model/node.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -121,11 +122,19 @@ void check_levels(const Context& context) {
   LodCheck(context, model::RootArray::nodes).run();
 }
 
+bool remove_level_repeats(Fixing& fixing, Span place) {
+  const json::NodeId list = fixing.node_around(place);
+  const bool numbers =
+      list != json::kNoNode && fixing.document().kind(list) == json::Kind::number_array;
+  return numbers && fixing.replace(list, without_repeats(fixing.document(), list));
+}
+
 }  // namespace
 
 const Family& lod_family() {
   static constexpr LinkRule kLinkRules[] = {check_levels};
-  static constexpr Family family{.order = 530, .link_rules = kLinkRules};
+  static constexpr FixEntry kFixes[] = {{Code::LOD_REPEATED, remove_level_repeats}};
+  static constexpr Family family{.order = 530, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

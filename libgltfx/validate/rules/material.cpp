@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -33,12 +34,15 @@ void check_alpha_cutoff(const Context& context, json::NodeId material, const Pat
                             mode.empty() ? "'OPAQUE' (the default)" : gltfx::quoted(mode)));
 }
 
+constexpr FixEntry kMaterialFixes[] = {
+    {Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE, remove_marked}};
+
 }  // namespace
 
 const Family& material_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"material", check_alpha_cutoff, "alphaCutoff"}};
-  static constexpr Family family{.order = 280, .object_rules = kObjectRules};
+  static constexpr Family family{.order = 280, .object_rules = kObjectRules, .fixes = kMaterialFixes};
   return family;
 }
 

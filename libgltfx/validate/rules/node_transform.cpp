@@ -14,6 +14,7 @@
 #include "base/codes.hpp"
 #include "model/node.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/animated.hpp"
 #include "validate/rules/finding.hpp"
 
@@ -226,6 +227,45 @@ void check_scales(const Context& context) {
   }
 }
 
+// --- Fixes ---
+
+// Of two forms the one that moves nothing goes.
+bool keep_one_form(Fixing& fixing, Span place) {
+  const json::NodeId object = fixing.parent(fixing.node_at(place));
+  const model::Node node = model::read_node(fixing.elements(), object);
+  model::Transform parts = model::read_transform(fixing.document(), node);
+  model::Transform whole;
+  std::swap(whole.matrix, parts.matrix);
+  if (!whole.matrix) return false;
+  if (whole.is_identity()) return fixing.remove_member(node.matrix);
+  if (!parts.is_identity()) return false;
+  bool removed = false;
+  for (const json::NodeId part : {node.translation, node.rotation, node.scale}) {
+    if (part != json::kNoNode) removed = fixing.remove_member(part) || removed;
+  }
+  return removed;
+}
+
+// The same rotation: readers normalize, or scale with the square of the length.
+bool make_unit(Fixing& fixing, Span place) {
+  const json::NodeId rotation = fixing.node_at(place);
+  const auto value = model::float_array<4>(fixing.document(), rotation, -1, 1);
+  if (!value) return false;
+  double square = 0;
+  for (const float part : *value) square += double{part} * part;
+  if (square == 0) return false;
+  std::array<float, 4> unit{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    unit[i] = static_cast<float>(double{(*value)[i]} / std::sqrt(square)) + 0.0F;
+  }
+  return fixing.replace(rotation,
+                        fmt::format("[{}, {}, {}, {}]", unit[0], unit[1], unit[2], unit[3]));
+}
+
+constexpr FixEntry kTransformFixes[] = {{Code::NODE_MATRIX_DEFAULT, remove_marked},
+                                        {Code::NODE_MATRIX_TRS, keep_one_form},
+                                        {Code::ROTATION_NON_UNIT, make_unit}};
+
 }  // namespace
 
 const Family& node_transform_family() {
@@ -234,8 +274,10 @@ const Family& node_transform_family() {
       {"node", check_rotation, "rotation"},
       {"node", check_node},
       {"EXT_lights_image_based.light", check_rotation}};
-  static constexpr Family family{
-      .order = 380, .object_rules = kObjectRules, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 380,
+                                 .object_rules = kObjectRules,
+                                 .link_rules = kLinkRules,
+                                 .fixes = kTransformFixes};
   return family;
 }
 

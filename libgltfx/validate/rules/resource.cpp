@@ -7,8 +7,11 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "container/uri.hpp"
+#include "container/resolver.hpp"
 #include "image/header.hpp"
+#include "json/writer.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -86,12 +89,49 @@ void check_image(const Context& context, json::NodeId object, const Path& path) 
   check_uri(context, object, path, false);
 }
 
+// --- Fixes ---
+
+// `place` is the URI.
+bool say_octets(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  if (value == json::kNoNode || !fixing.document().is_string(value)) return false;
+  const std::string uri = fixing.document().string(value);
+  const std::size_t end = uri.find_first_of(";,");
+  if (container::classify_uri(uri).kind != container::UriKind::data || end == std::string::npos) {
+    return false;
+  }
+  std::string text;
+  json::append_string(text, "data:application/octet-stream" + uri.substr(end));
+  return fixing.replace_scalar(value, std::move(text));
+}
+
+// Where a lenient reader finds a file, every reader finds it by the URI that says the same.
+bool encode_uri(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  if (value == json::kNoNode || !fixing.document().is_string(value)) return false;
+  const container::Uri uri = container::classify_uri(fixing.document().string(value));
+  if (uri.kind != container::UriKind::invalid || !uri.lenient_path) return false;
+  const container::Uri sound = container::classify_uri(uri.normalized);
+  std::uint64_t size = 0;
+  const bool there =
+      fixing.opened().resolver().stat(uri.path, size) == container::ResolveError::none;
+  if (!there || sound.kind != container::UriKind::relative_path || sound.path != uri.path) {
+    return false;
+  }
+  std::string text;
+  json::append_string(text, uri.normalized);
+  return fixing.replace_scalar(value, std::move(text));
+}
+
+constexpr FixEntry kUriFixes[] = {{Code::BUFFER_DATA_URI_MIME_TYPE_INVALID, say_octets},
+                                  {Code::INVALID_URI, encode_uri}};
+
 }  // namespace
 
 const Family& resource_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"buffer", check_buffer},
                                                      {"image", check_image}};
-  static constexpr Family family{.order = 80, .object_rules = kObjectRules};
+  static constexpr Family family{.order = 80, .object_rules = kObjectRules, .fixes = kUriFixes};
   return family;
 }
 

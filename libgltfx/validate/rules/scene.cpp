@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes: lists of roots (specification section 3.5.1).
+#include <set>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "model/node.hpp"
 #include "model/scene_graph.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -34,11 +39,38 @@ void check_scenes(const Context& context) {
   }
 }
 
+// The node is drawn below its root, where the scene has that, too: once, and not twice.
+bool remove_child(Fixing& fixing, Span place) {
+  const json::Document& document = fixing.document();
+  const json::NodeId list = fixing.node_around(place);
+  if (list == json::kNoNode || document.kind(list) != json::Kind::number_array) return false;
+  const model::SceneGraph graph(fixing.elements(), fixing.views().nodes);
+  std::set<std::uint32_t> roots;
+  const auto each = [&](const auto& use) {
+    model::for_each_index(fixing.elements(), list, model::RootArray::nodes, use);
+  };
+  each([&](std::uint64_t, std::optional<std::uint32_t> node, Span) {
+    if (node && graph.is_root(*node)) roots.insert(*node);
+  });
+  std::string text = "[";
+  bool drawn = true;
+  each([&](std::uint64_t, std::optional<std::uint32_t> node, Span span) {
+    if (node && !graph.is_root(*node)) {
+      drawn = drawn && roots.contains(graph.root(*node));
+      return;
+    }
+    if (text.size() > 1) text += ", ";
+    text += span.in(document.text());
+  });
+  return drawn && fixing.replace(list, text + "]");
+}
+
 }  // namespace
 
 const Family& scene_family() {
   static constexpr LinkRule kLinkRules[] = {check_scenes};
-  static constexpr Family family{.order = 470, .link_rules = kLinkRules};
+  static constexpr FixEntry kFixes[] = {{Code::SCENE_NON_ROOT_NODE, remove_child}};
+  static constexpr Family family{.order = 470, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

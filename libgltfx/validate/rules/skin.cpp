@@ -8,6 +8,7 @@
 #include "model/accessor.hpp"
 #include "model/scene_graph.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/use.hpp"
 
@@ -141,7 +142,8 @@ void check_skins(const Context& context) {
 
 const Family& skin_family() {
   static constexpr LinkRule kLinkRules[] = {check_skins};
-  static constexpr Family family{.order = 430, .link_rules = kLinkRules};
+  static constexpr FixEntry kFixes[] = {{Code::SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at}, {Code::SKIN_SKELETON_INVALID, remove_marked}};
+  static constexpr Family family{.order = 430, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "validate/fix_users.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -51,6 +52,71 @@ void report_use(const Context& context, std::uint32_t accessor, model::AccessorU
   }
   const auto view = context.views.accessors[accessor].buffer_view;
   if (view) report_view_use(context, *view, model::view_use(kind), place, path);
+}
+
+namespace {
+
+// `place` is the index that uses an accessor or a view.
+std::optional<std::uint32_t> view_behind(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  if (value == json::kNoNode || !fixing.document().is_number(value)) return std::nullopt;
+  const double number = fixing.document().number(value).value;
+  const json::NodeId object = fixing.parent(value);
+  if (fixing.document().find(object, "bufferView") == value) {
+    return fixing.elements().index(number, model::RootArray::buffer_views);
+  }
+  const auto accessor = fixing.elements().index(number, model::RootArray::accessors);
+  return accessor ? fixing.views().accessors[*accessor].buffer_view : std::nullopt;
+}
+
+// What all users of a view agree upon, or nothing.
+std::optional<model::ViewUse> only_use(Fixing& fixing, std::uint32_t view) {
+  const auto& uses = fixing.table<Users>().uses_of_view(view);
+  return uses.size() == 1 ? std::optional(*uses.begin()) : std::nullopt;
+}
+
+std::string_view target_of(model::ViewUse use) {
+  if (use == model::ViewUse::vertices) return "34962";
+  return use == model::ViewUse::indices ? "34963" : "";
+}
+
+bool add_target(Fixing& fixing, Span place) {
+  const auto view = view_behind(fixing, place);
+  const auto use = view ? only_use(fixing, *view) : std::nullopt;
+  if (!use || target_of(*use).empty()) return false;
+  const json::NodeId object = fixing.views().buffer_views[*view].node;
+  if (fixing.document().find(object, "target") != json::kNoNode || !fixing.claim(object)) {
+    return false;
+  }
+  return fixing.append_member(object, "target", target_of(*use));
+}
+
+// The target follows the use: it says what the view is for, and changes nothing of that.
+bool correct_target(Fixing& fixing, Span place) {
+  const auto view = view_behind(fixing, place);
+  const auto use = view ? only_use(fixing, *view) : std::nullopt;
+  if (!use) return false;
+  const json::NodeId target =
+      fixing.document().find(fixing.views().buffer_views[*view].node, "target");
+  if (target == json::kNoNode) return false;
+  const std::string_view wanted = target_of(*use);
+  return wanted.empty() ? fixing.remove_member(target)
+                        : fixing.replace_scalar(target, std::string(wanted));
+}
+
+constexpr FixEntry kViewUseFixes[] = {{Code::BUFFER_VIEW_TARGET_MISSING, add_target},
+                                      {Code::BUFFER_VIEW_TARGET_OVERRIDE, correct_target}};
+
+}  // namespace
+
+const Family& view_use_family() {
+  static constexpr Family family{.fixes = kViewUseFixes};
+  return family;
+}
+
+bool remove_stride_at(Fixing& fixing, Span place) {
+  const auto view = view_behind(fixing, place);
+  return view && remove_stride(fixing, *view);
 }
 
 }  // namespace gltfx::validate

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "edit/deletion.hpp"
+#include "edit/rewrite.hpp"
+#include "json/lines.hpp"
+#include "model/fields.hpp"
+#include "pipeline/edit_asset.hpp"
+#include "pipeline/in_order.hpp"
+#include "pipeline/new_findings.hpp"
+#include "pipeline/open_asset.hpp"
+#include "report/wording.hpp"
+#include "schema/compile.hpp"
+#include "validate/validated_asset.hpp"
+
+namespace gltfx {
+namespace {
+
+using model::OpenedAsset;
+using validate::ValidatedAsset;
+using SchemaSet = std::shared_ptr<const schema::Set>;
+using Reason = std::optional<std::string>;
+
+// Where the text leaves open which value is meant.
+Reason find_ambiguous_text(const json::Parsed& parsed) {
+  if (parsed.unrecorded_errors > 0) return "its JSON has too many errors; fix them first";
+  for (const json::ParseError& error : parsed.errors) {
+    switch (error.error) {
+      case json::SyntaxError::missing_comma:
+      case json::SyntaxError::lone_surrogate:
+      case json::SyntaxError::duplicate_key: {
+        const Location at = json::LineIndex(parsed.document.text()).locate(error.span);
+        return fmt::format("its JSON is ambiguous at line {}, column {}: {}; fix that first",
+                           at.line, at.column, error.detail);
+      }
+      default:
+        break;
+    }
+  }
+  return std::nullopt;
+}
+
+Reason find_delete_obstacle(const OpenedAsset& asset) {
+  if (asset.container().glb_version == 1U || model::is_gltf_1(asset.document())) {
+    return "glTF 1.0 is not supported";
+  }
+  if (auto why = edit::find_glb_obstacle(asset.container())) {
+    return "it cannot be written anew: " + *why;
+  }
+  return find_ambiguous_text(asset.parsed());
+}
+
+/// One asset and what is to become of it.
+class DeleteRun {
+ public:
+  DeleteRun(const ValidatedAsset& before, const FileState& state, const DeleteOptions& options,
+            const SchemaSet& schemas, DeleteReport& report)
+      : before_(before), state_(state), options_(options), schemas_(schemas), report_(report) {}
+
+  void run() {
+    const OpenedAsset& asset = before_.asset();
+    if (auto why = find_delete_obstacle(asset)) return refuse(*std::move(why));
+    auto planned = edit::plan_deletion(asset.document(), *schemas_, options_.pointers,
+                                       {options_.cascade, &asset.container()});
+    if (!planned) return refuse(planned.error().message);
+    describe(*planned);
+    if (!report_.obstacles.empty()) return refuse_for_obstacles();
+    report_.changes = !planned->edits.empty();
+    if (options_.diff) report_.diff = diff_of(asset, planned->edits);
+    if (!report_.changes) {
+      copy_unchanged(asset, state_, options_, report_);
+      return;
+    }
+    const SharedText text = share_text(json::apply_edits(*asset.container().json, planned->edits));
+    if (options_.in_place || !options_.output.empty()) return write(text, planned->bin);
+    auto changed = edit::rewritten(asset.container(), text, planned->bin, asset.name());
+    if (!changed) return refuse(changed.error().message);
+    if (auto why = find_error(*std::move(changed))) refuse(*std::move(why));
+  }
+
+ private:
+  void refuse(std::string why) {
+    note_failure(report_, EditProblem::refused, std::move(why));
+    report_.deleted.clear();
+    report_.new_warnings.clear();
+  }
+
+  void refuse_for_obstacles() {
+    const auto references =
+        std::count_if(report_.obstacles.begin(), report_.obstacles.end(),
+                      [](const DeleteObstacle& obstacle) { return !obstacle.must_have; });
+    const auto owners = static_cast<std::ptrdiff_t>(report_.obstacles.size()) - references;
+    refuse(owners == 0
+               ? fmt::format("{} to what was to be deleted; --cascade deletes "
+                             "what refers to it, too",
+                             report::counted(static_cast<std::uint64_t>(references), "reference"))
+               : "an object cannot be without what was to be deleted; --cascade deletes it, too");
+  }
+
+  void describe(edit::Deletion& planned) {
+    for (edit::DeletedValue& value : planned.deleted) {
+      report_.deleted.push_back({std::move(value.pointer), std::move(value.cause)});
+    }
+    for (edit::DeletionObstacle& obstacle : planned.obstacles) {
+      report_.obstacles.push_back(
+          {std::move(obstacle.pointer), std::move(obstacle.target), obstacle.must_have});
+    }
+    report_.renumbered = planned.renumbered;
+    report_.names_removed = std::move(planned.names);
+    report_.doubtful = std::move(planned.doubtful);
+    for (const edit::ByteRange& range : planned.bin.cut) report_.bytes += range.end - range.begin;
+    const auto& bin = before_.asset().container().bin;
+    if (planned.bin.drop && bin) report_.bytes = bin->length;
+  }
+
+  Reason find_error(container::Container changed) {
+    const OpenedAsset& old = before_.asset();
+    const ValidatedAsset after({old.name(), std::move(changed), old.resolver()},
+                               default_judgement(schemas_));
+    NewFindings found = new_findings(before_, after, schemas_);
+    report_.new_warnings = std::move(found.warnings);
+    if (found.error.empty()) return std::nullopt;
+    return fmt::format("the new file would have the new error {}", found.error);
+  }
+
+  void write(const SharedText& text, const edit::BinChange& bin) {
+    const OpenedAsset& asset = before_.asset();
+    const auto pieces = edit::rewrite(asset.container(), text, bin);
+    if (!pieces) return refuse(pieces.error().message);
+    const std::vector<edit::NewFile> none;
+    const bool done = write_edited(
+        asset, state_, {*pieces, none, {}}, options_,
+        [this](container::Container on_disk) { return find_error(std::move(on_disk)); }, report_);
+    if (!done) report_.deleted.clear();
+  }
+
+  const ValidatedAsset& before_;
+  const FileState& state_;
+  const DeleteOptions& options_;
+  const SchemaSet& schemas_;
+  DeleteReport& report_;
+};
+
+void delete_in(EditedAsset opened, const DeleteOptions& options, DeleteReport& report) {
+  if (const auto obstacle = find_obstacle(opened.asset)) {
+    return note_failure(report, EditProblem::unreadable, obstacle->message);
+  }
+  const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
+  const ValidatedAsset before(std::move(opened.asset), default_judgement(schemas));
+  DeleteRun(before, opened.state, options, schemas, report).run();
+}
+
+}  // namespace
+
+DeleteReport delete_objects(const std::string& path, const DeleteOptions& options) {
+  DeleteReport report;
+  report.path = path;
+  try {
+    auto opened = open_to_edit(path, options.root);
+    if (opened) {
+      delete_in(*std::move(opened), options, report);
+    } else {
+      note_failure(report, EditProblem::unreadable, opened.error().message);
+    }
+  } catch (const std::bad_alloc&) {
+    note_failure(report, EditProblem::unreadable, "there is not enough memory to edit this file");
+  } catch (const std::filesystem::filesystem_error&) {
+    note_failure(report, EditProblem::unreadable, "the path cannot be looked up");
+  }
+  return report;
+}
+
+void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
+                             unsigned jobs, const std::function<void(DeleteReport&&)>& consume) {
+  report_in_order<DeleteReport>(
+      inputs.size(), jobs,
+      [&](std::size_t i) {
+        DeleteOptions each = options;
+        each.output = inputs[i].output;
+        return delete_objects(inputs[i].path, each);
+      },
+      consume);
+}
+
+}  // namespace gltfx

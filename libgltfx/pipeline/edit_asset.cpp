@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/edit_asset.hpp"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "edit/diff.hpp"
+#include "pipeline/open_asset.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+using model::OpenedAsset;
+
+// From the working folder, without "." and through no symbolic link, where the file lies below that
+// folder; otherwise as it is named, without a leading '/'.
+std::string patch_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path here = fs::canonical(".", error);
+  const fs::path file = error ? fs::path() : fs::canonical(path, error);
+  const fs::path below = error ? fs::path() : file.lexically_relative(here);
+  if (!below.empty() && *below.begin() != "..") return below.native();
+  return path.lexically_normal().relative_path().native();
+}
+
+}  // namespace
+
+container::Container without_zero_padding(container::Container container) {
+  if (container.format != container::Format::glb || !container.json) return container;
+  const std::size_t end = container.json->find_last_not_of('\0') + 1;
+  if (end != container.json->size()) {
+    container.json = share_text(std::string(container.json->substr(0, end)));
+  }
+  return container;
+}
+
+// The state is taken before the bytes: a change between the two is seen when it is written.
+Result<EditedAsset> open_to_edit(const std::string& path, const std::string& root) {
+  const auto state = file_state(path);
+  auto container = container::open_file(path);
+  if (!container) return container.error();
+  if (!state) return state.error();
+  return EditedAsset{OpenedAsset(path, without_zero_padding(*std::move(container)),
+                                 resolver_for(fs::path(path).parent_path(), root)),
+                     *state};
+}
+
+void note_failure(EditOutcome& outcome, EditProblem problem, std::string error) {
+  outcome.problem = problem;
+  outcome.error = std::move(error);
+  outcome.changes = false;
+  outcome.diff.clear();
+}
+
+bool write_edited(const OpenedAsset& old, const FileState& state, const edit::NewBytes& bytes,
+                  const EditOptions& options, const edit::WriteCheck& check, EditOutcome& outcome) {
+  const auto failure = edit::write_asset(
+      {old.name(), state, old.container(),
+       [&old]() -> const json::Document& { return old.document(); }, old.resolver()},
+      {options.output, options.in_place, options.backup}, bytes, check);
+  if (failure) {
+    note_failure(outcome, failure->refused ? EditProblem::refused : EditProblem::not_written,
+                 failure->error);
+    return false;
+  }
+  outcome.written = true;
+  outcome.written_to = options.in_place ? outcome.path : options.output;
+  return true;
+}
+
+bool copy_unchanged(const OpenedAsset& old, const FileState& state, const EditOptions& options,
+                    EditOutcome& outcome) {
+  if (options.output.empty()) return true;
+  return write_edited(old, state, {{old.container().bytes}, {}, {}}, options, nullptr, outcome);
+}
+
+// No patch changes the JSON inside a binary file: there the diff is a comment of one.
+std::string diff_of(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
+  const bool is_text = asset.container().format == container::Format::gltf;
+  return edit::unified_diff(*asset.container().json, edits, patch_path(asset.name()),
+                            is_text ? "" : "# ");
+}
+
+}  // namespace gltfx

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/data/mend_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/checked.hpp"
+#include "model/accessor_data.hpp"
+#include "validate/fix_users.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::Accessor;
+using model::BufferView;
+using model::ComponentType;
+
+// In a view of more accessors it would take too long to compare all of them with each other.
+constexpr std::size_t kMostNeighbours = 4096;
+
+std::uint64_t stride_of(const BufferView& view, const Accessor& accessor) {
+  return view.byte_stride.value_or(model::packed_stride(accessor.format));
+}
+
+/// Bytes of an accessor within its view.
+struct Extent {
+  std::uint64_t begin, end, stride, size;
+};
+
+std::optional<Extent> extent_of(const BufferView& view, const Accessor& accessor) {
+  const std::uint64_t stride = stride_of(view, accessor);
+  const std::uint64_t size = model::element_size(accessor.format);
+  if (!accessor.count || size == 0 || stride < size) return std::nullopt;
+  const auto length = accessor.span_size(stride);
+  const std::uint64_t begin = accessor.byte_offset.value_or(0);
+  const Checked end = length ? checked_add(begin, *length) : Checked();
+  if (!end) return std::nullopt;
+  return Extent{begin, *end, stride, size};
+}
+
+// Elements of one stride lie side by side where their places within it do.
+bool lie_apart(const Extent& a, const Extent& b) {
+  if (a.end <= b.begin || b.end <= a.begin) return true;
+  if (a.stride != b.stride) return false;
+  const std::uint64_t from = a.begin % a.stride;
+  const std::uint64_t other = b.begin % b.stride;
+  return from < other ? from + a.size <= other && other + b.size <= from + a.stride
+                      : other + b.size <= from && from + a.size <= other + b.stride;
+}
+
+bool is_alone(Fixing& fixing, std::uint32_t index, const Extent& own) {
+  const Accessor& accessor = fixing.views().accessors[index];
+  const BufferView& view = fixing.views().buffer_views[*accessor.buffer_view];
+  const auto& neighbours = fixing.table<Users>().accessors_in(*accessor.buffer_view);
+  if (neighbours.size() > kMostNeighbours) return false;
+  return std::all_of(neighbours.begin(), neighbours.end(), [&](std::uint32_t other) {
+    if (other == index) return true;
+    const auto extent = extent_of(view, fixing.views().accessors[other]);
+    return extent && lie_apart(own, *extent);
+  });
+}
+
+}  // namespace
+
+std::optional<Elements> Elements::open(Fixing& fixing, std::uint32_t index, std::string_view role) {
+  if (index >= fixing.views().accessors.size()) return std::nullopt;
+  const Accessor& accessor = fixing.views().accessors[index];
+  const bool plain = accessor.buffer_view && accessor.sparse == json::kNoNode &&
+                     model::is_core_component(accessor.format.component) &&
+                     !model::is_matrix(accessor.format.type);
+  const bool floats = accessor.format.component == ComponentType::float32;
+  if (!plain && !(floats && accessor.buffer_view && accessor.sparse == json::kNoNode)) {
+    return std::nullopt;
+  }
+  const Users& users = fixing.table<Users>();
+  const auto& roles = users.roles_of(index);
+  const bool fits_role = role.empty() || (roles.size() == 1 && *roles.begin() == role);
+  const std::uint32_t view_index = *accessor.buffer_view;
+  if (!fits_role || users.has_others(view_index) || !users.lies_apart(view_index) ||
+      users.uses_of_view(view_index).contains(model::ViewUse::image)) {
+    return std::nullopt;
+  }
+  const BufferView& view = fixing.views().buffer_views[view_index];
+  const auto extent = extent_of(view, accessor);
+  if (!extent || !view.buffer || !view.byte_length || !is_alone(fixing, index, *extent)) {
+    return std::nullopt;
+  }
+  const Checked begin = checked_add(view.byte_offset.value_or(0), extent->begin);
+  std::string* content = fixing.content(*view.buffer);
+  if (content == nullptr || !begin || extent->end > *view.byte_length ||
+      !fits(*begin, extent->end - extent->begin, content->size()) || !fixing.claim(accessor.node)) {
+    return std::nullopt;
+  }
+  Elements elements;
+  elements.content_ = content;
+  elements.begin_ = *begin;
+  elements.stride_ = extent->stride;
+  elements.count_ = *accessor.count;
+  elements.components_ = model::component_count(accessor.format.type);
+  elements.component_size_ = model::component_size(accessor.format.component);
+  elements.format_ = accessor.format;
+  return elements;
+}
+
+double Elements::get(std::uint64_t element, unsigned component) const {
+  return model::with_component_type(format_.component, [&](auto value) {
+    std::memcpy(&value, content_->data() + at(element, component), sizeof(value));
+    return static_cast<double>(value);
+  });
+}
+
+void Elements::set(std::uint64_t element, unsigned component, double number) {
+  model::with_component_type(format_.component, [&](auto value) {
+    using T = decltype(value);
+    value = std::is_floating_point_v<T> ? static_cast<T>(number)
+                                        : static_cast<T>(std::llround(number));
+    std::memcpy(content_->data() + at(element, component), &value, sizeof(value));
+  });
+}
+
+std::string Elements::bytes(std::uint64_t element) const {
+  return content_->substr(at(element, 0), std::size_t{components_} * component_size_);
+}
+
+void Elements::set_bytes(std::uint64_t element, std::string_view bytes) {
+  std::memcpy(content_->data() + at(element, 0), bytes.data(), bytes.size());
+}
+
+void follow_with_bounds(Fixing& fixing, std::uint32_t index, const Elements& elements) {
+  const Accessor& accessor = fixing.views().accessors[index];
+  for (const json::NodeId array : {accessor.min, accessor.max}) {
+    if (array == json::kNoNode) continue;
+    if (!model::is_sound_bound(fixing.document(), accessor.format, array)) continue;
+    const bool minimum = array == accessor.min;
+    std::vector<double> bound(elements.components());
+    for (unsigned c = 0; c < elements.components(); ++c) {
+      bound[c] = elements.get(0, c);
+      for (std::uint64_t i = 1; i < elements.count(); ++i) {
+        const double value = elements.get(i, c);
+        bound[c] = minimum ? std::min(bound[c], value) : std::max(bound[c], value);
+      }
+    }
+    if (fixing.claim(array)) {
+      correct_numbers(fixing, accessor.format.component, array, bound);
+    }
+  }
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validate/fix.hpp"
+
+#include <set>
+#include <utility>
+
+#include "json/parse.hpp"
+#include "validate/context.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+std::vector<const FixEntry*> table_of_fixes() {
+  std::vector<const FixEntry*> table(rules().size());
+  for (const Family& family : families()) {
+    for (const FixEntry& entry : family.fixes) table[static_cast<std::size_t>(entry.code)] = &entry;
+  }
+  return table;
+}
+
+}  // namespace
+
+const FixEntry* find_fix(Code code) {
+  static const std::vector<const FixEntry*> table = table_of_fixes();
+  return table[static_cast<std::size_t>(code)];
+}
+
+namespace {
+
+// Where the text has none, fixes of the text work with the text alone.
+const json::Document& document_of(const model::OpenedAsset& opened) {
+  static const json::Parsed kNothing = json::parse(share_text("{}"));
+  const json::Document& document = opened.document();
+  const bool usable = !document.empty() && document.is_object(document.root());
+  return usable ? document : kNothing.document;
+}
+
+}  // namespace
+
+Fixing::Fixing(const model::OpenedAsset& opened, const schema::Set& schemas)
+    : opened_(opened),
+      document_(document_of(opened)),
+      schemas_(schemas),
+      elements_(document_),
+      editor_(document_),
+      used_(document_, "extensionsUsed"),
+      required_(document_, "extensionsRequired") {}
+
+const model::ResourceData& Fixing::resources() {
+  if (!resources_) {
+    resources_ = model::load_resources(opened_.container(), opened_.resolver(), elements_,
+                                       opened_.views(), 1)
+                     .data;
+  }
+  return *resources_;
+}
+
+std::string* Fixing::content(std::uint32_t buffer) {
+  const auto known = contents_.find(buffer);
+  if (known != contents_.end()) return &known->second;
+  const auto& buffers = resources().buffers;
+  if (buffer >= buffers.size() || !buffers[buffer]) return nullptr;
+  return &contents_.emplace(buffer, std::string(buffers[buffer]->text())).first->second;
+}
+
+// Nodes stand in the order of the text, and no two of them begin at one byte.
+json::NodeId Fixing::node_around(Span place) const {
+  if (place.end == 0) return json::kNoNode;
+  json::NodeId first = 0;
+  auto last = static_cast<json::NodeId>(document_.node_count());
+  while (first < last) {
+    const json::NodeId middle = first + (last - first) / 2;
+    if (document_.node(middle).begin <= place.begin) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
+  }
+  const bool found = first > 0 && document_.node(first - 1).end > place.begin;
+  return found ? first - 1 : json::kNoNode;
+}
+
+json::NodeId Fixing::node_at(Span place) const {
+  const json::NodeId node = node_around(place);
+  const bool found = node != json::kNoNode && document_.node(node).begin == place.begin;
+  return found ? node : json::kNoNode;
+}
+
+void Fixing::find_parents() {
+  parents_.assign(document_.node_count(), json::kNoNode);
+  std::vector<json::NodeId> open;
+  for (json::NodeId node = 0; node < parents_.size(); ++node) {
+    while (!open.empty() && node >= document_.next(open.back())) open.pop_back();
+    if (!open.empty()) parents_[node] = open.back();
+    const json::Kind kind = document_.kind(node);
+    if (kind == json::Kind::object || kind == json::Kind::array) open.push_back(node);
+  }
+}
+
+json::NodeId Fixing::parent(json::NodeId node) {
+  if (parents_.empty()) find_parents();
+  return parents_[node];
+}
+
+bool Fixing::remove_member(json::NodeId value) {
+  const json::NodeId object = value == json::kNoNode ? json::kNoNode : parent(value);
+  if (object == json::kNoNode || !document_.is_object(object) || !claim(value)) return false;
+  editor_.remove(object, value - 1);
+  return true;
+}
+
+bool Fixing::replace_scalar(json::NodeId value, std::string json) {
+  if (!claim(value)) return false;
+  editor_.replace_scalar(value, std::move(json));
+  return true;
+}
+
+bool Fixing::replace(json::NodeId value, std::string_view json) {
+  const json::NodeId container = parent(value);
+  if (container == json::kNoNode || !claim(value)) return false;
+  editor_.replace(container, value, json);
+  return true;
+}
+
+bool Fixing::append_member(json::NodeId object, std::string_view name, std::string_view json) {
+  if (!document_.is_object(object)) return false;
+  editor_.append_member(object, name, json);
+  return true;
+}
+
+bool remove_marked(Fixing& fixing, Span place) {
+  const json::NodeId node = fixing.node_at(place);
+  if (node == json::kNoNode) return false;
+  const bool key = fixing.document().kind(node) == json::Kind::key;
+  return fixing.remove_member(key ? node + 1 : node);
+}
+
+std::string without_repeats(const json::Document& document, json::NodeId numbers) {
+  std::set<double> seen;
+  std::string text = "[";
+  for (json::NumberCursor at(document, numbers); at.valid(); at.advance()) {
+    if (!seen.insert(at.number().value).second) continue;
+    if (text.size() > 1) text += ", ";
+    text += at.number().span.in(document.text());
+  }
+  return text + "]";
+}
+
+Result<Fixing::Changes> Fixing::take() {
+  Changes changes;
+  std::erase_if(contents_, [&](const auto& content) {
+    return content.second == resources().buffers[content.first]->text();
+  });
+  auto buffers = edit::change_buffers(document_, opened_.container(), opened_.resolver(),
+                                      std::move(contents_), editor_);
+  if (!buffers) return buffers.error();
+  changes.buffers = *std::move(buffers);
+  used_.apply(editor_);
+  required_.apply(editor_);
+  changes.edits = editor_.take();
+  changes.container = rewrites_container_;
+  return changes;
+}
+
+}  // namespace gltfx::validate

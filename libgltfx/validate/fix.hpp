@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What fixes of rules have to work with: the asset, and the changes that they collect.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <typeindex>
+#include <typeinfo>
+#include <unordered_set>
+#include <vector>
+
+#include "base/span.hpp"
+#include "edit/buffer_changes.hpp"
+#include "edit/name_list.hpp"
+#include "json/edit.hpp"
+#include "model/asset.hpp"
+#include "model/opened_asset.hpp"
+#include "model/resource_data.hpp"
+#include "schema/set.hpp"
+#include "validate/fix_entry.hpp"
+
+namespace gltfx::validate {
+
+/// The changes of one asset, as fixes collect them. Each value is changed once: a fix that finds it
+/// changed leaves it to the next run over the new asset.
+class Fixing {
+ public:
+  Fixing(const model::OpenedAsset& opened, const schema::Set& schemas);
+
+  const json::Document& document() const { return document_; }
+  const schema::Set& schemas() const { return schemas_; }
+  const model::OpenedAsset& opened() const { return opened_; }
+  const model::Asset& elements() const { return elements_; }
+  const model::Views& views() const { return opened_.views(); }
+  /// Bytes of buffers and images, loaded when somebody asks.
+  const model::ResourceData& resources();
+
+  /// A table that the fixes of one run look into, made of this when the first of them asks.
+  template <class Table>
+  Table& table() {
+    auto& made = tables_[std::type_index(typeid(Table))];
+    if (!made) made = std::make_shared<Table>(*this);
+    return *static_cast<Table*>(made.get());
+  }
+
+  /// The value or key that begins where `place` does, or json::kNoNode.
+  json::NodeId node_at(Span place) const;
+  /// The innermost value or key that holds the first byte of `place`, or json::kNoNode.
+  json::NodeId node_around(Span place) const;
+  /// The object or array that holds a value or key; json::kNoNode for the root.
+  json::NodeId parent(json::NodeId node);
+  /// Whether nobody has changed the value in this run; from now on somebody has.
+  bool claim(json::NodeId node) { return claimed_.insert(node).second; }
+
+  /// Takes a member out, by its value. False: it is no member, or changed already.
+  bool remove_member(json::NodeId value);
+  bool replace_scalar(json::NodeId value, std::string json);
+  /// Gives a value another JSON text.
+  bool replace(json::NodeId value, std::string_view json);
+  bool append_member(json::NodeId object, std::string_view name, std::string_view json);
+  /// Puts text in the place of a stretch of the text.
+  void replace_text(Span span, std::string text) { editor_.replace_text(span, std::move(text)); }
+  json::Editor& editor() { return editor_; }
+  edit::NameList& extensions_used() { return used_; }
+  edit::NameList& extensions_required() { return required_; }
+  /// What a buffer holds from now on, to be changed in place; null where its bytes are missing.
+  std::string* content(std::uint32_t buffer);
+  /// The container is to be written anew, with right lengths and padding.
+  void rewrite_container() { rewrites_container_ = true; }
+
+  /// What all fixes come to.
+  struct Changes {
+    std::vector<json::Edit> edits;  ///< of the text, as json::Editor::take() gives them
+    edit::ChangedBuffers buffers;
+    bool container = false;
+    bool empty() const {
+      return edits.empty() && buffers.bin.empty() && buffers.files.empty() && !container;
+    }
+  };
+  Result<Changes> take();
+
+ private:
+  void find_parents();
+
+  const model::OpenedAsset& opened_;
+  const json::Document& document_;
+  const schema::Set& schemas_;
+  model::Asset elements_;
+  json::Editor editor_;
+  edit::NameList used_, required_;
+  edit::BufferContents contents_;
+  std::vector<json::NodeId> parents_;  ///< empty until somebody asks
+  std::unordered_set<json::NodeId> claimed_;
+  std::optional<model::ResourceData> resources_;
+  std::map<std::type_index, std::shared_ptr<void>> tables_;
+  bool rewrites_container_ = false;
+};
+
+/// The fix of rules about members that are better not there: `place` is the value or the name.
+bool remove_marked(Fixing& fixing, Span place);
+
+/// `numbers` without those that were there before, in the order of the first ones.
+std::string without_repeats(const json::Document& document, json::NodeId numbers);
+
+}  // namespace gltfx::validate

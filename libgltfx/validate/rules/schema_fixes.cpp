@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixes of what the walk over schemas reports, which knows nothing of edits: repeats, empty members,
+// and the lists of extensions.
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "base/codes.hpp"
+#include "validate/context.hpp"
+#include "validate/fix.hpp"
+#include "validate/fix_users.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// The name of the member that a value is, or empty.
+std::string_view member_name(Fixing& fixing, json::NodeId value) {
+  const json::NodeId object = fixing.parent(value);
+  const bool member = object != json::kNoNode && fixing.document().is_object(object);
+  return member ? fixing.document().key(fixing.document().node(value - 1).next)
+                : std::string_view();
+}
+
+// `place` is the name of an extension's object.
+bool declare(Fixing& fixing, Span place) {
+  const json::NodeId key = fixing.node_at(place);
+  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+  fixing.extensions_used().add(fixing.document().key(fixing.document().node(key).next));
+  return true;
+}
+
+// `place` is a name in extensionsRequired. What is used is declared; what is not goes.
+bool declare_or_forget(Fixing& fixing, Span place) {
+  const json::NodeId node = fixing.node_at(place);
+  if (node == json::kNoNode || !fixing.document().is_string(node)) return false;
+  const std::string name = fixing.document().string(node);
+  const schema::ExtensionId id = fixing.schemas().find_extension(name);
+  const bool without_objects =
+      id != schema::kNone && fixing.schemas().extensions()[id].attachment_points.empty();
+  if (without_objects || fixing.table<ExtensionsSeen>().contains(name)) {
+    fixing.extensions_used().add(name);
+  } else {
+    if (!fixing.extensions_required().has(name)) return false;
+    fixing.extensions_required().remove(name);
+  }
+  return true;
+}
+
+// `place` is a name in extensionsUsed, or that of an extension's object.
+bool require_extension(Fixing& fixing, Span place) {
+  const json::NodeId node = fixing.node_at(place);
+  if (node == json::kNoNode) return false;
+  const json::Document& document = fixing.document();
+  const std::string name = document.kind(node) == json::Kind::key
+                               ? std::string(document.key(document.node(node).next))
+                               : document.string(node);
+  fixing.extensions_required().add(name);
+  return true;
+}
+
+// An empty member that an object must have is no better absent.
+bool remove_empty(Fixing& fixing, Span place) {
+  static const std::set<std::string_view> kNeeded{"asset",    "attributes", "channels", "joints",
+                                                  "primitives", "samplers", "sparse",   "target"};
+  const json::NodeId value = fixing.node_at(place);
+  if (value == json::kNoNode || kNeeded.contains(member_name(fixing, value))) return false;
+  return fixing.remove_member(value);
+}
+
+// Only in lists whose order and length nobody counts on, as they do with the joints of a skin.
+bool remove_repeat(Fixing& fixing, Span place) {
+  static const std::set<std::string_view> kSets{"nodes", "children", "extensionsUsed",
+                                                "extensionsRequired"};
+  const json::NodeId node = fixing.node_around(place);
+  if (node == json::kNoNode) return false;
+  const json::Document& document = fixing.document();
+  if (document.kind(node) == json::Kind::number_array) {
+    return kSets.contains(member_name(fixing, node)) &&
+           fixing.replace(node, without_repeats(document, node));
+  }
+  const json::NodeId list = fixing.parent(node);
+  if (list == json::kNoNode || !kSets.contains(member_name(fixing, list))) return false;
+  if (!fixing.claim(node)) return false;
+  fixing.editor().remove(list, node);
+  return true;
+}
+
+// `place` is a name of an earlier draft: the one that the property has now, where no two properties
+// had it.
+bool rename_draft(Fixing& fixing, Span place) {
+  const json::NodeId key = fixing.node_at(place);
+  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+  const std::string_view old = fixing.document().key(fixing.document().node(key).next);
+  std::set<std::string_view> names;
+  for (const schema::ObjectType& type : fixing.schemas().types()) {
+    for (const schema::Property& property : type.properties) {
+      for (const std::string& alias : property.aliases) {
+        if (alias == old) names.insert(property.name);
+      }
+    }
+  }
+  const json::NodeId object = fixing.parent(key);
+  if (names.size() != 1 || fixing.document().holds(object, *names.begin())) return false;
+  if (!fixing.claim(key)) return false;
+  fixing.editor().rename(key, *names.begin());
+  return true;
+}
+
+constexpr FixEntry kSchemaFixes[] = {
+    {Code::PROPERTY_RENAMED, rename_draft},
+    {Code::UNDECLARED_EXTENSION, declare},
+    {Code::UNUSED_EXTENSION_REQUIRED, declare_or_forget},
+    {Code::NON_REQUIRED_EXTENSION, require_extension},
+    {Code::EMPTY_ENTITY, remove_empty},
+    {Code::DUPLICATE_ELEMENTS, remove_repeat},
+};
+
+}  // namespace
+
+const Family& schema_fixes_family() {
+  static constexpr Family family{.fixes = kSchemaFixes};
+  return family;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,494 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Breaks valid assets in many ways, runs `gltfx fix` over them and compares findings before and after.
+
+    tests/mutants/fix_mutants.py build/dev/bin/gltfx FOLDER... [--count 50000] [--seed N] [--peer NODE_MODULES]
+
+Of each mutant is asked: the fixed file has no finding, by gltfx or by npm's gltf-validator, that the
+broken one has not; a second run changes nothing; findings of rules with a safe fix are gone. Mutants whose
+text cannot be read are counted, but new findings of theirs are not: what could not be read could not be
+found. The seed of a run is printed; without --seed it is a new one. Mutants with a failure are kept in --keep.
+"""
+import argparse
+import base64
+import collections
+import copy
+import json
+import pathlib
+import random
+import secrets
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import urllib.parse
+
+VALUES = [None, True, False, -1, 0, 1, 2, 3, 1.5, 1e9, -0.5, "x", "", [], {}, [1], [0, 0, 0], 5120, 5123, 5126,
+          34962, 34963, "SCALAR", "VEC3", "MAT4", "STEP", "MASK", "image/png", "image/jpeg"]
+UNREADABLE = ("INVALID_JSON", "JSON_", "GLB_", "UTF8_")  # beginnings of codes
+
+
+# Assets -----------------------------------------------------------------------------------------------------
+
+class Asset:
+    """A document, the bytes of its BIN chunk (None: a .gltf) and files that it refers to."""
+
+    def __init__(self, document, binary, files):
+        self.document, self.binary, self.files = document, binary, files
+        self.text_change = self.glb_change = None
+
+    @staticmethod
+    def read(path):
+        data = path.read_bytes()
+        binary = None
+        if data[:4] == b"glTF":
+            length = struct.unpack_from("<I", data, 12)[0]
+            rest = data[20 + length:]
+            binary = rest[8:8 + struct.unpack_from("<I", rest)[0]] if len(rest) >= 8 else b""
+            data = data[20:20 + length]
+        document = json.loads(data.decode("utf-8-sig"))
+        files = {}
+        for array in ("buffers", "images"):
+            for element in document.get(array, []):
+                uri = element.get("uri", "data:")
+                name = urllib.parse.unquote(uri)
+                if not uri.startswith("data:") and ".." not in name and (path.parent / name).is_file():
+                    files[name] = (path.parent / name).read_bytes()
+        return Asset(document, binary, files)
+
+    def write(self, folder):
+        folder.mkdir(parents=True)
+        text = json.dumps(self.document, ensure_ascii=False, indent=1).encode("utf-8", "surrogatepass")
+        if self.text_change:
+            text = self.text_change(text)
+        for name, data in self.files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(data)
+        if self.binary is None:
+            path = folder / "a.gltf"
+            path.write_bytes(text)
+            return path
+        text += b" " * (-len(text) % 4)
+        chunks = [[b"JSON", text]] + ([[b"BIN\0", self.binary + b"\0" * (-len(self.binary) % 4)]] if self.binary else [])
+        path = folder / "a.glb"
+        path.write_bytes(self.glb_change(chunks) if self.glb_change else glb(chunks))
+        return path
+
+
+def glb(chunks, total=0, lengths=0):
+    data = b"".join(struct.pack("<I4s", len(content) + lengths, kind) + content for kind, content in chunks)
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(data) + total) + data
+
+
+# Mutations: each takes an asset and a source of chance, and says whether it has changed something ----------
+
+def places(value, path=()):
+    stack = [(value, path)]
+    while stack:
+        value, path = stack.pop()
+        items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+        for key, child in items:
+            yield value, key, child
+            stack.append((child, path + (key,)))
+
+
+def any_of(asset, chance, test):
+    found = [place for place in places(asset.document) if test(*place)]
+    return chance.choice(found) if found else None
+
+
+def drop_member(asset, chance):
+    place = any_of(asset, chance, lambda holder, key, value: True)
+    if place:
+        del place[0][place[1]]
+    return place
+
+
+def other_value(asset, chance):
+    place = any_of(asset, chance, lambda holder, key, value: True)
+    if place:
+        place[0][place[1]] = copy.deepcopy(chance.choice(VALUES))
+    return place
+
+
+def other_number(asset, chance):
+    place = any_of(asset, chance, lambda h, k, v: isinstance(v, (int, float)) and not isinstance(v, bool))
+    if place:
+        place[0][place[1]] = place[2] + chance.choice([-1, 1, 2, 0.25, 100])
+    return place
+
+
+def empty_list(asset, chance):
+    place = any_of(asset, chance, lambda h, k, v: isinstance(v, dict))
+    if place:
+        place[2][chance.choice(["children", "nodes", "weights", "targets", "extensions", "animations", "skins"])] = \
+            copy.deepcopy(chance.choice([[], {}]))
+    return place
+
+
+def bounds(asset, chance):
+    place = any_of(asset, chance, lambda h, k, v: k in ("min", "max") and isinstance(v, list) and v)
+    if place:
+        if chance.random() < 0.4:
+            del place[0][place[1]]
+        else:
+            at = chance.randrange(len(place[2]))
+            place[2][at] += chance.choice([-3, -0.001, 0.001, 3])
+    return place
+
+
+def names(asset, chance):
+    lists = [asset.document.setdefault(m, []) for m in ("extensionsUsed", "extensionsRequired")
+             if isinstance(asset.document.get(m, []), list)]
+    if not lists:
+        return None
+    chosen = chance.choice(lists)
+    if chosen and chance.random() < 0.6:
+        chosen.pop(chance.randrange(len(chosen)))
+    else:
+        chosen.append(chance.choice(["KHR_materials_ior", "KHR_texture_transform", "KHR_materials_unlit",
+                                     "KHR_lights_punctual"]))
+    return True
+
+
+def transform(asset, chance):
+    nodes = [n for n in asset.document.get("nodes", []) if isinstance(n, dict)]
+    if not nodes:
+        return None
+    node = chance.choice(nodes)
+    kind = chance.randrange(4)
+    if kind == 0 and isinstance(node.get("rotation"), list):
+        node["rotation"] = [c * chance.choice([0.9, 1.01, 3]) if isinstance(c, (int, float)) else c
+                            for c in node["rotation"]]
+    elif kind == 1 and "matrix" not in node:
+        node["matrix"] = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+    elif kind == 2:
+        node.update({"translation": [0, 0, 0], "scale": [1, 1, 1]})
+    else:
+        node["rotation"] = [0, 0, chance.choice([2, 0.5, 0]), chance.choice([1, 0])]
+    return True
+
+
+def materials(asset, chance):
+    found = [m for m in asset.document.get("materials", []) if isinstance(m, dict)]
+    if not found:
+        return None
+    material = chance.choice(found)
+    material.update(chance.choice([{"alphaCutoff": 0.3}, {"emissiveFactor": [1.5, 0, 0]}, {"extensions": {}},
+                                   {"alphaMode": "OPAQUE", "alphaCutoff": 0.5}]))
+    return True
+
+
+def images(asset, chance):
+    found = [i for i in asset.document.get("images", []) if isinstance(i, dict)]
+    if not found:
+        return None
+    image = chance.choice(found)
+    uri = image.get("uri", "")
+    if chance.random() < 0.5 or not isinstance(uri, str) or uri.startswith("data:") or not uri:
+        image["mimeType"] = chance.choice(["image/png", "image/jpeg", "image/webp"])
+    else:
+        image["uri"] = chance.choice(["./" + uri, ".\\" + uri, uri.replace(".", "%2E", 1)])
+    return True
+
+
+def views(asset, chance):
+    found = [v for v in asset.document.get("bufferViews", []) if isinstance(v, dict)]
+    if not found:
+        return None
+    view = chance.choice(found)
+    kind = chance.randrange(4)
+    if kind == 0:
+        view.pop("target", None)
+    elif kind == 1:
+        view["target"] = chance.choice([34962, 34963])
+    elif kind == 2:
+        view["byteStride"] = chance.choice([4, 8, 12, 16, 24])
+    else:
+        view.pop("byteStride", None)
+    return True
+
+
+def buffers(asset, chance):
+    found = [b for b in asset.document.get("buffers", []) if isinstance(b, dict) and isinstance(b.get("byteLength"), int)]
+    if not found:
+        return None
+    chance.choice(found)["byteLength"] += chance.choice([-4, -1, 1, 2, 4, 100])
+    return True
+
+
+def data_of(asset, index):
+    """The bytes of a buffer that can be changed, with what puts others in their place."""
+    try:
+        buffer = asset.document["buffers"][index]
+        uri = buffer.get("uri")
+        if uri is None:
+            return bytearray(asset.binary or b""), lambda data: setattr(asset, "binary", bytes(data))
+        if uri.startswith("data:"):
+            head, text = uri.split(",", 1)
+            return bytearray(base64.b64decode(text)), lambda data: buffer.__setitem__(
+                "uri", head + "," + base64.b64encode(data).decode())
+        name = urllib.parse.unquote(uri)
+        return bytearray(asset.files[name]), lambda data: asset.files.__setitem__(name, bytes(data))
+    except (KeyError, IndexError, TypeError, AttributeError, ValueError):
+        return None, None
+
+
+def floats(asset, chance):
+    document = asset.document
+    found = [a for a in document.get("accessors", []) if isinstance(a, dict) and a.get("componentType") == 5126
+             and isinstance(a.get("bufferView"), int)]
+    if not found:
+        return None
+    accessor = chance.choice(found)
+    try:
+        view = document["bufferViews"][accessor["bufferView"]]
+        size = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}[accessor["type"]]
+        stride = view.get("byteStride", 4 * size)
+        at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        at += chance.randrange(accessor["count"]) * stride + 4 * chance.randrange(size)
+        data, put = data_of(asset, view["buffer"])
+        old = struct.unpack_from("<f", data, at)[0]
+        new = chance.choice([float("nan"), float("inf"), -0.0, old * 1.02, old * 3, old + 0.2])
+        struct.pack_into("<f", data, at, new)
+        put(data)
+        return True
+    except (KeyError, IndexError, TypeError, ValueError, struct.error, OverflowError):
+        return None
+
+
+def integers(asset, chance):
+    document = asset.document
+    found = [a for a in document.get("accessors", []) if isinstance(a, dict)
+             and a.get("componentType") in (5121, 5123, 5125) and isinstance(a.get("bufferView"), int)]
+    if not found:
+        return None
+    accessor = chance.choice(found)
+    try:
+        view = document["bufferViews"][accessor["bufferView"]]
+        form = {5121: "<B", 5123: "<H", 5125: "<I"}[accessor["componentType"]]
+        size = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]] * struct.calcsize(form)
+        at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        at += chance.randrange(accessor["count"]) * view.get("byteStride", size)
+        data, put = data_of(asset, view["buffer"])
+        struct.pack_into(form, data, at, chance.choice([0, 1, 2, 3, 200]))
+        put(data)
+        return True
+    except (KeyError, IndexError, TypeError, ValueError, struct.error):
+        return None
+
+
+def text(asset, chance):
+    def change(data):
+        kind = chance.randrange(4)
+        if kind == 0:
+            return b"\xef\xbb\xbf" + data
+        if kind == 1:
+            ends = [i for i, c in enumerate(data) if c in b"]}" and i > 1 and data[i - 1:i] == b"\n" or c in b"]}"]
+            at = chance.choice(ends)
+            return data[:at] + b"," + data[at:]
+        if kind == 2:
+            return data.replace(b'"asset"', b'"asset": {"version": "2.0"}, "asset"', 1)
+        at = data.find(b'": "')
+        return data if at < 0 else data[:at + 4] + b"\t" + data[at + 4:]
+    asset.text_change = change
+    return True
+
+
+def container(asset, chance):
+    if asset.binary is None:
+        return None
+    kind = chance.randrange(5)
+    if kind == 0:
+        asset.glb_change = lambda chunks: glb(chunks, total=chance.choice([-4, 4, 1, 1000]))
+    elif kind == 1:
+        asset.glb_change = lambda chunks: glb(chunks) + bytes(chance.choice([1, 4, 7]))
+    elif kind == 2:
+        asset.glb_change = lambda chunks: glb([[k, c + (b" " if k == b"JSON" else b"\0")] for k, c in chunks])
+    elif kind == 3:
+        asset.glb_change = lambda chunks: glb([[k, c.rstrip(b" ") + b"\0" * (-len(c.rstrip(b" ")) % 4)
+                                               if k == b"JSON" else c] for k, c in chunks])
+    else:
+        asset.glb_change = lambda chunks: glb(chunks + [[b"BIN\0", b""]])
+    return True
+
+
+def animations(asset, chance):
+    found = [s for a in asset.document.get("animations", []) if isinstance(a, dict)
+             for s in a.get("samplers", []) if isinstance(s, dict)]
+    if not found:
+        return None
+    chance.choice(found).update(chance.choice([{"interpolation": "LINEAR"}, {"interpolation": "linear"}]))
+    return True
+
+
+def misspell(asset, chance):
+    place = any_of(asset, chance, lambda h, k, v: isinstance(k, str) and len(k) > 4)
+    if place:
+        at = chance.randrange(1, len(place[1]))
+        place[0][place[1][:at] + place[1][at + 1:]] = place[0].pop(place[1])
+    return place
+
+
+MUTATIONS = [drop_member, other_value, other_number, empty_list, bounds, bounds, names, names, transform, transform,
+             materials, images, images, views, views, buffers, floats, floats, floats, integers, text, container,
+             container, animations, misspell]
+
+
+def mutant(seeds, chance):
+    asset = copy.deepcopy(chance.choice(seeds))
+    done = []
+    for _ in range(40):
+        change = chance.choice(MUTATIONS)
+        if change(asset, chance):
+            done.append(change.__name__)
+        if len(done) >= chance.choice([1, 1, 1, 2, 3]):
+            break
+    return asset, done
+
+
+# Findings ----------------------------------------------------------------------------------------------------
+
+def run(words, **more):
+    done = subprocess.run(words, capture_output=True, text=True, **more)
+    if done.returncode not in (0, 1, 3):
+        raise RuntimeError(f"{words[:3]} exits with {done.returncode}: {done.stderr[-2000:]}")
+    return done.stdout
+
+
+def findings(gltfx, folder, jobs):
+    """By folder of the asset, the number of findings by code."""
+    out = run([gltfx, "validate", str(folder), "--isolated", "--profile", "strict", "--format", "json",
+               "--max-issues", "0", "--fail-on", "never", "-j", jobs])
+    report = json.loads(out)
+    result = {}
+    for file in report["files"]:
+        codes = collections.Counter()
+        for one in file["findings"]:
+            codes[one["code"]] += one.get("count", 1)
+        result[pathlib.Path(file["path"]).parent.name] = codes
+    return result
+
+
+class Peer:
+    def __init__(self, modules):
+        script = pathlib.Path(__file__).with_name("khronos.mjs")
+        self.process = subprocess.Popen(["node", str(script), modules], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, text=True)
+
+    def codes(self, path):
+        self.process.stdin.write(f"{path}\n")
+        self.process.stdin.flush()
+        return json.loads(self.process.stdout.readline())
+
+
+def more(before, after):
+    return {code: (before.get(code, 0), count) for code, count in after.items()
+            if isinstance(count, int) and count > before.get(code, 0)}
+
+
+# The run -----------------------------------------------------------------------------------------------------
+
+class Totals:
+    def __init__(self):
+        self.mutants = self.changed = self.unreadable = 0
+        self.had, self.left = collections.Counter(), collections.Counter()
+        self.failures = []
+
+
+def compare(mutants, gltfx, peer, safe, work, words, totals):
+    before = findings(gltfx, work / "in", words.jobs)
+    fixed = json.loads(run([gltfx, "fix", str(work / "in"), "--isolated", "--format", "json", "-o",
+                            f"{work / 'out'}/", "-j", words.jobs]))
+    changed = {pathlib.Path(file["path"]).parent.name: file for file in fixed["files"]}
+    after = findings(gltfx, work / "out", words.jobs)
+    again = json.loads(run([gltfx, "fix", str(work / "out"), "--isolated", "--format", "json", "-j", words.jobs]))
+    twice = {pathlib.Path(file["path"]).parent.name for file in again["files"] if file["changes"]}
+    for name, (path, done) in mutants.items():
+        totals.mutants += 1
+        report = changed.get(name, {"problem": "missing"})
+        if report["problem"] != "none":
+            totals.unreadable += 1
+            continue
+        totals.changed += report["changes"]
+        wrong = []
+        old, new = before.get(name, {}), after.get(name, {})
+        readable = not any(code.startswith(UNREADABLE) for code in old)
+        if name in twice:
+            wrong.append("a second run changes it")
+        if readable and more(old, new):
+            wrong.append(f"new by gltfx: {more(old, new)}")
+        for code in old.keys() & safe:
+            totals.had[code] += 1
+            totals.left[code] += code in new
+        if peer and report["changes"]:
+            theirs, now = peer.codes(path), peer.codes(str(path).replace("/in/", "/out/", 1))
+            if readable and "" not in theirs and more(theirs, now):
+                wrong.append(f"new by gltf-validator: {more(theirs, now)}")
+        if wrong:
+            fixes = sorted(a["code"] for a in report["actions"] if a["done"])
+            totals.failures.append((name, done, fixes, wrong))
+            if words.keep and len(totals.failures) <= 200:
+                kept = pathlib.Path(words.keep) / name
+                shutil.rmtree(kept, ignore_errors=True)
+                shutil.copytree(path.parent, kept)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("gltfx")
+    parser.add_argument("folders", nargs="+", type=pathlib.Path)
+    parser.add_argument("--count", type=int, default=50_000)
+    parser.add_argument("--batch", type=int, default=500)
+    parser.add_argument("--seed", type=int, default=secrets.randbits(32))
+    parser.add_argument("--peer", default="", help="node_modules with gltf-validator")
+    parser.add_argument("--jobs", default="2")
+    parser.add_argument("--largest", type=int, default=200_000, help="bytes of an asset and its files")
+    parser.add_argument("--keep", default="")
+    words = parser.parse_args()
+    print(f"seed {words.seed}", flush=True)
+    chance = random.Random(words.seed)
+    seeds = []
+    report = json.loads(run([words.gltfx, "validate", *map(str, words.folders), "--isolated", "--fail-on", "never",
+                             "--format", "json"]))
+    for path in sorted(pathlib.Path(file["path"]) for file in report["files"] if file["counts"]["errors"] == 0):
+        try:
+            asset = Asset.read(path)
+        except (ValueError, struct.error, OSError, RecursionError):
+            continue
+        if path.stat().st_size + sum(map(len, asset.files.values())) <= words.largest:
+            seeds.append(asset)
+    rules = json.loads(run([words.gltfx, "rules", "--format", "json"]))["rules"]
+    safe = {rule["code"] for rule in rules if rule["fix"] == "safe"}
+    peer = Peer(words.peer) if words.peer else None
+    totals = Totals()
+    print(f"{len(seeds)} assets, {len(safe)} rules with a safe fix", flush=True)
+    for first in range(0, words.count, words.batch):
+        with tempfile.TemporaryDirectory(prefix="gltfx_mutants_") as folder:
+            work = pathlib.Path(folder)
+            mutants = {}
+            for number in range(first, min(first + words.batch, words.count)):
+                asset, done = mutant(seeds, chance)
+                name = f"m{number:06}"
+                mutants[name] = (asset.write(work / "in" / name), done)
+            compare(mutants, words.gltfx, peer, safe, work, words, totals)
+    return tell(totals, safe)
+
+
+def tell(totals, safe):
+    for name, done, fixes, wrong in totals.failures[:100]:
+        print(f"{name} ({', '.join(done)}; fixed {', '.join(fixes)}): {'; '.join(wrong)}")
+    had, left = sum(totals.had.values()), sum(totals.left.values())
+    for code in sorted(totals.left, key=lambda code: -totals.left[code]):
+        if totals.left[code]:
+            print(f"{code}: left in {totals.left[code]} of {totals.had[code]}")
+    print(f"never met: {', '.join(sorted(safe - totals.had.keys()))}")
+    share = 1 - left / had if had else 0
+    print(f"{totals.mutants} mutants, {totals.changed} changed, {totals.unreadable} not fixed, "
+          f"{len(totals.failures)} with a failure; {had} findings with a safe fix, {share:.2%} gone")
+    return 1 if totals.failures or share < 0.99 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

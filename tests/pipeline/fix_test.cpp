@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixes from outside: a file in, the fixed file and what is said of it out.
+#include <gltfx/pipeline.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "container/base64.hpp"
+#include "container/temp_folder.hpp"
+#include "validate/fix_entry.hpp"
+
+namespace gltfx {
+namespace {
+
+using container::test::TempFolder;
+
+bool raises(const FileReport& report, std::string_view code) {
+  for (const Diagnostic& finding : report.diagnostics) {
+    if (finding.code == code) return true;
+  }
+  return false;
+}
+
+class RuleFix : public testing::TestWithParam<RuleDescription> {};
+
+TEST_P(RuleFix, IsThereWhereThePageSaysSo) {
+  const RuleDescription& rule = GetParam();
+  const auto code = static_cast<Code>(&*find_rule(rule.code) - rules().data());
+  const bool promised = rule.fix == Fix::safe || rule.fix == Fix::unsafe;
+  EXPECT_EQ(validate::find_fix(code) != nullptr, promised);
+  EXPECT_EQ(!rule.fix_does.empty(), promised);
+  EXPECT_EQ(!rule.fixed.empty(), promised);
+}
+
+TEST_P(RuleFix, MakesTheFixedExampleOfTheBadOneAndNothingOfThat) {
+  const RuleDescription& rule = GetParam();
+  if (rule.fixed.empty()) return;
+  const std::string fixed = example_bytes(rule.fixed);
+  EXPECT_EQ(fix_example(rule, rule.bad), fixed);
+  EXPECT_EQ(fix_example(rule, rule.fixed), fixed);
+  EXPECT_EQ(fix_example(rule, rule.good), example_bytes(rule.good));
+  EXPECT_FALSE(raises(validate_example(rule, rule.fixed), rule.code));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RuleFix, testing::ValuesIn(rules().begin(), rules().end()),
+                         [](const auto& rule) { return std::string(rule.param.code); });
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string floats(const std::vector<float>& values) {
+  std::string bytes(values.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
+}
+
+// A triangle with normals, in a buffer of its own; `uri` leads to it.
+std::string triangle(const std::string& uri, std::string_view more = "") {
+  return fmt::format(R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],
+"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"NORMAL":1}}}}]}}],
+"accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"min":[0,0,0],"max":[1,1,0]}},
+{{"bufferView":1,"componentType":5126,"type":"VEC3","count":3}}{}],
+"bufferViews":[{{"buffer":0,"byteLength":36,"target":34962}},
+{{"buffer":0,"byteOffset":36,"byteLength":36,"target":34962}}],
+"buffers":[{{"byteLength":72,"uri":"{}"}}]}})",
+                     more, uri);
+}
+
+const std::vector<float> kCorners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+std::string triangle_bytes(float length) {
+  return floats(kCorners) + floats({0, 0, length, 0, 0, length, 0, 0, length});
+}
+
+FixOptions in_place() {
+  FixOptions options;
+  options.in_place = true;
+  return options;
+}
+
+TEST(FixFile, WritesNothingUnasked) {
+  const TempFolder folder;
+  folder.write("a.bin", triangle_bytes(0.5F));
+  const auto path = folder.write("a.gltf", triangle("a.bin"));
+  const FixReport report = fix_file(path.native());
+  EXPECT_TRUE(report.changes);
+  EXPECT_FALSE(report.written);
+  ASSERT_EQ(report.actions.size(), 1U);
+  EXPECT_EQ(report.actions[0].code, "ACCESSOR_VECTOR3_NON_UNIT");
+  EXPECT_TRUE(report.actions[0].done);
+  EXPECT_EQ(text_of(path), triangle("a.bin"));
+  EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(0.5F));
+}
+
+TEST(FixFile, WritesABufferBesideTheAssetAndKeepsBoth) {
+  const TempFolder folder;
+  folder.write("a.bin", triangle_bytes(0.5F));
+  const auto path = folder.write("a.gltf", triangle("a.bin"));
+  FixOptions options = in_place();
+  options.backup = true;
+  const FixReport report = fix_file(path.native(), options);
+  EXPECT_EQ(report.error, "");
+  EXPECT_EQ(report.changed_files, std::vector<std::string>{"a.bin"});
+  EXPECT_EQ(text_of(path), triangle("a.bin"));
+  EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(1));
+  EXPECT_EQ(text_of(folder.path() / "a.bin.bak"), triangle_bytes(0.5F));
+  EXPECT_FALSE(fix_file(path.native()).changes);
+}
+
+TEST(FixFile, LeavesABufferOfTheOldAssetAlone) {
+  const TempFolder folder;
+  folder.write("a.bin", triangle_bytes(0.5F));
+  const auto path = folder.write("a.gltf", triangle("a.bin"));
+  FixOptions options;
+  options.output = (folder.path() / "b.gltf").native();
+  const FixReport report = fix_file(path.native(), options);
+  EXPECT_NE(report.error.find("a.bin"), std::string::npos) << report.error;
+  EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(0.5F));
+  options.output = (folder.path() / "other" / "a.gltf").native();
+  EXPECT_EQ(fix_file(path.native(), options).error, "");
+  EXPECT_EQ(text_of(folder.path() / "other" / "a.bin"), triangle_bytes(1));
+  EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(0.5F));
+}
+
+TEST(FixFile, ChangesADataUri) {
+  const auto uri = [](float length) {
+    return "data:application/octet-stream;base64," +
+           container::encode_base64(triangle_bytes(length));
+  };
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", triangle(uri(2)));
+  EXPECT_EQ(fix_file(path.native(), in_place()).error, "");
+  EXPECT_EQ(text_of(path), triangle(uri(1)));
+}
+
+// Somebody who reads the same bytes as something else would read other values.
+TEST(FixFile, LeavesBytesAloneThatAreReadTwice) {
+  const TempFolder folder;
+  folder.write("a.bin", triangle_bytes(0.5F));
+  const std::string twice =
+      R"(,{"bufferView":1,"componentType":5126,"type":"SCALAR","count":9})";
+  const auto path = folder.write("a.gltf", triangle("a.bin", twice));
+  const FixReport report = fix_file(path.native(), in_place());
+  EXPECT_FALSE(report.changes);
+  EXPECT_EQ(report.left(), 1U);
+  EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(0.5F));
+}
+
+TEST(FixFile, LeavesAVectorWithoutADirectionAlone) {
+  const TempFolder folder;
+  folder.write("a.bin", triangle_bytes(0));
+  const auto path = folder.write("a.gltf", triangle("a.bin"));
+  EXPECT_FALSE(fix_file(path.native(), in_place()).changes);
+  EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(0));
+}
+
+TEST(FixFile, RunsUntilNothingIsLeft) {
+  const TempFolder folder;
+  const auto path = folder.write(
+      "a.gltf", R"({"asset": {"version": "2.0",}, "extensionsUsed": [], "nodes": [],})");
+  const FixReport report = fix_file(path.native(), in_place());
+  EXPECT_EQ(report.error, "");
+  EXPECT_EQ(text_of(path), R"({"asset": {"version": "2.0"}})");
+  EXPECT_EQ(report.fixed(), 4U);
+}
+
+TEST(FixFile, DoesWhatItIsAskedFor) {
+  const TempFolder folder;
+  const std::string text = R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"],"nodes":[]})";
+  const auto path = folder.write("a.gltf", text);
+  FixOptions options = in_place();
+  options.only = {"EMPTY_ENTITY"};
+  options.skip = {"EMPTY_ENTITY"};
+  EXPECT_FALSE(fix_file(path.native(), options).changes);
+  options.skip.clear();
+  EXPECT_EQ(fix_file(path.native(), options).fixed(), 1U);
+  EXPECT_EQ(text_of(path), R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"]})");
+  options.only.clear();
+  options.skip = {"EXTENSION_UNUSED"};
+  EXPECT_FALSE(fix_file(path.native(), options).changes);
+}
+
+TEST(FixFile, DoesNothingUnsafeUnasked) {
+  const TempFolder folder;
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlitt"],"materials":[{"extensions":{"KHR_materials_unlitt":{}}}]})";
+  const auto path = folder.write("a.gltf", text);
+  EXPECT_FALSE(fix_file(path.native(), in_place()).changes);
+  FixOptions options = in_place();
+  options.unsafe = true;
+  EXPECT_FALSE(fix_file(path.native(), options).changes);
+  options.only = {"EXTENSION_NAME_MISSPELT"};
+  EXPECT_EQ(fix_file(path.native(), options).error, "");
+  EXPECT_EQ(text_of(path).find("unlitt"), std::string::npos);
+}
+
+TEST(FixFile, SaysWhyAFileCannotBeFixed) {
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", R"({"asset": [})");
+  const FixReport report = fix_file(path.native(), in_place());
+  EXPECT_EQ(report.problem, EditProblem::unreadable);
+  EXPECT_EQ(fix_file((folder.path() / "b.gltf").native()).problem, EditProblem::unreadable);
+}
+
+TEST(Fixable, IsCountedAndMarked) {
+  const TempFolder folder;
+  const auto path = folder.write(
+      "a.gltf", R"({"asset":{"version":"2.0"},"nodes":[],"meshes":[{"primitives":[]}]})");
+  const FileReport report = validate_file(path.native());
+  EXPECT_EQ(report.fixable, 1U);
+  for (const Diagnostic& finding : report.diagnostics) {
+    EXPECT_EQ(finding.fixable, finding.pointer == "/nodes") << finding.pointer;
+  }
+  ValidateOptions options;
+  options.profile = Profile::khronos;
+  EXPECT_EQ(validate_file(path.native(), options).fixable, 0U);
+}
+
+TEST(ProposedFix, IsThatOfTheRule) {
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", R"({"asset":{"version":"2.0"},"nodes":[]})");
+  ValidateOptions options;
+  options.propose_fixes = true;
+  const FileReport report = validate_file(path.native(), options);
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  ASSERT_NE(report.diagnostics[0].fix, nullptr);
+  ASSERT_EQ(report.diagnostics[0].fix->replacements.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].fix->replacements[0].place.offset, 26U);
+  EXPECT_EQ(report.diagnostics[0].fix->replacements[0].text, "");
+}
+
+}  // namespace
+}  // namespace gltfx

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edit_run.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/text.hpp"
+#include "container/container.hpp"
+#include "container/resolver.hpp"
+#include "edit/companions.hpp"
+#include "input_paths.hpp"
+#include "json/parse.hpp"
+#include "terminal.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Why the copy that --backup made cannot take the place of the asset, or nothing. Links are
+// followed to the asset, not to the copy.
+std::optional<std::string> restore(const std::string& path) {
+  std::error_code error;
+  const fs::path copy = path + ".bak";
+  const fs::file_status found = fs::symlink_status(copy, error);
+  if (!fs::exists(found)) return "there is no " + quoted(copy.native(), 200);
+  if (!fs::is_regular_file(found)) return quoted(copy.native(), 200) + " is not a regular file";
+  const fs::path target = fs::canonical(path, error);
+  if (!error) fs::rename(copy, target, error);
+  if (error) return "cannot be restored: " + error.message();
+  return std::nullopt;
+}
+
+// Files that the asset refers to, of which there are copies, too. Only those below its folder.
+std::set<std::string> files_with_copies(const std::string& path) {
+  std::set<std::string> files;
+  const auto container = container::open_file(path);
+  if (!container || !container->json) return files;
+  const json::Parsed parsed = json::parse(container->json);
+  if (parsed.document.empty()) return files;
+  const fs::path named = fs::path(path).parent_path();
+  const fs::path folder = named.empty() ? fs::path(".") : named;
+  const container::Resolver resolver(folder, folder);
+  for (const std::string& file : edit::referred_paths(parsed.document)) {
+    std::uint64_t size = 0;
+    const std::string copy = file + ".bak";
+    if (resolver.stat(copy, size) != container::ResolveError::none) continue;
+    files.insert((folder / file).native());
+  }
+  return files;
+}
+
+// The asset comes last: until then it is the one that the new files go with.
+std::optional<std::string> restore_with_files(const std::string& path) {
+  for (const std::string& file : files_with_copies(path + ".bak")) {
+    if (auto why = restore(file)) return why;
+  }
+  return restore(path);
+}
+
+}  // namespace
+
+// Lines of an asset go to a program as they are, to a terminal without what could drive it.
+std::string diff_text(std::string_view diff) {
+  if (::isatty(STDOUT_FILENO) == 0) return std::string(diff);
+  std::string text;
+  while (!diff.empty()) {
+    const std::size_t end = std::min(diff.find('\n'), diff.size());
+    text.append(printable(diff.substr(0, end))).append(1, '\n');
+    diff.remove_prefix(std::min(end + 1, diff.size()));
+  }
+  return text;
+}
+
+ExitCode restore_all(const EditRequest& request) {
+  const auto named = expand_paths(request.paths, request.quiet);
+  if (!named) {
+    complain(named.error().message);
+    return ExitCode::usage;
+  }
+  ExitCode code = ExitCode::ok;
+  for (const std::string& path : named->paths) {
+    std::error_code error;
+    const bool has_copy = fs::exists(fs::symlink_status(path + ".bak", error));
+    if (named->several && !has_copy) continue;
+    if (const auto why = restore_with_files(path)) {
+      complain(fmt::format("{}: {}", printable(path), printable(*why)));
+      code = worse(code, ExitCode::internal);
+    } else if (!request.quiet) {
+      code = worse(code, print(printable(path) + ": restored\n"));
+    }
+  }
+  return code;
+}
+
+ExitCode exit_code_of(EditProblem problem) {
+  if (problem == EditProblem::unreadable) return ExitCode::unreadable;
+  return problem == EditProblem::refused ? ExitCode::findings : ExitCode::internal;
+}
+
+}  // namespace gltfx::tool

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the verbs that change assets do alike.
+#pragma once
+
+#include <gltfx/edited_file.hpp>
+
+#include <string>
+#include <string_view>
+
+#include "commands.hpp"
+#include "options.hpp"
+
+namespace gltfx::tool {
+
+/// A diff as standard output gets it: lines of an asset go to a program as they are, to a terminal
+/// without what could drive it.
+std::string diff_text(std::string_view diff);
+
+/// Puts the copies that --backup kept back in their places.
+ExitCode restore_all(const EditRequest& request);
+
+/// What a file that was not dealt with comes to. Precondition: there is a problem.
+ExitCode exit_code_of(EditProblem problem);
+
+}  // namespace gltfx::tool
