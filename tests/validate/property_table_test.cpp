@@ -281,7 +281,7 @@ TEST(PropertyTable, EachNumberTypeHasLimits) {
 TEST(PropertyTable, ColumnsThatShareBytesCostNoMoreThanTheFile) {
   const std::string values(1 << 16U, '\1');
   std::string columns, properties;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 9000; ++i) {
     const std::string name = "\"p" + std::to_string(i) + "\": ";
     columns += (i == 0 ? "" : ", ") + name + R"({"values": 0, "max": 1})";
     properties += (i == 0 ? "" : ", ") + name + "{" + kByteProperty + "}";

@@ -46,7 +46,7 @@ void check_enum_value(const json::Document& document, json::NodeId object, const
   if (value == json::kNoNode || !document.is_number(value)) return;
   const json::Number number = document.number(value);
   const model::MetadataRange range = metadata_range(owner.component);
-  if (owner.component == model::MetadataComponent::none || !number.is_integer()) return;
+  if (owner.component == model::MetadataComponent::none) return;
   const Path member(path, "value");
   if (number.value < range.least || number.value > range.most) {
     return report_in(
