@@ -43,6 +43,7 @@ void declare_upgrade(CLI::App& app, RawUpgradeOptions& words) {
   app.add_flag("--prune", words.prune, "Remove textures and images left unused");
   add_word(app, "--generation", words.generation, "NAME",
            "Draft of legacy objects: auto (default), v1, v2, v3");
+  add_targets(app, words.targets, words.target_files);
   declare_sources(app, words);
 }
 
