@@ -15,7 +15,6 @@ constexpr std::string_view kWithoutSchema[]{
     "EXT_mesh_bmesh",
     "EXT_primitive_voxels",
     "EXT_implicit_ellipsoid_region",
-    "EXT_texture_avif",
     "EXT_texture_procedurals_mx_1_39",
     "EXT_texture_video",
     "FB_ngon_encoding",
@@ -55,8 +54,7 @@ bool may_add_values(const Set& set, std::string_view name) {
   if (set.find_extension(name) != kNone) return false;
   if (!is_known_without_schema(name)) return misspelt_extension(set, name).empty();
   // A type of components, and media types of images.
-  return name == "KHR_accessor_float16" || name == "EXT_texture_avif" ||
-         name == "EXT_texture_video";
+  return name == "KHR_accessor_float16" || name == "EXT_texture_video";
 }
 
 std::string_view misspelt_extension(const Set& set, std::string_view name) {
