@@ -68,8 +68,8 @@ class Buffers {
     for (const ReplacedFile& other : changed.files) {
       if (other.path == uri.path) return Error{"two buffers are one file"};
     }
-    changed.files.push_back({uri.path, file.state, std::move(file.bytes),
-                             Bytes::from_string(std::move(content))});
+    changed.files.push_back(
+        {uri.path, file.state, std::move(file.bytes), Bytes::from_string(std::move(content))});
     return std::nullopt;
   }
 
@@ -84,8 +84,8 @@ class Buffers {
 
 Result<ChangedBuffers> change_buffers(const json::Document& document,
                                       const container::Container& container,
-                                      const container::Resolver& resolver,
-                                      BufferContents contents, json::Editor& editor) {
+                                      const container::Resolver& resolver, BufferContents contents,
+                                      json::Editor& editor) {
   ChangedBuffers changed;
   Buffers buffers(document, container, resolver, editor);
   for (auto& [index, content] : contents) {

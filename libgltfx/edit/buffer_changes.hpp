@@ -30,7 +30,7 @@ struct ChangedBuffers {
 /// of a buffer cannot be found, or two buffers are one file.
 Result<ChangedBuffers> change_buffers(const json::Document& document,
                                       const container::Container& container,
-                                      const container::Resolver& resolver,
-                                      BufferContents contents, json::Editor& editor);
+                                      const container::Resolver& resolver, BufferContents contents,
+                                      json::Editor& editor);
 
 }  // namespace gltfx::edit

@@ -19,6 +19,8 @@ class NameList {
  public:
   NameList(const json::Document& document, std::string_view member);
 
+  /// False: something else than a list stands there, which stays as it is.
+  bool can_change() const { return usable_; }
   bool has(std::string_view name) const { return count(name) > 0; }
   /// Pointers to a name in the document's list: "/extensionsUsed/2".
   std::vector<std::string> places(std::string_view name) const;

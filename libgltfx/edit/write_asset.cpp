@@ -74,8 +74,8 @@ class Writer {
     if (auto failure = fill(draft)) return failure;
     if (auto failure = not_written(write_files())) return failure;
     const fs::path copy = old_.path + ".bak";
-    if (auto failure = not_written(
-            to_.backup ? keep_old(copy, old_.path, old_.container.bytes) : std::nullopt)) {
+    if (auto failure = not_written(to_.backup ? keep_old(copy, old_.path, old_.container.bytes)
+                                              : std::nullopt)) {
       return failure;
     }
     if (auto failure = not_written(replace_files())) return failure;

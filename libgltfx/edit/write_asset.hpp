@@ -52,10 +52,10 @@ struct WriteFailure {
 using WriteCheck = std::function<std::optional<std::string>(container::Container)>;
 
 /// Writes the bytes to their destination, files before the asset that refers to them: somebody who
-/// stops between two files leaves the old asset with new files. A file is not replaced in the folder
-/// of the old asset unless the asset is, which refers to it, too. The asset is
-/// checked as it is on the disk, before it takes its place; a null check passes. Nothing when all
-/// is durable, else why it is not; then the old bytes are there still.
+/// stops between two files leaves the old asset with new files. A file is not replaced in the
+/// folder of the old asset unless the asset is, which refers to it, too. The asset is checked as it
+/// is on the disk, before it takes its place; a null check passes. Nothing when all is durable,
+/// else why it is not; then the old bytes are there still.
 std::optional<WriteFailure> write_asset(const OldAsset& old, const Destination& to,
                                         const NewBytes& bytes, const WriteCheck& check);
 

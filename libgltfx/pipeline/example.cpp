@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "container/base64.hpp"
 #include "container/container.hpp"
 #include "edit/rewrite.hpp"
 #include "pipeline/fix_rounds.hpp"
@@ -30,6 +31,10 @@ constexpr std::string_view kLeafSchema = R"({
   "then": {"not": {"required": ["fallsIn"]}},
   "x-gltfx": {"extension": "ACME_leaf", "on": ["material"], "status": "vendor"}
 })";
+
+// A file that an example refers to.
+constexpr std::string_view kPicture =
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4DwABAQEAHLCMmQAAAABJRU5ErkJggg==";
 
 std::shared_ptr<const schema::Set> leaf_schemas() {
   static const auto compiled =
@@ -92,7 +97,9 @@ std::string fix_example(const RuleDescription& rule, std::string_view example) {
   options.unsafe = true;
   const auto known = options_for(rule, example).schemas;
   const auto schemas = known ? known : schema::builtin_set();
-  model::OpenedAsset asset(name, std::move(container), resolver_for(".", {}));
+  container::Resolver resolver = resolver_for(".", {});
+  resolver.add("leaf map.png", container::Bytes::from_string(*container::decode_base64(kPicture)));
+  model::OpenedAsset asset(name, std::move(container), std::move(resolver));
   const FixedAsset fixed =
       fix_in_rounds({std::move(asset), fix_judgement(schemas)}, options, schemas, false);
   const container::Container& after = fixed.after.asset().container();

@@ -18,8 +18,8 @@ namespace {
 
 using model::OpenedAsset;
 using validate::FixEntry;
-using validate::FixStage;
 using validate::Fixing;
+using validate::FixStage;
 using validate::Site;
 using validate::Sites;
 using validate::ValidatedAsset;
@@ -130,6 +130,12 @@ class Rounds {
   bool advance() {
     auto planned = plan([this](Code code) { return is_asked_for(code) && !is_dropped(code); });
     if (!planned) return false;
+    if (planned->done.empty() && retries_) {
+      // What stood against a fix may be gone by another one.
+      retries_ = false;
+      dropped_.clear();
+      return true;
+    }
     if (planned->done.empty()) {
       left_ = everything_left();
       return false;
@@ -149,9 +155,8 @@ class Rounds {
     if (!planned) return {};
     std::vector<FixAction> left = planned->left;
     for (const FixAction& action : planned->done) left.push_back(action);
-    std::sort(left.begin(), left.end(), [](const FixAction& a, const FixAction& b) {
-      return a.code < b.code;
-    });
+    std::sort(left.begin(), left.end(),
+              [](const FixAction& a, const FixAction& b) { return a.code < b.code; });
     return left;
   }
 
@@ -184,6 +189,7 @@ class Rounds {
     }
     asset_ = std::move(next);
     changes_ = true;
+    retries_ = !dropped_.empty();
   }
 
   static Code code_of(std::string_view name) {
@@ -217,6 +223,7 @@ class Rounds {
   std::vector<FixAction> left_;
   std::map<std::string_view, std::string> dropped_;  // why, by code
   bool changes_ = false;
+  bool retries_ = false;  // something was accepted after something was dropped
 };
 
 }  // namespace

@@ -147,8 +147,8 @@ std::shared_ptr<const ProposedFix> proposal(const validate::ValidatedAsset& vali
   auto changed = with_changes(asset, planned->changes);
   if (!changed) return nullptr;
   const validate::ValidatedAsset after(*std::move(changed), fix_judgement(schemas));
-  const model::OpenedAsset again(asset.name(), asset.container(), asset.resolver());
-  const validate::ValidatedAsset before(again, fix_judgement(schemas));
+  const validate::ValidatedAsset before({asset.name(), asset.container(), asset.resolver()},
+                                        fix_judgement(schemas));
   if (!worse_codes(before.report(), after.report()).empty()) return nullptr;
   ProposedFix fix;
   fix.description = find_rule(code)->fix_does;

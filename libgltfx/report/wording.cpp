@@ -75,10 +75,10 @@ std::string unchanged_note(std::uint64_t unchanged) {
 std::string fixable_note(const RunSummary& summary) {
   // A path that a shell would read as something else is left to the reader.
   const std::string& path = summary.fixable_path;
-  const bool plain =
-      !path.empty() && path.front() != '-' &&
-      path.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-/") ==
-          std::string::npos;
+  const bool plain = !path.empty() && path.front() != '-' &&
+                     path.find_first_not_of(
+                         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-/") ==
+                         std::string::npos;
   return fmt::format("{} of these can be fixed: gltfx fix {}", summary.fixable,
                      plain ? path : "PATH");
 }

@@ -46,14 +46,19 @@ Fixing::Fixing(const model::OpenedAsset& opened, const schema::Set& schemas)
       used_(document_, "extensionsUsed"),
       required_(document_, "extensionsRequired") {}
 
-const model::ResourceData& Fixing::resources() {
-  if (!resources_) {
-    resources_ = model::load_resources(opened_.container(), opened_.resolver(), elements_,
-                                       opened_.views(), 1)
-                     .data;
-  }
-  return *resources_;
-}
+namespace {
+
+struct Loaded {
+  explicit Loaded(const Fixing& fixing)
+      : data(model::load_resources(fixing.opened().container(), fixing.opened().resolver(),
+                                   fixing.elements(), fixing.views(), 1)
+                 .data) {}
+  model::ResourceData data;
+};
+
+}  // namespace
+
+const model::ResourceData& Fixing::resources() { return table<Loaded>().data; }
 
 std::string* Fixing::content(std::uint32_t buffer) {
   const auto known = contents_.find(buffer);
@@ -100,6 +105,28 @@ void Fixing::find_parents() {
 json::NodeId Fixing::parent(json::NodeId node) {
   if (parents_.empty()) find_parents();
   return parents_[node];
+}
+
+namespace {
+
+/// Positions of objects in their root arrays.
+struct Positions {
+  explicit Positions(const Fixing& fixing) {
+    for (std::size_t array = 0; array < model::kRootArrayCount; ++array) {
+      const auto& objects = fixing.elements().elements(static_cast<model::RootArray>(array));
+      for (std::uint32_t i = 0; i < objects.size(); ++i) of.emplace(objects[i], i);
+    }
+    of.erase(json::kNoNode);
+  }
+  std::unordered_map<json::NodeId, std::uint32_t> of;
+};
+
+}  // namespace
+
+std::uint32_t Fixing::index_of(json::NodeId object) {
+  const auto& positions = table<Positions>().of;
+  const auto found = positions.find(object);
+  return found == positions.end() ? UINT32_MAX : found->second;
 }
 
 bool Fixing::remove_member(json::NodeId value) {

@@ -54,6 +54,9 @@ class Fixing {
   json::NodeId parent(json::NodeId node);
   /// Whether nobody has changed the value in this run; from now on somebody has.
   bool claim(json::NodeId node) { return claimed_.insert(node).second; }
+  bool is_claimed(json::NodeId node) const { return claimed_.contains(node); }
+  /// The position of an object in the root array that it is an element of, or UINT32_MAX.
+  std::uint32_t index_of(json::NodeId object);
 
   /// Takes a member out, by its value. False: it is no member, or changed already.
   bool remove_member(json::NodeId value);
@@ -94,7 +97,6 @@ class Fixing {
   edit::BufferContents contents_;
   std::vector<json::NodeId> parents_;  ///< empty until somebody asks
   std::unordered_set<json::NodeId> claimed_;
-  std::optional<model::ResourceData> resources_;
   std::map<std::type_index, std::shared_ptr<void>> tables_;
   bool rewrites_container_ = false;
 };

@@ -56,7 +56,6 @@ void Users::read(Fixing& fixing) {
   const model::Asset& elements = fixing.elements();
   for (std::uint32_t i = 0; i < views_.accessors.size(); ++i) {
     const model::Accessor& accessor = views_.accessors[i];
-    by_object_.emplace(accessor.node, i);
     if (accessor.buffer_view) accessors_[*accessor.buffer_view].push_back(i);
     const auto sparse = model::read_sparse(elements, accessor);
     if (!sparse) continue;
@@ -102,6 +101,10 @@ void Users::find_others(Fixing& fixing) {
   std::set<json::NodeId> known;
   for (const RootArray array : {RootArray::accessors, RootArray::images}) {
     for (const json::NodeId object : fixing.elements().elements(array)) known.insert(object);
+  }
+  for (const model::Accessor& accessor : views_.accessors) {
+    const auto sparse = model::read_sparse(fixing.elements(), accessor);
+    if (sparse) known.insert({sparse->indices.node, sparse->values.node});
   }
   for (const edit::Reference& reference : references.to("bufferViews")) {
     if (reference.index >= others_.size()) continue;
@@ -156,10 +159,21 @@ void Users::find_overlaps() {
   }
 }
 
-std::uint32_t Users::accessor_of(json::NodeId object) const {
-  const auto found = by_object_.find(object);
-  return found == by_object_.end() ? static_cast<std::uint32_t>(views_.accessors.size())
-                                   : found->second;
+PrimitivesByAttribute::PrimitivesByAttribute(Fixing& fixing) {
+  for (const model::Mesh& mesh : fixing.views().meshes) {
+    for (const model::Primitive& primitive : mesh.primitives) {
+      for (const model::Attribute& attribute : primitive.attributes) {
+        if (attribute.accessor) users_[*attribute.accessor].push_back(&primitive);
+      }
+    }
+  }
+}
+
+const std::vector<const model::Primitive*>& PrimitivesByAttribute::of(
+    std::uint32_t accessor) const {
+  static const std::vector<const model::Primitive*> kNone;
+  const auto found = users_.find(accessor);
+  return found == users_.end() ? kNone : found->second;
 }
 
 bool remove_stride(Fixing& fixing, std::uint32_t view) {

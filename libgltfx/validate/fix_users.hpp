@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "model/usage.hpp"
@@ -37,8 +38,8 @@ class Users {
   const std::vector<std::uint32_t>& accessors_in(std::uint32_t view) const {
     return accessors_[view];
   }
-  /// Whether others than accessors and images refer to a buffer view, may do so unseen, or its bytes
-  /// are compressed.
+  /// Whether others than accessors and images refer to a buffer view, may do so unseen, or its
+  /// bytes are compressed.
   bool has_others(std::uint32_t view) const { return others_[view] || unknown_; }
   /// Indices or values of sparse accessors that lie in a buffer view.
   std::uint32_t sparse_parts_in(std::uint32_t view) const { return sparse_parts_[view]; }
@@ -47,8 +48,6 @@ class Users {
   const std::set<std::string>& roles_of(std::uint32_t accessor) const { return roles_[accessor]; }
   /// Whether the bytes of a view lie apart from those of all others.
   bool lies_apart(std::uint32_t view) const { return !overlaps_[view]; }
-  /// The accessor of an object, or the number of accessors.
-  std::uint32_t accessor_of(json::NodeId object) const;
 
  private:
   void read(Fixing& fixing);
@@ -62,8 +61,17 @@ class Users {
   std::vector<bool> others_, overlaps_;
   std::vector<std::uint32_t> sparse_parts_;
   std::vector<std::set<std::string>> roles_;
-  std::unordered_map<json::NodeId, std::uint32_t> by_object_;
   bool unknown_ = false;
+};
+
+/// Primitives by the accessors of their attributes.
+class PrimitivesByAttribute {
+ public:
+  explicit PrimitivesByAttribute(Fixing& fixing);
+  const std::vector<const model::Primitive*>& of(std::uint32_t accessor) const;
+
+ private:
+  std::unordered_map<std::uint32_t, std::vector<const model::Primitive*>> users_;
 };
 
 /// Takes the byteStride of a buffer view away where that moves no element. Whether it did.

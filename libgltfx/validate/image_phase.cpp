@@ -334,12 +334,9 @@ bool say_type(Fixing& fixing, std::uint32_t index) {
 // `place` is a member of the image.
 bool correct_type(Fixing& fixing, Span place) {
   const json::NodeId member = fixing.node_at(place);
-  if (member == json::kNoNode) return false;
-  const json::NodeId object = fixing.parent(member);
-  const auto& images = fixing.elements().elements(model::RootArray::images);
-  const auto image = std::find(images.begin(), images.end(), object);
-  return image != images.end() &&
-         say_type(fixing, static_cast<std::uint32_t>(image - images.begin()));
+  const std::uint32_t image =
+      member == json::kNoNode ? UINT32_MAX : fixing.index_of(fixing.parent(member));
+  return image < fixing.resources().images.size() && say_type(fixing, image);
 }
 
 // `place` is the source of a texture.

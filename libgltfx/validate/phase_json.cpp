@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 #include <string>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -169,9 +170,16 @@ struct TextErrors {
     json::Limits limits;
     limits.recorded_errors = kMost;
     parsed = json::parse(fixing.opened().container().json, limits);
+    for (const json::ParseError& error : parsed.errors) {
+      if (error.error == json::SyntaxError::duplicate_key) {
+        firsts.emplace(error.span.begin, error.other);
+      }
+    }
   }
   json::Parsed parsed;
   std::set<json::SyntaxError> done;
+  std::unordered_map<std::uint32_t, Span>
+      firsts;  ///< of repeated keys, by the begin of a later one
 };
 
 template <class Fix>
@@ -207,54 +215,17 @@ bool add_comma(Fixing& fixing, Span) {
 bool remove_equal_repeat(Fixing& fixing, Span place) {
   const json::NodeId key = fixing.node_at(place);
   if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
-  const json::Document& document = fixing.document();
-  const json::NodeId object = fixing.parent(key);
-  const json::KeyId name = document.node(key).next;
-  for (const auto member : document.members(object)) {
-    if (member.key_id != name || member.key >= key) continue;
-    return json::equal(document, member.value, key + 1) && fixing.remove_member(key + 1);
-  }
-  return false;
-}
-
-std::string escaped(char control) {
-  switch (control) {
-    case '\t':
-      return "\\t";
-    case '\n':
-      return "\\n";
-    case '\r':
-      return "\\r";
-    default:
-      return fmt::format("\\u{:04x}", static_cast<unsigned char>(control));
-  }
-}
-
-// Raw control characters inside strings, where nothing else is wrong with the text.
-bool escape_controls(Fixing& fixing, Span) {
-  TextErrors& errors = fixing.table<TextErrors>();
-  const bool is_one = !errors.parsed.errors.empty() &&
-                      errors.parsed.errors.back().error == json::SyntaxError::control_character;
-  if (!is_one || !errors.done.insert(json::SyntaxError::control_character).second) return false;
-  const std::string_view text = *fixing.opened().container().json;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"') in_string = !in_string;
-    if (in_string && text[i] == '\\') {
-      ++i;
-    } else if (in_string && static_cast<unsigned char>(text[i]) < 0x20) {
-      const auto at = static_cast<std::uint32_t>(i);
-      fixing.replace_text({at, at + 1}, escaped(text[i]));
-    }
-  }
-  return true;
+  const auto& firsts = fixing.table<TextErrors>().firsts;
+  const auto first = firsts.find(place.begin);
+  const json::NodeId other = first == firsts.end() ? json::kNoNode : fixing.node_at(first->second);
+  return other != json::kNoNode && json::equal(fixing.document(), other + 1, key + 1) &&
+         fixing.remove_member(key + 1);
 }
 
 constexpr FixEntry kTextFixes[] = {
     {Code::JSON_BYTE_ORDER_MARK, cut_out<json::SyntaxError::byte_order_mark>, FixStage::syntax},
     {Code::JSON_TRAILING_COMMA, cut_out<json::SyntaxError::trailing_comma>, FixStage::syntax},
     {Code::JSON_MISSING_COMMA, add_comma, FixStage::syntax},
-    {Code::INVALID_JSON, escape_controls, FixStage::syntax},
     {Code::JSON_DUPLICATE_KEY, remove_equal_repeat},
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffers: where their bytes come from, and whether there are enough of them.
+#include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -148,6 +150,19 @@ std::optional<Bytes> bytes_of(Fixing& fixing, json::NodeId buffer) {
   return glb.bytes.part(glb.bin->offset, glb.bin->length);
 }
 
+/// What buffer views need of each buffer.
+struct NeededBytes {
+  explicit NeededBytes(Fixing& fixing) : of(fixing.elements().count(model::RootArray::buffers)) {
+    for (const model::BufferView& view : fixing.views().buffer_views) {
+      if (!view.buffer) continue;
+      std::uint64_t& needed = of[*view.buffer];
+      needed = std::max(needed,
+                        saturating_add(view.byte_offset.value_or(0), view.byte_length.value_or(0)));
+    }
+  }
+  std::vector<std::uint64_t> of;
+};
+
 // Less is enough where no buffer view needs more.
 bool declare_actual_length(Fixing& fixing, Span place) {
   const json::NodeId length = fixing.node_at(place);
@@ -155,13 +170,9 @@ bool declare_actual_length(Fixing& fixing, Span place) {
   const json::NodeId buffer = fixing.parent(length);
   const auto bytes = bytes_of(fixing, buffer);
   if (!bytes || bytes->empty()) return false;
-  const auto& buffers = fixing.elements().elements(model::RootArray::buffers);
-  for (const model::BufferView& view : fixing.views().buffer_views) {
-    if (!view.buffer || buffers[*view.buffer] != buffer) continue;
-    if (!fits(view.byte_offset.value_or(0), view.byte_length.value_or(0), bytes->size())) {
-      return false;
-    }
-  }
+  const auto& needed = fixing.table<NeededBytes>().of;
+  const std::uint32_t index = fixing.index_of(buffer);
+  if (index >= needed.size() || needed[index] > bytes->size()) return false;
   return fixing.replace_scalar(length, std::to_string(bytes->size()));
 }
 

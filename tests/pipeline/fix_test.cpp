@@ -146,8 +146,7 @@ TEST(FixFile, ChangesADataUri) {
 TEST(FixFile, LeavesBytesAloneThatAreReadTwice) {
   const TempFolder folder;
   folder.write("a.bin", triangle_bytes(0.5F));
-  const std::string twice =
-      R"(,{"bufferView":1,"componentType":5126,"type":"SCALAR","count":9})";
+  const std::string twice = R"(,{"bufferView":1,"componentType":5126,"type":"SCALAR","count":9})";
   const auto path = folder.write("a.gltf", triangle("a.bin", twice));
   const FixReport report = fix_file(path.native(), in_place());
   EXPECT_FALSE(report.changes);
@@ -175,7 +174,8 @@ TEST(FixFile, RunsUntilNothingIsLeft) {
 
 TEST(FixFile, DoesWhatItIsAskedFor) {
   const TempFolder folder;
-  const std::string text = R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"],"nodes":[]})";
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"],"nodes":[]})";
   const auto path = folder.write("a.gltf", text);
   FixOptions options = in_place();
   options.only = {"EMPTY_ENTITY"};
@@ -183,7 +183,8 @@ TEST(FixFile, DoesWhatItIsAskedFor) {
   EXPECT_FALSE(fix_file(path.native(), options).changes);
   options.skip.clear();
   EXPECT_EQ(fix_file(path.native(), options).fixed(), 1U);
-  EXPECT_EQ(text_of(path), R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"]})");
+  EXPECT_EQ(text_of(path),
+            R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"]})");
   options.only.clear();
   options.skip = {"EXTENSION_UNUSED"};
   EXPECT_FALSE(fix_file(path.native(), options).changes);

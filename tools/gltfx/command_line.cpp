@@ -68,8 +68,9 @@ class Declaration {
   std::string verb_among(const std::vector<std::string>& words) const;
   CommandLine request(std::string_view verb) const;
 
-  CLI::App app_{"Validates and fixes glTF 2.0 assets, upgrades legacy extensions and renders previews.",
-                "gltfx"};
+  CLI::App app_{
+      "Validates and fixes glTF 2.0 assets, upgrades legacy extensions and renders previews.",
+      "gltfx"};
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
   bool version_ = false;
   RawValidateOptions validate_;
@@ -235,7 +236,8 @@ CommandLine hooked(CommandLine line) {
 
 CommandLine Declaration::request(std::string_view verb) const {
   if (verb == "hook") {
-    return usage_error(verb, "hook: name the verb to run: validate, fix or upgrade, with its options.");
+    return usage_error(verb,
+                       "hook: name the verb to run: validate, fix or upgrade, with its options.");
   }
   if (verb == "validate") return command_of(verb, configured(validate_));
   if (verb == "fix") return command_of(verb, configured(fix_));

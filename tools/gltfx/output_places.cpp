@@ -72,9 +72,8 @@ class Destination {
                       quoted(output_, 200), quoted(output_ + "/", 200))};
     }
     if (!is_asset_name(path) || own == ending_of(output_)) return output_;
-    return Error{
-        fmt::format("--output: {} has to end in {} as {} does: the container stays.",
-                    quoted(output_, 200), own, quoted(path, 200))};
+    return Error{fmt::format("--output: {} has to end in {} as {} does: the container stays.",
+                             quoted(output_, 200), own, quoted(path, 200))};
   }
 
  private:

@@ -175,8 +175,7 @@ void read_edit(Reading& reading, const RawEditOptions& words, std::string_view v
   const bool writes = words.in_place || !words.output.empty();
   require(!words.in_place || words.output.empty(),
           "--in-place and --output are mutually exclusive.");
-  require(!words.check || !writes,
-          "--check writes nothing; leave out --in-place and --output.");
+  require(!words.check || !writes, "--check writes nothing; leave out --in-place and --output.");
   require(!words.restore || !(writes || words.check || words.diff || words.backup),
           "--restore puts back backups; leave out other actions.");
   require(!words.backup || words.in_place, "--backup goes with --in-place.");

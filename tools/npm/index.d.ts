@@ -34,6 +34,7 @@ export interface Finding {
     length: number;
   };
   object?: string;
+  fixable?: true;
   count?: number;
   lastPointer?: string;
 }

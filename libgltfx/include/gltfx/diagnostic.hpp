@@ -22,7 +22,8 @@ std::string_view severity_name(Severity severity);
 std::optional<Severity> severity_from_name(std::string_view name);
 
 /// What a program can do about a finding. `safe`: `gltfx fix` does it; picture, animation and names
-/// stay. `unsafe`: `gltfx fix` does it when it is asked for by name. `upgrade`: `gltfx upgrade` does.
+/// stay. `unsafe`: `gltfx fix` does it when it is asked for by name. `upgrade`: `gltfx upgrade`
+/// does.
 enum class Fix : std::uint8_t { none, safe, unsafe, upgrade };
 
 /// Lower-case English name: "none", "safe", "unsafe", "upgrade".
@@ -44,8 +45,8 @@ struct RuleDescription {
   std::string_view fix_does;  ///< what the fix changes, one paragraph; empty: there is none
   std::string_view fixed;     ///< what the fix makes of `bad`; empty: there is none
   Fix fix = Fix::none;        ///< whether a program can do it
-  bool khronos = false;      ///< the Khronos validator has a code of this name and meaning
-  bool pixels = false;       ///< needs decoded pixels: see PixelLevel
+  bool khronos = false;       ///< the Khronos validator has a code of this name and meaning
+  bool pixels = false;        ///< needs decoded pixels: see PixelLevel
   Severity khronos_severity = Severity::error;  ///< that validator's, where it has the code
 };
 

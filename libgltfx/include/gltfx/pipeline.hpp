@@ -83,10 +83,10 @@ void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& o
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume);
 
 /// Fixes what `gltfx validate` finds in the file at `path`, as far as rules have a fix and the
-/// options ask for it. Fixes run until nothing is left to do; one that brings a finding that was not
-/// there is left out and named. A file is changed whole or not at all, only after the new bytes were
-/// validated. Buffers that change are written before the file that refers to them. Never throws.
-/// Safe to call from several threads for different files.
+/// options ask for it. Fixes run until nothing is left to do; one that brings a finding that was
+/// not there is left out and named. A file is changed whole or not at all, only after the new bytes
+/// were validated. Buffers that change are written before the file that refers to them. Never
+/// throws. Safe to call from several threads for different files.
 FixReport fix_file(const std::string& path, const FixOptions& options = {});
 
 /// Fixes many files on `jobs` threads (at least 1) and hands over the reports in the order of

@@ -93,9 +93,9 @@ struct RunSummary {
   std::uint64_t unverified = 0, suppressed = 0, left_out = 0;  ///< sums of those of the files
   std::uint64_t images_wanted = 0, images_decoded = 0;         ///< the same
   std::uint64_t unchanged = 0, fixable = 0;                    ///< the same
-  std::string fixable_path;   ///< of the only file with such findings; empty: there are several
-  Counts counts;                                               ///< the same
-  std::optional<int> exit_code;        ///< what the program is about to end with, where it is known
+  std::string fixable_path;      ///< of the only file with such findings; empty: there are several
+  Counts counts;                 ///< the same
+  std::optional<int> exit_code;  ///< what the program is about to end with, where it is known
   void add(const FileReport& report);  ///< takes in one more
 };
 

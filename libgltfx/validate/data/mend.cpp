@@ -216,9 +216,9 @@ bool clear_unweighted_joints(Fixing& fixing, Span place) {
     }
   }
   if (!weights) return false;
-  const auto data = model::AccessorData::open(fixing.elements(), fixing.views(), fixing.resources(),
-                                              fixing.views().accessors[*weights],
-                                              model::Malformed::unusable);
+  const auto data =
+      model::AccessorData::open(fixing.elements(), fixing.views(), fixing.resources(),
+                                fixing.views().accessors[*weights], model::Malformed::unusable);
   auto elements = Elements::open(fixing, use.accessor, use.name);
   if (!data || !elements || elements->is_float() || elements->components() != 4 ||
       data->components() != 4 || data->count() != elements->count()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixes of what is wrong with the elements of accessors. Each of them changes bytes where they are,
-/// and only where nobody else reads these bytes as something else.
+/// Fixes of what is wrong with the elements of accessors. Each of them changes bytes where they
+/// are, and only where nobody else reads these bytes as something else.
 #pragma once
 
 #include "validate/fix.hpp"
@@ -27,7 +27,8 @@ bool fill_unused_vertices(Fixing& fixing, Span place);
 bool normalize_weights(Fixing& fixing, Span place);
 /// Joints with a weight of 0 become joint 0.
 bool clear_unweighted_joints(Fixing& fixing, Span place);
-/// Indices of a sparse accessor in ascending order, with their values; `place` is the sparse object.
+/// Indices of a sparse accessor in ascending order, with their values; `place` is the sparse
+/// object.
 bool sort_sparse(Fixing& fixing, Span place);
 
 /// Gives an accessor the bounds it lacks; `place` is the member that uses it.

@@ -127,7 +127,7 @@ bool correct_bounds(Fixing& fixing, Span place) {
   if (array == json::kNoNode || fixing.document().kind(array) != json::Kind::number_array) {
     return false;
   }
-  const std::uint32_t index = fixing.table<Users>().accessor_of(fixing.parent(array));
+  const std::uint32_t index = fixing.index_of(fixing.parent(array));
   if (index >= fixing.views().accessors.size()) return false;
   const Accessor& accessor = fixing.views().accessors[index];
   const bool minimum = accessor.min == array;

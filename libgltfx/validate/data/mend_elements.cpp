@@ -76,7 +76,8 @@ std::optional<Elements> Elements::open(Fixing& fixing, std::uint32_t index, std:
   const auto& roles = users.roles_of(index);
   const bool fits_role = role.empty() || (roles.size() == 1 && *roles.begin() == role);
   const std::uint32_t view_index = *accessor.buffer_view;
-  if (!fits_role || users.has_others(view_index) || !users.lies_apart(view_index) ||
+  if (!fits_role || users.has_others(view_index) || users.sparse_parts_in(view_index) > 0 ||
+      !users.lies_apart(view_index) ||
       users.uses_of_view(view_index).contains(model::ViewUse::image)) {
     return std::nullopt;
   }
@@ -112,8 +113,8 @@ double Elements::get(std::uint64_t element, unsigned component) const {
 void Elements::set(std::uint64_t element, unsigned component, double number) {
   model::with_component_type(format_.component, [&](auto value) {
     using T = decltype(value);
-    value = std::is_floating_point_v<T> ? static_cast<T>(number)
-                                        : static_cast<T>(std::llround(number));
+    value =
+        std::is_floating_point_v<T> ? static_cast<T>(number) : static_cast<T>(std::llround(number));
     std::memcpy(content_->data() + at(element, component), &value, sizeof(value));
   });
 }

@@ -13,8 +13,8 @@
 
 namespace gltfx::validate {
 
-/// Elements that nobody else reads: plain ones, neither sparse nor compressed, whose bytes lie apart
-/// from those of all other accessors.
+/// Elements that nobody else reads: plain ones, neither sparse nor compressed, whose bytes lie
+/// apart from those of all other accessors.
 class Elements {
  public:
   /// `role` as in Users::roles_of(): nothing where the accessor is used for something else, too.

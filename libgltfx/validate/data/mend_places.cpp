@@ -64,7 +64,7 @@ bool is_finite(const Elements& elements, std::uint64_t element) {
 
 bool fill_unused_vertices(Fixing& fixing, Span place) {
   const json::NodeId object = fixing.node_at(place);
-  const std::uint32_t index = fixing.table<Users>().accessor_of(object);
+  const std::uint32_t index = fixing.index_of(object);
   if (index >= fixing.views().accessors.size()) return false;
   const auto& roles = fixing.table<Users>().roles_of(index);
   if (roles.size() != 1 || roles.begin()->starts_with("target ")) return false;
@@ -94,7 +94,7 @@ bool sort_sparse(Fixing& fixing, Span place) {
   const json::NodeId owner = object == json::kNoNode ? object : fixing.parent(object);
   if (!fixing.table<ExtensionsSeen>().all_known()) return false;
   const Users& users = fixing.table<Users>();
-  const std::uint32_t index = users.accessor_of(owner);
+  const std::uint32_t index = fixing.index_of(owner);
   if (index >= fixing.views().accessors.size() || !fixing.claim(object)) return false;
   const model::Accessor& accessor = fixing.views().accessors[index];
   const auto sparse = model::read_sparse(fixing.elements(), accessor);
@@ -125,12 +125,12 @@ bool sort_sparse(Fixing& fixing, Span place) {
     return indices->index(a) < indices->index(b);
   });
   for (std::size_t i = 1; i < order.size(); ++i) {
-    if (indices->index(order[i - 1]) == indices->index(order[i])) return false;  // which one counts?
+    if (indices->index(order[i - 1]) == indices->index(order[i]))
+      return false;  // which one counts?
   }
   const auto rearrange = [&](std::uint32_t buffer, std::uint64_t begin, std::uint64_t size) {
     std::string* content = fixing.content(buffer);
-    if (content == nullptr || begin > content->size() ||
-        count * size > content->size() - begin) {
+    if (content == nullptr || begin > content->size() || count * size > content->size() - begin) {
       return false;
     }
     std::string sorted;

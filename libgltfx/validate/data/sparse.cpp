@@ -80,8 +80,7 @@ void check_indices(DataPhase& phase, std::uint32_t index, const model::Sparse& s
   report.finish();
 }
 
-constexpr FixEntry kSparseFixes[] = {
-    {Code::ACCESSOR_SPARSE_INDICES_NON_INCREASING, sort_sparse}};
+constexpr FixEntry kSparseFixes[] = {{Code::ACCESSOR_SPARSE_INDICES_NON_INCREASING, sort_sparse}};
 
 }  // namespace
 

@@ -288,7 +288,9 @@ void check_animations(const Context& context) {
 
 const Family& animation_family() {
   static constexpr LinkRule kLinkRules[] = {check_animations};
-  static constexpr FixEntry kFixes[] = {{Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at}, {Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS, add_bounds}};
+  static constexpr FixEntry kFixes[] = {
+      {Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at},
+      {Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS, add_bounds}};
   static constexpr Family family{.order = 440, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }

@@ -251,7 +251,9 @@ bool name_pointer(Fixing& fixing, Span place) {
 
 const Family& animation_pointer_family() {
   static constexpr LinkRule kLinkRules[] = {check_pointers};
-  static constexpr FixEntry kFixes[] = {{Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE, remove_marked}, {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH, name_pointer}};
+  static constexpr FixEntry kFixes[] = {
+      {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE, remove_marked},
+      {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH, name_pointer}};
   static constexpr Family family{.order = 450, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffer views: their stride, and whether they fit their buffer.
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
@@ -80,12 +78,9 @@ bool drop_stride(Fixing& fixing, Span place) {
   const json::NodeId value = fixing.node_at(place);
   if (value == json::kNoNode) return false;
   const json::NodeId object = fixing.parent(value);
-  const auto& views = fixing.views().buffer_views;
   if (fixing.document().find(object, "byteStride") != value) return remove_stride_at(fixing, place);
-  const auto view = std::find_if(views.begin(), views.end(),
-                                 [&](const model::BufferView& each) { return each.node == object; });
-  return view != views.end() &&
-         remove_stride(fixing, static_cast<std::uint32_t>(view - views.begin()));
+  const std::uint32_t view = fixing.index_of(object);
+  return view < fixing.views().buffer_views.size() && remove_stride(fixing, view);
 }
 
 constexpr FixEntry kStrideFixes[] = {{Code::BUFFER_VIEW_INVALID_BYTE_STRIDE, drop_stride},
@@ -96,10 +91,8 @@ constexpr FixEntry kStrideFixes[] = {{Code::BUFFER_VIEW_INVALID_BYTE_STRIDE, dro
 const Family& buffer_view_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
   static constexpr LinkRule kLinkRules[] = {check_extents};
-  static constexpr Family family{.order = 240,
-                                 .object_rules = kObjectRules,
-                                 .link_rules = kLinkRules,
-                                 .fixes = kStrideFixes};
+  static constexpr Family family{
+      .order = 240, .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kStrideFixes};
   return family;
 }
 

@@ -226,8 +226,9 @@ bool forget(Fixing& fixing, Span place) {
 
 bool require(Fixing& fixing, Span place) {
   const std::string name = name_at(fixing, place);
-  if (name.empty() || fixing.extensions_required().has(name)) return false;
-  fixing.extensions_required().add(name);
+  edit::NameList& list = fixing.extensions_required();
+  if (name.empty() || list.has(name) || !list.can_change()) return false;
+  list.add(name);
   return true;
 }
 

@@ -99,7 +99,8 @@ const Family& lights_punctual_family() {
   static constexpr Family family{.order = 410,
                                  .object_rules = kObjectRules,
                                  .link_rules = kLinkRules,
-                                 .member_rules = kMemberRules, .fixes = kFixes};
+                                 .member_rules = kMemberRules,
+                                 .fixes = kFixes};
   return family;
 }
 

@@ -126,7 +126,8 @@ bool remove_level_repeats(Fixing& fixing, Span place) {
   const json::NodeId list = fixing.node_around(place);
   const bool numbers =
       list != json::kNoNode && fixing.document().kind(list) == json::Kind::number_array;
-  return numbers && fixing.replace(list, without_repeats(fixing.document(), list));
+  return numbers && (fixing.is_claimed(list) ||
+                     fixing.replace(list, without_repeats(fixing.document(), list)));
 }
 
 }  // namespace

@@ -34,15 +34,15 @@ void check_alpha_cutoff(const Context& context, json::NodeId material, const Pat
                             mode.empty() ? "'OPAQUE' (the default)" : gltfx::quoted(mode)));
 }
 
-constexpr FixEntry kMaterialFixes[] = {
-    {Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE, remove_marked}};
+constexpr FixEntry kMaterialFixes[] = {{Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE, remove_marked}};
 
 }  // namespace
 
 const Family& material_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"material", check_alpha_cutoff, "alphaCutoff"}};
-  static constexpr Family family{.order = 280, .object_rules = kObjectRules, .fixes = kMaterialFixes};
+  static constexpr Family family{
+      .order = 280, .object_rules = kObjectRules, .fixes = kMaterialFixes};
   return family;
 }
 

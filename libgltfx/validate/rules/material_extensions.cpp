@@ -271,7 +271,8 @@ const Family& material_extensions_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"material.KHR_materials_iridescence", check_iridescence}};
   static constexpr LinkRule kLinkRules[] = {check_materials};
-  static constexpr FixEntry kFixes[] = {{Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE, remove_marked}};
+  static constexpr FixEntry kFixes[] = {
+      {Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE, remove_marked}};
   static constexpr Family family{
       .order = 290, .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kFixes};
   return family;

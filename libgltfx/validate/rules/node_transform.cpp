@@ -229,7 +229,27 @@ void check_scales(const Context& context) {
 
 // --- Fixes ---
 
-// Of two forms the one that moves nothing goes.
+// To the precision of single floats.
+bool are_equal(const model::Transform& whole, const model::Transform& parts) {
+  const auto affine = [](const auto& list, auto otherwise) {
+    for (std::size_t i = 0; list && i < otherwise.size(); ++i) otherwise[i] = double{(*list)[i]};
+    return otherwise;
+  };
+  const auto a = model::Affine::from_matrix(*whole.matrix);
+  const auto b = model::Affine::from_parts(affine(parts.translation, model::Vector3{0, 0, 0}),
+                                           affine(parts.rotation, model::Quaternion{0, 0, 0, 1}),
+                                           affine(parts.scale, model::Vector3{1, 1, 1}));
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) {
+      const double one = a.columns[column][row];
+      const double other = b.columns[column][row];
+      if (!(std::abs(one - other) <= 1e-6 * std::max(1.0, std::abs(one)))) return false;
+    }
+  }
+  return true;
+}
+
+// Of two forms the one that moves nothing goes; of two equal ones the matrix.
 bool keep_one_form(Fixing& fixing, Span place) {
   const json::NodeId object = fixing.parent(fixing.node_at(place));
   const model::Node node = model::read_node(fixing.elements(), object);
@@ -237,7 +257,7 @@ bool keep_one_form(Fixing& fixing, Span place) {
   model::Transform whole;
   std::swap(whole.matrix, parts.matrix);
   if (!whole.matrix) return false;
-  if (whole.is_identity()) return fixing.remove_member(node.matrix);
+  if (whole.is_identity() || are_equal(whole, parts)) return fixing.remove_member(node.matrix);
   if (!parts.is_identity()) return false;
   bool removed = false;
   for (const json::NodeId part : {node.translation, node.rotation, node.scale}) {

@@ -6,8 +6,8 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
-#include "container/uri.hpp"
 #include "container/resolver.hpp"
+#include "container/uri.hpp"
 #include "image/header.hpp"
 #include "json/writer.hpp"
 #include "validate/context.hpp"

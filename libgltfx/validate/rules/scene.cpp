@@ -39,12 +39,18 @@ void check_scenes(const Context& context) {
   }
 }
 
+struct GraphOfScenes {
+  explicit GraphOfScenes(Fixing& fixing) : graph(fixing.elements(), fixing.views().nodes) {}
+  model::SceneGraph graph;
+};
+
 // The node is drawn below its root, where the scene has that, too: once, and not twice.
 bool remove_child(Fixing& fixing, Span place) {
   const json::Document& document = fixing.document();
   const json::NodeId list = fixing.node_around(place);
   if (list == json::kNoNode || document.kind(list) != json::Kind::number_array) return false;
-  const model::SceneGraph graph(fixing.elements(), fixing.views().nodes);
+  if (fixing.is_claimed(list)) return true;
+  const model::SceneGraph& graph = fixing.table<GraphOfScenes>().graph;
   std::set<std::uint32_t> roots;
   const auto each = [&](const auto& use) {
     model::for_each_index(fixing.elements(), list, model::RootArray::nodes, use);

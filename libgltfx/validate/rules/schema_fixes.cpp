@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixes of what the walk over schemas reports, which knows nothing of edits: repeats, empty members,
-// and the lists of extensions.
+// Fixes of what the walk over schemas reports, which knows nothing of edits: repeats, empty
+// members, and the lists of extensions.
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -25,9 +27,16 @@ std::string_view member_name(Fixing& fixing, json::NodeId value) {
 bool declare(Fixing& fixing, Span place) {
   const json::NodeId key = fixing.node_at(place);
   if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+  if (!fixing.extensions_used().can_change()) return false;
   fixing.extensions_used().add(fixing.document().key(fixing.document().node(key).next));
   return true;
 }
+
+/// Each takes a walk over the list, so that a run takes a few, and the next run more.
+struct NameRemovals {
+  explicit NameRemovals(const Fixing&) {}
+  unsigned left = 256;
+};
 
 // `place` is a name in extensionsRequired. What is used is declared; what is not goes.
 bool declare_or_forget(Fixing& fixing, Span place) {
@@ -38,18 +47,21 @@ bool declare_or_forget(Fixing& fixing, Span place) {
   const bool without_objects =
       id != schema::kNone && fixing.schemas().extensions()[id].attachment_points.empty();
   if (without_objects || fixing.table<ExtensionsSeen>().contains(name)) {
+    if (!fixing.extensions_used().can_change()) return false;
     fixing.extensions_used().add(name);
-  } else {
-    if (!fixing.extensions_required().has(name)) return false;
-    fixing.extensions_required().remove(name);
+    return true;
   }
+  NameRemovals& removals = fixing.table<NameRemovals>();
+  if (removals.left == 0 || !fixing.extensions_required().has(name)) return false;
+  --removals.left;
+  fixing.extensions_required().remove(name);
   return true;
 }
 
 // `place` is a name in extensionsUsed, or that of an extension's object.
 bool require_extension(Fixing& fixing, Span place) {
   const json::NodeId node = fixing.node_at(place);
-  if (node == json::kNoNode) return false;
+  if (node == json::kNoNode || !fixing.extensions_required().can_change()) return false;
   const json::Document& document = fixing.document();
   const std::string name = document.kind(node) == json::Kind::key
                                ? std::string(document.key(document.node(node).next))
@@ -60,8 +72,8 @@ bool require_extension(Fixing& fixing, Span place) {
 
 // An empty member that an object must have is no better absent.
 bool remove_empty(Fixing& fixing, Span place) {
-  static const std::set<std::string_view> kNeeded{"asset",    "attributes", "channels", "joints",
-                                                  "primitives", "samplers", "sparse",   "target"};
+  static const std::set<std::string_view> kNeeded{"asset",      "attributes", "channels", "joints",
+                                                  "primitives", "samplers",   "sparse",   "target"};
   const json::NodeId value = fixing.node_at(place);
   if (value == json::kNoNode || kNeeded.contains(member_name(fixing, value))) return false;
   return fixing.remove_member(value);
@@ -75,8 +87,8 @@ bool remove_repeat(Fixing& fixing, Span place) {
   if (node == json::kNoNode) return false;
   const json::Document& document = fixing.document();
   if (document.kind(node) == json::Kind::number_array) {
-    return kSets.contains(member_name(fixing, node)) &&
-           fixing.replace(node, without_repeats(document, node));
+    if (!kSets.contains(member_name(fixing, node))) return false;
+    return fixing.is_claimed(node) || fixing.replace(node, without_repeats(document, node));
   }
   const json::NodeId list = fixing.parent(node);
   if (list == json::kNoNode || !kSets.contains(member_name(fixing, list))) return false;
@@ -85,24 +97,30 @@ bool remove_repeat(Fixing& fixing, Span place) {
   return true;
 }
 
-// `place` is a name of an earlier draft: the one that the property has now, where no two properties
-// had it.
-bool rename_draft(Fixing& fixing, Span place) {
-  const json::NodeId key = fixing.node_at(place);
-  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
-  const std::string_view old = fixing.document().key(fixing.document().node(key).next);
-  std::set<std::string_view> names;
-  for (const schema::ObjectType& type : fixing.schemas().types()) {
-    for (const schema::Property& property : type.properties) {
-      for (const std::string& alias : property.aliases) {
-        if (alias == old) names.insert(property.name);
+/// Names that properties had in earlier drafts, with the one they have now; empty where two had it.
+struct DraftNames {
+  explicit DraftNames(const Fixing& fixing) {
+    for (const schema::ObjectType& type : fixing.schemas().types()) {
+      for (const schema::Property& property : type.properties) {
+        for (const std::string& alias : property.aliases) {
+          const auto [known, is_new] = now.emplace(alias, property.name);
+          if (!is_new && known->second != property.name) known->second.clear();
+        }
       }
     }
   }
-  const json::NodeId object = fixing.parent(key);
-  if (names.size() != 1 || fixing.document().holds(object, *names.begin())) return false;
-  if (!fixing.claim(key)) return false;
-  fixing.editor().rename(key, *names.begin());
+  std::map<std::string, std::string, std::less<>> now;
+};
+
+// `place` is a name of an earlier draft.
+bool rename_draft(Fixing& fixing, Span place) {
+  const json::NodeId key = fixing.node_at(place);
+  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+  const auto& names = fixing.table<DraftNames>().now;
+  const auto name = names.find(fixing.document().key(fixing.document().node(key).next));
+  if (name == names.end() || name->second.empty()) return false;
+  if (fixing.document().holds(fixing.parent(key), name->second) || !fixing.claim(key)) return false;
+  fixing.editor().rename(key, name->second);
   return true;
 }
 

@@ -26,8 +26,8 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
                 json::NodeId place, const Path& path);
 
-/// The fix of rules about strides: `place` is the index that uses an accessor or a view whose stride
-/// is too much.
+/// The fix of rules about strides: `place` is the index that uses an accessor or a view whose
+/// stride is too much.
 bool remove_stride_at(Fixing& fixing, Span place);
 
 }  // namespace gltfx::validate
