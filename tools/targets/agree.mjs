@@ -3,7 +3,7 @@
 // agree.mjs FOLDER TARGET... prints for each target, in its newest version, how many predicted refusals came true, how many
 // refusals were false, and how often a prediction that an extension is ignored or read is right. GLTFX names the
 // program gltfx; assets with errors are left out.
-import { execFileSync, spawnSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync, statSync } from 'node:fs';
 import { basename, dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -82,8 +82,9 @@ const attempt = await openEngine(config.engine ?? target.replaceAll('-', '_'), `
 
 const counts = { assets: 0, refused: 0, found: 0, predicted: 0, falseRefusals: 0, pairs: 0, right: 0, harness: 0 };
 const notes = [];
-for (const path of walk(folder).filter(name => /\.(gltf|glb)$/.test(name))) {
-  if (hasErrors(path)) continue;
+const report = spawnSync(process.env.GLTFX ?? `${root}build/dev/bin/gltfx`, ['validate', '--format', 'json', folder], { encoding: 'utf8', maxBuffer: 1 << 28 });
+for (const { path, readable, findings } of JSON.parse(report.stdout).files) {
+  if (!readable || findings.some(it => it.severity === 'error')) continue;
   const asset = jsonOf(path);
   const place = dirname(path);
   const files = new Map(walk(place).filter(name => statSync(name).size < 1 << 24).map(name => [relative(place, name), readFileSync(name)]));
@@ -109,15 +110,6 @@ for (const path of walk(folder).filter(name => /\.(gltf|glb)$/.test(name))) {
     counts.pairs += 1;
     counts.right += actual === outcome ? 1 : 0;
     if (actual !== outcome) notes.push(`${relative(folder, path)}: ${name} is ${actual}, predicted ${outcome}`);
-  }
-}
-
-function hasErrors(path) {
-  try {
-    execFileSync(process.env.GLTFX ?? `${root}build/dev/bin/gltfx`, ['validate', '--quiet', '--format', 'json', path], { stdio: 'ignore' });
-    return false;
-  } catch (error) {
-    return error.status !== 0;
   }
 }
 

@@ -69,7 +69,9 @@ if (first.error || again.error || shape.error || unequal) {
   process.exit(1);
 }
 const outcomes = {};
-for (const probe of all.filter(it => features.length === 0 || features.includes(it.feature))) {
+// What no picture shows is only loaded where an engine may refuse it.
+const worthwhile = probe => !first.picture || probe.seen || probe.mode !== 'used';
+for (const probe of all.filter(it => worthwhile(it) && (features.length === 0 || features.includes(it.feature)))) {
   const result = await outcome(probe);
   told(probe.name, result);
   if (result) (outcomes[probe.feature] ??= {})[probe.mode] = result;

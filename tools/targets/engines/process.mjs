@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Engines that are programs of their own: assets become files, and a program that stays answers with a line of JSON for
-// each path: ANSWER, the path, a tab, and { dump, facts } or { refused }.
+// each path: ANSWER, the path, a tab, and { dump, facts } or { refused }. A line LOADED before says that the engine has
+// loaded the asset: what fails from then on is the harness.
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -33,12 +34,13 @@ export function program(command, args) {
   const start = () => {
     child = spawn(command, args, { stdio: ['pipe', 'pipe', 'ignore'] });
     createInterface({ input: child.stdout }).on('line', line => {
+      if (line === 'LOADED' && waiting) waiting.loaded = true;
       const [path, answer] = line.split('\t');
       if (waiting && path === mark + waiting.path) waiting.done(JSON.parse(answer));
     });
     child.on('exit', code => {
       child = null;
-      waiting?.failed(new Error(`the program ended (${code})`));
+      waiting?.failed(new Error(`${waiting.loaded ? 'harness: ' : ''}the program ended (${code})`));
     });
     child.on('error', error => waiting?.failed(new Error(`harness: ${error.message}`)));
   };

@@ -126,6 +126,7 @@ def answer(path):
     actors = list(renderer.GetActors())
     if not actors:  # other questions of the importer would end the program
         return {"refused": "no actors" if has_meshes(path) else "harness: nothing to load"}
+    print("\nLOADED", flush=True)
     lights = list(renderer.GetLights())
     cameras = []
     for i in range(importer.GetNumberOfCameras()):
