@@ -36,7 +36,7 @@ install_packages() {
   [ "${#missing[@]}" -gt 0 ] || return 0
   say "Installing ${missing[*]}"
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends -o DPkg::Lock::Timeout=600 \
     install "${missing[@]}"
 }
 

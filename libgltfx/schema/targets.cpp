@@ -14,8 +14,8 @@ Targets::Targets(const json::Document& document, const Set& set)
       array.size = largest(document.root(), plan.target->steps);
       array.is_array = array.size != 0;
     } else if (plan.target->base != Target::Base::enclosing) {
-      const auto found = places(document.root(), plan.target->steps);
-      if (!found.empty()) array = read(found.front());
+      const json::NodeId node = value_at(document.root(), plan.target->steps);
+      if (node != json::kNoNode) array = read(node);
     }
     from_root_.push_back(std::move(array));
   }
@@ -41,6 +41,12 @@ Targets::Array Targets::read(json::NodeId node) const {
   }
   array.used.resize(array.size);
   return array;
+}
+
+// The value that steps without '*' lead to, without memory: each asset asks for all targets.
+json::NodeId Targets::value_at(json::NodeId from, const std::vector<std::string>& steps) const {
+  for (const std::string& step : steps) from = document_.find(from, step);
+  return from;
 }
 
 // All values that steps lead to; '*' goes to every element.
@@ -73,14 +79,13 @@ std::uint64_t Targets::largest(json::NodeId from, const std::vector<std::string>
 }
 
 Targets::Array* Targets::below(const Target& target, json::NodeId object, const Path& path) {
-  json::NodeId place = object;
-  for (const std::string& step : target.steps) place = document_.find(place, step);
-  if (place == json::kNoNode) return nullptr;
-  const auto [known, is_new] = local_at_.emplace(place, local_.size());
+  const json::NodeId node = value_at(object, target.steps);
+  if (node == json::kNoNode) return nullptr;
+  const auto [known, is_new] = local_at_.emplace(node, local_.size());
   if (is_new) {
     std::string pointer = path.pointer();
     for (const std::string& step : target.steps) append_pointer_step(pointer, step);
-    local_.push_back({read(place), std::move(pointer)});
+    local_.push_back({read(node), std::move(pointer)});
   }
   return &local_[known->second].array;
 }

@@ -45,6 +45,7 @@ class Targets {
 
  private:
   Array read(json::NodeId array) const;
+  json::NodeId value_at(json::NodeId from, const std::vector<std::string>& steps) const;
   std::uint64_t largest(json::NodeId from, const std::vector<std::string>& steps) const;
   std::vector<json::NodeId> places(json::NodeId from, const std::vector<std::string>& steps) const;
 

@@ -2,9 +2,10 @@
 // The package as its users have it: modules, CommonJS, types, the entry of browsers.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { importFrom, install, modules, requireFrom, root, version } from "./packages.mjs";
 
 const folder = install({ native: false });
@@ -19,6 +20,9 @@ test("the archive has no dependency, no script, the version of the project", () 
   assert.deepEqual(description.optionalDependencies, { "@gltfx/linux-x64": version });
   assert.deepEqual([description.dependencies, description.scripts], [undefined, undefined]);
   assert.ok(existsSync(join(installed, "LICENSE")));
+  const licences = readFileSync(join(installed, "THIRD_PARTY.txt"), "utf8");
+  for (const [, component] of readFileSync(join(installed, "sbom.spdx"), "utf8").matchAll(/^PackageName: (.*)$/gm))
+    assert.ok(component === "gltfx" || licences.includes(`\n${component} `), component);
 });
 
 const users = {
@@ -110,6 +114,28 @@ test("the entry of browsers fetches the engine, and again after a failure", asyn
   await assert.rejects(validate(new Uint8Array(1)), /503/);
   assert.equal((await validate(fixture("good/bowl.glb"))).counts.errors, 0);
   assert.equal((await validateString("{}")).issues.numErrors, 1);
+});
+
+test("a bundle of esbuild, with the engine beside it", async (t) => {
+  const esbuild = join(modules, ".bin/esbuild");
+  if (!existsSync(esbuild)) return t.skip("esbuild is not installed");
+  writeFileSync(
+    join(folder, "page.mjs"),
+    `import { upgrade, validate } from "gltfx";
+    import { validateString } from "gltfx/compat";
+    export { upgrade, validate, validateString };`,
+  );
+  const words = ["page.mjs", "--bundle", "--minify", "--format=esm", "--outfile=bundled/page.mjs"];
+  const done = spawnSync(esbuild, [...words, "--log-level=warning"], { cwd: folder });
+  assert.equal(`${done.status} ${done.stderr}`, "0 ");
+  copyFileSync(join(installed, "wasm/gltfx.wasm"), join(folder, "bundled/gltfx.wasm"));
+  rmSync(join(folder, "page.mjs"));
+  globalThis.fetch = async (url) => new Response(readFileSync(url));
+  const { upgrade, validate, validateString } = await import(pathToFileURL(join(folder, "bundled/page.mjs")));
+  assert.equal((await validate(fixture("good/bowl.glb"))).counts.errors, 0);
+  assert.equal((await validateString("{}")).issues.numErrors, 1);
+  const { report } = await upgrade(fixture("legacy/awning.gltf"), { resources: besides("legacy") });
+  assert.equal(report.actions[0].to, "KHR_materials_diffuse_transmission");
 });
 
 test("types", (t) => {

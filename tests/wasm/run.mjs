@@ -7,7 +7,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { createEngine } from "../../tools/npm/engine.mjs";
+import { createEngine } from "../../tools/npm/wasm/engine.mjs";
 
 const [program, engineFolder, ...folders] = process.argv.slice(2).map((path) => resolve(path));
 const loader = (await import(pathToFileURL(join(engineFolder, "gltfx-wasm.mjs")))).default;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,15 +75,21 @@ const char* gltfx_version() {
   return text.c_str();
 }
 
-// Takes over the bytes, which were allocated here.
-Request* gltfx_request(char* bytes, std::size_t size) {
-  const std::unique_ptr<char, Free> taken(bytes);
-  auto request = std::make_unique<Request>();
-  request->asset.bytes.assign(bytes, size);
-  request->asset.read = read;
-  request->options.jobs = 1;
-  return request.release();
+// For an asset of that size, which the caller writes to gltfx_request_bytes(); null: there is not
+// enough memory.
+Request* gltfx_request(std::size_t size) {
+  try {
+    auto request = std::make_unique<Request>();
+    request->asset.bytes.resize(size);
+    request->asset.read = read;
+    request->options.jobs = 1;
+    return request.release();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
 }
+
+char* gltfx_request_bytes(Request* request) { return request->asset.bytes.data(); }
 
 void gltfx_request_name(Request* request, const char* name) { request->asset.name = name; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { createCompat } from "./lib/compat.mjs";
-import { getEngine } from "./lib/engine_node.mjs";
+import { getEngine } from "./wasm/engine_node.mjs";
 
 const compat = createCompat(getEngine);
 export const { supportedExtensions, validateBytes, validateString, version } = compat;

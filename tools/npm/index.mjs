@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The root has the functions of gltfx/compat too, so that an override of gltf-validator finds them.
 import { createApi } from "./lib/api.mjs";
-import { getEngine } from "./lib/engine_node.mjs";
+import { getEngine } from "./wasm/engine_node.mjs";
 import compat from "./compat.mjs";
 
 export const { validate, upgrade, inspect } = createApi(getEngine);

@@ -4,7 +4,7 @@
 //
 //   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
 //   in   {make: "html" | "sarif" | "upgraded"}   out  {made: Blob, name} or {made: null, why}
-import { createEngine } from "../npm/engine.mjs";
+import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
 import { openFolder, Reading } from "./files.js";
 import { writeZip } from "./zip.js";

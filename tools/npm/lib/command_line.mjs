@@ -4,7 +4,7 @@
 import { chmodSync, mkdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
 import { collectFiles, realPath, virtualPath, virtualWord } from "./command_files.mjs";
-import { getEngine } from "./engine_node.mjs";
+import { getEngine } from "../wasm/engine_node.mjs";
 
 // Whole or not at all; the mode of a file that is replaced is kept.
 function writeWhole(path, bytes) {

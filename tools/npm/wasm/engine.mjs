@@ -100,7 +100,9 @@ function brokenEngine(error) {
 }
 
 function validateOnce(module, asset, options) {
-  const request = module._gltfx_request(allocated(module, asset), asset.length);
+  const request = module._gltfx_request(asset.length);
+  if (request === 0) throw new Error("out of memory");
+  module.HEAPU8.set(asset, module._gltfx_request_bytes(request));
   const text = (string, use) => {
     const at = allocated(module, encoder.encode(`${string}\0`));
     use(at);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine, fetched from beside this module; made once, and tried again after a failure of the network.
-import { createEngine } from "../wasm/engine.mjs";
+import { createEngine } from "./engine.mjs";
 
 let made;
 
 async function make() {
-  const answer = await fetch(new URL("../wasm/gltfx.wasm", import.meta.url));
+  const answer = await fetch(new URL("./gltfx.wasm", import.meta.url));
   if (!answer.ok) throw new Error(`gltfx.wasm: ${answer.status} ${answer.statusText}`);
-  const [wasm, loader] = await Promise.all([answer.arrayBuffer(), import("../wasm/gltfx-wasm.mjs")]);
+  const [wasm, loader] = await Promise.all([answer.arrayBuffer(), import("./gltfx-wasm.mjs")]);
   return createEngine(wasm, loader.default);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine, from the files of the package; made once.
 import { readFile } from "node:fs/promises";
-import { createEngine } from "../wasm/engine.mjs";
+import { createEngine } from "./engine.mjs";
 
 let made;
 
 async function make() {
-  const wasm = await readFile(new URL("../wasm/gltfx.wasm", import.meta.url));
-  const loader = await import("../wasm/gltfx-wasm.mjs");
+  const wasm = await readFile(new URL("./gltfx.wasm", import.meta.url));
+  const loader = await import("./gltfx-wasm.mjs");
   return createEngine(wasm, loader.default);
 }
 
