@@ -82,10 +82,16 @@ struct SlotUse {
 class UsedElements {
  public:
   void resize(std::size_t count) { used_.resize(count, 0); }
-  void mark(std::uint64_t index) { used_[index] = 1; }
+  void mark(std::uint64_t index, bool by_extension) {
+    used_[index] = static_cast<std::uint8_t>(used_[index] | (by_extension ? 3 : 1));
+  }
   void mark_all() { all_ = true; }
   bool contains(std::uint64_t index) const {
     return index < used_.size() && (all_ || used_[index] != 0);
+  }
+  /// Whether the object of an extension refers to it.
+  bool is_used_by_extension(std::uint64_t index) const {
+    return index < used_.size() && (all_ || (used_[index] & 2) != 0);
   }
   std::size_t size() const { return used_.size(); }
 

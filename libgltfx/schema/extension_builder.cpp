@@ -82,6 +82,10 @@ class ExtensionBuilder {
     extension.description = text(build_.member(root_, "description"));
     extension.spec = text(word("spec"));
     extension.status = status();
+    extension.revision = text(word("revision"));
+    if (extension.status == Status::draft && extension.revision.empty()) {
+      build_.errors.add(word("status"), "a draft must have 'revision': the date of its text");
+    }
     extension.excludes = relations(word("excludes"));
     extension.requires_ = relations(word("requires"));
     extension.overridden_by = relations(word("overriddenBy"));
@@ -90,6 +94,7 @@ class ExtensionBuilder {
     extension.khronos_validator = flag(word("khronosValidator"));
     extension.must_be_required = must_be_required();
     extension.fallback = text(word("fallback"));
+    extension.fallback_extensions = read_names(build_, word("fallbackExtensions"));
     extension.optional_with_fallback = flag(word("optionalWithFallback"));
     extension.image_mime_types = read_names(build_, word("imageMimeTypes"));
     extension.vertex_attributes = semantics(word("vertexAttributes"));

@@ -52,6 +52,30 @@ bool is_target(std::string_view target) {
   }
 }
 
+// Names of members between slashes.
+bool is_member_path(std::string_view path) {
+  return is_target(path) && path.front() != '/' && path.find('*') == std::string_view::npos;
+}
+
+// "2025-09-15 b102d2d": a year, month or day, and maybe the commit.
+bool is_revision(std::string_view text) {
+  const std::size_t space = std::min(text.find(' '), text.size());
+  const std::string_view date = text.substr(0, space);
+  if (date.size() != 4 && date.size() != 7 && date.size() != 10) return false;
+  for (std::size_t i = 0; i < date.size(); ++i) {
+    const bool digit = date[i] >= '0' && date[i] <= '9';
+    if (i == 4 || i == 7 ? date[i] != '-' : !digit) return false;
+  }
+  if (space == text.size()) return true;
+  const std::string_view commit = text.substr(space + 1);
+  return commit.size() >= 7 && commit.find_first_not_of("0123456789abcdef") == commit.npos;
+}
+
+// One of the first extensions has a name that is a prefix alone.
+bool is_name_of_extension(std::string_view name) {
+  return is_extension_name(name) || is_extension_name(std::string(name) + "_x");
+}
+
 // A subset of "rgba", not empty, in that order.
 bool is_channels(std::string_view channels) {
   std::size_t last = 0;
@@ -98,12 +122,16 @@ TextRule text_rule(Form form) {
     case Form::name_target:
       return {[](std::string_view t) { return t.substr(0, 1) == "/" && is_target(t); },
               "must be a path from the root: \"/extensions/NAME/member/*/name\""};
+    case Form::member_path:
+      return {is_member_path, "must be members with '/' between them"};
+    case Form::revision:
+      return {is_revision, "must be a date and maybe a commit: \"2025-09-15 b102d2d\""};
     case Form::channels:
       return {is_channels, "must be letters of \"rgba\" in this order"};
     case Form::swizzle:
       return {is_swizzle, "must name two channels of rgba such as \"r>a\""};
     case Form::extension_name:
-      return {is_extension_name, "must be an extension name such as KHR_x"};
+      return {is_name_of_extension, "must be an extension name such as KHR_x"};
     case Form::url:
       return {[](std::string_view t) { return t.substr(0, 8) == "https://" && t.size() > 8; },
               "must start with https://"};

@@ -46,8 +46,8 @@ void exchange(Archive& archive, Shape& shape) {
           shape.max_properties, shape.unique_items, shape.pattern, shape.format, shape.literals,
           shape.is_const, shape.items, shape.type, shape.values, shape.pattern_properties,
           shape.property_names, shape.all_of, shape.any_of, shape.one_of, shape.not_shape,
-          shape.conditions, shape.dependent_required, shape.ref, shape.ref_name, shape.slot,
-          shape.title, shape.description, shape.hint);
+          shape.conditions, shape.dependent_required, shape.ref, shape.ref_has, shape.ref_name,
+          shape.slot, shape.title, shape.description, shape.hint);
 }
 
 template <class Archive>
@@ -96,17 +96,18 @@ void exchange(Archive& archive, Upgrade& upgrade) {
 
 template <class Archive>
 void exchange(Archive& archive, Extension& extension) {
-  archive(extension.name, extension.title, extension.description, extension.spec, extension.status,
-          extension.attachment_points, extension.excludes, extension.requires_,
-          extension.overridden_by, extension.strength, extension.standalone,
+  archive(extension.name, extension.title, extension.description, extension.spec,
+          extension.revision, extension.status, extension.attachment_points, extension.excludes,
+          extension.requires_, extension.overridden_by, extension.strength, extension.standalone,
           extension.optional_with_fallback, extension.khronos_validator, extension.must_be_required,
-          extension.fallback, extension.image_mime_types, extension.vertex_attributes,
-          extension.morph_attributes, extension.instance_attributes, extension.successor,
-          extension.generations, extension.upgrade, extension.enum_additions, extension.from_user);
+          extension.fallback, extension.fallback_extensions, extension.image_mime_types,
+          extension.vertex_attributes, extension.morph_attributes, extension.instance_attributes,
+          extension.successor, extension.generations, extension.upgrade, extension.enum_additions,
+          extension.from_user);
 }
 
 constexpr std::uint64_t kMagic =
-    0x6778'5363'6865'0004;  // its last digits count the format's versions
+    0x6778'5363'6865'0005;  // its last digits count the format's versions
 
 class Writer {
  public:

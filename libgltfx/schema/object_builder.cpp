@@ -21,7 +21,9 @@ bool says_nothing(const Shape& shape) {
          shape.one_of.empty() && shape.all_of.empty() && shape.literals.empty();
 }
 
-std::vector<std::string> split(std::string_view text) {
+}  // namespace
+
+std::vector<std::string> split_steps(std::string_view text) {
   std::vector<std::string> steps;
   while (true) {
     const std::size_t end = std::min(text.find('/'), text.size());
@@ -30,8 +32,6 @@ std::vector<std::string> split(std::string_view text) {
     text.remove_prefix(end + 1);
   }
 }
-
-}  // namespace
 
 void ShapeBuilder::finish_members(ShapeId id, Site schema, const Where& where, Shape& shape,
                                   const Members& members) {
@@ -165,10 +165,10 @@ Target read_target(const Build& build, Site at) {
   const std::string_view text = target.text;
   if (text.substr(0, 1) == "/") {
     target.base = Target::Base::root_path;
-    target.steps = split(text.substr(1));
+    target.steps = split_steps(text.substr(1));
     return target;
   }
-  target.steps = split(text);
+  target.steps = split_steps(text);
   if (target.steps.size() > 1) {
     target.base = Target::Base::enclosing;
     target.steps.erase(target.steps.begin());

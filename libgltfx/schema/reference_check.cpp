@@ -223,7 +223,8 @@ class ReferenceCheck {
       known_generations(extension, stay.generations, build_.member(at, "stays"));
     }
     if (upgrade.to.empty()) {
-      if (upgrade.stays.empty()) build_.errors.add(at, "'to' is missing");
+      const bool alone = upgrade.conversion.empty() && upgrade.stays.empty();
+      if (alone) build_.errors.add(at, "'to' is missing");
       return;
     }
     const Extension* successor = described(upgrade.to, build_.member(at, "to"));

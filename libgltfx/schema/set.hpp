@@ -36,7 +36,15 @@ enum TypeBit : std::uint8_t {
   kObject = 64,
 };
 
-enum class Status : std::uint8_t { ratified, release_candidate, draft, legacy, archived, vendor };
+enum class Status : std::uint8_t {
+  ratified,
+  release_candidate,
+  draft,
+  legacy,
+  archived,
+  registered_vendor,  ///< a vendor's, in the registry of Khronos
+  vendor
+};
 std::string_view status_name(Status status);  ///< as in the files: "release-candidate"
 
 /// Which channels of an image a texture slot reads, and how RGB is coded (alpha is always linear).
@@ -118,6 +126,7 @@ struct Shape {
   std::vector<Condition> conditions;
   std::vector<std::pair<std::string, std::vector<std::string>>> dependent_required;
   std::optional<Target> ref;
+  std::vector<std::string> ref_has;  ///< path of members that the element `ref` means has to have
   std::optional<Target> ref_name;
   std::optional<Slot> slot;
   std::string title, description, hint;
@@ -193,7 +202,7 @@ struct UpgradeStay {
 
 /// The way from an extension to its successor.
 struct Upgrade {
-  std::string to;                         ///< empty: there is none
+  std::string to;                         ///< empty: there is none; core glTF says the same
   std::vector<std::string> alternatives;  ///< other successors, one of which may be asked for
   std::string opt_in;                ///< why it is done only when asked for by name; empty: always
   bool together = false;             ///< all objects of a document, or none
@@ -203,10 +212,13 @@ struct Upgrade {
   std::vector<Relation> hidden_by;  ///< extensions beside which the effect is not seen
   std::vector<UpgradeStep> steps;
   std::vector<UpgradeLoss> losses;
+  /// There is a successor, or code that needs none.
+  bool does_something() const { return !to.empty() || !conversion.empty(); }
 };
 
 struct Extension {
   std::string name, title, description, spec;
+  std::string revision;  ///< of a draft: date, and commit where it is known: "2025-09-15 b102d2d"
   Status status = Status::vendor;
   std::vector<std::pair<TypeId, ShapeId>>
       attachment_points;  ///< object type it sits on, shape of its object
@@ -216,6 +228,8 @@ struct Extension {
   bool khronos_validator = false;  ///< the Khronos validator checks it
   MustBeRequired must_be_required = MustBeRequired::optional;
   std::string fallback;  ///< without_fallback: member of the host that is the fallback
+  /// Extensions beside it on one object that serve readers without it.
+  std::vector<std::string> fallback_extensions;
   bool optional_with_fallback = false;  ///< not to be required where every host has that member
   std::vector<std::string> image_mime_types;
   std::vector<AttributeFormat> vertex_attributes, morph_attributes, instance_attributes;

@@ -69,6 +69,8 @@ class ShapeBuilder {
 
 /// Parts of the annotation `x-gltfx` that both shapes and extensions read.
 Slot read_slot(const Build& build, Site slot);
+/// "a/b/c" to its steps.
+std::vector<std::string> split_steps(std::string_view text);
 Target read_target(const Build& build, Site text);
 Upgrade read_upgrade(const Build& build, Site upgrade);
 std::vector<std::string> read_names(const Build& build, Site list);

@@ -85,6 +85,19 @@ Targets::Array* Targets::below(const Target& target, json::NodeId object, const 
   return &local_[known->second].array;
 }
 
+// Looked up once per element: many references may lead to one with many members.
+bool Targets::has_member(Array& array, std::uint64_t index, ShapeId shape,
+                         const std::vector<std::string>& steps) const {
+  const auto [known, is_new] = array.having.try_emplace(shape);
+  if (is_new) {
+    for (json::NodeId place : document_.elements(array.node)) {
+      for (const std::string& step : steps) place = document_.find(place, step);
+      known->second.push_back(place != json::kNoNode);
+    }
+  }
+  return known->second[index];
+}
+
 bool Targets::has_name(std::uint32_t target, std::string_view name) {
   const auto [known, is_new] = names_.try_emplace(target);
   if (is_new) {

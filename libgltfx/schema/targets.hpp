@@ -24,6 +24,8 @@ class Targets {
     std::uint64_t size = 0;
     UsedElements used;
     std::vector<bool> holes;  ///< elements that are no objects; empty when there are none
+    /// By the shape that asks, whether elements have what it asks for; filled by has_member().
+    std::unordered_map<ShapeId, std::vector<bool>> having;
     bool is_array = false;
     bool is_hole(std::uint64_t index) const { return index < holes.size() && holes[index]; }
   };
@@ -32,6 +34,9 @@ class Targets {
   Array& from_root(std::uint32_t target) { return from_root_[target]; }
   /// The array a target names below an object, found once per array; null when it is not there.
   Array* below(const Target& target, json::NodeId object, const Path& path);
+  /// Whether the element of that index, which is below the size, has what `refHas` asks for.
+  bool has_member(Array& array, std::uint64_t index, ShapeId shape,
+                  const std::vector<std::string>& steps) const;
   /// Whether some place a name target leads to holds that string.
   bool has_name(std::uint32_t target, std::string_view name);
 

@@ -68,6 +68,7 @@ constexpr auto kSchema = [] {
 
 constexpr std::array kWord{
     Word{"ref", F::target},
+    Word{"refHas", F::member_path},
     Word{"refName", F::name_target},
     Word{"slot", F::slot},
     Word{"parameter", F::nonempty_text},
@@ -87,6 +88,7 @@ constexpr std::array kExtension{
     Word{"on", F::attachment_points, K::none, true},
     Word{"status", F::status, K::none, true},
     Word{"spec", F::url},
+    Word{"revision", F::revision},
     Word{"excludes", F::relations},
     Word{"requires", F::companions},
     Word{"overriddenBy", F::relations},
@@ -94,6 +96,7 @@ constexpr std::array kExtension{
     Word{"standalone", F::flag},
     Word{"mustBeRequired", F::requirement},
     Word{"fallback", F::nonempty_text},
+    Word{"fallbackExtensions", F::names},
     Word{"optionalWithFallback", F::flag},
     Word{"imageMimeTypes", F::media_types},
     Word{"vertexAttributes", F::semantics},
@@ -165,15 +168,16 @@ constexpr std::array kUpgradeStay{
 
 constexpr std::array<std::string_view, 7> kTypes{"object",  "array",   "string", "number",
                                                  "integer", "boolean", "null"};
-constexpr std::array<std::string_view, 6> kStatus{"ratified", "release-candidate", "draft",
-                                                  "legacy",   "archived",          "vendor"};
+constexpr std::array<std::string_view, 7> kStatus{
+    "ratified", "release-candidate", "draft", "legacy", "archived", "registered-vendor", "vendor"};
 constexpr std::array<std::string_view, 10> kMutable{"bool",     "int",    "float",    "float2",
                                                     "float3",   "float4", "float2x2", "float3x3",
                                                     "float4x4", "float[]"};
 constexpr std::array<std::string_view, 2> kColorSpaces{"linear", "srgb"};
 constexpr std::array<std::string_view, 2> kSeverities{"error", "warning"};
 constexpr std::array<std::string_view, 3> kStepKinds{"move", "copy", "place"};
-constexpr std::array<std::string_view, 3> kConversions{"scattering", "specular-glossiness", "xmp"};
+constexpr std::array<std::string_view, 4> kConversions{"root-translation", "scattering",
+                                                       "specular-glossiness", "xmp"};
 constexpr std::array<std::string_view, 1> kAcceptedForms{"index"};
 constexpr std::array<std::string_view, 3> kRequirements{"always", "without-fallback",
                                                         "recommended"};

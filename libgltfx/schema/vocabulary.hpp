@@ -82,6 +82,7 @@ enum class Form : std::uint8_t {
   annotation,  // annotation: x-gltfx
   target,
   name_target,
+  member_path,
   slot,
   slot_map,
   channel_factors,
@@ -93,6 +94,7 @@ enum class Form : std::uint8_t {
   attachment_points,
   status,
   url,
+  revision,
   relations,
   companions,
   severity,

@@ -159,7 +159,7 @@ bool Walker::plain_indices(ShapeId items, json::NodeId node, bool unique) {
     if (!separates) return false;
     if (!in_number) continue;
     if (repeats.is_one(number)) return false;
-    array.used.mark(number);
+    array.used.mark(number, plan.of_extension);
     number = 0;
     in_number = false;
   }

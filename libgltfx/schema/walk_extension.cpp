@@ -9,6 +9,15 @@
 #include "schema/walker.hpp"
 
 namespace gltfx::schema {
+namespace {
+
+// Whether an extension serves readers that do not know the other one.
+bool is_fallback(const std::string& name, const Extension& other) {
+  const auto& fallbacks = other.fallback_extensions;
+  return std::find(fallbacks.begin(), fallbacks.end(), name) != fallbacks.end();
+}
+
+}  // namespace
 
 bool Walker::push_extensions(Frame& host) {
   const json::NodeId node = host.extensions;
@@ -212,7 +221,9 @@ void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, js
     const ExtensionId other = names_.extension(key);
     const bool reported = !deviations().no_additional_rules && other != kNone &&
                           (excludes(id, other) || excludes(other, id));
-    if (other != id && !reported) others.push_back(quoted(document_.key(key)));
+    const bool served = !deviations().no_additional_rules && other != kNone &&
+                        is_fallback(set_.extensions()[id].name, set_.extensions()[other]);
+    if (other != id && !reported && !served) others.push_back(quoted(document_.key(key)));
   }
   if (others.empty()) return;
   report(path, Code::MULTIPLE_EXTENSIONS, document_.span(node - 1),

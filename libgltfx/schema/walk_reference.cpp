@@ -61,7 +61,8 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   Targets::Array* array = array_of(plan, target);
   const bool hole = array != nullptr && array->is_hole(index);
   if (array != nullptr && index < array->size && !(deviations().broken_values_are_absent && hole)) {
-    if (index < array->used.size()) array->used.mark(index);
+    if (index < array->used.size()) array->used.mark(index, tables_.shapes[shape].of_extension);
+    if (!hole && !plan.steps_over) look_at_element(shape, *array, index, value, path);
     return;
   }
   if (array == nullptr && deviations().root_extension_is_a_dependency &&
@@ -83,6 +84,22 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   sink.report(
       path,
       {Code::UNRESOLVED_REFERENCE, std::move(message), {}, values_.span(value), std::nullopt});
+}
+
+// What the element that is referred to has to have.
+void Walker::look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t index, Value value,
+                             const Path& path) {
+  const std::vector<std::string>& steps = set_.shape(shape).ref_has;
+  if (steps.empty() || deviations().no_additional_rules) return;
+  if (targets_.has_member(array, index, shape, steps)) return;
+  const std::string& name = set_.shape(shape).ref->steps.back();
+  reference_sink_.report(path,
+                         {Code::REFERENCE_MEMBER_MISSING,
+                          fmt::format("{} refers to {}[{}], which does not have {}.", name_of(path),
+                                      printable(name), index, quoted(steps.back())),
+                          {},
+                          values_.span(value),
+                          std::nullopt});
 }
 
 void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const Path& path) {

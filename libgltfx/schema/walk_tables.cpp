@@ -28,7 +28,10 @@ class Maker {
     tables_->shapes.reserve(set_.shapes().size());
     tables_->name_target_of.assign(set_.shapes().size(), kNone);
     for (ShapeId id = 0; id < set_.shapes().size(); ++id) tables_->shapes.push_back(shape(id));
-    for (const ObjectType& type : set_.types()) tables_->types.push_back(object_type(type));
+    for (const ObjectType& type : set_.types()) {
+      tables_->types.push_back(object_type(type));
+      if (type.extension != kNone) mark_references(type);
+    }
     for (const Extension& extension : set_.extensions()) {
       tables_->extensions.push_back({relations(extension.excludes), relations(extension.requires_),
                                      relations(extension.overridden_by),
@@ -75,7 +78,8 @@ class Maker {
   }
 
   static Plan choose(const Shape& shape, const ShapePlan& plan) {
-    if (shape.never || shape.multiple_of != 0 || shape.ref_name) return Plan::full;
+    const bool asks_more = shape.ref_name || !shape.ref_has.empty();
+    if (shape.never || shape.multiple_of != 0 || asks_more) return Plan::full;
     if (shape.types == kObject) return Plan::object;
     if (shape.types == kArray) return Plan::array;
     if (plan.combined) return Plan::full;
@@ -141,6 +145,16 @@ class Maker {
         insert(plan, symbol(alias), i, true);
     }
     return plan;
+  }
+
+  void mark_references(const ObjectType& type) {
+    for (const Property& property : type.properties) {
+      if (property.shape == kNone) continue;
+      const ShapeId items = set_.shape(property.shape).items;
+      for (const ShapeId shape : {property.shape, items}) {
+        if (shape != kNone && set_.shape(shape).ref) tables_->shapes[shape].of_extension = true;
+      }
+    }
   }
 
   // The order in which the Khronos validator reads these types.

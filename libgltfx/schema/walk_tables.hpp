@@ -39,6 +39,7 @@ struct ShapePlan {
   bool every_value = false;              ///< a number without limits: nothing to look at
   bool every_fraction = false;           ///< a number, and all of [0, 1] is allowed
   bool every_negative_fraction = false;  ///< all of [-1, 0] is
+  bool of_extension = false;             ///< an index in the object of an extension
   std::uint32_t target = kNone;
   TypeId type = kNone;
   ShapeId items = kNone;

@@ -68,7 +68,7 @@ bool Walker::value(ShapeId id, json::NodeId node, Step step) {
       if (target.pointer.empty() || target.steps_over) break;
       Targets::Array& array = targets_.from_root(plan.target);
       if (index >= array.size || !array.holes.empty()) break;
-      array.used.mark(index);
+      array.used.mark(index, plan.of_extension);
       return false;
     }
     case Plan::boolean:
@@ -185,6 +185,8 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   const double number = values_.number(value).value;
   const bool is_reference = shape.ref.has_value() && values_.has_type(value, kInteger);
+  const bool means_none = number < 0 && number >= shape.minimum && std::isfinite(shape.minimum);
+  if (is_reference && means_none) return;
   if (is_reference && number < 0) {
     discard_reference(id);
     unset_ = true;

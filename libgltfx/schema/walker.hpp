@@ -127,6 +127,8 @@ class Walker {
   // walk_reference.cpp
   bool discard_reference(ShapeId shape);
   void refer(ShapeId shape, std::uint64_t index, Value value, const Path& path);
+  void look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t index, Value value,
+                       const Path& path);
   void refer_name(ShapeId shape, std::string_view name, Value value, const Path& path);
   Targets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
   bool lacks_root_extension(const Target& target) const;

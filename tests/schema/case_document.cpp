@@ -93,18 +93,39 @@ void CaseGenerator::declare(Json& document, schema::ExtensionId id) const {
   if (extension.must_be_required != schema::MustBeRequired::optional) add("extensionsRequired");
 }
 
-// Breadth first through the types of core.
+// An object of an extension stands on that of another type.
 std::string CaseGenerator::host_pointer(Json& document, const std::string& type) {
   const TypeId wanted = set_.find_type(type);
-  std::deque<Route> routes{{set_.type(set_.find_type("glTF")).shape, {}}};
+  const schema::ExtensionId id = set_.type(wanted).extension;
+  if (id == kNone)
+    return pointer_from(document, {}, set_.type(set_.find_type("glTF")).shape, wanted);
+  const schema::Extension& extension = set_.extensions()[id];
+  for (const auto& [home, shape] : extension.attachment_points) {
+    Json grown = document;
+    std::string pointer = host_pointer(grown, set_.type(home).name);
+    std::vector<Need> needs;
+    add_extension(grown, pointer, id, shape, needs);
+    satisfy(grown, std::move(needs));
+    pointer = pointer_from(grown, pointer + "/extensions/" + extension.name, shape, wanted);
+    if (pointer.rfind("no way", 0) == 0) continue;
+    document = std::move(grown);
+    return pointer;
+  }
+  return "no way to " + type;
+}
+
+// Breadth first through the types below an object.
+std::string CaseGenerator::pointer_from(Json& document, const std::string& start, ShapeId top,
+                                        TypeId wanted) {
+  std::deque<Route> routes{{top, {}}};
   for (std::size_t tries = 0; !routes.empty() && tries < 5000; ++tries) {
     const Route route = routes.front();
     routes.pop_front();
     const schema::Shape& shape = set_.shape(route.shape);
     if (shape.type == wanted) {
-      std::string pointer;
+      std::string pointer = start;
       std::vector<Need> needs;
-      ShapeId at = set_.type(set_.find_type("glTF")).shape;
+      ShapeId at = top;
       for (std::size_t i = 0; i < route.steps.size(); ++i) {
         const std::string& step = route.steps[i];
         Json& here = document[Pointer(pointer)];
@@ -115,7 +136,10 @@ std::string CaseGenerator::host_pointer(Json& document, const std::string& type)
                             here[1].contains(route.steps[i + 1]) &&
                             !here[0].contains(route.steps[i + 1]);
         pointer += second ? "/1" : "/" + step;
-        if (!element && !here.contains(step)) here[step] = make_at(at, pointer, needs);
+        if (!element && !here.contains(step)) {
+          Json made = make_at(at, pointer, needs);
+          document[Pointer(pointer)] = std::move(made);
+        }
       }
       satisfy(document, std::move(needs));
       return pointer;
@@ -130,7 +154,7 @@ std::string CaseGenerator::host_pointer(Json& document, const std::string& type)
     for (const schema::Property& property : set_.type(shape.type).properties)
       go(property.name, property.shape);
   }
-  return "no way to " + type;
+  return "no way to " + set_.type(wanted).name;
 }
 
 void CaseGenerator::add_extension(Json& document, const std::string& host, schema::ExtensionId id,
@@ -185,6 +209,26 @@ void CaseGenerator::satisfy(Json& document, std::vector<Need> needs) {
       }
     }
     if (need.is_name) document[Pointer(need.at)] = document[Pointer(pointer)];
+    if (!need.has.empty()) grow(document, pointer + "/0", set_.shape(shape).items, need.has, needs);
+  }
+}
+
+// Members that an object has to have because something refers to it.
+void CaseGenerator::grow(Json& document, std::string pointer, ShapeId shape,
+                         const std::vector<std::string>& steps, std::vector<Need>& needs) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] == "extensions") {
+      const schema::ExtensionId id = set_.find_extension(steps[++i]);
+      shape = set_.extensions()[id].shape_on(set_.shape(shape).type);
+      add_extension(document, pointer, id, shape, needs);
+      pointer += "/extensions/" + steps[i];
+      continue;
+    }
+    shape = set_.find_property(set_.shape(shape).type, steps[i])->shape;
+    pointer += "/" + steps[i];
+    if (document.contains(Pointer(pointer))) continue;
+    Json made = make_at(shape, pointer, needs);
+    document[Pointer(pointer)] = std::move(made);
   }
 }
 

@@ -59,6 +59,10 @@ class CaseGenerator {
                      schema::ShapeId shape, std::vector<Need>& needs);
   void declare(Json& document, schema::ExtensionId id) const;
   std::string host_pointer(Json& document, const std::string& type);
+  std::string pointer_from(Json& document, const std::string& start, schema::ShapeId top,
+                           schema::TypeId wanted);
+  void grow(Json& document, std::string pointer, schema::ShapeId shape,
+            const std::vector<std::string>& steps, std::vector<Need>& needs);
   std::vector<ValueMaker::Around> around(const std::string& pointer) const;
   Json make_at(schema::ShapeId shape, const std::string& pointer, std::vector<Need>& needs);
   bool with_property(const Subject& subject, const schema::Property& property, Json& document);

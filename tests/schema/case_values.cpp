@@ -68,6 +68,7 @@ Json ValueMaker::make_number(const Shape& shape, const std::string& pointer,
                              std::vector<Need>& needs) {
   if (shape.ref) {
     need(*shape.ref, pointer, false, needs);
+    needs.back().has = shape.ref_has;
     return 0;
   }
   double value = inner(shape);

@@ -17,8 +17,9 @@ using Json = nlohmann::ordered_json;
 struct Need {
   std::string from;  ///< pointer to the object the target's steps start at; empty: the root
   schema::Target target;
-  std::string at;        ///< pointer to the value that refers
-  bool is_name = false;  ///< `refName`: the value has to become a name that is there
+  std::string at;                  ///< pointer to the value that refers
+  bool is_name = false;            ///< `refName`: the value has to become a name that is there
+  std::vector<std::string> has{};  ///< `refHas`: members of what is referred to
 };
 
 /// Makes smallest valid values.

@@ -107,6 +107,40 @@ TEST(Reference, ByNameMustOccur) {
   EXPECT_THAT(said("window")[0].message, HasSubstr("'window'"));
 }
 
+TEST(Reference, TheMinimumMayStandForNone) {
+  const auto set = set_with(acme(R"("type": "object", "properties": {
+    "seat": {"type": "integer", "minimum": -1, "x-gltfx": {"ref": "nodes"}},
+    "door": {"type": "integer", "minimum": 0, "x-gltfx": {"ref": "nodes"}}})"));
+  ASSERT_NE(set, nullptr);
+  const auto said = [&](const std::string& members) {
+    return verdict(
+        asset_using("ACME_x", R"("materials": [{"extensions": {"ACME_x": {)" + members + "}}}]"),
+        {}, *set);
+  };
+  const std::string place = " /materials/0/extensions/ACME_x/";
+  EXPECT_THAT(said(R"("seat": -1)"), IsEmpty());
+  EXPECT_THAT(said(R"("seat": -2)"), ElementsAre("INVALID_INDEX" + place + "seat"));
+  EXPECT_THAT(said(R"("seat": 0)"), ElementsAre("UNRESOLVED_REFERENCE" + place + "seat"));
+  EXPECT_THAT(said(R"("door": -1)"), ElementsAre("INVALID_INDEX" + place + "door"));
+}
+
+TEST(Reference, ToWhatLacksTheMember) {
+  const auto set = set_with(acme(R"("type": "object", "properties": {
+    "seats": {"type": "array", "items": {"type": "integer", "minimum": 0, "x-gltfx": {"ref": "nodes", "refHas": "extras/seat"}}}})"));
+  ASSERT_NE(set, nullptr);
+  const auto said = [&](const std::string& seats) {
+    return verdict(asset_using("ACME_x", R"("nodes": [{}, {"extras": {"seat": 1}}, {"extras": {}}],
+    "materials": [{"extensions": {"ACME_x": {"seats": [)" +
+                                             seats + "]}}}]"),
+                   {}, *set);
+  };
+  const std::string place = " /materials/0/extensions/ACME_x/seats/";
+  EXPECT_THAT(said("1, 1"), IsEmpty());
+  EXPECT_THAT(said("1, 0, 2"), ElementsAre("REFERENCE_MEMBER_MISSING" + place + "1",
+                                           "REFERENCE_MEMBER_MISSING" + place + "2"));
+  EXPECT_THAT(said("3"), ElementsAre("UNRESOLVED_REFERENCE" + place + "0"));
+}
+
 TEST(Reference, ToAHoleIsBrokenForKhronosOnly) {
   const std::string json = asset(R"("scenes": [{"nodes": [1]}], "nodes": [{}, 3])");
   EXPECT_THAT(verdict(json), ElementsAre("TYPE_MISMATCH /nodes/1")) << "one cause, one finding";
@@ -125,6 +159,18 @@ TEST(Used, MarksWhatIsReferredToAndNothingElse) {
   EXPECT_TRUE(nodes->used.contains(2));
   EXPECT_FALSE(nodes->used.contains(3));
   EXPECT_EQ(result.target("/meshes"), nullptr) << "the document has none";
+}
+
+TEST(Used, TellsThoseOfExtensions) {
+  const auto result = result_of(asset_using(
+      "VRMC_node_constraint",
+      R"("nodes": [{"children": [1]}, {}, {"extensions": {"VRMC_node_constraint": {"specVersion": "1.0",
+      "constraint": {"rotation": {"source": 0}}}}}])"));
+  const auto* nodes = result.target("/nodes");
+  ASSERT_NE(nodes, nullptr);
+  EXPECT_TRUE(nodes->used.contains(1));
+  EXPECT_FALSE(nodes->used.is_used_by_extension(1));
+  EXPECT_TRUE(nodes->used.is_used_by_extension(0));
 }
 
 TEST(Used, CountsReferencesOfExtensions) {

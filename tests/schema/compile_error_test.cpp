@@ -252,6 +252,21 @@ TEST(CompileError, UnknownStatusNamesTheNearest) {
   EXPECT_THAT(errors[0].message, testing::HasSubstr("'ratified'"));
 }
 
+TEST(CompileError, ADraftSaysWhichTextItFollows) {
+  const auto draft = [](const std::string& revision) {
+    return errors_of(minimal("gltfx:ext/ACME_x",
+                             R"("extension": "ACME_x", "on": [], "status": "draft")" + revision));
+  };
+  ASSERT_EQ(draft("").size(), 1U);
+  EXPECT_THAT(draft("")[0].message, testing::HasSubstr("'revision'"));
+  for (const std::string good : {"2025", "2025-09", "2025-09-15", "2025-09-15 b102d2d"}) {
+    EXPECT_TRUE(draft(R"(, "revision": ")" + good + "\"").empty()) << good;
+  }
+  for (const std::string bad : {"", "25", "2025-9", "2025-09-15 x", "2025-09-15 b102", "b102d2d"}) {
+    EXPECT_EQ(draft(R"(, "revision": ")" + bad + "\"").size(), 1U) << bad;
+  }
+}
+
 TEST(CompileError, NameAndIdOfAnExtensionMustAgree) {
   const auto errors = errors_of(
       minimal("gltfx:ext/ACME_x", R"("extension": "ACME_y", "on": [], "status": "vendor")"));
