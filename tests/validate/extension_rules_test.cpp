@@ -113,7 +113,9 @@ TEST(ExtensionName, ASlipIsAWarningWithTheRightName) {
       {"KHR_materials_transmision", "KHR_materials_transmission"},
       {"KHR_texture_transfrom", "KHR_texture_transform"},
       {"EXT_mesh_feature", "EXT_mesh_features"},
-      {"vrm", "VRM"}};
+      {"vrm", "VRM"},
+      {"VRMC_springbone", "VRMC_springBone"},
+      {"OMI_physic_body", "OMI_physics_body"}};
   for (const auto& [name, meant] : slips) {
     for (const bool required : {false, true}) {
       const std::string list = "[\"" + name + "\"]";
@@ -139,13 +141,15 @@ TEST(ExtensionName, OfAnUndeclaredObjectIsGuessedToo) {
 }
 
 TEST(ExtensionName, ThatIsInUseIsNeverToBeRenamed) {
-  for (const char* const name :
-       {"VRM", "VRMC_vrm", "EXT_mesh_features", "KHR_accessor_float16", "KHR_materials_fuzz",
-        "OMI_physics_body", "MOZ_hubs_components", "ACME_sparkle"}) {
+  for (const char* const name : {"EXT_texture_video", "KHR_accessor_float16", "KHR_environment_map",
+                                 "OMI_link", "MOZ_hubs_components", "ACME_sparkle"}) {
     EXPECT_EQ(findings("\"extensionsUsed\": [\"" + std::string(name) + "\"]", {""}),
               Lines{"UNSUPPORTED_EXTENSION /extensionsUsed/0"})
         << name;
   }
+  EXPECT_EQ(findings(R"("extensionsUsed": ["VRM"])", {""}),
+            Lines{"EXTENSION_UNUSED /extensionsUsed/0"})
+      << "whose name is a prefix alone";
   EXPECT_EQ(findings(R"("extensionsUsed": ["sparkle"])", {"INVALID_EXT", "EXTENSION_NAME"}),
             Lines{"INVALID_EXTENSION_NAME_FORMAT /extensionsUsed/0"});
 }
