@@ -45,23 +45,6 @@ void name_draft(const Context& context) {
   context.schema_sink.report(version, std::move(finding));
 }
 
-// VRM avatars are glTF files with rules of their own behind one extension.
-void name_vrm(const Context& context) {
-  const json::NodeId extensions = context.document.find(context.document.root(), "extensions");
-  const Path root;
-  const Path at_extensions(root, "extensions");
-  for (const std::string_view name : {std::string_view("VRM"), std::string_view("VRMC_vrm")}) {
-    const json::NodeId object = context.document.find(extensions, name);
-    if (object == json::kNoNode) continue;
-    Finding finding(Code::VRM_ASSET);
-    finding.message =
-        fmt::format("The asset is a VRM {} avatar; the VRM requirements are not checked.",
-                    name == "VRM" ? "0.x" : "1.0");
-    finding.span = first_character(context.document, object);
-    context.schema_sink.report(Path(at_extensions, name), std::move(finding));
-  }
-}
-
 bool check_amount(const Context& context, Collector& collector) {
   const std::uint64_t count = model::root_objects(context.document);
   const std::uint64_t most = model::most_root_objects(context.document.text().size());
@@ -84,7 +67,6 @@ bool check_identity(const Context& context, Collector& collector) {
   if (check_version_1(context, collector)) return false;
   if (!check_amount(context, collector)) return false;
   name_draft(context);
-  name_vrm(context);
   return true;
 }
 

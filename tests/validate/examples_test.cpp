@@ -30,10 +30,11 @@ const std::map<std::string_view, std::set<std::string_view>>& companions() {
       {"GLB_CHUNK_TOO_BIG", {"GLB_LENGTH_MISMATCH"}},
       // What is given up is so because of what was found before.
       {"DRACO_NOT_CHECKED", {"DRACO_LIMIT_EXCEEDED"}},
-      // Nobody knows an extension whose name is none, or that stands for another format.
+      // Nobody knows an extension whose name is none.
       {"INVALID_EXTENSION_NAME_FORMAT", {"UNSUPPORTED_EXTENSION"}},
-      {"VRM_ASSET", {"UNSUPPORTED_EXTENSION"}},
-      // Rules about an extension that is archived, however well it is used.
+      // Rules about an extension that is archived, or a draft, however well it is used.
+      {"AUDIO_DISTANCE_ORDER", {"EXTENSION_DRAFT"}},
+      {"AUDIO_EMITTER_NOT_GLOBAL", {"EXTENSION_DRAFT"}},
       {"TECHNIQUE_SEMANTIC_UNKNOWN", {"EXTENSION_ARCHIVED"}},
       {"TECHNIQUE_VALUE_MISSING", {"EXTENSION_ARCHIVED"}},
       {"TECHNIQUE_VALUE_UNKNOWN", {"EXTENSION_ARCHIVED"}},

@@ -39,18 +39,6 @@ TEST(Identity, NamesTheDraftOf21AndChecksOn) {
   EXPECT_EQ(test::verdict(R"({"asset": {"version": "2.1"}, "a": 1})"), wanted);
 }
 
-TEST(Identity, NamesBothGenerationsOfVrm) {
-  const std::string head = R"({"asset": {"version": "2.0"}, "extensionsUsed": [)";
-  const auto named = [&](const std::string& name) {
-    const auto lines =
-        test::verdict(head + '"' + name + R"("], "extensions": {")" + name + "\": {}}}");
-    return std::find(lines.begin(), lines.end(), "VRM_ASSET /extensions/" + name) != lines.end();
-  };
-  EXPECT_TRUE(named("VRM"));
-  EXPECT_TRUE(named("VRMC_vrm"));
-  EXPECT_FALSE(named("VRMC_springBone"));
-}
-
 const std::string kPointer =
     "version https://git-lfs.github.com/spec/v1\n"
     "oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\n"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// MPEG_audio_spatial: lists that go together. This file is about sources of sound and names the
-// extension.
+// Sources of sound (MPEG_audio_spatial, KHR_audio_emitter): lists that go together, distances in
+// order, and which emitters have no place. This file is about sound and names its extensions.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
+#include "model/node.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
@@ -50,10 +52,58 @@ void check_audio(const Context& context) {
   check_sources(context, object, Path(extensions, kAudio));
 }
 
+constexpr std::string_view kEmitter = "KHR_audio_emitter";
+
+// The linear model divides by the difference of the two.
+void check_distances(const Context& context) {
+  const json::Document& document = context.document;
+  const auto emitters = object_list(document, root_extension(context, kEmitter), "emitters");
+  for (std::size_t i = 0; i < emitters.size(); ++i) {
+    const json::NodeId positional = model::object_member(document, emitters[i], "positional");
+    if (model::string_member(document, positional, "distanceModel") != "linear") continue;
+    const auto most = model::number_member(document, positional, "maxDistance");
+    const double near = model::number_member(document, positional, "refDistance").value_or(1);
+    if (!most || *most > near) continue;
+    report_at(
+        context.link_sink,
+        fmt::format("/extensions/{}/emitters/{}/positional/maxDistance", kEmitter, i),
+        finding_on(context, document.find(positional, "maxDistance"), Code::AUDIO_DISTANCE_ORDER,
+                   fmt::format("maxDistance is {}; it must be above refDistance, {}.",
+                               number_text(*most), number_text(near))));
+  }
+}
+
+void check_scene_emitters(const Context& context) {
+  const json::Document& document = context.document;
+  const auto emitters = object_list(document, root_extension(context, kEmitter), "emitters");
+  std::vector<bool> positional;
+  for (const json::NodeId emitter : emitters) {
+    positional.push_back(model::string_member(document, emitter, "type") == "positional");
+  }
+  for_each_extension(
+      context, model::RootArray::scenes, kEmitter,
+      [&](const ExtensionPlace& place, const Path& path) {
+        const json::NodeId list = document.find(place.object, "emitters");
+        if (list == json::kNoNode || document.kind(list) != json::Kind::number_array) return;
+        const Path at(path, "emitters");
+        std::uint64_t position = 0;
+        for (json::NumberCursor index(document, list); index.valid(); index.advance()) {
+          const Path element(at, position++);
+          const double number = index.number().value;
+          if (!(number >= 0) || number >= static_cast<double>(positional.size())) continue;
+          const auto emitter = static_cast<std::size_t>(number);
+          if (!positional[emitter]) continue;
+          report_link(
+              context, element, index.number().span, Code::AUDIO_EMITTER_NOT_GLOBAL,
+              fmt::format("Emitter {} is positional; those of a scene must be global.", emitter));
+        }
+      });
+}
+
 }  // namespace
 
 const Family& audio_family() {
-  static constexpr LinkRule kLinkRules[] = {check_audio};
+  static constexpr LinkRule kLinkRules[] = {check_audio, check_distances, check_scene_emitters};
   static constexpr Family family{.order = 580, .link_rules = kLinkRules};
   return family;
 }

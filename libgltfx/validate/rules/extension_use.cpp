@@ -109,6 +109,8 @@ void report_unknown(const Entry& entry) {
 }
 
 std::string successor_help(const schema::Extension& extension) {
+  const schema::Upgrade& upgrade = extension.upgrade;
+  if (upgrade.to.empty() && upgrade.does_something()) return "run 'gltfx upgrade' to remove it";
   if (extension.successor.empty()) return {};
   const bool fixable = extension.upgrade.to == extension.successor;
   if (!fixable) return fmt::format("use {}", extension.successor);

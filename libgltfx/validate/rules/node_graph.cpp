@@ -134,6 +134,12 @@ class GraphCheck {
     return document.object_size(node.extensions) != 0;
   }
 
+  // The end of a joint, the eye of an avatar.
+  bool is_named_by_extension(NodeIndex index) const {
+    const schema::TargetArray* const nodes = context_.checked.target("/nodes");
+    return nodes != nullptr && nodes->used.is_used_by_extension(index);
+  }
+
   bool has_extras(const model::Node& node) const {
     return node.extras != json::kNoNode && context_.document.kind(node.extras) != json::Kind::null;
   }
@@ -147,7 +153,7 @@ class GraphCheck {
 
   void check_empty(const model::Node& node, NodeIndex index, const Path& path) {
     if (!unseen_.empty() || is_joint_[index] != 0 || node.mesh || node.camera || has_extras(node) ||
-        has_children(node) || has_extension(node)) {
+        has_children(node) || has_extension(node) || is_named_by_extension(index)) {
       return;
     }
     // What hangs on it is there, but leads nowhere: reported as such.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// VRMC_materials_mtoon: what depends on the alpha mode of the material that carries it.
+#include <fmt/format.h>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "validate/context.hpp"
+#include "validate/rules/extension_walk.hpp"
+#include "validate/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+constexpr std::string_view kToon = "VRMC_materials_mtoon";
+
+void check_toon_material(const Context& context, const ExtensionPlace& place, const Path& path) {
+  const json::Document& document = context.document;
+  const bool blended = model::string_member(document, place.host, "alphaMode") == "BLEND";
+  const bool depth = model::true_member(document, place.object, "transparentWithZWrite");
+  if (depth && !blended) {
+    report_member(context.link_sink, context, path, place.object, "transparentWithZWrite",
+                  Code::TOON_DEPTH_WITHOUT_BLEND,
+                  "transparentWithZWrite has no effect without the alpha mode BLEND.");
+  }
+  const double offset =
+      model::number_member(document, place.object, "renderQueueOffsetNumber").value_or(0);
+  const double least = blended && !depth ? -9 : 0;
+  const double most = blended && depth ? 9 : 0;
+  if (offset >= least && offset <= most) return;
+  report_member(
+      context.link_sink, context, path, place.object, "renderQueueOffsetNumber",
+      Code::TOON_RENDER_QUEUE,
+      fmt::format("renderQueueOffsetNumber is {}; it must be {} for {}.", number_text(offset),
+                  least == most ? std::string("0") : fmt::format("between {} and {}", least, most),
+                  !blended ? "a material that is not blended"
+                  : depth  ? "a blended material that writes depth"
+                           : "a blended material"));
+}
+
+void check_toon(const Context& context) {
+  for_each_extension(context, model::RootArray::materials, kToon,
+                     [&](const ExtensionPlace& place, const Path& path) {
+                       check_toon_material(context, place, path);
+                     });
+}
+
+}  // namespace
+
+const Family& toon_family() {
+  static constexpr LinkRule kLinkRules[] = {check_toon};
+  static constexpr Family family{.order = 640, .additional = true, .link_rules = kLinkRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
