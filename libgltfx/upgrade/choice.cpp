@@ -30,7 +30,7 @@ Choice choose(const UpgradeOptions& options, const schema::Extension& extension)
 std::vector<std::string> legacy_names(const schema::Set& set) {
   std::vector<std::string> names;
   for (const schema::Extension& extension : set.extensions()) {
-    if (!extension.upgrade.to.empty()) names.push_back(extension.name);
+    if (extension.upgrade.does_something()) names.push_back(extension.name);
   }
   return names;
 }

@@ -18,6 +18,7 @@ void ConversionContext::drop(std::string_view name) const {
 }
 
 std::unique_ptr<Conversion> make_conversion(std::string_view name) {
+  if (name == "root-translation") return make_root_translation();
   if (name == "scattering") return make_scattering();
   if (name == "specular-glossiness") return make_specular_glossiness();
   if (name == "xmp") return make_xmp();

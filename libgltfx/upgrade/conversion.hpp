@@ -41,7 +41,8 @@ class Conversion {
   /// Whether the object becomes part of the successor that stands beside it, which then keeps its
   /// name: judge() and apply() put it there, and the object itself goes.
   virtual bool joins(const ConversionContext&) { return false; }
-  /// Why the object has no effect and can go, if so.
+  /// Why the object has no effect and can go, if so; or what takes its place elsewhere, where its
+  /// schema knows no successor. Then apply() makes that.
   virtual Problem reason_to_go(const ConversionContext&) { return std::nullopt; }
   /// Why it cannot be done, if so; otherwise fills placements and notes.
   virtual Problem judge(const ConversionContext& bench) = 0;
@@ -52,6 +53,7 @@ class Conversion {
 /// Null for an empty name. Precondition: the schema vocabulary knows the name.
 std::unique_ptr<Conversion> make_conversion(std::string_view name);
 
+std::unique_ptr<Conversion> make_root_translation();
 std::unique_ptr<Conversion> make_scattering();
 std::unique_ptr<Conversion> make_specular_glossiness();
 std::unique_ptr<Conversion> make_xmp();

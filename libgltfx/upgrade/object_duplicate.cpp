@@ -44,7 +44,7 @@ std::string shown(const std::string& json) {
 
 // The successor, or another extension that the object could have become, when it is there.
 const schema::Extension* ObjectPlan::replacement() {
-  if (joins()) return nullptr;
+  if (extension_.upgrade.to.empty() || joins()) return nullptr;
   std::vector<std::string> names{successor_.name, extension_.upgrade.to};
   const auto& others = extension_.upgrade.alternatives;
   names.insert(names.end(), others.begin(), others.end());

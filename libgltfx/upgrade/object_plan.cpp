@@ -43,7 +43,7 @@ void ObjectPlan::judge() {
   action_ = {};
   action_.pointer = fmt::format("{}/extensions/{}", carrier_.pointer(), extension_.name);
   action_.from = extension_.name;
-  action_.to = successor_.name;
+  action_.to = extension_.upgrade.to.empty() ? std::string() : successor_.name;
   if (!document_.is_object(carrier_.object)) return refuse("it is not an object");
   const bool in_array = !carrier_.array.empty() && !carrier_.single;
   if (!in_array && is_own_pointed_at()) return refuse("an animation or graph references it");
@@ -240,6 +240,7 @@ void ObjectPlan::apply() {
   if (action_.removed) {
     context_.dropped[carrier_.host].push_back(key);
     take_out_members();
+    if (extension_.upgrade.to.empty()) conversion_->apply(bench());
     return placements_.apply();
   }
   if (joins()) {

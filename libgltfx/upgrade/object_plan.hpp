@@ -17,7 +17,8 @@ namespace gltfx::upgrade {
 
 class ObjectPlan {
  public:
-  /// Keeps references to all of them. `action` says what becomes of the object.
+  /// Keeps references to all of them. `action` says what becomes of the object. Where it becomes
+  /// no other extension, `successor` is its own.
   ObjectPlan(Context& context, const schema::Extension& extension,
              const schema::Extension& successor, const Carrier& carrier, UpgradeAction& action);
   ObjectPlan(const ObjectPlan&) = delete;

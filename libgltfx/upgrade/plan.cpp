@@ -100,7 +100,8 @@ class ExtensionPlan {
       return nullptr;
     }
     const schema::Extension& successor =
-        context_.set.extensions()[context_.set.find_extension(choice_.to)];
+        choice_.to.empty() ? extension_
+                           : context_.set.extensions()[context_.set.find_extension(choice_.to)];
     auto plan =
         std::make_unique<ObjectPlan>(context_, extension_, successor, carriers_[i], actions()[i]);
     plan->judge();
@@ -320,7 +321,7 @@ std::vector<const schema::Extension*> legacy_of(const json::Document& document,
     const std::string& name = extension.name;
     const bool named =
         document.key_id(name) != json::kNoKey || used.has(name) || required.has(name);
-    const bool known = !extension.upgrade.to.empty() || !extension.upgrade.stays.empty();
+    const bool known = extension.upgrade.does_something() || !extension.upgrade.stays.empty();
     if (known && named) legacy.push_back(&extension);
   }
   const auto order = [](const schema::Extension* extension) {
