@@ -106,6 +106,17 @@ void read_specular_glossiness(const Reader& reader, const SceneMaterial& materia
   m.specular_color = converted.specular_color;
 }
 
+// The steps between the two tones are those of a toon shader; here light falls off as on any matte
+// surface, of a color between them.
+void read_toon(const Reader& reader, const SceneMaterial& material, Material& m) {
+  Rgb shade = to_vec(material.shade_color);
+  if (reader.has(Slot::shade_color)) reader.scale(shade, Slot::shade_color);
+  m.base_color = (m.base_color + shade) * 0.5;
+  m.metallic = 0;
+  m.roughness = 1;
+  m.specular = 0;
+}
+
 }  // namespace
 
 Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& material,
@@ -121,6 +132,7 @@ Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& 
     if (!m.unlit || slot == Slot::base_color) scale_by_slot(reader, slot, m);
   }
   if (m.unlit) return m;
+  if (material.toon) read_toon(reader, material, m);
   if (material.specular_glossiness) read_specular_glossiness(reader, material, m);
   read_anisotropy(reader, m);
   read_thickness_of_film(reader, material, m);

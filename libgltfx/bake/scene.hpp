@@ -88,6 +88,10 @@ struct SceneMaterial {
   Float3 f0{1, 1, 1};
   float glossiness = 1;
 
+  /// Toon shading in two tones: the base color where it is lit, this one elsewhere.
+  bool toon = false;
+  Float3 shade_color{1, 1, 1};
+
   /// The first generation of KHR_materials_translucency: factors.diffuse_transmission is its
   /// factor, and transmitted light is tinted by the base colour.
   bool tinted_by_base_color = false;

@@ -128,7 +128,8 @@ Material read_material(const Asset& asset, std::uint32_t index, const AnimatedVa
   material.name = asset.name(properties.node());
   material.alpha_mode = alpha_mode(properties);
   material.double_sided = properties.flag("doubleSided", false);
-  material.unlit = properties.extension("KHR_materials_unlit").exists();
+  material.toon = properties.extension("VRMC_materials_mtoon").exists();
+  material.unlit = !material.toon && properties.extension("KHR_materials_unlit").exists();
   material.specular_glossiness =
       properties.extension("KHR_materials_pbrSpecularGlossiness").exists();
   std::for_each(std::rbegin(material_table::kRows), std::rend(material_table::kRows),

@@ -25,6 +25,8 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   bool double_sided = false;
   bool unlit = false;
+  /// VRMC_materials_mtoon, for which unlit and metallic-roughness are the fallback.
+  bool toon = false;
   /// KHR_materials_pbrSpecularGlossiness takes the place of metallic-roughness.
   bool specular_glossiness = false;
   /// The first generation of KHR_materials_translucency: the factor of diffuse transmission stands

@@ -156,7 +156,7 @@ class SceneBuilder {
     draco.decode(codec::Client::shared(), options_.jobs);
     const model::GeometrySource source{asset_, views_, resources_, draco};
     SceneTextures textures(asset_, resources_, notes_, scene_);
-    SceneMaterials materials(asset_, animated_, textures, scene_);
+    SceneMaterials materials(asset_, animated_, textures, notes_, scene_);
     SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
                        notes_, scene_);
     place_all(pose, meshes);

@@ -105,6 +105,7 @@ class Translation {
     Material& m = to_.factors;
     m.emissive *= static_cast<double>(to_.emissive_strength);
     m.unlit = from_.unlit;
+    to_.toon = from_.toon;
     m.scattering = static_cast<Scattering>(from_.scattering);
     to_.name = from_.name;
     to_.alpha = from_.of(MaterialParameter::base_color)[3];
@@ -256,7 +257,13 @@ const MaterialNeeds& SceneMaterials::use(const std::optional<std::uint32_t>& mat
   if (!material) return default_;
   const auto known = known_.find(*material);
   if (known != known_.end()) return known->second;
-  MaterialNeeds needs = translate(model::read_material(asset_, *material, &animated_));
+  const model::Material read = model::read_material(asset_, *material, &animated_);
+  if (read.toon) {
+    notes_.add(fmt::format("Material {}", *material),
+               "is drawn matte, in a color between its own and its shade; steps of toon shading, "
+               "outlines and rim light are not drawn");
+  }
+  MaterialNeeds needs = translate(read);
   return known_.emplace(*material, std::move(needs)).first->second;
 }
 

@@ -92,8 +92,8 @@ struct MaterialNeeds {
 class SceneMaterials {
  public:
   SceneMaterials(const model::Asset& asset, const model::AnimatedValues& animated,
-                 SceneTextures& textures, bake::Scene& scene)
-      : asset_(asset), animated_(animated), textures_(textures), scene_(scene) {}
+                 SceneTextures& textures, SceneNotes& notes, bake::Scene& scene)
+      : asset_(asset), animated_(animated), textures_(textures), notes_(notes), scene_(scene) {}
 
   /// Of a material of the asset; nothing: the default material.
   const MaterialNeeds& use(const std::optional<std::uint32_t>& material);
@@ -104,6 +104,7 @@ class SceneMaterials {
   const model::Asset& asset_;
   const model::AnimatedValues& animated_;
   SceneTextures& textures_;
+  SceneNotes& notes_;
   bake::Scene& scene_;
   std::unordered_map<std::uint32_t, MaterialNeeds> known_;
   MaterialNeeds default_;

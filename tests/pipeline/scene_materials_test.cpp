@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bake/material_at.hpp"
 #include "codec/support/png_encoder.hpp"
 #include "pipeline/scene_asset.hpp"
 
@@ -47,6 +48,22 @@ bake::Scene drawn(const std::string& materials, const std::string& images = {},
   members.append(textures.empty() ? R"({"source": 0}, {"source": 0, "sampler": 0})" : textures);
   members.append(R"(], "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}])");
   return scene_of(triangle(), members, options);
+}
+
+TEST(SceneMaterials, ToonIsMatteBetweenItsTwoColors) {
+  const std::string toon = R"("pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0.5, 1]},
+   "extensions": {"KHR_materials_unlit": {}, "VRMC_materials_mtoon": {"specVersion": "1.0", "shadeColorFactor": [0.5, 0, 0.5]}})";
+  const bake::Scene scene = drawn("{" + toon + "}");
+  ASSERT_THAT(scene.materials, SizeIs(1));
+  EXPECT_TRUE(scene.materials[0].toon);
+  EXPECT_FALSE(scene.materials[0].factors.unlit);
+  const bake::Hit hit{};
+  const Material at = bake::material_at(scene, scene.meshes.at(0), scene.materials[0], hit);
+  EXPECT_EQ(at.base_color, Rgb(0.75, 0.25, 0.5));
+  EXPECT_EQ(at.metallic, 0);
+  EXPECT_EQ(at.specular, 0);
+  EXPECT_THAT(scene.notes,
+              testing::Contains(AllOf(HasSubstr("Material 0"), HasSubstr("outlines"))));
 }
 
 TEST(SceneMaterials, FactorsAreThoseOfTheAsset) {
