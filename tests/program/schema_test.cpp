@@ -106,6 +106,28 @@ TEST(SchemaVerb, ListsExtensionsAndCoreTypes) {
   EXPECT_GE(list["coreTypes"].size(), 25U);
 }
 
+TEST(SchemaVerb, ListsThoseOfAStatus) {
+  const Outcome drafts = gltfx({"schema", "--status", "draft"});
+  EXPECT_EQ(drafts.code, 0);
+  EXPECT_THAT(drafts.out, AllOf(HasSubstr("KHR_physics_rigid_bodies"), Not(HasSubstr("VRMC_vrm")),
+                                Not(HasSubstr("KHR_materials_ior"))));
+  const Outcome two = gltfx({"schema", "--status", "vendor", "--status", "draft"});
+  EXPECT_THAT(two.out, AllOf(HasSubstr("KHR_physics_rigid_bodies"), HasSubstr("VRMC_vrm")));
+  const Outcome wrong = gltfx({"schema", "--status", "drafts"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("draft"));
+  EXPECT_EQ(gltfx({"schema", "material", "--status", "draft"}).code, 2);
+}
+
+TEST(SchemaVerb, EachExtensionSaysWhereItStands) {
+  const json list = json::parse(gltfx({"schema", "--format", "json"}).out);
+  for (const json& extension : list["extensions"]) {
+    EXPECT_TRUE(extension.contains("spec")) << extension["extension"];
+    EXPECT_EQ(extension["status"] == "draft", extension.contains("revision"))
+        << extension["extension"];
+  }
+}
+
 TEST(SchemaVerb, TellsWhatIsKnownOfAnExtension) {
   const Outcome text = gltfx({"schema", "KHR_materials_volume"});
   EXPECT_THAT(text.out, AllOf(HasSubstr("status        ratified"), HasSubstr("material"),

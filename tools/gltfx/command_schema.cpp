@@ -29,7 +29,8 @@ ExitCode print_schema(const schema::Set& set, const SchemaRequest& request) {
   const bool as_json = request.format == TableFormat::json;
   const Style style(colors_on_stdout(request.common.color));
   if (request.name.empty()) {
-    return print(as_json ? schema_list_json(set) : schema_list_text(set, style));
+    return print(as_json ? schema_list_json(set, request.statuses)
+                         : schema_list_text(set, request.statuses, style));
   }
   const schema::ExtensionId extension = set.find_extension(request.name);
   if (extension != schema::kNone) {

@@ -96,6 +96,7 @@ constexpr std::string_view kRulesExamples = R"(Examples:
 
 constexpr std::string_view kSchemaExamples = R"(Examples:
   gltfx schema                          all extensions with their status
+  gltfx schema --status draft           those that can still change
   gltfx schema KHR_materials_ior        properties, ranges, defaults, exclusions
   gltfx schema material --format json   a core type as JSON
 )";

@@ -115,6 +115,10 @@ Result<TableFormat> parse_table_format(std::string_view text) {
   return parse_word<TableFormat>("--format", text, kTableFormatWords);
 }
 
+Result<schema::Status> parse_status(std::string_view text) {
+  return parse_word<schema::Status>("--status", text, kStatusWords);
+}
+
 Result<Profile> parse_profile(std::string_view text) {
   return parse_word<Profile>("--profile", text, kProfileWords);
 }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "schema/set.hpp"
 
 namespace gltfx::tool {
 
@@ -166,8 +167,9 @@ struct RulesRequest {
 struct SchemaRequest {
   CommonOptions common;
   TableFormat format = TableFormat::text;
-  std::string name;      ///< empty: the list
-  std::string new_name;  ///< not empty: of an extension to write a schema for
+  std::string name;                      ///< empty: the list
+  std::string new_name;                  ///< not empty: of an extension to write a schema for
+  std::vector<schema::Status> statuses;  ///< of the extensions to list; empty: all
   std::vector<std::string> check_files, test_files;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
@@ -198,6 +200,7 @@ Result<unsigned> parse_jobs(std::string_view text);
 Result<Shard> parse_shard(std::string_view text);
 Result<ColorMode> parse_color(std::string_view text);
 Result<TableFormat> parse_table_format(std::string_view text);
+Result<schema::Status> parse_status(std::string_view text);
 Result<Profile> parse_profile(std::string_view text);
 Result<std::optional<PixelLevel>> parse_pixels(std::string_view text);
 Result<LfsPolicy> parse_lfs(std::string_view text);

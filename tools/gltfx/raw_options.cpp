@@ -247,6 +247,11 @@ Result<SchemaRequest> request_of(const RawSchemaOptions& words) {
   const bool checks = !words.check_files.empty() || !words.test_files.empty();
   reading.require(words.names.size() + (writes ? 1U : 0U) + (checks ? 1U : 0U) <= 1,
                   "schema: use a name, --new, or --check and --test.");
+  for (const std::string& name : words.statuses) {
+    reading.set(request.statuses.emplace_back(), parse_status(name));
+  }
+  reading.require(words.statuses.empty() || (words.names.empty() && !writes && !checks),
+                  "--status: it chooses from the list of extensions.");
   reading.require(!writes || is_extension_name(words.new_name),
                   "--new: an extension is named PREFIX_name, such as ACME_leaf.");
   request.new_name = words.new_name;

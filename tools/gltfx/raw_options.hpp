@@ -105,7 +105,7 @@ struct RawRulesOptions {
 struct RawSchemaOptions {
   RawCommonOptions common;
   ConfigChoice configuration;
-  std::vector<std::string> names, check_files, test_files, schema_files, schema_folders;
+  std::vector<std::string> names, statuses, check_files, test_files, schema_files, schema_folders;
   std::string format = "text", new_name;
 };
 

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "json/writer.hpp"
 #include "schema_print.hpp"
 #include "schema_words.hpp"
@@ -78,6 +80,9 @@ void write_limits(Writer& writer, const Set& set, const Shape& shape) {
     writer.end_array();
   }
   if (shape.ref) writer.member("ref", shape.ref->text);
+  if (!shape.ref_has.empty()) {
+    writer.member("refHas", fmt::format("{}", fmt::join(shape.ref_has, "/")));
+  }
   if (shape.ref_name) writer.member("refName", shape.ref_name->text);
 }
 
@@ -192,6 +197,7 @@ void write_generations(Writer& writer, const std::vector<schema::Generation>& ge
 void write_summary(Writer& writer, const Set& set, const schema::Extension& extension) {
   writer.member("extension", extension.name);
   writer.member("status", schema::status_name(extension.status));
+  member_if(writer, "revision", extension.revision);
   members_of(writer, "on", home_names(set, extension));
   member_if(writer, "successor", extension.successor);
   member_if(writer, "spec", extension.spec);
@@ -239,19 +245,19 @@ std::string extension_json(const Set& set, schema::ExtensionId id) {
   return text + '\n';
 }
 
-std::string schema_list_json(const Set& set) {
+std::string schema_list_json(const Set& set, const std::vector<schema::Status>& statuses) {
   std::string text;
   Writer writer(text, true);
   writer.begin_object();
   writer.key("extensions");
   writer.begin_array();
-  for (const schema::Extension* extension : sorted_extensions(set)) {
+  for (const schema::Extension* extension : sorted_extensions(set, statuses)) {
     writer.begin_object();
     write_summary(writer, set, *extension);
     writer.end_object();
   }
   writer.end_array();
-  members_of(writer, "coreTypes", core_type_names(set));
+  if (statuses.empty()) members_of(writer, "coreTypes", core_type_names(set));
   writer.end_object();
   return text + '\n';
 }

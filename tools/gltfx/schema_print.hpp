@@ -3,15 +3,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "schema/set.hpp"
 #include "terminal.hpp"
 
 namespace gltfx::tool {
 
-// The list of extensions and core types.
-std::string schema_list_text(const schema::Set& set, const Style& style);
-std::string schema_list_json(const schema::Set& set);
+// The list of extensions and core types; of extensions of some statuses alone, unless it is empty.
+std::string schema_list_text(const schema::Set& set, const std::vector<schema::Status>& statuses,
+                             const Style& style);
+std::string schema_list_json(const schema::Set& set, const std::vector<schema::Status>& statuses);
 
 // Everything about one extension.
 std::string extension_text(const schema::Set& set, schema::ExtensionId id, const Style& style);

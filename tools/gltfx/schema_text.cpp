@@ -101,6 +101,7 @@ void add_attributes(Facts& facts, std::string_view key,
 std::string extension_facts(const Set& set, const schema::Extension& extension) {
   Facts facts;
   facts.add("status", schema::status_name(extension.status));
+  facts.add("revision", extension.revision);
   const std::vector<std::string> attachment_points = home_names(set, extension);
   facts.add("sits on", attachment_points.empty()
                            ? "nothing: it is only declared"
@@ -121,8 +122,9 @@ std::string extension_facts(const Set& set, const schema::Extension& extension) 
     facts.add("generation", generation.name + ": " + generation.description);
   }
   const schema::Upgrade& upgrade = extension.upgrade;
-  if (!upgrade.to.empty()) {
-    std::string text = fmt::format("gltfx upgrade brings it to {}", upgrade.to);
+  if (upgrade.does_something()) {
+    std::string text = fmt::format("gltfx upgrade brings it to {}",
+                                   upgrade.to.empty() ? "core glTF" : upgrade.to);
     if (!upgrade.alternatives.empty()) {
       text += fmt::format(" or {}", fmt::join(upgrade.alternatives, ", "));
     }
@@ -174,13 +176,15 @@ std::string extension_text(const Set& set, schema::ExtensionId id, const Style& 
   return text;
 }
 
-std::string schema_list_text(const Set& set, const Style& style) {
+std::string schema_list_text(const Set& set, const std::vector<schema::Status>& statuses,
+                             const Style& style) {
+  const std::vector<const schema::Extension*> extensions = sorted_extensions(set, statuses);
   std::size_t width = 0;
-  for (const schema::Extension& extension : set.extensions()) {
-    width = std::max(width, extension.name.size());
+  for (const schema::Extension* extension : extensions) {
+    width = std::max(width, extension->name.size());
   }
   std::string text = style.bold("Extensions") + '\n';
-  for (const schema::Extension* extension : sorted_extensions(set)) {
+  for (const schema::Extension* extension : extensions) {
     const std::vector<std::string> attachment_points = home_names(set, *extension);
     fmt::format_to(std::back_inserter(text), "  {}  {}  {}\n",
                    padded(printable(extension->name), width),
@@ -189,10 +193,12 @@ std::string schema_list_text(const Set& set, const Style& style) {
                        ? "(declared only)"
                        : printable(fmt::format("{}", fmt::join(attachment_points, ", "))));
   }
-  text += '\n' + style.bold("Core types") + '\n';
-  text += wrapped(fmt::format("{}", fmt::join(core_type_names(set), ", ")), 2);
+  if (statuses.empty()) {
+    text += '\n' + style.bold("Core types") + '\n';
+    text += wrapped(fmt::format("{}", fmt::join(core_type_names(set), ", ")), 2);
+  }
   text += fmt::format("\n{} extensions. 'gltfx schema NAME' shows one of them, or a core type.\n",
-                      set.extensions().size());
+                      extensions.size());
   return text;
 }
 

@@ -217,9 +217,14 @@ std::vector<std::string_view> core_type_names(const Set& set) {
   return names;
 }
 
-std::vector<const schema::Extension*> sorted_extensions(const Set& set) {
+std::vector<const schema::Extension*> sorted_extensions(
+    const Set& set, const std::vector<schema::Status>& statuses) {
   std::vector<const schema::Extension*> sorted;
-  for (const schema::Extension& extension : set.extensions()) sorted.push_back(&extension);
+  for (const schema::Extension& extension : set.extensions()) {
+    const bool wanted =
+        std::find(statuses.begin(), statuses.end(), extension.status) != statuses.end();
+    if (wanted || statuses.empty()) sorted.push_back(&extension);
+  }
   std::sort(sorted.begin(), sorted.end(),
             [](const auto* a, const auto* b) { return a->name < b->name; });
   return sorted;

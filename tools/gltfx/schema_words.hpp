@@ -29,8 +29,9 @@ std::vector<schema::TypeId> types_of(const schema::Set& set, schema::ExtensionId
 /// Names of the object types of the core specification, sorted.
 std::vector<std::string_view> core_type_names(const schema::Set& set);
 
-/// Extensions sorted by name.
-std::vector<const schema::Extension*> sorted_extensions(const schema::Set& set);
+/// Extensions sorted by name; those of some statuses alone, unless `statuses` is empty.
+std::vector<const schema::Extension*> sorted_extensions(
+    const schema::Set& set, const std::vector<schema::Status>& statuses);
 
 /// All names by which `upgrade --generation` may call one, "auto" first.
 std::vector<std::string> generation_names(const schema::Set& set);

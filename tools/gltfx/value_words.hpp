@@ -24,6 +24,14 @@ inline constexpr std::array<Word<ColorMode>, 3> kColorWords{
     {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}}};
 inline constexpr std::array<Word<TableFormat>, 2> kTableFormatWords{
     {{"text", TableFormat::text}, {"json", TableFormat::json}}};
+inline constexpr std::array<Word<schema::Status>, 7> kStatusWords{
+    {{"ratified", schema::Status::ratified},
+     {"release-candidate", schema::Status::release_candidate},
+     {"draft", schema::Status::draft},
+     {"legacy", schema::Status::legacy},
+     {"archived", schema::Status::archived},
+     {"registered-vendor", schema::Status::registered_vendor},
+     {"vendor", schema::Status::vendor}}};
 inline constexpr std::array<Word<Profile>, 3> kProfileWords{
     {{"default", Profile::standard}, {"khronos", Profile::khronos}, {"strict", Profile::strict}}};
 inline constexpr std::array<Word<std::optional<PixelLevel>>, 3> kPixelWords{

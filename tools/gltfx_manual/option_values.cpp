@@ -32,7 +32,7 @@ WordSet codes() {
 WordSet schema_names() {
   const schema::Set& set = *schema::builtin_set();
   WordSet names = set_of(core_type_names(set), "schema_names");
-  for (const auto* extension : sorted_extensions(set)) names.words.push_back(extension->name);
+  for (const auto* extension : sorted_extensions(set, {})) names.words.push_back(extension->name);
   return names;
 }
 
@@ -74,6 +74,7 @@ Table common_values() {
   const schema::Set& set = *schema::builtin_set();
   return {
       {"--format", choice(set_of(kTableFormatWords))},
+      {"--status", choice(set_of(kStatusWords))},
       {"--fail-on", choice(set_of(kFailOnWords))},
       {"--min-severity", choice(set_of(kMinSeverityWords))},
       {"--group-by", choice(set_of(kGroupByWords))},
