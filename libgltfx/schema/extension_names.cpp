@@ -12,8 +12,6 @@ namespace {
 // From the registry of Khronos, its open proposals and the lists of the vendors.
 constexpr std::string_view kWithoutSchema[]{
     "BENTLEY_materials_line_style",
-    "EXT_feature_metadata",
-    "EXT_instance_features",
     "EXT_mesh_bmesh",
     "EXT_primitive_voxels",
     "EXT_implicit_ellipsoid_region",

@@ -49,7 +49,6 @@ void exchange(Archive& archive, Shape& shape) {
           shape.conditions, shape.dependent_required, shape.ref, shape.ref_has, shape.ref_name,
           shape.may_refer, shape.may_point, shape.essential, shape.by_position, shape.slot,
           shape.title, shape.description, shape.hint);
-          shape.slot, shape.title, shape.description, shape.hint);
 }
 
 template <class Archive>

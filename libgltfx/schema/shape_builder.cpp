@@ -112,7 +112,6 @@ bool ShapeBuilder::is_bare_reference(Site schema) const {
   const Site annotation = build_.member(schema, "x-gltfx");
   for (const std::string_view word : {"slot", "ref", "refHas", "refName", "mayRefer", "mayPoint",
                                       "essential", "byPosition"}) {
-  for (const std::string_view word : {"slot", "ref", "refHas", "refName"}) {
     if (document.find(annotation.node, word) != json::kNoNode) return false;
   }
   return true;
