@@ -97,7 +97,8 @@ class Humanoid {
       const auto [first, fresh] = used.emplace(bone.node, bone.name);
       if (is_new && fresh) continue;
       report(bone, Code::HUMANOID_BONE_REPEATED,
-             is_new ? fmt::format("{} is already the bone {}.", label(bone), gltfx::quoted(first->second))
+             is_new ? fmt::format("{} is already the bone {}.", label(bone),
+                                  gltfx::quoted(first->second))
                     : fmt::format("The bone {} is listed twice.", gltfx::quoted(bone.name)));
     }
   }
@@ -121,7 +122,8 @@ class Humanoid {
       if (above == bone.node || ancestry.is_ancestor_or_self(above, bone.node)) continue;
       report(bone, Code::HUMANOID_HIERARCHY,
              fmt::format("{}, the bone {}, is not below {}, the bone {}.", label(bone),
-                         gltfx::quoted(bone.name), object_label(context_, model::RootArray::nodes, above),
+                         gltfx::quoted(bone.name),
+                         object_label(context_, model::RootArray::nodes, above),
                          gltfx::quoted(parent)));
     }
   }
@@ -133,7 +135,8 @@ class Humanoid {
       if (!scale || ((*scale)[0] > 0 && (*scale)[1] > 0 && (*scale)[2] > 0)) continue;
       report(bone, Code::HUMANOID_SCALE,
              fmt::format("{}, the bone {}, has a scale of [{}, {}, {}]; it must be positive.",
-                         label(bone), gltfx::quoted(bone.name), (*scale)[0], (*scale)[1], (*scale)[2]));
+                         label(bone), gltfx::quoted(bone.name), (*scale)[0], (*scale)[1],
+                         (*scale)[2]));
     }
   }
 
@@ -145,7 +148,7 @@ class Humanoid {
   }
 
   void report(const HumanBone& bone, Code code, std::string message) const {
-    report_at(context_.link_sink, place_,
+    report_at(context_.link_sink, place_ + bone.place,
               finding_on(context_, bone.value, code, std::move(message)));
   }
 
@@ -215,18 +218,24 @@ std::vector<HumanBone> read_human_bones(const Context& context, json::NodeId ext
   const json::NodeId humanoid = model::object_member(document, extension, "humanoid");
   const json::NodeId list = document.find(humanoid, "humanBones");
   std::vector<HumanBone> bones;
-  const auto add = [&](std::string name, json::NodeId bone) {
+  const auto add = [&](std::string name, json::NodeId bone, std::string_view key) {
     const auto node = context.asset.index(bone, "node", model::RootArray::nodes);
-    if (node) bones.push_back({std::move(name), document.find(bone, "node"), *node});
+    if (!node) return;
+    std::string place;
+    append_pointer_step(place, key);
+    bones.push_back({std::move(name), place + "/node", document.find(bone, "node"), *node});
   };
   if (list == json::kNoNode) return bones;
   if (document.is_object(list)) {
     for (const auto member : document.members(list)) {
-      add(std::string(document.key(member.key_id)), member.value);
+      const std::string_view name = document.key(member.key_id);
+      add(std::string(name), member.value, name);
     }
   }
-  for (const json::NodeId bone : object_list(document, humanoid, "humanBones")) {
-    if (bone != json::kNoNode) add(model::string_member(document, bone, "bone"), bone);
+  const auto listed = object_list(document, humanoid, "humanBones");
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    if (listed[i] == json::kNoNode) continue;
+    add(model::string_member(document, listed[i], "bone"), listed[i], std::to_string(i));
   }
   return bones;
 }

@@ -12,6 +12,7 @@ namespace gltfx::validate {
 
 struct HumanBone {
   std::string name;
+  std::string place;                   ///< of that index, below `humanBones`: "hips/node"
   json::NodeId value = json::kNoNode;  ///< the index of its node, as it stands in the text
   model::NodeIndex node = 0;
 };
