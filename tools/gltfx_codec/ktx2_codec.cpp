@@ -95,7 +95,7 @@ class Decoder {
     return file_.model == Ktx2Model::etc1s ? read_codebooks() : std::nullopt;
   }
 
-  // The texels of a level, row by row from the top, to `take`, which gets the channels asked for.
+  // The first `channels` of a level's texels go to `rows`, or nowhere.
   std::optional<DecodeError> decode(std::size_t level, std::uint32_t channels, Rows* rows) {
     const Extent extent = extent_of(level);
     if (file_.model == Ktx2Model::etc1s) return decode_basis(level, extent, channels, rows);
@@ -198,7 +198,7 @@ class Decoder {
   std::uint64_t reserved_blocks_ = 0;
 };
 
-// R alone is grey. Of R and G the rest is not defined: B is there, so that they keep their places.
+// R alone is grey. R and G have a B, which is not defined, so that they keep their places.
 std::uint32_t channels_of(const Ktx2& file) {
   if (!file.contents) {
     return file.model == Ktx2Model::etc1s && file.channels.size() < 2 ? 3 : 4;
