@@ -7,7 +7,8 @@ declare -A licences=([fmtlib]=MIT [simdjson]=Apache-2.0 [meshoptimizer]=MIT [dra
   [imath]=BSD-3-Clause [openexr]=BSD-3-Clause [embree]=Apache-2.0 [libc6-dev]=LGPL-2.1-or-later
   [libstdc++-12-dev]="GPL-3.0-or-later WITH GCC-exception-3.1" [libdraco-dev]=Apache-2.0
   [libjpeg62-turbo-dev]="IJG AND BSD-3-Clause" [libpng-dev]=libpng-2.0 [libsodium-dev]=ISC
-  [libwebp-dev]=BSD-3-Clause [libxxhash-dev]=BSD-2-Clause [zlib1g-dev]=Zlib [nlohmann-json3-dev]=MIT
+  [libwebp-dev]=BSD-3-Clause [libzstd-dev]="BSD-3-Clause OR GPL-2.0-only" [libxxhash-dev]=BSD-2-Clause
+  [zlib1g-dev]=Zlib [nlohmann-json3-dev]=MIT
   [libcli11-dev]=BSD-3-Clause [libtomlplusplus-dev]=MIT [libstb-dev]="MIT OR Unlicense"
   [libfast-float-dev]="Apache-2.0 OR MIT" [fonts-dejavu-core]=Bitstream-Vera
   [emscripten]="(MIT OR NCSA) AND MIT AND Apache-2.0 WITH LLVM-exception")
