@@ -15,9 +15,12 @@ const root = fileURLToPath(new URL('../../', import.meta.url));
 const here = fileURLToPath(new URL('.', import.meta.url));
 const [folder, ...targets] = process.argv.slice(2);
 
-// A process for each target: engines share no globals.
-if (targets.length > 1) {
-  for (const target of targets) spawnSync(process.execPath, ['--no-warnings', process.argv[1], folder, target], { stdio: 'inherit' });
+// A process for each target, since engines share no globals; the assets without errors are found once.
+if (!process.env.GLTFX_VALID_ASSETS) {
+  const run = spawnSync(process.env.GLTFX ?? `${root}build/dev/bin/gltfx`, ['validate', '--format', 'json', folder], { encoding: 'utf8', maxBuffer: 1 << 28 });
+  const valid = JSON.parse(run.stdout).files.filter(it => it.readable && !it.findings.some(finding => finding.severity === 'error')).map(it => it.path);
+  for (const target of targets)
+    spawnSync(process.execPath, ['--no-warnings', process.argv[1], folder, target], { stdio: 'inherit', env: { ...process.env, GLTFX_VALID_ASSETS: JSON.stringify(valid) } });
   process.exit(0);
 }
 
@@ -82,9 +85,7 @@ const attempt = await openEngine(config.engine ?? target.replaceAll('-', '_'), `
 
 const counts = { assets: 0, refused: 0, found: 0, predicted: 0, falseRefusals: 0, pairs: 0, right: 0, harness: 0 };
 const notes = [];
-const report = spawnSync(process.env.GLTFX ?? `${root}build/dev/bin/gltfx`, ['validate', '--format', 'json', folder], { encoding: 'utf8', maxBuffer: 1 << 28 });
-for (const { path, readable, findings } of JSON.parse(report.stdout).files) {
-  if (!readable || findings.some(it => it.severity === 'error')) continue;
+for (const path of JSON.parse(process.env.GLTFX_VALID_ASSETS)) {
   const asset = jsonOf(path);
   const place = dirname(path);
   const files = new Map(walk(place).filter(name => statSync(name).size < 1 << 24).map(name => [relative(place, name), readFileSync(name)]));
