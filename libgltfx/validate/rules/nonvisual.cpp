@@ -38,7 +38,7 @@ void report_mode(const Context& context, const ExtensionPlace& place, const Path
                 Code::NONVISUAL_GEOMETRY_MODE, std::move(message));
 }
 
-void check_mode(const Context& context, const ExtensionPlace& place, const Path& path) {
+void check_shape_mode(const Context& context, const ExtensionPlace& place, const Path& path) {
   const std::string shape = model::string_member(context.document, place.object, "shape");
   const model::Primitive primitive = model::read_primitive(context.asset, place.host);
   if (!primitive.mode) return;
@@ -71,7 +71,7 @@ void check_path(const Context& context, const ExtensionPlace& place, const Path&
 void check_nonvisual(const Context& context) {
   for_each_primitive_extension(context, "MAXAR_nonvisual_geometry",
                                [&](const ExtensionPlace& place, const Path& path) {
-                                 check_mode(context, place, path);
+                                 check_shape_mode(context, place, path);
                                  check_path(context, place, path);
                                });
 }
