@@ -78,17 +78,17 @@ std::optional<container::Bytes> data_of(const Resource& resource, json::NodeId m
 
 }  // namespace
 
-void Resource::find(Code code, std::string_view member, std::string message, std::string help,
+void Resource::find(Code code, std::string_view where, std::string message, std::string help,
                     std::optional<Severity> severity) const {
   Finding finding(code);
   finding.message = std::move(message);
   finding.help = std::move(help);
   finding.severity = severity;
-  finding.span = member_span(context.document, object, member);
-  if (member.empty()) {
+  finding.span = member_span(context.document, object, where);
+  if (where.empty()) {
     sink.report(path, std::move(finding));
   } else {
-    sink.report(Path(path, member), std::move(finding));
+    sink.report(Path(path, where), std::move(finding));
   }
 }
 

@@ -25,7 +25,7 @@ struct Resource {
   std::string_view member = "uri";  ///< of the object, that names the file
 
   /// A finding on the object, or on its member where one is named.
-  void find(Code code, std::string_view member, std::string message, std::string help = {},
+  void find(Code code, std::string_view where, std::string message, std::string help = {},
             std::optional<Severity> severity = {}) const;
 };
 

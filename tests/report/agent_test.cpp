@@ -20,7 +20,9 @@ std::string agent(const std::vector<FileReport>& reports, bool quiet = false) {
                                                            .section = "",
                                                            .link = "",
                                                            .bad = "",
-                                                           .good = ""}}};
+                                                           .good = "",
+                                                           .fix_does = "",
+                                                           .fixed = ""}}};
   FormatOptions options;
   options.profile = "default";
   options.pixel_level = "headers";

@@ -28,7 +28,9 @@ constexpr std::array<RuleDescription, 2> kRules{{{.code = "A_RULE",
                                                   .section = "",
                                                   .link = "",
                                                   .bad = "{}",
-                                                  .good = "{}"},
+                                                  .good = "{}",
+                                                  .fix_does = "",
+                                                  .fixed = ""},
                                                  {.code = "OTHER_RULE",
                                                   .severity = Severity::info,
                                                   .summary = "other",
@@ -38,7 +40,9 @@ constexpr std::array<RuleDescription, 2> kRules{{{.code = "A_RULE",
                                                   .section = "",
                                                   .link = "",
                                                   .bad = "{}",
-                                                  .good = "{}"}}};
+                                                  .good = "{}",
+                                                  .fix_does = "",
+                                                  .fixed = ""}}};
 
 std::string page_of(const std::vector<PageAsset>& assets) {
   PageOptions options;

@@ -25,7 +25,9 @@ constexpr std::array<RuleDescription, 2> kSarifRules{
       .section = "glTF 2.0, Accessors",
       .link = "https://example.org/gltf#accessors",
       .bad = "{\"a\": 1}",
-      .good = ""},
+      .good = "",
+      .fix_does = "",
+      .fixed = ""},
      {.code = "UNUSED_OBJECT",
       .severity = Severity::info,
       .summary = "Nothing uses an object",
@@ -35,7 +37,9 @@ constexpr std::array<RuleDescription, 2> kSarifRules{
       .section = "",
       .link = "",
       .bad = "",
-      .good = ""}}};
+      .good = "",
+      .fix_does = "",
+      .fixed = ""}}};
 
 FormatOptions sarif_options() {
   FormatOptions sarif_options;

@@ -29,7 +29,8 @@ constexpr const char* kBase = R"({
   "nodes": [{}, {}], "samplers": [{}, {}], "scenes": [{}, {}], "scene": 0, "skins": [{"joints": [0]}, {"joints": [0]}],
   "textures": [{"source": 0}, {"source": 1}]})";
 
-// How to get from the root to some object of a type: members, "0" for an array's first element.
+// How to get from an object to some object of a type: members, "0" for an array's first element,
+// "*" for a member of a map.
 struct Route {
   ShapeId shape;
   std::vector<std::string> steps;
@@ -129,6 +130,15 @@ std::string CaseGenerator::pointer_from(Json& document, const std::string& start
       for (std::size_t i = 0; i < route.steps.size(); ++i) {
         const std::string& step = route.steps[i];
         Json& here = document[Pointer(pointer)];
+        if (step == "*") {
+          at = set_.shape(at).values;
+          pointer += "/" + (here.empty() ? std::string("a") : here.begin().key());
+          if (here.empty()) {
+            Json made = make_at(at, pointer, needs);
+            document[Pointer(pointer)] = std::move(made);
+          }
+          continue;
+        }
         const bool element = step == "0";
         at = element ? set_.shape(at).items : set_.find_property(set_.shape(at).type, step)->shape;
         // Of the elements the one that has the next member is the one that may have it.
@@ -150,6 +160,7 @@ std::string CaseGenerator::pointer_from(Json& document, const std::string& start
       routes.back().steps.push_back(step);
     };
     go("0", shape.items);
+    go("*", shape.values);
     if (shape.type == kNone) continue;
     for (const schema::Property& property : set_.type(shape.type).properties)
       go(property.name, property.shape);

@@ -173,9 +173,13 @@ void Configuration::fill(std::string_view key, std::string& word) const {
   if (word.empty() && !said.empty()) word = std::move(said.front());
 }
 
+void Configuration::apply(RawUpgradeOptions& words) const {
+  apply(static_cast<RawEditOptions&>(words));
+  if (words.targets.empty()) words.targets = words_of(*find_config_key("targets"), {});
+}
+
 void Configuration::apply(RawEditOptions& words) const {
   fill("root", words.root);
-  if (words.targets.empty()) words.targets = words_of(*find_config_key("targets"), {});
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }

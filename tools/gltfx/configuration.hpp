@@ -46,6 +46,7 @@ class Configuration {
   RawValidateOptions apply(RawValidateOptions words,
                            const std::vector<std::size_t>& overrides) const;
   void apply(RawEditOptions& words) const;
+  void apply(RawUpgradeOptions& words) const;
   void apply(RawBakeOptions& words) const;
   void apply(RawInspectOptions& words) const;
   void apply(RawSchemaOptions& words) const;

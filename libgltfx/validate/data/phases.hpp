@@ -2,6 +2,8 @@
 /// The parts of the data phase, in the order in which they report.
 #pragma once
 
+#include <gltfx/report.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <unordered_map>

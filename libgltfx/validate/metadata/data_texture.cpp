@@ -144,7 +144,7 @@ void read_texels(MetadataPhase& phase, std::vector<TexelRequest> requests) {
     if (i == 0 || requests[i - 1].image != index) {
       image.reset();
       const auto& header = phase.data.resources.images[index].header;
-      const bool sound = header && header->doubt.empty() && model::codec_format(header->format);
+      const bool sound = header && header->doubt.empty();
       if (!sound || image::texels_of(*header) > left) continue;
       left -= image::texels_of(*header);
       image = decode(phase, index);

@@ -97,7 +97,7 @@ void for_each_number(const json::Document& document, json::NodeId value,
   });
 }
 
-bool fits(double number, const MetadataProperty& property) {
+bool is_representable(double number, const MetadataProperty& property) {
   const model::MetadataRange range = metadata_range(property.component);
   if (number < range.least || number > range.most) return false;
   return !is_integer(property.component) || number == std::floor(number);
