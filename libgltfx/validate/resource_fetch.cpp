@@ -33,7 +33,7 @@ Code code_of(ResolveError error) {
 void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
   ++resource.report.unverified;
   resource.find(
-      Code::GIT_LFS_POINTER, resource.member,
+      Code::GIT_LFS_POINTER, resource.uri_member,
       fmt::format("{} is a Git LFS pointer, not the file itself.", gltfx::quoted(uri.normalized)),
       "run 'git lfs pull'");
 }
@@ -44,7 +44,7 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
   container::Resolved resolved = resource.context.resolver.open(uri);
   if (resolved.error != ResolveError::none) {
     const bool same = resource.context.deviations.refused_files_have_no_code;
-    resource.find(same ? Code::IO_ERROR : code_of(resolved.error), resource.member,
+    resource.find(same ? Code::IO_ERROR : code_of(resolved.error), resource.uri_member,
                   container::describe(resolved.error, uri.normalized, resolved.problem),
                   std::string(container::help(resolved.error)));
     return std::nullopt;
@@ -94,7 +94,7 @@ void Resource::find(Code code, std::string_view where, std::string message, std:
 
 std::optional<container::Bytes> fetch_uri(const Resource& resource) {
   const json::Document& document = resource.context.document;
-  const json::NodeId member = document.find(resource.object, resource.member);
+  const json::NodeId member = document.find(resource.object, resource.uri_member);
   if (member == json::kNoNode || !document.is_string(member)) return std::nullopt;
   std::string buffer;
   const std::string_view text = document.string(member, buffer);

@@ -21,16 +21,16 @@ struct Resource {
   FileReport& report;  ///< its `unverified` is counted up
   const Path& path;    ///< of the buffer or image
   json::NodeId object = json::kNoNode;
-  ResourceInfo& info;               ///< storage and uri are filled in
-  std::string_view member = "uri";  ///< of the object, that names the file
+  ResourceInfo& info;                   ///< storage and uri are filled in
+  std::string_view uri_member = "uri";  ///< of the object, that names the file
 
   /// A finding on the object, or on its member where one is named.
   void find(Code code, std::string_view where, std::string message, std::string help = {},
             std::optional<Severity> severity = {}) const;
 };
 
-/// The bytes that `resource.member` names: mapped, copied or decoded. Nothing when there is no such
-/// member, it is malformed, or the file cannot be had, which is reported here.
+/// The bytes that `resource.uri_member` names: mapped, copied or decoded. Nothing when there is no
+/// such member, it is malformed, or the file cannot be had, which is reported here.
 std::optional<container::Bytes> fetch_uri(const Resource& resource);
 
 /// The same, or what the member `bufferView` names. The buffers of `data` have been loaded.
