@@ -109,7 +109,7 @@ void check_numbers(const MetadataObject& owner, const Path& path, json::NodeId v
   if (number == MetadataNumber::transformed && property.normalized) return;
   std::optional<double> wrong;
   for_each_number(owner.document, value, property, [&](const json::Number& each) {
-    if (!wrong && !fits(each.value, property)) wrong = each.value;
+    if (!wrong && !is_representable(each.value, property)) wrong = each.value;
   });
   if (!wrong) return;
   report_in(owner.sink, path, owner.document, value, Code::METADATA_VALUE_OUT_OF_RANGE,
