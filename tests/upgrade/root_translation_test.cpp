@@ -18,7 +18,7 @@ std::string tile(const std::string& center, const std::string& scenes = R"({"nod
          "}";
 }
 
-UpgradeOptions unsafe() {
+UpgradeOptions unsafe_options() {
   UpgradeOptions options;
   options.unsafe = true;
   return options;
@@ -43,7 +43,7 @@ TEST(RootTranslation, WhatIsLostBeyondAMillimetreIsUnsafe) {
   EXPECT_EQ(upgraded(earth).only().fate, UpgradeFate::unsafe);
   EXPECT_EQ(upgraded(earth).text, earth);
   EXPECT_THAT(upgraded(earth).only().notes, Contains(HasSubstr("0.25 m")));
-  const Json root = upgraded(earth, unsafe()).json();
+  const Json root = upgraded(earth, unsafe_options()).json();
   EXPECT_EQ(root["nodes"][2]["translation"].dump(), "[1215107.76,4081926.1,4736682.9]");
   EXPECT_EQ(upgraded(tile("[32000,0,0]")).only().fate, UpgradeFate::safe);
   EXPECT_EQ(upgraded(tile("[0,33000,0]")).only().fate, UpgradeFate::unsafe);
@@ -67,7 +67,7 @@ TEST(RootTranslation, ANodeNeverGetsTwoParents) {
 
 TEST(RootTranslation, WhatIsInvalidStays) {
   for (const std::string center : {"[1,2]", "7", "[1,2,\"3\"]", "[1,2,1e999]"}) {
-    const Upgraded result = upgraded(tile(center), unsafe());
+    const Upgraded result = upgraded(tile(center), unsafe_options());
     EXPECT_EQ(result.only().fate, UpgradeFate::impossible) << center;
     EXPECT_EQ(result.text, tile(center));
   }

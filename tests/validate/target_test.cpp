@@ -211,8 +211,8 @@ INSTANTIATE_TEST_SUITE_P(
         Detected{"extension.unknown-required", R"("extensionsUsed": ["ACME_leaf"],
             "extensionsRequired": ["ACME_leaf"])"},
         Detected{"extras", R"("nodes": [{"extras": {"a": 1}}])"}),
-    [](const testing::TestParamInfo<Detected>& info) {
-      std::string name = info.param.feature;
+    [](const testing::TestParamInfo<Detected>& tested) {
+      std::string name = tested.param.feature;
       for (char& letter : name) {
         if (letter == '.' || letter == '-') letter = '_';
       }
