@@ -239,7 +239,7 @@ TEST_F(GitHook, FilesInASubmoduleAreItsOwnBusiness) {
 }
 
 // Twenty broken assets, each in its own way.
-TEST_F(GitHook, FixesAndNamesWhatIsToBeStaged) {
+TEST_F(GitHook, FixesTwentyBrokenAssetsAndNamesThem) {
   const std::vector<std::string> broken{
       R"({"asset":{"version":"2.0"},})",
       R"({"asset":{"version":"2.0"},"nodes":[]})",
