@@ -79,9 +79,9 @@ TEST_F(Targets, TheMatrixInThreeFormats) {
   const Outcome markdown = run({"targets", "three", "--format", "markdown"});
   EXPECT_THAT(markdown.out, StartsWith("| feature | three.js "));
   EXPECT_THAT(markdown.out, HasSubstr("|---|---|"));
-  const auto json = nlohmann::json::parse(run({"targets", "three", "--format", "json"}).out);
-  EXPECT_EQ(json["targets"][0]["name"], "three");
-  EXPECT_GE(json["targets"][0]["versions"].size(), 12U);
+  const auto matrix = nlohmann::json::parse(run({"targets", "three", "--format", "json"}).out);
+  EXPECT_EQ(matrix["targets"][0]["name"], "three");
+  EXPECT_GE(matrix["targets"][0]["versions"].size(), 12U);
   EXPECT_THAT(run({"targets"}).out, HasSubstr("three.js"));
 }
 
