@@ -83,6 +83,8 @@ struct ImageRequest {
   std::span<const std::byte> bytes;
   ImageFormat format = ImageFormat::png;
   std::uint64_t max_pixels = std::uint64_t{1} << 28U;
+  /// Both sides may be halved so many times, up to three, where that takes less time: JPEG.
+  std::uint32_t halvings = 0;
   bool pixels = false;   ///< hand over the pixels
   bool normals = false;  ///< look at the first three channels as at a normal map
   Origin origin = {};

@@ -229,6 +229,7 @@ Frame write_job(const Job& job) {
   out.name(job.format);
   out.number(static_cast<std::uint8_t>(job.pixels));
   out.number(static_cast<std::uint8_t>(job.normals));
+  out.number(job.halvings);
   write(out, job.raster);
   out.name(job.encoded);
   out.number(job.quality);
@@ -247,6 +248,7 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   job.format = in.name(ImageFormat::openexr);
   job.pixels = in.flag();
   job.normals = in.flag();
+  job.halvings = in.check_at_most(in.number<std::uint8_t>(), kMostHalvings);
   job.raster = read_raster(in);
   job.encoded = in.name(EncodedFormat::exr);
   job.quality = in.number<std::uint32_t>();
