@@ -40,7 +40,7 @@ TEST(SceneDetail, TwoTexelsStayForEachPixel) {
 TEST(SceneDetail, TheLeastDetailDecides) {
   bake::Scene scene = square(1);
   bake::Mesh& mesh = scene.meshes.front();
-  mesh.uvs = {{{0, 0}, {1, 0}, {1, 1}, {1, 0}}};
+  mesh.uvs = {{{0, 0}, {1, 0}, {1, 1}, {1, 1}}};
   EXPECT_THAT(find_halvings(scene, {{2048, 2048}}, 256), ElementsAre(0)) << "half has no detail";
   bake::Mesh stretched = bake::quad(0.1F);
   stretched.uvs = {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}};
