@@ -40,6 +40,26 @@ TableCell::TableCell(double x, int size) {
 
 TableCell albedo_column(double cosine) { return {std::sqrt(std::sqrt(cosine)), kAlbedoColumns}; }
 
+SpecularColumn::SpecularColumn(double cosine) {
+  const TableCell column = albedo_column(cosine);
+  for (std::size_t row = 0; row < constant_.size(); ++row) {
+    for (std::size_t c = 0; c < column.weights.size(); ++c) {
+      constant_[row] += column.weights[c] * kSpecularConstant[row][column.first + c];
+      rising_[row] += column.weights[c] * kSpecularRising[row][column.first + c];
+    }
+  }
+}
+
+SpecularAlbedo SpecularColumn::at(const TableCell& row) const {
+  float constant = 0;
+  float rising = 0;
+  for (std::size_t r = 0; r < row.weights.size(); ++r) {
+    constant += row.weights[r] * constant_[row.first + r];
+    rising += row.weights[r] * rising_[row.first + r];
+  }
+  return {static_cast<double>(constant), static_cast<double>(rising)};
+}
+
 SpecularAlbedo SpecularCurve::at(const TableCell& column) const {
   return {weigh(kSpecularConstant.data(), row_, column),
           weigh(kSpecularRising.data(), row_, column)};

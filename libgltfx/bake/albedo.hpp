@@ -32,6 +32,16 @@ TableCell albedo_column(double cosine);
 struct SpecularAlbedo {
   double constant = 0, rising = 0;  ///< integrals of 1 - w and of w, w = (1 - V.H)^5
 };
+/// The albedos for one cosine, by row of the tables.
+class SpecularColumn {
+ public:
+  explicit SpecularColumn(double cosine);
+  SpecularAlbedo at(const TableCell& row) const;
+
+ private:
+  std::array<float, kSpecularRows> constant_{}, rising_{};
+};
+
 /// The albedo for one roughness. Exact to 2e-4 for cosines above 0.1, to 2e-3 above 0.02, to 2e-2
 /// below.
 class SpecularCurve {
@@ -40,6 +50,7 @@ class SpecularCurve {
   explicit SpecularCurve(double roughness) : row_(roughness, kSpecularRows) {}
   SpecularAlbedo at(double cosine) const { return at(albedo_column(cosine)); }
   SpecularAlbedo at(const TableCell& column) const;
+  SpecularAlbedo at(const SpecularColumn& column) const { return column.at(row_); }
 
  private:
   TableCell row_;

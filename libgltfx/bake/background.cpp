@@ -24,14 +24,13 @@ double catcher_shadow(const TraceContext& context, const Ray& ray, const Float2&
   if (!(distance > 0)) return 0;
   const Vec3d point =
       beside(ray.origin + ray.direction * distance, Vec3d(0, 1, 0), context.scene_size);
-  const EnvironmentSample light = world.environment->sample(random);
+  const EnvironmentSample light = world.sample_sky(Vec3d(0, 1, 0), false, random);
   if (!(light.pdf > 0) || light.direction.y <= 0) return 0;
   ++rays;
   const double kept =
       1 - static_cast<double>(context.bvh.visibility({point, light.direction}, world.eye));
   if (kept == 0) return 0;
-  const double share =
-      luminance(world.environment->radiance(light)) * light.direction.y / light.pdf;
+  const double share = luminance(light.radiance) * light.direction.y * light.scale;
   return kept * share / world.shadow_catcher->irradiance * kDepth;
 }
 

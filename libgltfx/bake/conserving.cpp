@@ -74,7 +74,7 @@ double base_inside(const Fresnel& fresnel, double v_z) {
 // Lights over a hemisphere, for a grazing view.
 struct GrazingLight {
   double cosine = 0;
-  TableCell column;
+  SpecularColumn column;
   double weight = 0;
   double fresnel = 0;  // mean of (1 - V.H)^5 over a turn
 };
@@ -84,7 +84,7 @@ const std::vector<GrazingLight>& grazing_lights() {
     constexpr int kTurns = 64;
     std::vector<GrazingLight> lights;
     for (const Node& node : gauss_legendre(6)) {
-      GrazingLight light{std::sqrt(node.x), albedo_column(std::sqrt(node.x)), node.weight, 0};
+      GrazingLight light{std::sqrt(node.x), SpecularColumn(std::sqrt(node.x)), node.weight, 0};
       for (int i = 0; i < kTurns; ++i) {
         const double v_l = std::sqrt(1 - node.x) * std::cos(pi * (i + 0.5) / kTurns);
         light.fresnel += pow5(1 - std::sqrt((1 + v_l) / 2)) / kTurns;

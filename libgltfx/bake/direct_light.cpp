@@ -31,23 +31,22 @@ Candidate DirectLight::candidate(const Ray& shadow_ray, const Vec3d& l, const Rg
   const double scale = pdf > 0 ? power_heuristic(pdf, bsdf.pdf) / pdf : 1.0;
   const Rgb contribution =
       bsdf.f * light * transmittance(l, shadow_ray.far) * (std::fabs(l.z) * scale);
-  return {shadow_ray, bsdf, {}, contribution, luminance(contribution)};
+  return {shadow_ray, bsdf, contribution, luminance(contribution)};
 }
 
 Candidate DirectLight::sample_environment(const Float2& random) const {
-  const EnvironmentSample light = context_.world.environment->sample(random);
+  const Material& m = surface_.material;
+  const bool both = is_transmissive(m) && !m.volumetric();
+  const EnvironmentSample light = context_.world.sample_sky(surface_.frame.normal, both, random);
   if (!(light.pdf > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
   if (!is_consistent(light.direction, l) || is_inwards(l)) return {};
   const Evaluation bsdf = bsdf_.evaluate(l);
-  const double scale = std::fabs(l.z) * power_heuristic(light.pdf, bsdf.pdf);
+  const double weight = power_heuristic(light.pdf, bsdf.pdf);
+  const double scale = std::fabs(l.z) * weight * light.scale;
   const Ray shadow_ray{start(l), light.direction};
-  const Rgb contribution = bsdf.f * transmittance(l, shadow_ray.far) * scale;
-  return {shadow_ray, bsdf, light.point, contribution / light.pdf, luminance(contribution)};
-}
-
-void DirectLight::add_radiance(Candidate& chosen) const {
-  chosen.contribution *= context_.world.environment->radiance_at(chosen.point);
+  const Rgb contribution = bsdf.f * light.radiance * transmittance(l, shadow_ray.far) * scale;
+  return {shadow_ray, bsdf, contribution, luminance(contribution)};
 }
 
 Candidate DirectLight::sample_emitter(const Float2& random) const {
@@ -82,7 +81,7 @@ Candidate sample_punctual(const TraceContext& context, const Medium& medium, con
       henyey_greenstein(medium.anisotropy, -dot(ray.direction, shadow_ray.direction));
   const Rgb contribution =
       choice.light.irradiance * medium.transmittance(shadow_ray.far) * (phase / choice.probability);
-  return {shadow_ray, {}, {}, contribution, luminance(contribution)};
+  return {shadow_ray, {}, contribution, luminance(contribution)};
 }
 
 }  // namespace gltfx::bake

@@ -20,7 +20,6 @@ inline double power_heuristic(double own, double other) {
 struct Candidate {
   Ray shadow_ray;
   Evaluation bsdf;
-  Float2 point{};     ///< of the environment
   Rgb contribution;   ///< over the density, with the weight of multiple importance sampling
   double weight = 0;  ///< in the choice among candidates; 0: no light
 };
@@ -55,10 +54,7 @@ class DirectLight {
               const Medium* around)
       : context_(context), surface_(surface), bsdf_(bsdf), around_(around) {}
 
-  /// Without the radiance of the environment, which add_radiance() multiplies in for the candidate
-  /// that is chosen: directions are sampled by it, so that radiance over density hardly varies.
   Candidate sample_environment(const Float2& random) const;
-  void add_radiance(Candidate& chosen) const;
   Candidate sample_emitter(const Float2& random) const;
   Candidate sample_punctual(const Float2& random) const;
 

@@ -118,7 +118,9 @@ EnvironmentSample Environment::sample(const Float2& random) const {
   const auto [point, density] = distribution_.sample(random);
   const SinCos down = sin_cos_of(static_cast<double>(point[1]) / 2);
   const double area = 2 * kPi * kPi * down.sine;
-  return {direction_at(point, down), point, area > 0 ? density / area : 0.0};
+  if (!(area > 0 && density > 0)) return {};
+  const double pdf = density / area;
+  return {direction_at(point, down), radiance_at(point), pdf, 1 / pdf};
 }
 
 }  // namespace gltfx::bake

@@ -15,8 +15,9 @@ namespace gltfx::bake {
 /// A sampled direction.
 struct EnvironmentSample {
   Vec3d direction;
-  Float2 point{};  ///< of the image
-  double pdf = 0;  ///< per steradian; 0: no sample
+  Rgb radiance;
+  double pdf = 0;    ///< of Environment::sample(), per steradian; 0: no sample
+  double scale = 0;  ///< of the radiance in an estimate: one over the density
 };
 
 /// Radiance from a direction, and its density in sample().
@@ -34,13 +35,12 @@ class Environment {
   Rgb radiance(const Vec3d& direction) const { return evaluate(direction).radiance; }
   EnvironmentValue evaluate(const Vec3d& direction) const;
   EnvironmentSample sample(const Float2& random) const;
-  /// The radiance of a sample.
-  Rgb radiance(const EnvironmentSample& sample) const { return radiance_at(sample.point); }
-  Rgb radiance_at(const Float2& point) const;
   /// The density of sample(), per steradian.
   double pdf(const Vec3d& direction) const { return evaluate(direction).pdf; }
 
  private:
+  Rgb radiance_at(const Float2& point) const;
+
   std::uint32_t width_, height_;
   std::vector<Float3> texels_;  ///< rows from the top, with a border of one texel
   PiecewiseConstant2d distribution_;

@@ -48,6 +48,16 @@ struct PathSample {
   void add(const PathSample& sample, double weight);
 };
 
+/// What a path does at its first surface, and after it.
+struct Effort {
+  std::uint32_t light_samples = 2;     ///< shadow rays to each kind of light
+  std::uint32_t light_candidates = 4;  ///< for each of them
+  std::uint32_t transmitted_paths =
+      4;  ///< branches of light that is transmitted, which varies most
+  /// Later surfaces that are opaque and rough get the light of an unoccluded sky, and end the path.
+  bool sky_ends_paths = false;
+};
+
 /// What all paths of a picture have in common. References must outlive it.
 struct TraceContext {
   const Scene& scene;
@@ -56,7 +66,7 @@ struct TraceContext {
   int max_depth = 4;      ///< surfaces that scatter along a path
   double scene_size = 1;  ///< for distances that count as zero
   ShaderMode mode = ShaderMode::conserving;
-  std::uint32_t light_candidates = 4;  ///< at the first surface; many samples need fewer of them
+  Effort effort{};
 };
 
 /// Light that arrives along a ray that comes from a point of the picture (x and y from 0 to 1),

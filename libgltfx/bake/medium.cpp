@@ -134,22 +134,23 @@ double MediaStack::ior_around(std::uint64_t body) const {
   return entry != nullptr ? entry->ior : 1.0;
 }
 
-DistanceSample sample_distance(const Medium& medium, const Rgb& throughput, double reach,
-                               const Float2& random) {
-  if (!medium.scatters()) return {false, 0, medium.transmittance(reach)};
+double sample_distance(const Medium& medium, const Rgb& throughput, const Float2& random) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  if (!medium.scatters()) return kNever;
+  const int color = choose_color(color_odds(throughput), static_cast<double>(random[1]));
+  const double decisive = medium.extinction()[color];
+  return decisive > 0 ? -std::log1p(-static_cast<double>(random[0])) / decisive : kNever;
+}
+
+Rgb distance_weight(const Medium& medium, const Rgb& throughput, double distance, bool scattered) {
+  if (!medium.scatters()) return medium.transmittance(distance);
   const Rgb extinction = medium.extinction();
+  if (medium.is_grey()) return scattered ? medium.scattering / extinction : Rgb(1);
   const Rgb odds = color_odds(throughput);
-  const double decisive = extinction[choose_color(odds, static_cast<double>(random[1]))];
-  const double distance = decisive > 0 ? -std::log1p(-static_cast<double>(random[0])) / decisive
-                                       : std::numeric_limits<double>::infinity();
-  if (distance >= reach) {
-    const Rgb through = medium.transmittance(reach);
-    const double density = dot(odds, through);
-    return {false, 0, density > 0 ? through / Rgb(density) : Rgb()};
-  }
   const Rgb through = medium.transmittance(distance);
-  const double density = dot(odds, extinction * through);
-  return {true, distance, density > 0 ? medium.scattering * through / Rgb(density) : Rgb()};
+  const double density = dot(odds, scattered ? extinction * through : through);
+  const Rgb carried = scattered ? medium.scattering * through : through;
+  return density > 0 ? carried / Rgb(density) : Rgb();
 }
 
 }  // namespace gltfx::bake

@@ -19,6 +19,11 @@ struct Medium {
 
   Rgb extinction() const { return absorption + scattering; }
   bool scatters() const { return max_value(scattering) > 0; }
+  /// Whether all colours get equally far.
+  bool is_grey() const {
+    const Rgb all = extinction();
+    return all.x == all.y && all.y == all.z;
+  }
   /// The part of light that `distance` metres, which may be infinite, neither absorb nor scatter.
   Rgb transmittance(double distance) const;
 };
@@ -69,17 +74,12 @@ class MediaStack {
   std::vector<Entry> entries_;  // most paths never have one
 };
 
-/// How far a path gets in a medium.
-struct DistanceSample {
-  bool scattered = false;
-  double distance = 0;  ///< to the point where the path is scattered
-  Rgb weight{1, 1, 1};  ///< by which its throughput is multiplied
-};
+/// The distance after which a path is scattered, if no surface comes first; infinite where nothing
+/// scatters. The throughput of the path chooses the colour whose extinction decides.
+double sample_distance(const Medium& medium, const Rgb& throughput, const Float2& random);
 
-/// From a point of the medium, `reach` metres before a surface. The throughput of the path chooses
-/// the colour whose extinction decides the distance; the three are combined by multiple importance
-/// sampling.
-DistanceSample sample_distance(const Medium& medium, const Rgb& throughput, double reach,
-                               const Float2& random);
+/// By what the throughput of a path is multiplied that got `distance` metres far, to where it is
+/// scattered or to a surface. The colours are combined by multiple importance sampling.
+Rgb distance_weight(const Medium& medium, const Rgb& throughput, double distance, bool scattered);
 
 }  // namespace gltfx::bake

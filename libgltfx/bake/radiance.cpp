@@ -19,10 +19,8 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kLightSamples = 2;      // at the first surface, with few samples a pixel
-constexpr std::uint32_t kRouletteFrom = 3;      // step
-constexpr double kSharp = 0.5;                  // roughness below which gloss shows a picture
-constexpr std::uint32_t kTransmittedPaths = 4;  // at the first surface
+constexpr std::uint32_t kRouletteFrom = 3;  // step
+constexpr double kSharp = 0.5;              // roughness below which gloss shows a picture
 
 // Where a path meets a surface.
 struct SurfaceVertex {
@@ -39,9 +37,8 @@ Rgb share_of(const Rgb& part, const Rgb& all) {
 
 // The environment counts once along a path: through the first wall that lets it in, and not again
 // when that wall reflects it.
-const Environment* environment_of(const TraceContext& context, const Path& path) {
-  return context.world.environment && !path.prefix.environment_in ? &*context.world.environment
-                                                                  : nullptr;
+bool sees_environment(const TraceContext& context, const Path& path) {
+  return context.world.environment && !path.prefix.environment_in;
 }
 
 // The weight of light that the BSDF or phase function found, beside light sampling.
@@ -65,9 +62,9 @@ void add_infinite_light(const TraceContext& context, const Path& path, const Flo
     L.alpha = 1 - luminance(path.throughput);
     L.background = path.throughput * background(context, path.ray.direction, point);
     L.shadow = catcher_shadow(context, path.ray, path.sampler.pair(Dimension::environment), L.rays);
-  } else if (const Environment* environment = environment_of(context, path)) {
+  } else if (sees_environment(context, path)) {
     features.record(path, Rgb(1), -path.ray.direction, 0);
-    add_environment(*environment, path, L);
+    add_environment(*context.world.environment, path, L);
   }
 }
 
@@ -82,9 +79,8 @@ void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wa
   };
   const bool open =
       light_through(context, path.ray, wall.hit, wall.surface, path.sampler.key(), add_emitter);
-  const Environment* environment = environment_of(context, path);
-  if (!open || environment == nullptr) return;
-  add_environment(*environment, path, L);
+  if (!open || !sees_environment(context, path)) return;
+  add_environment(*context.world.environment, path, L);
   path.prefix.environment_in = true;
 }
 
@@ -101,6 +97,27 @@ void add_emission(const TraceContext& context, const Path& path, const SurfaceVe
     L.add_light(light, path.reflected_share);
   }
 }
+
+// Whether the path ends here, with the light of the sky instead of that of paths.
+bool end_with_sky(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
+                  PathSample& L) {
+  const Material& m = vertex.surface.material;
+  if (!context.effort.sky_ends_paths || path.depth == 0 || is_transmissive(m)) return false;
+  if (!context.world.sky || !sees_environment(context, path)) return false;
+  // The nearer a surface, the less of the sky both see.
+  const double near = 0.05 * context.scene_size;
+  const double open = vertex.hit.distance / (vertex.hit.distance + near);
+  const Rgb light = context.world.sky->irradiance(vertex.surface.frame.normal) * (open * inv_pi);
+  L.add_light(path.throughput * m.base_color * light, path.reflected_share);
+  return true;
+}
+
+// The least roughness of all gloss.
+double sharpest(const Material& m) {
+  return m.clearcoat > 0 ? std::min(m.roughness, m.clearcoat_roughness) : m.roughness;
+}
+
+bool is_glossy(const Material& m) { return sharpest(m) < kSharp || m.metallic > 0.5; }
 
 // Traces the shadow ray of a candidate.
 void add_unoccluded(const TraceContext& context, const Path& path, const Reservoir& chosen,
@@ -124,20 +141,41 @@ void choose_channel(const Material& material, Path& path) {
   path.throughput *= carried;
 }
 
-// The distance at which the medium scatters, and the direction then; false if a surface comes
-// first, to which the medium only absorbs.
+// The next surface, or nothing where the medium scatters before it. Where that is ends the ray, so
+// that in dense media few triangles are looked at.
+std::optional<Hit> find_surface(const TraceContext& context, Path& path, PathSample& L) {
+  path.ray.far = path.media.empty() ? std::numeric_limits<double>::infinity()
+                                    : sample_distance(path.media.top(), path.throughput,
+                                                      path.sampler.pair(Dimension::free_flight));
+  const Backs backs = path.prefix.specular ? Backs::culled : Backs::solid;
+  ++L.rays;
+  return context.bvh.intersect(path.ray, path.sampler.key(), backs);
+}
+
+// Whether any lamp shines into a medium: what comes from infinitely far is gone.
+bool lamps_reach(const std::vector<Light>& lights, const Medium& medium) {
+  const Rgb extinction = medium.extinction();
+  const bool clear = std::min({extinction.x, extinction.y, extinction.z}) <= 0;
+  return std::any_of(lights.begin(), lights.end(), [clear](const Light& light) {
+    return clear || light.kind != Light::Kind::directional;
+  });
+}
+
+// Scatters the path where its ray ends; false if a surface comes first, to which the medium only
+// absorbs.
 bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, Path& path,
                    FeatureRecorder& features, PathSample& L) {
-  const double far = hit ? hit->distance : std::numeric_limits<double>::infinity();
-  const DistanceSample step = sample_distance(path.media.top(), path.throughput, far,
-                                              path.sampler.pair(Dimension::free_flight));
-  path.throughput *= step.weight;
-  if (!step.scattered) return false;
-  features.record(path, Rgb(1), -path.ray.direction, step.distance);
-  path.ray.origin += path.ray.direction * step.distance;
-  const Candidate light =
-      sample_punctual(context, path.media.top(), path.ray, path.sampler.pair(Dimension::punctual));
-  if (light.weight > 0) add_unoccluded(context, path, {light, 1}, path.reflected_share, L);
+  const double distance = hit ? hit->distance : path.ray.far;
+  const bool scattered = !hit && std::isfinite(distance);
+  path.throughput *= distance_weight(path.media.top(), path.throughput, distance, scattered);
+  if (!scattered) return false;
+  features.record(path, Rgb(1), -path.ray.direction, distance);
+  path.ray.origin += path.ray.direction * distance;
+  if (lamps_reach(context.world.lights, path.media.top())) {
+    const Candidate light = sample_punctual(context, path.media.top(), path.ray,
+                                            path.sampler.pair(Dimension::punctual));
+    if (light.weight > 0) add_unoccluded(context, path, {light, 1}, path.reflected_share, L);
+  }
   const Float2 u = path.sampler.pair(Dimension::phase);
   path.ray.direction = sample_phase(path.media.top(), path.ray.direction, static_cast<double>(u[0]),
                                     static_cast<double>(u[1]));
@@ -152,13 +190,15 @@ void sample_direct_light(const TraceContext& context, const Path& path, const Su
                          const Bsdf& bsdf, PathSample& L) {
   const DirectLight light(context, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
   const bool first = path.depth == 1;
-  const std::uint32_t candidates = first ? context.light_candidates : 1;
-  const std::uint32_t samples = first && context.light_candidates > 2 ? kLightSamples : 1;
-  const auto choose = [&](const PathSampler& sampler, Dimension choice, Dimension point,
-                          const auto& propose) {
-    return resample(candidates, sampler.single(choice), [&](std::uint32_t i) {
-      return propose(sampler.split(i, candidates).pair(point));
-    });
+  const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
+  const std::uint32_t samples = first ? context.effort.light_samples : 1;
+  // The shared sky has chosen among many directions by the cosine; the rest is up to gloss.
+  const bool matt = !is_glossy(vertex.surface.material);
+  const std::uint32_t sky_candidates = context.world.sky && matt ? 1 : candidates;
+  const auto choose = [](std::uint32_t count, const PathSampler& sampler, Dimension choice,
+                         Dimension point, const auto& propose) {
+    return resample(count, sampler.single(choice),
+                    [&](std::uint32_t i) { return propose(sampler.split(i, count).pair(point)); });
   };
   const auto add = [&](const Reservoir& chosen) {
     const Evaluation& bsdf_value = chosen.candidate.bsdf;
@@ -167,15 +207,16 @@ void sample_direct_light(const TraceContext& context, const Path& path, const Su
   };
   for (std::uint32_t i = 0; i < samples; ++i) {
     const PathSampler sampler = path.sampler.split(i, samples);
-    if (environment_of(context, path) != nullptr) {
-      Reservoir chosen = choose(sampler, Dimension::environment_choice, Dimension::environment,
-                                [&](const Float2& u) { return light.sample_environment(u); });
-      if (chosen.scale > 0) light.add_radiance(chosen.candidate);
+    if (sees_environment(context, path)) {
+      const Reservoir chosen =
+          choose(sky_candidates, sampler, Dimension::environment_choice, Dimension::environment,
+                 [&](const Float2& u) { return light.sample_environment(u); });
       add({chosen.candidate, chosen.scale / samples});
     }
     if (context.world.emitters.empty()) continue;
-    const Reservoir chosen = choose(sampler, Dimension::emitter_choice, Dimension::emitter,
-                                    [&](const Float2& u) { return light.sample_emitter(u); });
+    const Reservoir chosen =
+        choose(candidates, sampler, Dimension::emitter_choice, Dimension::emitter,
+               [&](const Float2& u) { return light.sample_emitter(u); });
     add({chosen.candidate, chosen.scale / samples});
   }
   if (!context.world.lights.empty())
@@ -241,11 +282,9 @@ void add_branches(const TraceContext& context, const Path& path, const FeatureRe
                   PathSample& L) {
   const Material& m = vertex.surface.material;
   const double reflecting = bsdf.reflection_chance();
-  const bool transmits = m.transmission > 0 || m.diffuse_transmission > 0;
-  const double sharpest =
-      m.clearcoat > 0 ? std::min(m.roughness, m.clearcoat_roughness) : m.roughness;
-  const bool apart = reflecting > 0 && reflecting < 1 && sharpest < kSharp;
-  const std::uint32_t others = transmits && reflecting < 1 ? kTransmittedPaths : 1;
+  const bool transmits = is_transmissive(m);
+  const bool apart = reflecting > 0 && reflecting < 1 && sharpest(m) < kSharp;
+  const std::uint32_t others = transmits && reflecting < 1 ? context.effort.transmitted_paths : 1;
   const std::uint32_t count = others + (apart ? 1 : 0);
   L.alpha = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -279,11 +318,7 @@ PathSample incident_radiance(const TraceContext& context, Path path, FeatureReco
   L.alpha = 1;
   for (; path.sampler.step() < kMaxSteps; path.sampler.next_step()) {
     // Intersect the ray with the scene. The camera does not see the backs of walls.
-    if (path.sampler.step() > 0) {
-      const Backs backs = path.prefix.specular ? Backs::culled : Backs::solid;
-      hit = context.bvh.intersect(path.ray, path.sampler.key(), backs);
-      ++L.rays;
-    }
+    if (path.sampler.step() > 0) hit = find_surface(context, path, L);
 
     // In a medium, the path may scatter before it gets to the surface.
     if (!path.media.empty() && sample_medium(context, hit, path, features, L)) {
@@ -307,7 +342,7 @@ PathSample incident_radiance(const TraceContext& context, Path path, FeatureReco
 
     // End the path where nothing is reflected, or at its greatest depth.
     if (surface.material.unlit || path.depth >= context.max_depth ||
-        surface.flat_normal == Vec3d()) {
+        surface.flat_normal == Vec3d() || end_with_sky(context, path, vertex, L)) {
       features.record(path, *hit, surface);
       break;
     }

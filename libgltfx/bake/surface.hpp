@@ -39,6 +39,11 @@ inline bool may_be_clear(const Material& m) {
   return m.transmission > 0.05 && m.metallic < 0.5 && m.roughness < 0.25;
 }
 
+/// Whether light goes through surfaces of the material.
+inline bool is_transmissive(const Material& m) {
+  return m.transmission > 0 || m.diffuse_transmission > 0;
+}
+
 /// The albedo of scattering to both sides.
 inline Rgb scattering_color(const Material& m) {
   return m.base_color * (1 - m.diffuse_transmission) +

@@ -9,6 +9,7 @@
 #include "bake/light.hpp"
 #include "bake/ray.hpp"
 #include "bake/scene.hpp"
+#include "bake/sky_samples.hpp"
 #include "bake/wall.hpp"
 
 namespace gltfx::bake {
@@ -24,12 +25,19 @@ struct ShadowCatcher {
 
 struct World {
   std::optional<Environment> environment;
+  std::optional<SkySamples> sky;  ///< of the environment; none where many samples need an exact one
   std::vector<Light> lights;
   Emitters emitters;  ///< of the scene; BSDF sampling finds the others
   Background background = Background::backdrop;
   std::optional<ShadowCatcher> shadow_catcher;  ///< only with a backdrop
   /// Decides which walls let light in. Nothing: all that turn their backs to the light.
   std::optional<Eye> eye;
+
+  /// A direction to the environment, on the side of a normal or on both. Precondition: there is an
+  /// environment.
+  EnvironmentSample sample_sky(const Vec3d& normal, bool both, const Float2& random) const {
+    return sky ? sky->choose(normal, both, random) : environment->sample(random);
+  }
 };
 
 }  // namespace gltfx::bake

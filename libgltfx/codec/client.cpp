@@ -104,6 +104,8 @@ ImageResult Client::decode_image(const ImageRequest& request) {
     job.memory_bytes += std::min(request.max_pixels, kMostTexels) * texel;
   }
   job.normals = request.normals;
+  job.halvings =
+      static_cast<std::uint8_t>(std::min<std::uint32_t>(request.halvings, kMostHalvings));
   job.max_pixels = request.max_pixels;
   const auto texels = static_cast<double>(std::min(request.max_pixels, kMostTexels));
   job.milliseconds += static_cast<std::uint64_t>(texels * kSecondsPerTexel * 1000);

@@ -85,6 +85,8 @@ struct ImageRequest {
   ImageFormat format = ImageFormat::png;
   std::uint32_t level = 0;  ///< KTX2: which one of the mipmaps, the largest first
   std::uint64_t max_pixels = std::uint64_t{1} << 28U;
+  /// Both sides may be halved so many times, up to three, where that takes less time: JPEG.
+  std::uint32_t halvings = 0;
   bool pixels = false;   ///< hand over the pixels
   bool normals = false;  ///< look at the first three channels as at a normal map
   Origin origin = {};

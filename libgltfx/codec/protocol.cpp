@@ -230,6 +230,7 @@ Frame write_job(const Job& job) {
   out.number(job.level);
   out.number(static_cast<std::uint8_t>(job.pixels));
   out.number(static_cast<std::uint8_t>(job.normals));
+  out.number(job.halvings);
   write(out, job.raster);
   out.name(job.encoded);
   out.number(job.quality);
@@ -249,6 +250,7 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   job.level = in.number<std::uint32_t>();
   job.pixels = in.flag();
   job.normals = in.flag();
+  job.halvings = in.check_at_most(in.number<std::uint8_t>(), kMostHalvings);
   job.raster = read_raster(in);
   job.encoded = in.name(EncodedFormat::exr);
   job.quality = in.number<std::uint32_t>();

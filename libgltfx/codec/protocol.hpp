@@ -33,13 +33,16 @@ struct Hello {
 
 enum class Task : std::uint8_t { draco, image, encode };
 
+constexpr std::uint8_t kMostHalvings = 3;
+
 struct Job {
   Task task = Task::draco;
   ImageFormat format = ImageFormat::png;
   std::uint32_t level = 0;
   bool pixels = false;
   bool normals = false;
-  Raster raster;  ///< Task::encode, as the two below
+  std::uint8_t halvings = 0;  ///< of the sides of an image, up to 3
+  Raster raster;              ///< Task::encode, as the two below
   EncodedFormat encoded = EncodedFormat::png;
   std::uint32_t quality = 0;
   std::uint64_t input_bytes = 0;

@@ -13,6 +13,7 @@
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/cached_picture.hpp"
 #include "pipeline/contact_sheet.hpp"
+#include "pipeline/in_order.hpp"
 #include "pipeline/picture_file.hpp"
 
 namespace gltfx {
@@ -20,15 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of one run over several files, for the progress of all of them.
-BakeOptions options_of(const BakeOptions& options, const BakeInput& input, std::size_t number,
-                       std::size_t count) {
+// Of one file of a run. Many files keep all threads busy by themselves, and each reports its end.
+BakeOptions options_of(const BakeOptions& options, const BakeInput& input, std::size_t count) {
   BakeOptions each = options;
   each.output = input.output;
-  if (options.progress) {
-    each.progress = [report = options.progress, number, count](double part) {
-      report((static_cast<double>(number) + part) / static_cast<double>(count));
-    };
+  if (count > 1) {
+    each.jobs = 1;
+    each.progress = {};
   }
   return each;
 }
@@ -128,14 +127,21 @@ std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& 
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
   SheetOfAll pictures(sheet.empty() ? 0 : inputs.size(), options);
   PictureKey keys;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    BakeReport report = guarded(inputs[i].path, [&] {
-      const BakeOptions each = options_of(options, inputs[i], i, inputs.size());
-      return bake_with_key(inputs[i].path, each, keys);
-    });
-    pictures.add(report.pixels, inputs[i].path);
-    consume(std::move(report));
-  }
+  std::size_t done = 0;
+  report_in_order<BakeReport>(
+      inputs.size(), inputs.size() > 1 ? options.jobs : 1,
+      [&](std::size_t i) {
+        return guarded(inputs[i].path, [&] {
+          return bake_with_key(inputs[i].path, options_of(options, inputs[i], inputs.size()), keys);
+        });
+      },
+      [&](BakeReport&& report) {
+        pictures.add(report.pixels, inputs[done++].path);
+        if (options.progress && inputs.size() > 1) {
+          options.progress(static_cast<double>(done) / static_cast<double>(inputs.size()));
+        }
+        consume(std::move(report));
+      });
   return pictures.write(sheet);
 }
 

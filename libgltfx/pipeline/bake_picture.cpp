@@ -2,6 +2,7 @@
 #include "pipeline/bake_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <new>
 #include <utility>
@@ -12,15 +13,30 @@
 namespace gltfx {
 namespace {
 
-constexpr std::uint32_t kFeatureSamples = 48;  // for edges, which are not denoised
-constexpr std::uint32_t kFewSamples = 32;      // which have to be chosen with care
+constexpr std::uint32_t kSharedSky = 256;  // samples to which a shared sky does not show
+
+// What a quality stands for.
+struct QualityLevel {
+  std::uint32_t samples, bounces;
+  std::uint32_t feature_samples;  // for edges, which are not denoised
+  bake::Effort effort;
+};
+const QualityLevel& level_of(BakeQuality quality) {
+  static const std::array<QualityLevel, 3> kLevels{{
+      {4, 6, 12, {1, 1, 1, true}},
+      {32, 6, 48, {2, 4, 4, false}},
+      {256, 12, 48, {1, 2, 4, false}},
+  }};
+  return kLevels[static_cast<std::size_t>(quality)];
+}
 
 bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
   bake::RenderOptions result;
   result.width = size.width;
   result.height = size.height;
-  result.samples = options.samples;
-  result.feature_samples = options.denoise ? kFeatureSamples : 0;
+  const QualityLevel& level = level_of(options.quality);
+  result.samples = options.samples.value_or(level.samples);
+  result.feature_samples = options.denoise ? level.feature_samples : 0;
   result.seed = options.seed;
   result.jobs = options.jobs;
   result.seconds = options.seconds;
@@ -66,16 +82,20 @@ bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
   lighting.transparent = options.transparent;
   lighting.exposure = options.exposure;
   bake::World world = bake::make_world(*loaded.scene, *loaded.subject, view, lighting);
+  bake::PictureOptions drawing{render_options(size, options), layers, options.denoise};
+  drawing.render.progress = std::move(progress);
+  const QualityLevel& level = level_of(options.quality);
+  if (world.environment && drawing.render.samples <= kSharedSky) {
+    world.sky.emplace(*world.environment);
+  }
   world.eye = bake::eye_of(view, *loaded.bvh);
   const bake::TraceContext paths{*loaded.scene,
                                  *loaded.bvh,
                                  world,
-                                 static_cast<int>(options.bounces),
+                                 static_cast<int>(options.bounces.value_or(level.bounces)),
                                  loaded.subject->size(),
                                  options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
-                                 options.samples > kFewSamples ? 2U : 4U};
-  bake::PictureOptions drawing{render_options(size, options), layers, options.denoise};
-  drawing.render.progress = std::move(progress);
+                                 level.effort};
   return bake::render(paths, view, drawing);
 }
 

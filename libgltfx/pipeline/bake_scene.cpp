@@ -40,7 +40,7 @@ std::optional<std::string> find_refusal(const BakeOptions& options) {
     return fmt::format("each size needs sides from 1 to {} pixels, and {} pixels in all at most",
                        kMostPixels, kMostInAll);
   }
-  if (options.samples == 0 || options.samples > kMostBakeSamples) {
+  if (options.samples && (*options.samples == 0 || *options.samples > kMostBakeSamples)) {
     return fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples);
   }
   if (!(std::fabs(options.exposure) <= kMostStops)) {
@@ -59,10 +59,20 @@ FileReport errors_of(FileReport report) {
   return report;
 }
 
+// The longer side of pictures that have the whole scene in them; 0: a camera of the asset may be
+// nearer.
+std::uint32_t side_of_whole(const BakeOptions& options) {
+  if (!options.camera.empty() && !parse_angles(options.camera)) return 0;
+  std::uint32_t side = 0;
+  for (const BakeSize& size : options.sizes) side = std::max({side, size.width, size.height});
+  return side;
+}
+
 Result<SceneOptions> scene_options(const model::Asset& asset, const BakeOptions& options) {
   SceneOptions wanted;
   wanted.time = options.time;
   wanted.jobs = options.jobs;
+  wanted.picture_side = side_of_whole(options);
   const auto scene = find_named("scene", options.scene, names_in(asset, model::RootArray::scenes));
   if (!scene) return scene.error();
   const auto animation =

@@ -86,7 +86,7 @@ bool can_be_kept(const BakeOptions& options) {
 // Of all but the output. Taken apart by name: a member that is added to the options has to be
 // decided upon here.
 Hash128 key_of(const BakeOptions& options) {
-  const auto& [sizes, turntable, layers, samples, bounces, seed, denoise, seconds, noise,
+  const auto& [sizes, turntable, layers, quality, samples, bounces, seed, denoise, seconds, noise,
                literal_shader, lights, environment, exposure, transparent, camera, scene, animation,
                time, variant, force, output, embed, root, jobs, schemas, cache, progress] = options;
   // Where pictures lie is no part of them; the same come of any number of threads.
@@ -102,7 +102,8 @@ Hash128 key_of(const BakeOptions& options) {
   }
   for (const double number : {noise, exposure, time}) add(parts, number);
   for (const std::uint64_t number :
-       {std::uint64_t{turntable}, std::uint64_t{samples}, std::uint64_t{bounces},
+       {std::uint64_t{turntable}, static_cast<std::uint64_t>(quality),
+        std::uint64_t{samples.value_or(0)}, std::uint64_t{bounces ? *bounces + 1ULL : 0},
         std::uint64_t{seed}, std::uint64_t{denoise}, std::uint64_t{literal_shader},
         static_cast<std::uint64_t>(lights), std::uint64_t{transparent}, std::uint64_t{force}}) {
     parts.add(number);
@@ -121,9 +122,9 @@ Hash128 key_of(const BakeOptions& options) {
 
 std::optional<Hash128> PictureKey::of(const BakeOptions& options) {
   if (!can_be_kept(options)) return std::nullopt;
-  if (!common_) common_ = key_of(options);
+  std::call_once(once_, [&] { common_ = key_of(options); });
   HashParts parts;
-  parts.add(*common_);
+  parts.add(common_);
   parts.add(ending_of(options.output));
   return parts.finish();
 }

@@ -5,6 +5,7 @@
 
 #include <gltfx/bake.hpp>
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,15 +15,17 @@
 namespace gltfx {
 
 /// The key of all that pictures depend on besides the asset's files. That of options which many
-/// files have in common is made once: it takes all bytes of the environment.
+/// files have in common is made once: it takes all bytes of the environment. Any number of threads
+/// may call.
 class PictureKey {
  public:
-  /// Nothing when no earlier run can have what these options ask for. But for the output, they are
-  /// the same in all calls.
+  /// Nothing when no earlier run can have what these options ask for. But for output and threads,
+  /// they are the same in all calls.
   std::optional<Hash128> of(const BakeOptions& options);
 
  private:
-  std::optional<Hash128> common_;
+  std::once_flag once_;
+  Hash128 common_;
 };
 
 /// What to keep of a file that was drawn; nothing when there is a problem.

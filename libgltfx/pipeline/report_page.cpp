@@ -30,8 +30,12 @@ BakeOptions bake_options(const ValidateOptions& options, const ThumbnailOptions&
                          unsigned jobs) {
   BakeOptions bake;
   bake.sizes = {{thumbnails.size, thumbnails.size}};
-  bake.samples = kSamples;
-  bake.bounces = kBounces;
+  if (thumbnails.quality) {
+    bake.quality = *thumbnails.quality;
+  } else {
+    bake.samples = kSamples;
+    bake.bounces = kBounces;
+  }
   bake.force = true;  // who looks for an error wants to see it
   bake.root = options.root;
   bake.schemas = options.schemas;

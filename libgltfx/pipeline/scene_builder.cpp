@@ -160,7 +160,7 @@ class SceneBuilder {
     SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
                        notes_, scene_);
     place_all(pose, meshes);
-    textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_);
+    textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, options_.picture_side);
     light(roots);
     return std::move(scene_);
   }

@@ -18,6 +18,9 @@ struct SceneOptions {
   double time = 0;                         ///< of the animation, in seconds
   std::optional<std::uint32_t> variant;    ///< of materials
   unsigned jobs = 0;                       ///< threads; 0: as many as are worth it
+  /// Pixels along the longer side of pictures of the whole scene: images are decoded with the
+  /// detail that these show. 0: with all there is.
+  std::uint32_t picture_side = 0;
   /// Most bytes that meshes, their poses and their instances may take, with all that rays need of
   /// them, beside 16 for each byte of the asset's buffers (32 where geometry is compressed).
   std::uint64_t free_bytes = std::uint64_t{192} << 20U;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -14,6 +15,8 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "model/image_codec.hpp"
+#include "pipeline/scene_detail.hpp"
+#include "pipeline/scene_images.hpp"
 
 namespace gltfx {
 namespace {
@@ -25,6 +28,8 @@ constexpr int kMostCostly = 2;
 
 // What a worker decodes in the time that another one takes to start.
 constexpr std::uint64_t kWorkerPixels = std::uint64_t{1} << 23U;
+
+constexpr std::uint64_t kLargeImage = std::uint64_t{1} << 20U;  // texels
 
 bake::Wrap wrap_of(model::Wrap wrap) {
   if (wrap == model::Wrap::clamp_to_edge) return bake::Wrap::clamp_to_edge;
@@ -188,7 +193,7 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
   for (const model::Texture& texture : textures_) {
     for (const std::uint32_t image : texture.images) {
       if (!obstacle(image).empty() || job_of_.count(image) > 0) continue;
-      Job job{image,
+      Job job{image, 0,
               codec::DecodeError{codec::ErrorKind::too_large, "its pixels need too much memory"}};
       const image::Header& header = *resources_.images[image].header;
       if (budget.take(decoded_size(header))) job.result = codec::Image();
@@ -200,8 +205,34 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
   }
 }
 
-void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget) {
+// An image has the detail that its textures need, where it is worth a look at them.
+void SceneTextures::choose_detail(std::uint32_t side) {
+  std::vector<ImageSize> sizes(textures_.size());
+  std::vector<Job*> jobs(textures_.size());
+  bool any = false;
+  for (std::size_t i = 0; side > 0 && i < textures_.size(); ++i) {
+    for (const std::uint32_t image : textures_[i].images) {
+      const auto job = job_of_.find(image);
+      if (job == job_of_.end()) continue;
+      const image::Header& header = *resources_.images[image].header;
+      if (header.format != image::Format::jpeg || texels_of(header) < kLargeImage) continue;
+      jobs[i] = &jobs_[job->second];
+      jobs[i]->halvings = std::numeric_limits<std::uint32_t>::max();
+      sizes[i] = {header.width, header.height};
+      any = true;
+    }
+  }
+  if (!any) return;
+  const std::vector<std::uint32_t> halvings = find_halvings(scene_, sizes, side);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (jobs[i] != nullptr) jobs[i]->halvings = std::min(jobs[i]->halvings, halvings[i]);
+  }
+}
+
+void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget,
+                           std::uint32_t side) {
   plan(budget);
+  choose_detail(side);
   const auto worth = static_cast<unsigned>(std::min<std::uint64_t>(pixels_ / kWorkerPixels, 64));
   std::atomic<bool> stopped = false;
   int costly = 0;
@@ -212,7 +243,8 @@ void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBu
         if (stopped || std::holds_alternative<codec::DecodeError>(job.result)) return;
         codec::ImageRequest request = model::image_request(resources_, job.image);
         request.pixels = true;
-        job.result = client.decode_image(request);
+        request.halvings = job.halvings;
+        job.result = SceneImages::shared().decode(client, request);
       },
       [&](std::size_t i) {
         codec::ImageResult& result = jobs_[i].result;

@@ -41,18 +41,16 @@ TEST(MediaStack, HasABottom) {
 
 // Of light that goes through a slab without turning, and of all light scattered in a deep medium:
 // both are known.
-TEST(Walk, WeighsAllColours) {
-  Medium medium;
-  medium.absorption = {0.1, 0.5, 0};
-  medium.scattering = {1, 0.5, 3};
+void expect_light_of_slab(const Medium& medium) {
   Rgb through;
   Rgb scattered;
   constexpr std::uint32_t kSamples = 1U << 14U;
   for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const DistanceSample step =
-        sample_distance(medium, {1, 0.5, 0.2}, 0.7, SampleStream(1, 1, i).pair(0));
-    (step.scattered ? scattered : through) += step.weight;
-    EXPECT_LT(step.distance, 0.7);
+    const Rgb throughput(1, 0.5, 0.2);
+    const double flight = sample_distance(medium, throughput, SampleStream(1, 1, i).pair(0));
+    const bool inside = flight < 0.7;
+    (inside ? scattered : through) +=
+        distance_weight(medium, throughput, inside ? flight : 0.7, inside);
   }
   for (int c = 0; c < 3; ++c) {
     const double extinction = medium.extinction()[c];
@@ -62,14 +60,29 @@ TEST(Walk, WeighsAllColours) {
   }
 }
 
+TEST(Walk, WeighsAllColours) {
+  Medium medium;
+  medium.absorption = {0.1, 0.5, 0};
+  medium.scattering = {1, 0.5, 3};
+  expect_light_of_slab(medium);
+}
+
+TEST(Walk, WeighsAGreyMedium) {
+  Medium medium;
+  medium.absorption = {0.5, 0.25, 1.25};
+  medium.scattering = {1, 1.25, 0.25};
+  ASSERT_TRUE(medium.is_grey());
+  expect_light_of_slab(medium);
+}
+
 TEST(Walk, OnlyDimsWhereNothingScatters) {
   Medium medium;
   medium.absorption = {1, 2, 0};
-  const DistanceSample step = sample_distance(medium, {1, 1, 1}, 0.5, {0.3F, 0.3F});
-  EXPECT_FALSE(step.scattered);
-  EXPECT_NEAR(step.weight.x, std::exp(-0.5), 1e-12);
-  EXPECT_NEAR(step.weight.y, std::exp(-1.0), 1e-12);
-  EXPECT_EQ(step.weight.z, 1);
+  EXPECT_TRUE(std::isinf(sample_distance(medium, {1, 1, 1}, {0.3F, 0.3F})));
+  const Rgb weight = distance_weight(medium, {1, 1, 1}, 0.5, false);
+  EXPECT_NEAR(weight.x, std::exp(-0.5), 1e-12);
+  EXPECT_NEAR(weight.y, std::exp(-1.0), 1e-12);
+  EXPECT_EQ(weight.z, 1);
 }
 
 }  // namespace

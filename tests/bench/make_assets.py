@@ -10,6 +10,9 @@ terrain   one .glb of some 400 MB of plain geometry: 8 meshes with positions, no
           texture coordinates and indices
 normals   two .glb of a million vertices: clean.glb, and bad.glb whose normals are all too long
 statue    one .glb of 100,000 triangles with three textures of 1,024 texels a side, to be drawn
+toy       one .glb of 4,000 triangles with one texture of 512 texels a side, to be drawn
+helmet    one .glb of 70,000 vertices with five JPEG textures of 2,048 texels a side, to be drawn
+many      200 .gltf as small as toy, each with a shape of its own, that share their texture
 textures  one .glb of some 500 MB with 40 PNG images of 2,048 to 4,096 texels a side
 tables    one .glb of some 100 MB of property tables: numbers with limits, enums, strings, arrays
 legacy    200 models with a retired extension, each with a map of its own of 512 texels a side
@@ -384,19 +387,132 @@ def statue_parts(rings):
     return [part.tobytes() for part in (points, normals, uvs, triangles)], accessors
 
 
+def drawn(accessors, images, kind, material):
+    """The document of one mesh with one material."""
+    return {"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "accessors": accessors,
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
+                                        "indices": 3, "material": 0}]}],
+            "images": [{"bufferView": 4 + i, "mimeType": kind} for i in range(images)],
+            "textures": [{"source": i} for i in range(images)], "materials": [material]}
+
+
 def make_statue(path, rings):
     parts, accessors = statue_parts(rings)
     colors = [(150, 110, 80), (20, 120, 0), (120, 120, 235)]
     images = [png(1024, i, base) for i, base in enumerate(colors)]
-    write_glb(path, {
-        "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "accessors": accessors,
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
-                                    "indices": 3, "material": 0}]}],
-        "images": [{"bufferView": 4 + i, "mimeType": "image/png"} for i in range(3)],
-        "textures": [{"source": i} for i in range(3)],
-        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
-                                                "metallicRoughnessTexture": {"index": 1}},
-                       "normalTexture": {"index": 2}}]}, parts + images)
+    write_glb(path, drawn(accessors, 3, "image/png", {
+        "pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+                                 "metallicRoughnessTexture": {"index": 1}},
+        "normalTexture": {"index": 2}}), parts + images)
+
+
+# Huffman tables whose codes have one length: DC coefficients by bits; AC coefficients by zeros before
+# them and bits, the end of a block, and 16 zeros.
+DC_TABLE = (4, list(range(12)))
+AC_TABLE = (7, [0] + [run << 4 | bits for run in range(16) for bits in range(1, 6)])
+
+
+class BitWriter:
+    def __init__(self):
+        self.value, self.bits = 0, 0
+
+    def put(self, value, bits):
+        self.value, self.bits = (self.value << bits) | value, self.bits + bits
+
+    def put_number(self, table, run, number):
+        size = abs(number).bit_length()
+        self.put_symbol(table, run << 4 | size)
+        self.put(number if number >= 0 else number + (1 << size) - 1, size)
+
+    def put_symbol(self, table, symbol):
+        self.put(table[1].index(symbol), table[0])
+
+    def bytes(self):
+        missing = -self.bits % 8
+        data = (self.value << missing | (1 << missing) - 1).to_bytes((self.bits + missing) // 8, "big")
+        return data.replace(b"\xff", b"\xff\0")
+
+
+def jpeg_row(rnd, columns, base, detail):
+    """A row of blocks of 16 x 16 texels, colours at half the resolution. Coefficients fall off with
+    the frequency as in photographs."""
+    out, before = BitWriter(), [0, 0, 0]
+    for _ in range(columns):
+        for component in (0, 0, 0, 0, 1, 2):
+            spread = detail if component == 0 else detail // 3
+            value = base[component] + rnd.randint(-spread, spread)
+            out.put_number(DC_TABLE, 0, value - before[component])
+            before[component], run = value, 0
+            for frequency in range(1, 16):
+                most = min(31, spread // (1 + frequency // 2))
+                number = rnd.randint(-most, most) if rnd.random() < 0.5 else 0
+                if number:
+                    out.put_number(AC_TABLE, run, number)
+                run = 0 if number else run + 1
+            out.put_symbol(AC_TABLE, 0)
+    return out.bytes()
+
+
+def jpeg(size, seed, base, detail):
+    """An image of three channels, compressed as cameras do (4:2:0) and about as well: `base` is its
+    mean luma and chroma in steps of the quantisation, `detail` the greatest deviation."""
+    def segment(marker, body):
+        return struct.pack(">BBH", 0xFF, marker, len(body) + 2) + body
+
+    columns = size // 16
+    rnd = random.Random(seed)
+    rows = [jpeg_row(rnd, columns, base, detail) for _ in range(16)]
+    parts = [b"\xff\xd8", segment(0xDB, b"\0" + bytes([4] * 64)),
+             segment(0xC0, struct.pack(">BHHB", 8, size, size, 3) +
+                     b"\1\x22\0\2\x11\0\3\x11\0"),
+             segment(0xDD, struct.pack(">H", columns))]
+    for kind, (length, symbols) in ((0x00, DC_TABLE), (0x10, AC_TABLE)):
+        counts = [len(symbols) if bits == length else 0 for bits in range(1, 17)]
+        parts.append(segment(0xC4, bytes([kind, *counts, *symbols])))
+    parts.append(segment(0xDA, b"\3\1\0\2\0\3\0\0\x3f\0"))
+    for row in range(columns):
+        if row:
+            parts.append(bytes([0xFF, 0xD0 + (row - 1) % 8]))
+        parts.append(rows[row % 16])
+    return b"".join(parts) + b"\xff\xd9"
+
+
+def make_toy(path):
+    parts, accessors = statue_parts(32)
+    write_glb(path, drawn(accessors, 1, "image/png", {"pbrMetallicRoughness": {
+        "baseColorTexture": {"index": 0}, "metallicFactor": 0}}),
+        parts + [png(512, 0, (220, 180, 40))])
+
+
+def make_many(folder, count):
+    with open(os.path.join(folder, "paint.png"), "wb") as file:
+        file.write(png(512, 0, (220, 180, 40)))
+    for i in range(count):
+        parts, accessors = statue_parts(8 + i % 25)
+        at, views = 0, []
+        for part in parts:
+            views.append({"buffer": 0, "byteOffset": at, "byteLength": len(part)})
+            at += len(part)
+        document = drawn(accessors, 1, "image/png", {"pbrMetallicRoughness": {
+            "baseColorTexture": {"index": 0}, "metallicFactor": i % 2,
+            "roughnessFactor": (i % 10 + 1) / 10}})
+        document.update(asset=ASSET, images=[{"uri": "paint.png"}], bufferViews=views, buffers=[{
+            "byteLength": at, "uri": "data:application/octet-stream;base64," +
+            base64.b64encode(b"".join(parts)).decode()}])
+        with open(os.path.join(folder, f"toy{i:03d}.gltf"), "w", encoding="utf-8") as file:
+            json.dump(document, file)
+
+
+def make_helmet(path):
+    parts, accessors = statue_parts(186)
+    looks = [((10, 12, -8), 60), ((-40, 10, -60), 30), ((30, 90, 0), 24), ((200, 0, 0), 40),
+             ((-240, 0, 0), 12)]
+    images = [jpeg(2048, i, base, detail) for i, (base, detail) in enumerate(looks)]
+    write_glb(path, drawn(accessors, 5, "image/jpeg", {
+        "pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+                                 "metallicRoughnessTexture": {"index": 1}},
+        "normalTexture": {"index": 2}, "occlusionTexture": {"index": 3},
+        "emissiveTexture": {"index": 4}, "emissiveFactor": [1, 1, 1]}), parts + images)
 
 
 def make_textures(path, count):
@@ -426,7 +542,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
-    parser.add_argument("--only", default="batch,city,terrain,normals,statue,textures,tables,legacy")
+    parser.add_argument(
+        "--only",
+        default="batch,city,terrain,normals,statue,toy,helmet,many,textures,tables,legacy")
     parser.add_argument("--files", type=int, default=1000)
     parser.add_argument("--blocks", type=int, default=1500)
     parser.add_argument("--side", type=int, default=800, help="vertices along a side of a terrain")
@@ -448,6 +566,12 @@ def main():
             make_statue(os.path.join(folder, "statue.glb"), 158)
         elif name == "tables":
             make_tables(os.path.join(folder, "tables.glb"), options.rows)
+        elif name == "toy":
+            make_toy(os.path.join(folder, "toy.glb"))
+        elif name == "helmet":
+            make_helmet(os.path.join(folder, "helmet.glb"))
+        elif name == "many":
+            make_many(folder, 200)
         elif name == "legacy":
             make_legacy(folder, 200)
         else:

@@ -35,6 +35,7 @@ struct Wanted {
   bool pixels = true;
   bool normals = false;
   std::uint64_t max_pixels = std::uint64_t{1} << 28U;
+  std::uint32_t halvings = 0;
 };
 
 ImageResult decode(const std::string& bytes, const Wanted& wanted = {}) {
@@ -44,6 +45,7 @@ ImageResult decode(const std::string& bytes, const Wanted& wanted = {}) {
   request.pixels = wanted.pixels;
   request.normals = wanted.normals;
   request.max_pixels = wanted.max_pixels;
+  request.halvings = wanted.halvings;
   return Client::shared().decode_image(request);
 }
 
@@ -95,6 +97,27 @@ TEST(Images, AJpegHasThreeChannels) {
   EXPECT_EQ(image.statistics[0].least, 200U);
   EXPECT_TRUE(image.statistics[2].constant());
   EXPECT_EQ(image.doubt, "");
+}
+
+// The average colour stays.
+TEST(Images, AJpegIsDecodedWithFewerTexels) {
+  Wanted wanted{ImageFormat::jpeg};
+  const auto mean_red = [](const Image& image) {
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+      sum += std::to_integer<int>(image.pixels[i]);
+    }
+    return sum / static_cast<double>(image.texels());
+  };
+  const double whole = mean_red(image_of(decoded(test::kJpegBase64), wanted));
+  for (const auto& [halvings, side] :
+       {std::pair(1U, 4U), std::pair(2U, 2U), std::pair(3U, 1U), std::pair(9U, 1U)}) {
+    wanted.halvings = halvings;
+    const Image image = image_of(decoded(test::kJpegBase64), wanted);
+    EXPECT_EQ(image.width, side);
+    EXPECT_EQ(image.height, side);
+    EXPECT_NEAR(mean_red(image), whole, 3);
+  }
 }
 
 TEST(Images, AJpegThatEndsTooEarlyIsDoubtful) {

@@ -17,6 +17,7 @@ Job some_job() {
   job.format = ImageFormat::webp;
   job.pixels = true;
   job.normals = true;
+  job.halvings = 3;
   job.input_bytes = 7;
   job.max_pixels = 1ULL << 40U;
   job.memory_bytes = 9;

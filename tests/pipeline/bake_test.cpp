@@ -232,6 +232,74 @@ TEST(BakeMany, PicturesComeOnOneSheet) {
   EXPECT_EQ(image.height, 16U);
 }
 
+TEST(BakeMany, ThreadsDoNotShow) {
+  const TempFolder folder;
+  const auto sheet_of = [&](unsigned jobs) {
+    BakeOptions options = quick();
+    options.jobs = jobs;
+    std::vector<double> parts;
+    options.progress = [&](double part) { parts.push_back(part); };
+    std::vector<BakeInput> inputs;
+    for (const char* name : {"bowl.glb", "leaf.gltf", "triangle.gltf", "bowl.glb"}) {
+      inputs.push_back({fixture(name), ""});
+    }
+    std::vector<std::string> paths;
+    const std::string sheet = (folder.path() / "sheet.png").native();
+    EXPECT_EQ(bake_files(inputs, options, sheet,
+                         [&](BakeReport&& report) { paths.push_back(report.path); }),
+              "");
+    for (std::size_t i = 0; i < inputs.size(); ++i) EXPECT_EQ(paths.at(i), inputs[i].path);
+    EXPECT_THAT(parts, ElementsAre(0.25, 0.5, 0.75, 1));
+    return content(sheet);
+  };
+  EXPECT_EQ(sheet_of(1), sheet_of(2));
+}
+
+BakeReport with_quality(BakeQuality quality) {
+  BakeOptions options;
+  options.sizes = {{48, 48}};
+  options.quality = quality;
+  return bake_file(fixture("bowl.glb"), options);
+}
+
+double mean_of(const BakedPixels& pixels) {
+  double sum = 0;
+  for (const std::uint8_t byte : pixels.bytes) sum += byte;
+  return sum / static_cast<double>(pixels.bytes.size());
+}
+
+double rms_difference(const BakedPixels& a, const BakedPixels& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.bytes.size(); ++i) {
+    const double apart = static_cast<double>(a.bytes[i]) - b.bytes[i];
+    sum += apart * apart;
+  }
+  return std::sqrt(sum / static_cast<double>(a.bytes.size()));
+}
+
+// In steps of 8 bits. The light of a draft is that of the other pictures.
+TEST(BakeQuality, DraftStandardAndFinalShowTheSame) {
+  const BakedPixels draft = with_quality(BakeQuality::draft).pixels;
+  const BakedPixels standard = with_quality(BakeQuality::standard).pixels;
+  const BakedPixels final = with_quality(BakeQuality::final).pixels;
+  EXPECT_NEAR(mean_of(draft), mean_of(final), 4);
+  EXPECT_LT(rms_difference(draft, final), 12);
+  EXPECT_LT(rms_difference(standard, final), 4);
+  EXPECT_LT(rms_difference(standard, final), rms_difference(draft, final));
+}
+
+TEST(BakeQuality, SamplesAndBouncesOverride) {
+  BakeOptions options = quick();
+  options.samples.reset();
+  options.bounces.reset();
+  const BakeReport usual = bake_file(fixture("bowl.glb"), options);
+  options.samples = 32;
+  options.bounces = 6;
+  EXPECT_EQ(bake_file(fixture("bowl.glb"), options).pixels.bytes, usual.pixels.bytes);
+  options.samples = 3;
+  EXPECT_NE(bake_file(fixture("bowl.glb"), options).pixels.bytes, usual.pixels.bytes);
+}
+
 TEST(BakeComparison, SameAssetsMakeTheSamePicture) {
   const TempFolder folder;
   BakeOptions options = quick();

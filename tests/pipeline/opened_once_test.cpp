@@ -51,7 +51,7 @@ PageAsset page_of(const std::string& path, ValidateOptions options = {}) {
   options.jobs = 1;
   const ValidateInput input{path, &options};
   PageAsset page;
-  report_files({&input, 1}, {true, 32}, 1, [&](PageAsset&& asset) { page = std::move(asset); });
+  report_files({&input, 1}, {true, 32, {}}, 1, [&](PageAsset&& asset) { page = std::move(asset); });
   EXPECT_TRUE(page.inspection.facts) << page.inspection.error;
   EXPECT_FALSE(page.picture.uri.empty()) << page.picture.problem;
   return page;

@@ -78,6 +78,7 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
       {"--scene", "two"},
       {"--animation", "slide", "--time", "0.5"},
       {"--variant", "blue"},
+      {"--quality", "draft"},
       {"--bounces", "0"},
       {"--denoise", "off"},
       {"--noise", "0.9"},
@@ -96,6 +97,7 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
   for (const auto& words : std::vector<std::vector<std::string>>{{"--lights", "both"},
                                                                  {"--exposure", "0"},
                                                                  {"--scene", "one"},
+                                                                 {"--quality", "standard"},
                                                                  {"--bounces", "6"},
                                                                  {"--denoise", "on"},
                                                                  {"--noise", "0"},
@@ -167,6 +169,7 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
       {{"-o", "a.png", "--bounces", "many"}, "--bounces: 'many' is not a whole number"},
       {{"-o", "a.png", "--turntable", "1e3"}, "--turntable: '1e3' is not a whole number"},
       {{"-o", "a.png", "--time-budget", "-1"}, "--time-budget: '-1' is not a number from 0"},
+      {{"-o", "a.png", "--quality", "best"}, "--quality: 'best' is none of draft, standard, final"},
       {{"-o", "a.png", "--shader", "toon"}, "--shader: 'toon' is none of spec, conserving"},
       {{"-o", "a.png", "--root", "gone"}, "--root: 'gone' is not a folder"},
   };

@@ -74,6 +74,7 @@ TEST_F(Report, PicturesAreOfTheSizeThatWasAskedFor) {
               StartsWith("data:image/webp;base64,UklGR"));
   EXPECT_EQ(seen["upgrade"][0]["done"], true);
   EXPECT_EQ(here({asset, "-o", "-", "--thumbnail-size", "32", "--jobs", "1"}).out, page);
+  EXPECT_NE(here({asset, "-o", "-", "--thumbnail-size", "32", "--quality", "draft"}).out, page);
 }
 
 TEST_F(Report, WhatCannotBeDrawnSaysWhy) {
@@ -104,6 +105,7 @@ TEST_F(Report, MistakesOfTheCommandAreNamed) {
   EXPECT_THAT(here({"-o", "a.html"}).err, HasSubstr("at least one file"));
   EXPECT_THAT(here({"-", "-o", "a.html"}).err, HasSubstr("standard input"));
   EXPECT_THAT(here({"in", "-o", "a.html", "--thumbnail-size", "9"}).err, HasSubstr("at least 32"));
+  EXPECT_THAT(here({"in", "-o", "a.html", "--quality", "best"}).err, HasSubstr("--quality: 'best'"));
   EXPECT_THAT(here({"in", "-o", "a.html", "--thumbnail-size", "4096"}).err,
               HasSubstr("32 to 1024"));
   EXPECT_THAT(here({"in/sound.gltf", "-o", "in/sound.gltf"}).err,

@@ -37,8 +37,9 @@ void declare_scene(CLI::App& app, RawBakeOptions& words) {
 }
 
 void declare_quality(CLI::App& app, RawBakeOptions& words) {
-  add_word(app, "--samples", words.samples, "N", "Samples per pixel (default: 32)");
-  add_word(app, "--bounces", words.bounces, "N", "Maximum path depth (default: 6)");
+  add_word(app, "--quality", words.quality, "NAME", "Quality: draft, standard (default) or final");
+  add_word(app, "--samples", words.samples, "N", "Samples per pixel (4, 32 or 256 by --quality)");
+  add_word(app, "--bounces", words.bounces, "N", "Maximum path depth (default: 6; final 12)");
   add_word(app, "--seed", words.seed, "N", "Random seed (default: 0)");
   add_word(app, "--denoise", words.denoise, "on|off", "Denoise the picture (default: on)");
   add_word(app, "--noise", words.noise, "TARGET",
@@ -137,6 +138,8 @@ void declare_report(CLI::App& app, RawPageOptions& words) {
   app.add_flag("--no-thumbnails", words.no_thumbnails, "Render no previews");
   add_word(app, "--thumbnail-size", words.thumbnail_size, "PIXELS",
            "Preview size, 32 to 1024 (default: 160)");
+  add_word(app, "--quality", words.quality, "NAME",
+           "Previews: draft (above 200 assets), standard, final");
   declare_checks(app, words.validate);
   app.add_flag("-q,--quiet", words.validate.quiet, "Print errors only, no progress and no summary");
   add_configuration(app, words.validate.configuration);

@@ -23,6 +23,8 @@
 namespace gltfx::tool {
 namespace {
 
+constexpr std::uint64_t kManyAssets = 200;  // whose pictures are drafts unless told
+
 PageOptions page_options(const PageRequest& request) {
   const ValidateRequest& validate = request.validate;
   PageOptions options;
@@ -42,6 +44,7 @@ class ReportRun {
       : request_(request),
         options_(std::move(options), request.validate.by_path),
         known_(std::move(known)),
+        thumbnails_(request.thumbnails),
         page_(page_options(request)),
         output_(request.output),
         progress_(!request.validate.quiet, true) {}
@@ -57,12 +60,14 @@ class ReportRun {
       return ExitCode::usage;
     }
     note_useless_options(validate);
-    const auto found = look_ahead(validate.paths, {request_.output}, progress_.visible());
+    const bool choose = thumbnails_.draw && !thumbnails_.quality;
+    const auto found = look_ahead(validate.paths, {request_.output}, progress_.visible() || choose);
     if (!found) {
       complain(found.error().message);
       return ExitCode::usage;
     }
     files_ = *found;
+    if (choose && files_ > kManyAssets) thumbnails_.quality = BakeQuality::draft;
     InputWalk walk(validate.paths);
     page_.begin(text_);
     collect(walk);
@@ -99,7 +104,7 @@ class ReportRun {
     options_.set_jobs(paths.size() == 1 ? jobs : 1);
     std::vector<ValidateInput> inputs;
     for (const std::string& path : paths) inputs.push_back({path, &options_.of(path)});
-    report_files(inputs, request_.thumbnails, jobs, [this](PageAsset&& asset) { take(asset); });
+    report_files(inputs, thumbnails_, jobs, [this](PageAsset&& asset) { take(asset); });
   }
 
   void take(PageAsset& asset) {
@@ -127,6 +132,7 @@ class ReportRun {
   const PageRequest& request_;
   OptionsByPath options_;
   KnownFindings known_;
+  ThumbnailOptions thumbnails_;
   PageWriter page_;
   Output output_;
   ProgressLine progress_;

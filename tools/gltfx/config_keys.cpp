@@ -11,7 +11,7 @@ using Words = RawValidateOptions;
 constexpr ConfigMerge kLast = ConfigMerge::last;
 constexpr ConfigMerge kAll = ConfigMerge::all;
 
-constexpr std::array<ConfigKey, 20> kKeys{{
+constexpr std::array<ConfigKey, 21> kKeys{{
     {"profile", Form::word, kLast, false, "default", &Words::profile},
     {"pixels", Form::word, kLast, false, "headers; needed in the strict profile", &Words::pixels},
     {"fail-on", Form::word, kLast, false, "error", &Words::fail_on},
@@ -27,6 +27,7 @@ constexpr std::array<ConfigKey, 20> kKeys{{
     {"schemas", Form::paths, kAll, false, "the built-in ones", nullptr, &Words::schema_files},
     {"baseline", Form::path, kLast, false, "none", &Words::baseline},
     {"environment", Form::path, kLast, false, "a studio"},
+    {"quality", Form::word, kLast, false, "standard"},
     {"budgets.texture-size", Form::number, kLast, true, "0, no limit", &Words::max_texture_size},
     {"budgets.total-pixels", Form::number, kLast, true, "0, no limit", &Words::max_total_pixels},
     {"budgets.triangles", Form::number, kLast, true, "0, no limit", &Words::max_triangles},

@@ -187,6 +187,7 @@ void Configuration::apply(RawEditOptions& words) const {
 void Configuration::apply(RawBakeOptions& words) const {
   fill("root", words.root);
   fill("environment", words.environment);
+  fill("quality", words.quality);
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }

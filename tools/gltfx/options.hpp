@@ -241,6 +241,7 @@ Result<std::map<std::string, Severity, std::less<>>> parse_severities(
     const std::vector<std::string>& texts);
 
 Result<BakeLights> parse_lights(std::string_view text);
+Result<BakeQuality> parse_quality(std::string_view text);
 /// Comma lists of albedo, normal, depth and material.
 Result<std::vector<BakeLayer>> parse_layers(const std::vector<std::string>& texts);
 /// Comma lists of N and WxH; none at all mean 512.

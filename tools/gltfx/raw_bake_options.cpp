@@ -56,6 +56,19 @@ Result<std::uint32_t> parse_count(std::string_view option, std::string_view text
                            minimum, maximum)};
 }
 
+struct CountWord {
+  std::string_view option, text;
+  std::uint64_t minimum, maximum;
+};
+
+// Nothing where there is no text.
+void read_count(Reading& reading, std::optional<std::uint32_t>& value, const CountWord& word) {
+  if (word.text.empty()) return;
+  std::uint32_t count = 0;
+  reading.set(count, parse_count(word.option, word.text, word.minimum, word.maximum));
+  value = count;
+}
+
 Result<std::string> parse_format(const std::string& text) {
   const auto known = std::find(kPictureFormats.begin(), kPictureFormats.end(), text);
   if (known != kPictureFormats.end()) return text;
@@ -63,8 +76,9 @@ Result<std::string> parse_format(const std::string& text) {
 }
 
 void read_quality(Reading& reading, const RawBakeOptions& words, BakeOptions& bake) {
-  reading.set(bake.samples, parse_count("--samples", words.samples, 1, kMostBakeSamples));
-  reading.set(bake.bounces, parse_count("--bounces", words.bounces, 0, 1000));
+  if (!words.quality.empty()) reading.set(bake.quality, parse_quality(words.quality));
+  read_count(reading, bake.samples, {"--samples", words.samples, 1, kMostBakeSamples});
+  read_count(reading, bake.bounces, {"--bounces", words.bounces, 0, 1000});
   reading.set(bake.seed, parse_count("--seed", words.seed, 0, kMost32));
   reading.set(bake.denoise, parse_word<bool>("--denoise", words.denoise, kDenoiseWords));
   reading.set(bake.noise, parse_decimal("--noise", words.noise, 0, 1));
@@ -129,6 +143,10 @@ Result<double> parse_decimal(std::string_view option, std::string_view text, dou
 
 Result<BakeLights> parse_lights(std::string_view text) {
   return parse_word<BakeLights>("--lights", text, kLightWords);
+}
+
+Result<BakeQuality> parse_quality(std::string_view text) {
+  return parse_word<BakeQuality>("--quality", text, kQualityWords);
 }
 
 Result<std::vector<BakeLayer>> parse_layers(const std::vector<std::string>& texts) {

@@ -137,6 +137,11 @@ Result<PageRequest> request_of(const RawPageOptions& words, ValidateRequest vali
   reading.require(size <= kMost, "--thumbnail-size: from 32 to 1024 pixels.");
   request.thumbnails.size = static_cast<std::uint32_t>(size);
   request.thumbnails.draw = !words.no_thumbnails;
+  if (!words.quality.empty()) {
+    BakeQuality quality{};
+    reading.set(quality, parse_quality(words.quality));
+    request.thumbnails.quality = quality;
+  }
   request.output = words.output == "-" ? std::string() : words.output;
   request.title = words.title;
   request.validate = std::move(validate);

@@ -49,7 +49,7 @@ struct RawValidateOptions {
 
 struct RawPageOptions {
   RawValidateOptions validate;
-  std::string output, title, thumbnail_size = "160";
+  std::string output, title, thumbnail_size = "160", quality;
   bool no_thumbnails = false;
 };
 
@@ -94,7 +94,7 @@ struct RawBakeOptions {
   RawInputOptions inputs;
   std::vector<std::string> sizes, layers, schema_files, schema_folders;
   std::string output, format = "png", sheet, compare, root, cache, cache_key;
-  std::string turntable = "0", samples = "32", bounces = "6", seed = "0";
+  std::string turntable = "0", quality, samples, bounces, seed = "0";
   std::string camera, lights = "both", environment, exposure = "0";
   std::string scene, animation, time = "0", variant;
   std::string denoise = "on", noise = "0", time_budget = "0", shader = "conserving";

@@ -60,6 +60,10 @@ inline constexpr std::array<Word<BakeLayer>, 4> kLayerWords{{{"albedo", BakeLaye
                                                              {"normal", BakeLayer::normal},
                                                              {"depth", BakeLayer::depth},
                                                              {"material", BakeLayer::material}}};
+inline constexpr std::array<Word<BakeQuality>, 3> kQualityWords{
+    {{"draft", BakeQuality::draft},
+     {"standard", BakeQuality::standard},
+     {"final", BakeQuality::final}}};
 inline constexpr std::array<Word<bool>, 2> kDenoiseWords{{{"on", true}, {"off", false}}};
 /// Whether the shader is the literal one.
 inline constexpr std::array<Word<bool>, 2> kShaderWords{{{"spec", true}, {"conserving", false}}};

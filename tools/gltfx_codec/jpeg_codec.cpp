@@ -61,9 +61,9 @@ class JpegDecoder {
   JpegDecoder& operator=(const JpegDecoder&) = delete;
 
   // Each is false when libjpeg fails.
-  bool read_header(std::span<const std::byte> bytes, Image& image) {
+  bool read_header(std::span<const std::byte> bytes, unsigned halvings, Image& image) {
     if (setjmp(messages_.failed) != 0) return false;
-    header(bytes, image);
+    header(bytes, halvings, image);
     return true;
   }
   bool read_rows(Rows& rows) {
@@ -83,10 +83,12 @@ class JpegDecoder {
  private:
   bool inks() const { return jpeg_.out_color_space == JCS_CMYK; }
 
-  void header(std::span<const std::byte> bytes, Image& image) {
+  // Fewer texels are made of the lowest frequencies alone.
+  void header(std::span<const std::byte> bytes, unsigned halvings, Image& image) {
     jpeg_create_decompress(&jpeg_);
     jpeg_mem_src(&jpeg_, data_of(bytes), bytes.size());
     jpeg_read_header(&jpeg_, TRUE);
+    jpeg_.scale_denom = 1U << halvings;
     jpeg_calc_output_dimensions(&jpeg_);
     image.width = jpeg_.output_width;
     image.height = jpeg_.output_height;
@@ -158,7 +160,7 @@ class JpegEncoder {
 Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   JpegDecoder decoder;
   Image image;
-  if (!decoder.read_header(bytes, image)) return decoder.error();
+  if (!decoder.read_header(bytes, job.halvings, image)) return decoder.error();
   if (image.channels < 1 || image.channels > 4) {
     return DecodeError{ErrorKind::malformed, "It has more than 4 channels."};
   }

@@ -112,6 +112,7 @@ Table common_values() {
       {"--compare", file({"gltf", "glb"})},
       {"--lights", choice(set_of(kLightWords))},
       {"--environment", file({"hdr", "exr"})},
+      {"--quality", choice(set_of(kQualityWords))},
       {"--denoise", choice(set_of(kDenoiseWords))},
       {"--shader", choice(set_of(kShaderWords))},
   };

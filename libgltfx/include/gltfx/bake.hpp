@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,13 @@ bool can_bake();
 /// Which lamps shine. `studio`: soft boxes that follow the camera. `asset`: what the asset brings;
 /// when it brings nothing that shines, the studio all the same.
 enum class BakeLights : std::uint8_t { studio, asset, both };
+
+/// How much work goes into a picture.
+enum class BakeQuality : std::uint8_t {
+  draft,     ///< 4 samples; surfaces that are not seen themselves are lit by an open sky
+  standard,  ///< 32 samples
+  final,     ///< 256 samples and 12 bounces
+};
 
 /// Pictures of something else than light, each in a file of its own.
 enum class BakeLayer : std::uint8_t {
@@ -58,13 +66,14 @@ struct BakeOptions {
   std::uint32_t turntable = 0;
   std::vector<BakeLayer> layers;  ///< beside the picture, with "-NAME" before the name's ending
 
+  BakeQuality quality = BakeQuality::standard;  ///< says what `samples` and `bounces` do not
   /// Paths through each pixel, at most; from 1 to kMostBakeSamples. With `denoise`, from 16 on and
   /// where neither `seconds` nor `noise` ends them, on average: from a quarter to four times as
   /// many, more where noise is, which two to four others find out.
-  std::uint32_t samples = 32;
-  std::uint32_t bounces = 6;  ///< surfaces along a path that scatter, at most
-  std::uint32_t seed = 0;     ///< of the noise
-  bool denoise = true;        ///< smooth the noise away
+  std::optional<std::uint32_t> samples;
+  std::optional<std::uint32_t> bounces;  ///< surfaces along a path that scatter, at most
+  std::uint32_t seed = 0;                ///< of the noise
+  bool denoise = true;                   ///< smooth the noise away
   double seconds = 0;  ///< for each picture; 0: no limit. With one, no two runs need be the same.
   /// Standard error at which parts of a picture have enough samples, as part of the range from
   /// black to white; 0: all samples.

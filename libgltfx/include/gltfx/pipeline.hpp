@@ -140,6 +140,8 @@ void inspect_files(const std::vector<std::string>& paths, const InspectOptions& 
 struct ThumbnailOptions {
   bool draw = true;          ///< each asset, and what an upgrade makes of it
   std::uint32_t size = 160;  ///< pixels per side
+  /// Of each picture; none: 16 samples and 4 bounces.
+  std::optional<BakeQuality> quality;
 };
 
 /// Validates, inspects and draws many files on `jobs` threads (at least 1) and hands over what the

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/sky_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bake/directions.hpp"
+#include "bake/sampler.hpp"
+#include "bake/storage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+constexpr std::uint32_t kSamples = 4096;
+
+std::array<double, 9> harmonics_at(const Vec3d& d) {
+  return {0.282095,
+          0.488603 * d.x,
+          0.488603 * d.y,
+          0.488603 * d.z,
+          1.092548 * d.x * d.y,
+          1.092548 * d.y * d.z,
+          1.092548 * d.x * d.z,
+          0.315392 * (3 * d.z * d.z - 1),
+          0.546274 * (d.x * d.x - d.y * d.y)};
+}
+
+// What is left of a harmonic of radiance in irradiance.
+double cosine_share(std::size_t harmonic) {
+  return harmonic == 0 ? pi : harmonic < 4 ? 2 * pi / 3 : pi / 4;
+}
+
+}  // namespace
+
+SkySamples::SkySamples(const Environment& environment)
+    : blocks_(kSamples / kBlock), lights_(kSamples) {
+  // Scrambled Sobol' points in their own order: any aligned block of them is stratified.
+  constexpr std::uint32_t kSeed = 0x5bd1e995U;
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    const std::uint32_t second = scramble_reversed(second_sobol_reversed(i), mix_bits(kSeed));
+    const Float2 point{unit_float(reverse_bits(scramble_reversed(i, kSeed))),
+                       unit_float(reverse_bits(second))};
+    const EnvironmentSample sample = environment.sample(point);
+    Block& block = blocks_[i / kBlock];
+    const std::size_t lane = i % kBlock;
+    block.x[lane] = static_cast<float>(sample.direction.x);
+    block.y[lane] = static_cast<float>(sample.direction.y);
+    block.z[lane] = static_cast<float>(sample.direction.z);
+    const double brightness = luminance(sample.radiance) * sample.scale;
+    block.brightness[lane] = std::isfinite(brightness) ? static_cast<float>(brightness) : 0.0F;
+    lights_[i] = {to_float3(sample.radiance), static_cast<float>(sample.pdf)};
+    const auto harmonics = harmonics_at(sample.direction);
+    for (std::size_t h = 0; h < harmonics.size(); ++h) {
+      harmonics_[h] += sample.radiance * (sample.scale * harmonics[h] * cosine_share(h) / kSamples);
+    }
+  }
+}
+
+EnvironmentSample SkySamples::choose(const Vec3d& normal, bool both, const Float2& random) const {
+  const auto number = static_cast<std::size_t>(random[0] * static_cast<float>(blocks_.size()));
+  const Block& block = blocks_[number];
+  const Float3 n = to_float3(normal);
+  const float behind = both ? -1 : 0;
+  Numbers weights;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float cosine = n[0] * block.x[i] + n[1] * block.y[i] + n[2] * block.z[i];
+    weights[i] = (cosine > 0 ? cosine : cosine * behind) * block.brightness[i];
+  }
+  std::array<float, kLanes> sums{};
+  for (std::size_t i = 0; i < kBlock; ++i) sums[i % kLanes] += weights[i];
+  const float total = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  if (!(total > 0)) return {};
+
+  float rest = random[1] * total;
+  std::size_t chosen = 0;
+  for (; chosen + 1 < kLanes && rest >= sums[chosen]; ++chosen) rest -= sums[chosen];
+  for (; chosen + kLanes < kBlock && rest >= weights[chosen]; chosen += kLanes)
+    rest -= weights[chosen];
+  if (!(weights[chosen] > 0)) return {};
+
+  const Light& light = lights_[number * kBlock + chosen];
+  const Vec3d direction(block.x[chosen], block.y[chosen], block.z[chosen]);
+  const double density = static_cast<double>(light.pdf) * static_cast<double>(weights[chosen]);
+  return {direction, to_vec(light.radiance), static_cast<double>(light.pdf),
+          static_cast<double>(total) / (density * kBlock)};
+}
+
+Rgb SkySamples::irradiance(const Vec3d& normal) const {
+  const auto harmonics = harmonics_at(normal);
+  Rgb sum;
+  for (std::size_t h = 0; h < harmonics.size(); ++h) sum += harmonics_[h] * harmonics[h];
+  return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Directions that all surfaces of a picture share.
+#include "bake/sky_samples.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "bake/lighting.hpp"
+#include "bake/sampler.hpp"
+#include "bake/storage.hpp"
+#include "studio_stage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+const EnvironmentImage& studio() {
+  static const EnvironmentImage kImage = studio_environment(normalize(Vec3d(0.5, 0.3, 0.8)));
+  return kImage;
+}
+
+// The irradiance of a side, or of both together, by choices among the directions.
+Rgb estimate(const SkySamples& sky, const Vec3d& normal, bool both) {
+  constexpr std::uint32_t kChoices = 1U << 14U;
+  Rgb sum;
+  for (std::uint32_t i = 0; i < kChoices; ++i) {
+    const EnvironmentSample light = sky.choose(normal, both, SampleStream(1, 2, i).pair(0));
+    if (!(light.pdf > 0)) continue;
+    const double cosine = dot(light.direction, normal);
+    EXPECT_TRUE(both || cosine > 0);
+    sum += light.radiance * (std::fabs(cosine) * light.scale / kChoices);
+  }
+  return sum;
+}
+
+TEST(SkySamples, GiveTheIrradianceOfEachNormal) {
+  const SkySamples sky{Environment(studio())};
+  for (const Vec3d& normal : {Vec3d(0, 1, 0), Vec3d(0, -1, 0), normalize(Vec3d(1, 0.2, -2)),
+                              normalize(Vec3d(-0.3, 0.8, 0.4))}) {
+    const Rgb front = irradiance(studio(), normal);
+    const Rgb back = irradiance(studio(), -normal);
+    EXPECT_NEAR(luminance(estimate(sky, normal, false)), luminance(front),
+                0.005 * luminance(front));
+    EXPECT_NEAR(luminance(estimate(sky, normal, true)), luminance(front + back),
+                0.005 * luminance(front + back));
+  }
+}
+
+// A picture by shared directions is that by directions of each surface's own.
+TEST(SkySamples, LightAStageAlike) {
+  Stage exact = studio_stage();
+  Stage shared = studio_stage();
+  shared.world.sky.emplace(*shared.world.environment);
+  for (const Vec3d& towards : {Vec3d(0, -0.1, -6), Vec3d(0.7, -0.3, -6), Vec3d(-1.2, -1, -6)}) {
+    const Ray ray{front().origin, normalize(towards)};
+    const Estimate one = exact.path(ray, 8000);
+    const Estimate other = shared.path(ray, 8000);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(other.mean[c], one.mean[c],
+                  3.5 * (one.error[c] + other.error[c]) + 0.004 * one.mean[c]);
+    }
+    EXPECT_LT(other.error.x, one.error.x) << "and with less noise";
+  }
+}
+
+// The colour is that of the lights, not only their brightness.
+TEST(SkySamples, KeepColours) {
+  EnvironmentImage image;
+  image.width = 64;
+  image.height = 32;
+  image.radiance.assign(64U * 32U, {0.1F, 0.2F, 0.4F});
+  image.radiance[8U * 64U + 20U] = {300, 200, 20};
+  const SkySamples sky{Environment(image)};
+  const Vec3d normal = normalize(Vec3d(0.2, 0.9, -0.1));
+  const Rgb expected = irradiance(image, normal);
+  const Rgb found = estimate(sky, normal, false);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 0.02 * expected[c]) << c;
+}
+
+TEST(SkySamples, PrefilteredIrradianceIsNear) {
+  const SkySamples sky{Environment(studio())};
+  const double most = luminance(irradiance(studio(), normalize(Vec3d(0, 1, 0.5))));
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    const Float2 u = SampleStream(3, 4, i).pair(0);
+    const Vec3d normal = direction_of(u);
+    EXPECT_NEAR(luminance(sky.irradiance(normal)), luminance(irradiance(studio(), normal)),
+                0.08 * most);
+  }
+}
+
+TEST(SkySamples, ABlackSkyGivesNoDirection) {
+  EnvironmentImage image;
+  image.width = image.height = 1;
+  image.radiance = {{0, 0, 0}};
+  const SkySamples sky{Environment(image)};
+  EXPECT_EQ(sky.choose({0, 1, 0}, true, {0.5F, 0.5F}).pdf, 0);
+  EXPECT_EQ(sky.irradiance({0, 1, 0}), Rgb());
+}
+
+}  // namespace
+}  // namespace gltfx::bake
