@@ -98,7 +98,7 @@ std::string fix_example(const RuleDescription& rule, std::string_view example) {
   const auto known = options_for(rule, example).schemas;
   const auto schemas = known ? known : schema::builtin_set();
   container::Resolver resolver = resolver_for(".", {});
-  resolver.add("leaf map.png", container::Bytes::from_string(*container::decode_base64(kPicture)));
+  resolver.add("leaf/map.png", container::Bytes::from_string(*container::decode_base64(kPicture)));
   model::OpenedAsset asset(name, std::move(container), std::move(resolver));
   const FixedAsset fixed =
       fix_in_rounds({std::move(asset), fix_judgement(schemas)}, options, schemas, false);

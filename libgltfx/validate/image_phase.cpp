@@ -339,18 +339,7 @@ bool correct_type(Fixing& fixing, Span place) {
   return image < fixing.resources().images.size() && say_type(fixing, image);
 }
 
-// `place` is the source of a texture.
-bool correct_type_of_source(Fixing& fixing, Span place) {
-  const json::NodeId source = fixing.node_at(place);
-  if (source == json::kNoNode || !fixing.document().is_number(source)) return false;
-  const auto image =
-      fixing.elements().index(fixing.document().number(source).value, model::RootArray::images);
-  return image && say_type(fixing, *image);
-}
-
-constexpr FixEntry kImageFixes[] = {
-    {Code::IMAGE_MIME_TYPE_INVALID, correct_type},
-    {Code::TEXTURE_INVALID_IMAGE_MIME_TYPE, correct_type_of_source}};
+constexpr FixEntry kImageFixes[] = {{Code::IMAGE_MIME_TYPE_INVALID, correct_type}};
 
 }  // namespace
 

@@ -68,7 +68,6 @@ bool drop_trailing_zeros(Fixing& fixing, Span) {
 
 constexpr FixEntry kContainerFixes[] = {
     {Code::GLB_LENGTH_MISMATCH, drop_trailing_zeros, FixStage::container},
-    {Code::GLB_LENGTH_TOO_SMALL, rewrite, FixStage::container},
     {Code::GLB_CHUNK_LENGTH_UNALIGNED, rewrite, FixStage::container},
     {Code::GLB_CHUNK_TOO_BIG, rewrite, FixStage::container},
     {Code::GLB_EXTRA_DATA, drop_trailing_zeros, FixStage::container},

@@ -137,7 +137,6 @@ constexpr FixEntry kElementFixes[] = {
     {Code::ACCESSOR_INVALID_SIGN, make_signs},
     {Code::ACCESSOR_NON_CLAMPED, clamp},
     {Code::ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION, make_unit_keyframes},
-    {Code::ACCESSOR_INVALID_IBM, make_affine},
     {Code::INSTANCING_ROTATION_NON_UNIT, make_unit_rotations},
     {Code::SPLAT_ROTATION_NON_UNIT, make_unit_rotations},
     {Code::ACCESSOR_MIN_MISMATCH, correct_bounds},

@@ -137,23 +137,6 @@ bool make_unit_keyframes(Fixing& fixing, Span place) {
   return false;
 }
 
-bool make_affine(Fixing& fixing, Span place) {
-  constexpr double kNearly = 1e-4;
-  const Use use = use_at(fixing, place);
-  auto elements = Elements::open(fixing, use.accessor, "inverseBindMatrices");
-  if (!elements || !elements->is_float() || elements->components() != 16) return false;
-  Changes changes;
-  for (std::uint64_t i = 0; i < elements->count(); ++i) {
-    for (unsigned c = 3; c < 16; c += 4) {
-      const double wanted = c == 15 ? 1 : 0;
-      const double difference = std::abs(elements->get(i, c) - wanted);
-      if (!(difference <= kNearly)) return false;
-      if (difference != 0) changes.set(i, c, wanted);
-    }
-  }
-  return changes.make(fixing, use.accessor, *elements);
-}
-
 bool clamp(Fixing& fixing, Span place) {
   constexpr double kNearly = 1.0 / 512;
   const Use use = use_at(fixing, place);

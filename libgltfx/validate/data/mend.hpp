@@ -17,8 +17,6 @@ bool make_signs(Fixing& fixing, Span place);
 bool make_unit_rotations(Fixing& fixing, Span place);
 /// Rotations that an animation writes; `place` is the sampler of the channel.
 bool make_unit_keyframes(Fixing& fixing, Span place);
-/// The last rows of inverse bind matrices, where they are nearly 0 0 0 1.
-bool make_affine(Fixing& fixing, Span place);
 /// What is hardly below 0 or above 1.
 bool clamp(Fixing& fixing, Span place);
 /// What is no finite number in vertices that no index refers to; `place` is the accessor.

@@ -71,6 +71,11 @@ std::optional<Bounds> read_bounds(Fixing& fixing, const Accessor& accessor) {
   if (!model::is_core_component(accessor.format.component) || !is_plain(fixing, accessor)) {
     return std::nullopt;
   }
+  if (!accessor.buffer_view && accessor.sparse == json::kNoNode) {
+    if (!accessor.count) return std::nullopt;
+    const std::vector<double> zeros(model::component_count(accessor.format.type));
+    return Bounds{zeros, zeros};
+  }
   const auto data = AccessorData::open(fixing.elements(), fixing.views(), fixing.resources(),
                                        accessor, model::Malformed::unusable);
   if (!data || !fixing.table<ReadBudget>().take(data->count(), data->components())) {

@@ -240,20 +240,12 @@ void check_pointers(const Context& context) {
   if (context.asset.count(model::RootArray::animations) != 0) PointerCheck(context).run();
 }
 
-// The pointer says what moves; the path says that there is one.
-bool name_pointer(Fixing& fixing, Span place) {
-  const json::NodeId path = fixing.node_at(place);
-  return path != json::kNoNode && fixing.document().is_string(path) &&
-         fixing.replace_scalar(path, fmt::format("\"{}\"", kPath));
-}
-
 }  // namespace
 
 const Family& animation_pointer_family() {
   static constexpr LinkRule kLinkRules[] = {check_pointers};
   static constexpr FixEntry kFixes[] = {
-      {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE, remove_marked},
-      {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH, name_pointer}};
+      {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE, remove_marked}};
   static constexpr Family family{.order = 450, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }

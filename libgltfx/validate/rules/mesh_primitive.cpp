@@ -254,7 +254,7 @@ void check_meshes(const Context& context) {
 const Family& mesh_primitive_family() {
   static constexpr LinkRule kLinkRules[] = {check_meshes};
   static constexpr FixEntry kFixes[] = {
-      {Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at}};
+      {Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE, remove_index_stride}};
   static constexpr Family family{.order = 350, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }

@@ -119,4 +119,10 @@ bool remove_stride_at(Fixing& fixing, Span place) {
   return view && remove_stride(fixing, *view);
 }
 
+bool remove_index_stride(Fixing& fixing, Span place) {
+  if (!remove_stride_at(fixing, place)) return false;
+  add_target(fixing, place);
+  return true;
+}
+
 }  // namespace gltfx::validate

@@ -30,4 +30,7 @@ void report_use(const Context& context, std::uint32_t accessor, model::AccessorU
 /// stride is too much.
 bool remove_stride_at(Fixing& fixing, Span place);
 
+/// The same for indices, whose view gets its target, too.
+bool remove_index_stride(Fixing& fixing, Span place);
+
 }  // namespace gltfx::validate
