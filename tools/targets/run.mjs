@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures one version of an engine: run.mjs ENGINE PACKAGES TOOLS [FEATURE...]. Prints outcomes as JSON.
 import { ofHarness, openEngine, told } from './loading.mjs';
-import { probes, stranger } from './probes/index.mjs';
+import { asIfNamed, probes } from './probes/index.mjs';
 
 const [engine, packages, tools, ...features] = process.argv.slice(2);
 const attempt = await openEngine(engine, packages, tools);
@@ -50,9 +50,6 @@ function difference(a, b) {
   return count / (a.length / 4);
 }
 const drawn = (probe, share) => (probe.same ? share < 0.04 : share > 0.002);
-
-// Some engines write names in lower case.
-const asIfNamed = (name, text) => text.replaceAll(stranger(name), name).replaceAll(stranger(name).toLowerCase(), name.toLowerCase());
 
 const all = probes();
 const feature = name => all.find(probe => probe.feature === name);

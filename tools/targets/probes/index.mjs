@@ -12,6 +12,8 @@ import { scene } from './scenes.mjs';
 
 // A name that no engine knows, as long as the other and at its place in a sorted list.
 export const stranger = name => `${name.slice(0, -1)}Z`;
+// A dump as if it had the known name. Some engines write names in lower case.
+export const asIfNamed = (name, text) => text.replaceAll(stranger(name), name).replaceAll(stranger(name).toLowerCase(), name.toLowerCase());
 
 // What no picture at rest shows.
 const unseen = [/^animation\./, /^attribute\.(custom|color-1|texcoord-[0-9]|tangent)$/, /^morph\.target-names$/, /^node\.name/, /^extras$/,
