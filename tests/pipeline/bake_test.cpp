@@ -18,7 +18,6 @@
 #include "codec/client.hpp"
 #include "container/temp_folder.hpp"
 #include "pipeline/bake_names.hpp"
-#include "pipeline/contact_sheet.hpp"
 #include "pipeline/environment_file.hpp"
 #include "pipeline/picture_file.hpp"
 
@@ -353,74 +352,6 @@ TEST(BakeNames, Angles) {
   for (const char* word : {"", "1", "1,", ",1", "a,1", "1,2,3", "inf,0", "nan,1"}) {
     EXPECT_EQ(parse_angles(word), std::nullopt) << word;
   }
-}
-
-BakedPixels plain_pixels(std::uint32_t width, std::uint32_t height) {
-  return {width, height, 3, std::vector<std::uint8_t>(std::size_t{width} * height * 3, 10)};
-}
-
-TEST(ContactSheet, CellsKeepTheShapeOfPictures) {
-  ContactSheet sheet(3, {64, 64});
-  sheet.add({}, "");
-  sheet.add(plain_pixels(64, 32), "no room for words");
-  const bake::Picture picture = sheet.take();
-  EXPECT_EQ(picture.width, 128U);
-  EXPECT_EQ(picture.height, 128U);
-  const auto red = [&](std::size_t x, std::size_t y) { return picture.bytes[(y * 128 + x) * 3]; };
-  EXPECT_EQ(red(32, 32), 236);
-  EXPECT_EQ(red(96, 32), 10);
-  EXPECT_EQ(red(96, 5), 236) << "above a wide picture";
-}
-
-TEST(ContactSheet, LargePicturesBecomeSmallerAndHaveTheirShape) {
-  ContactSheet sheet(1, {1024, 512});
-  sheet.add(plain_pixels(1024, 512), "");
-  const bake::Picture picture = sheet.take();
-  EXPECT_EQ(picture.width, 256U);
-  EXPECT_EQ(picture.height, 128U + 26U);
-  EXPECT_EQ(picture.bytes[(std::size_t{127} * 256 + 255) * 3], 10);
-  EXPECT_EQ(picture.bytes[(std::size_t{128} * 256 + 255) * 3], 236);
-}
-
-// Columns of the line below a picture that have ink in them.
-std::vector<std::size_t> inked(std::string_view name) {
-  ContactSheet sheet(1, {100, 10});
-  sheet.add({}, name);
-  const bake::Picture picture = sheet.take();
-  std::vector<std::size_t> columns;
-  for (std::size_t x = 0; x < 100; ++x) {
-    for (std::size_t y = 10; y < picture.height; ++y) {
-      if (picture.bytes[(y * 100 + x) * 3] == 236) continue;
-      columns.push_back(x);
-      break;
-    }
-  }
-  return columns;
-}
-
-std::size_t extent_of(const std::vector<std::size_t>& columns) {
-  return columns.empty() ? 0 : columns.back() - columns.front() + 1;
-}
-
-TEST(ContactSheet, NamesStandBelow) {
-  EXPECT_THAT(inked(""), IsEmpty());
-  EXPECT_THAT(inked(" "), IsEmpty());
-  const std::size_t narrow = extent_of(inked("l")), wide = extent_of(inked("W"));
-  EXPECT_GE(narrow, 1U);
-  EXPECT_LE(narrow, 3U);
-  EXPECT_GT(wide, 12U);
-  EXPECT_NEAR(static_cast<double>(inked("W").front() + inked("W").back()), 99, 2) << "centered";
-  EXPECT_LT(extent_of(inked("AV")), 2 * extent_of(inked("A"))) << "kerning";
-  EXPECT_GT(extent_of(inked("\xC3\xA4\xCE\xA9")), 15U) << "letters of other alphabets";
-  EXPECT_EQ(inked("\xE6\x97\xA5"), inked("\xFF")) << "a box for what the font does not have";
-}
-
-TEST(ContactSheet, LongNamesEndWithDots) {
-  const std::vector<std::size_t> columns = inked(std::string(500, 'm'));
-  EXPECT_GE(columns.front(), 4U);
-  EXPECT_LE(columns.back(), 95U);
-  EXPECT_GT(extent_of(columns), 70U);
-  EXPECT_EQ(columns, inked(std::string(501, 'm')));
 }
 
 TEST(PictureFile, EndingsDecide) {

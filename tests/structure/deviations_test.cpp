@@ -22,6 +22,8 @@ using testing::SizeIs;
 const std::map<std::string, std::pair<std::size_t, std::string>, std::less<>> kPlaces{
     {"libgltfx/include/gltfx/validate.hpp", {1, "the default"}},
     {"libgltfx/pipeline/example.cpp", {2, "examples raise their rule in one of two profiles"}},
+    {"libgltfx/pipeline/fix_rounds.cpp", {1, "what is new is looked for among hints, too"}},
+    {"libgltfx/pipeline/validate.cpp", {1, "the Khronos validator says nothing of fixes"}},
     {"libgltfx/validate/collector.cpp", {3, "codes and hints by profile; its deviations"}},
     {"libgltfx/validate/context.hpp", {1, "hands the deviations down"}},
     {"libgltfx/validate/phase_json.cpp", {1, "runs before there is a context"}},
@@ -31,7 +33,7 @@ const std::map<std::string, std::pair<std::size_t, std::string>, std::less<>> kP
     {"tools/gltfx/validation_options.cpp", {3, "the names of profiles"}},
     {"tools/gltfx/value_words.hpp", {3, "the words for profiles"}},
 };
-constexpr std::size_t kMost = 25;
+constexpr std::size_t kMost = 27;
 
 constexpr std::string_view kModule = "libgltfx/validate/khronos/";
 

@@ -9,7 +9,7 @@
 
 #include "target/choice.hpp"
 #include "target/target_file.hpp"
-#include "validate/verdict.hpp"
+#include "validate/selected.hpp"
 
 namespace gltfx::test {
 namespace {
