@@ -199,8 +199,8 @@ TEST(ToTinygltf, Ktx2IsDecoded) {
   ASSERT_TRUE(report.done) << problems(report);
   ASSERT_EQ(model.images.size(), 2U);
   for (const tinygltf::Image& image : model.images) EXPECT_FALSE(image.as_is);
-  EXPECT_EQ(model.images[0].width, 8);
-  EXPECT_EQ(model.images[0].image.size(), 8U * 8U * 4U);
+  EXPECT_EQ(model.images[0].width, 16);
+  EXPECT_EQ(model.images[0].image.size(), 16U * 16U * 4U);
 }
 
 TEST(ToTinygltf, ImagesOfOtherKindsStayEncoded) {
@@ -210,7 +210,7 @@ TEST(ToTinygltf, ImagesOfOtherKindsStayEncoded) {
   const std::size_t begin = uri.find(',') + 1;
   std::string bytes = *container::decode_base64(std::string_view(uri).substr(begin));
   bytes[12] = '\x9E';                   // vkFormat: ASTC of 4 by 4 texels, sRGB
-  bytes[80 + 24 * 4 + 4 + 8] = '\xA2';  // the model of ASTC in the descriptor
+  bytes[80 + 24 * 5 + 4 + 8] = '\xA2';  // the model of ASTC in the descriptor
   json["images"][0]["uri"] = uri.substr(0, begin) + container::encode_base64(bytes);
   json["textures"][0]["extensions"] = {{"EXT_texture_astc", {{"source", 0}}}};
   json["extensionsUsed"][1] = "EXT_texture_astc";
