@@ -98,7 +98,7 @@ TEST(MetadataSchema, MembersAreThereWhereTheyMeanSomething) {
   EXPECT_EQ(code(R"("type": "STRING", "componentType": "INT8")"), "CONDITION_MISMATCH");
   EXPECT_EQ(code(R"("type": "ENUM")"), "UNDEFINED_PROPERTY");
   EXPECT_EQ(code(R"("type": "STRING", "enumType": "e")"), "CONDITION_MISMATCH");
-  EXPECT_EQ(code(scalar + R"("INT8", "count": 2)"), "CONDITION_MISMATCH");
+  EXPECT_EQ(code(scalar + R"("INT8", "count": 2)"), "UNDEFINED_PROPERTY");
   EXPECT_EQ(code(scalar + R"("INT8", "scale": 2)"), "CONDITION_MISMATCH");
   EXPECT_EQ(code(scalar + R"("INT8", "normalized": true, "scale": 2)"), "");
   EXPECT_EQ(code(scalar + R"("FLOAT32", "scale": 2)"), "");
