@@ -118,7 +118,7 @@ TEST_F(EditTest, PlansAreReadByPrograms) {
 
 TEST_F(EditTest, HostilePointersAreRefused) {
   for (const char* pointer :
-       {"/meshes/99999999999", "/cameras/-", "/cameras/2", "", "/asset", "/asset/version",
+       {"/meshes/99999999999", "/cameras/-", "/cameras/2", "/", "/asset", "/asset/version",
         "cameras/0", "/nodes/\xff\xfe", "/scenes/0/nodes"}) {
     const Outcome outcome = here({"a.gltf", "--delete", pointer, "--in-place"});
     const bool member = std::string(pointer) == "/scenes/0/nodes";
@@ -126,6 +126,7 @@ TEST_F(EditTest, HostilePointersAreRefused) {
   }
   EXPECT_THAT(content("a.gltf"), HasSubstr(R"("scenes": [ {} ])"));
   EXPECT_EQ(here({"a.gltf"}).code, 2);
+  EXPECT_EQ(here({"a.gltf", "--delete", ""}).code, 2);
 }
 
 TEST_F(EditTest, FilesThatAreNoAssetsAreNotChanged) {

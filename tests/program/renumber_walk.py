@@ -247,11 +247,25 @@ def check(before, after, pointer):
         marks = {t for t in target if t in old} if isinstance(target, tuple) else {target}
         for owner in owners(before, path):
             users[owner] |= marks
-    for mark in gone - asked:
-        inside = any(m is not None and m in gone for m in owners(before, old[mark][1])[:-1])
-        if not inside and not users[mark] & gone:
-            wrong.append(f"{old[mark][1]} is gone without a reason")
+    wrong += [f"{old[m][1]} is gone without a reason" for m in gone - with_reason(before, old, gone, asked, users)]
     return wrong
+
+
+def is_within(value, marks):
+    """A list of nothing but objects with these marks."""
+    return isinstance(value, list) and bool(value) and all(isinstance(e, dict) and mark_of(e) in marks for e in value)
+
+
+def with_reason(before, old, gone, asked, users):
+    """Objects that were asked for, lie in one that went, refer to one, or have lost a whole list."""
+    reason, left = set(asked), gone - asked
+    while True:
+        found = {m for m in left if users[m] & reason or set(owners(before, old[m][1])) & reason
+                 or any(is_within(child, reason) for child in old[m][0].values())}
+        if not found:
+            return reason
+        reason |= found
+        left -= found
 
 
 def owners(document, path):
