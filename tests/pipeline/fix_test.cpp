@@ -192,16 +192,15 @@ TEST(FixFile, DoesWhatItIsAskedFor) {
 
 TEST(FixFile, DoesNothingUnsafeUnasked) {
   const TempFolder folder;
-  const std::string text =
-      R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlitt"],"materials":[{"extensions":{"KHR_materials_unlitt":{}}}]})";
-  const auto path = folder.write("a.gltf", text);
+  const RuleDescription& rule = *find_rule("EXTENSION_NAME_MISSPELT");
+  const auto path = folder.write("a.gltf", example_bytes(rule.bad));
   EXPECT_FALSE(fix_file(path.native(), in_place()).changes);
   FixOptions options = in_place();
   options.unsafe = true;
   EXPECT_FALSE(fix_file(path.native(), options).changes);
   options.only = {"EXTENSION_NAME_MISSPELT"};
   EXPECT_EQ(fix_file(path.native(), options).error, "");
-  EXPECT_EQ(text_of(path).find("unlitt"), std::string::npos);
+  EXPECT_EQ(text_of(path), example_bytes(rule.fixed));
 }
 
 TEST(FixFile, SaysWhyAFileCannotBeFixed) {

@@ -29,9 +29,9 @@ TEST(JsonReport, WritesOneLineAFile) {
   EXPECT_EQ(json_text({file("a.gltf"), file("b.gltf", {unused})}),
             fmt::format(
                 R"({{"gltfx":"{}","format":1,"profile":"default","pixels":"headers","files":[
-{{"path":"a.gltf","mimeType":"model/gltf+json","readable":true,"counts":{{"errors":0,"warnings":0,"infos":0,"hints":0}},"truncated":false,"suppressed":0,"leftOut":0,"unchanged":0,"unverified":0,"imagesWanted":0,"imagesDecoded":0,"findings":[]}},
-{{"path":"b.gltf","mimeType":"model/gltf+json","readable":true,"counts":{{"errors":0,"warnings":0,"infos":1,"hints":0}},"truncated":false,"suppressed":0,"leftOut":0,"unchanged":0,"unverified":0,"imagesWanted":0,"imagesDecoded":0,"findings":[{{"code":"UNUSED_OBJECT","severity":"info","message":"Unused.","pointer":"/nodes/1"}}]}}
-],"summary":{{"files":2,"filesWithErrors":0,"unreadable":0,"unverified":0,"suppressed":0,"leftOut":0,"imagesWanted":0,"imagesDecoded":0,"unchanged":0,"errors":0,"warnings":0,"infos":1,"hints":0}}}}
+{{"path":"a.gltf","mimeType":"model/gltf+json","readable":true,"counts":{{"errors":0,"warnings":0,"infos":0,"hints":0}},"truncated":false,"suppressed":0,"leftOut":0,"unchanged":0,"fixable":0,"unverified":0,"imagesWanted":0,"imagesDecoded":0,"findings":[]}},
+{{"path":"b.gltf","mimeType":"model/gltf+json","readable":true,"counts":{{"errors":0,"warnings":0,"infos":1,"hints":0}},"truncated":false,"suppressed":0,"leftOut":0,"unchanged":0,"fixable":0,"unverified":0,"imagesWanted":0,"imagesDecoded":0,"findings":[{{"code":"UNUSED_OBJECT","severity":"info","message":"Unused.","pointer":"/nodes/1"}}]}}
+],"summary":{{"files":2,"filesWithErrors":0,"unreadable":0,"fixable":0,"unverified":0,"suppressed":0,"leftOut":0,"imagesWanted":0,"imagesDecoded":0,"unchanged":0,"errors":0,"warnings":0,"infos":1,"hints":0}}}}
 )",
                 version()));
 }
@@ -70,7 +70,7 @@ TEST(JsonReport, CarriesWhatWasLeftOut) {
   EXPECT_EQ(big["imagesWanted"], 5);
   EXPECT_EQ(big["imagesDecoded"], 5);
   EXPECT_EQ(parsed["summary"], json::parse(R"({"files": 5, "filesWithErrors": 3, "unreadable": 1,
-      "unverified": 1, "suppressed": 5, "leftOut": 0, "imagesWanted": 5, "imagesDecoded": 5, "unchanged": 0,
+      "fixable": 0, "unverified": 1, "suppressed": 5, "leftOut": 0, "imagesWanted": 5, "imagesDecoded": 5, "unchanged": 0,
       "errors": 44, "warnings": 1, "infos": 4, "hints": 0})"));
 }
 
