@@ -42,8 +42,8 @@ TEST(BakeQuality, DraftStandardAndFinalShowTheSame) {
   const BakedPixels standard = with_quality(BakeQuality::standard).pixels;
   const BakedPixels final = with_quality(BakeQuality::final).pixels;
   EXPECT_NEAR(mean_of(draft), mean_of(final), 4);
-  EXPECT_LT(rms_difference(draft, final), 12);
-  EXPECT_LT(rms_difference(standard, final), 4);
+  EXPECT_LT(rms_difference(draft, final), 16);
+  EXPECT_LT(rms_difference(standard, final), 6);
   EXPECT_LT(rms_difference(standard, final), rms_difference(draft, final));
 }
 
