@@ -16,7 +16,7 @@ const std::string kBowl = std::string(GLTFX_SOURCE_DIR) + "/fixtures/good/bowl.g
 
 BakeReport with_quality(BakeQuality quality) {
   BakeOptions options;
-  options.sizes = {{48, 48}};
+  options.sizes = {{24, 24}};
   options.quality = quality;
   return bake_file(kBowl, options);
 }
