@@ -78,16 +78,18 @@ class ImageCheck {
   }
 
  private:
+  // AVIF is a format like others where an extension brings it.
   bool is_known(std::span<const std::byte> bytes) const {
-    return !deviations().few_image_formats || image::sniff(bytes).format != image::Format::avif;
+    if (image::sniff(bytes).format != image::Format::avif) return true;
+    return !deviations().few_image_formats && contains(enabled_, "image/avif");
   }
 
   const Deviations& deviations() const { return resource_.context.deviations; }
 
   void check_unread(model::ImageData& data, const HeaderError& error) const {
     const image::Sniffed sniffed = image::sniff(data.bytes->view());
-    const bool other = sniffed.known && error.kind == HeaderError::Kind::unrecognized;
-    if (other && !deviations().few_image_formats) {
+    const bool ktx2 = sniffed.known && sniffed.format == image::Format::ktx2;
+    if (ktx2 && !deviations().few_image_formats) {
       data.format = sniffed.format;
       resource_.info.mime_type = image::media_type(sniffed.format);
       check_format(sniffed.format);

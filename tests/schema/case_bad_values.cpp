@@ -56,7 +56,7 @@ class BadValues {
       add("no multiple", whole(good_.get<double>() + shape_.multiple_of / 2));
     if (shape_.ref) {
       add("dangling", 9999);
-      add("negative", -1);
+      add("negative", std::isfinite(shape_.minimum) ? whole(shape_.minimum - 1) : Json(-1));
     }
   }
 

@@ -39,7 +39,8 @@ void CaseGenerator::property_errors(const Subject& subject, const schema::Proper
                                     std::vector<ErrorCase>& cases, Gaps& gaps) {
   Json valid;
   const std::string member = subject.pointer + "/" + property.name;
-  if (is_forbidden(set_, subject.shape, property.name)) {
+  const bool never = property.shape != kNone && set_.shape(property.shape).never;
+  if (never || is_forbidden(set_, subject.shape, property.name)) {
     std::vector<Need> needs;
     Json document = subject.document;
     document[Pointer(member)] = make_at(property.shape, member, needs);

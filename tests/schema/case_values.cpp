@@ -15,8 +15,9 @@ using schema::kNone;
 using schema::Shape;
 using schema::ShapeId;
 
-constexpr std::array<const char*, 11> kWords{
-    "POSITION", "a", "TRANSLATION", "2.0", "_A", "KHR_x", "/a", "a/b", "ab", "1", "video/mp4"};
+constexpr std::array<const char*, 13> kWords{"POSITION",  "a",    "TRANSLATION", "2.0", "_A",
+                                             "KHR_x",     "/a",   "a/b",         "ab",  "1",
+                                             "video/mp4", "GEOD", "https://a"};
 
 Json from_literal(const schema::Literal& literal) {
   switch (literal.kind) {
@@ -150,6 +151,13 @@ void ValueMaker::complete_branches(const Shape& shape, Json& object, const std::
     }
     complete(branch, object, pointer, needs);
   };
+  // Conditions inside them speak of the members of this object.
+  for (const ShapeId all : shape.all_of) {
+    if (all == kNone) continue;
+    for (const schema::Condition& condition : set_.shape(all).conditions) {
+      add(holds(condition.if_shape, object) ? condition.then_shape : condition.else_shape);
+    }
+  }
   for (const ShapeId all : shape.all_of) add(all);
   for (const schema::Condition& condition : shape.conditions) {
     add(holds(condition.if_shape, object) ? condition.then_shape : condition.else_shape);
@@ -178,12 +186,17 @@ ShapeId ValueMaker::nearest_branch(const std::vector<ShapeId>& branches, const J
 
 void ValueMaker::complete_dependencies(const Shape& shape, Json& object, const std::string& pointer,
                                        std::vector<Need>& needs) {
-  for (const auto& [name, others] : shape.dependent_required) {
-    if (!object.contains(name)) continue;
-    for (const std::string& other : others) {
-      const schema::Property* property = set_.find_property(shape.type, other);
-      if (object.contains(other) || property == nullptr) continue;
-      object[other] = make(property->shape, pointer + "/" + other, needs);
+  // What is added may need others in turn.
+  for (bool more = true; more;) {
+    more = false;
+    for (const auto& [name, others] : shape.dependent_required) {
+      if (!object.contains(name)) continue;
+      for (const std::string& other : others) {
+        const schema::Property* property = set_.find_property(shape.type, other);
+        if (object.contains(other) || property == nullptr) continue;
+        object[other] = make(property->shape, pointer + "/" + other, needs);
+        more = true;
+      }
     }
   }
 }
