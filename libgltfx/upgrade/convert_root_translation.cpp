@@ -90,16 +90,17 @@ class RootTranslation : public Conversion {
       if (roots == json::kNoNode) continue;
       if (document.kind(roots) != json::Kind::number_array) return kInvalidRoots;
       const std::uint64_t next = asset.count(model::RootArray::nodes) + parents_.size();
-      const auto [known, is_new] = by_roots.emplace(document.raw(roots), next);
-      if (is_new) parents_.push_back(roots);
-      scenes_.push_back({object, roots, known->second});
+      const auto known = by_roots.emplace(document.raw(roots), next);
+      const std::uint64_t parent = known.first->second;
+      if (known.second) parents_.push_back(roots);
+      scenes_.push_back({object, roots, parent});
       Problem problem;
       model::for_each_index(asset, roots, model::RootArray::nodes,
                             [&](std::uint64_t, std::optional<std::uint32_t> root, Span) {
                               if (!root) problem = kInvalidRoots;
                               if (problem) return;
-                              const auto owner = by_root.emplace(*root, known->second).first;
-                              if (owner->second != known->second) problem = kSharedRoots;
+                              const auto owner = by_root.emplace(*root, parent).first;
+                              if (owner->second != parent) problem = kSharedRoots;
                             });
       if (problem) return problem;
     }
