@@ -360,6 +360,11 @@ def read(path):
         return None
 
 
+def is_version_2(document):
+    asset = document.get("asset")
+    return isinstance(asset, dict) and str(asset.get("version", "")).startswith("2")
+
+
 def write(path, document, binary):
     text = json.dumps(document, separators=(",", ":"), ensure_ascii=False).encode("utf-8", "surrogatepass")
     if binary is None:
@@ -414,7 +419,7 @@ def delete(gltfx, source, folder, pointers):
 def walk(gltfx, path, most, groups):
     found = read(path)
     result = {"path": str(path), "objects": 0, "deleted": 0, "refused": {}, "wrong": []}
-    if found is None or not isinstance(found[0], dict):
+    if found is None or not isinstance(found[0], dict) or not is_version_2(found[0]):
         return result
     before, binary = marked(found[0]), found[1]
     pointers = deletable(before)
