@@ -60,7 +60,8 @@ struct Full {
   std::uint8_t version;
   std::uint32_t flags;
 
-  explicit Full(Bytes content) : at(content), version(at.u8()), flags(std::uint32_t{at.be16()} << 8U) {
+  explicit Full(Bytes content)
+      : at(content), version(at.u8()), flags(std::uint32_t{at.be16()} << 8U) {
     flags |= at.u8();
   }
   Bytes rest(Bytes content) const { return content.subspan(at.position()); }

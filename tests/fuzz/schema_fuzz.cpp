@@ -79,7 +79,8 @@ constexpr std::string_view kAsset =
 
 void show(const schema::Set& set) {
   const tool::Style plain(false);
-  require(!tool::schema_list_text(set, {}, plain).empty() && !tool::schema_list_json(set, {}).empty());
+  require(!tool::schema_list_text(set, {}, plain).empty() &&
+          !tool::schema_list_json(set, {}).empty());
   for (schema::ExtensionId id = 0; id < set.extensions().size(); ++id) {
     if (!set.extensions()[id].from_user) continue;
     require(!tool::extension_text(set, id, plain).empty());

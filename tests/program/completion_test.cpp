@@ -122,7 +122,7 @@ TEST(Completion, OffersTheVerbs) {
   EXPECT_EQ(in_bash("gltfx "), Words(verbs.begin(), verbs.end()));
   EXPECT_THAT(in_bash("gltfx val"), UnorderedElementsAre("validate"));
   EXPECT_THAT(in_bash("gltfx --v"), UnorderedElementsAre("--version"));
-  EXPECT_THAT(in_bash("gltfx hook "), UnorderedElementsAre("validate", "upgrade"));
+  EXPECT_THAT(in_bash("gltfx hook "), UnorderedElementsAre("fix", "upgrade", "validate"));
 }
 
 TEST(Completion, OffersEveryOptionOfTheHelp) {

@@ -66,7 +66,8 @@ const std::vector<Verb>& verbs() {
            "--allow-empty --cache "
            "--cache-key")},
       {"report",
-       words("PATH --output --title --no-thumbnails --thumbnail-size --quality --fail-on --profile "
+       words("PATH --output --title --no-thumbnails --thumbnail-size --quality --quality --fail-on "
+             "--profile "
              "--select --ignore --severity --inline-suppressions --config --isolated "
              "--unsandboxed-decoders --max-issues --pixels --max-texture-size "
              "--max-total-pixels --max-triangles --max-draw-calls --max-file-size --quiet "
@@ -82,7 +83,7 @@ const std::vector<Verb>& verbs() {
       {"explain", words("CODE --jobs --color")},
       {"rules", words("--format --jobs --color")},
       {"targets", words("NAME[@VERSION] --format --target-file --jobs --color")},
-      {"schema", words("NAME --format --new --check --test --schema --schema-dir --config "
+      {"schema", words("NAME --format --status --new --check --test --schema --schema-dir --config "
                        "--isolated --jobs --color")},
       {"config", words("PATH --config --isolated --jobs --color")},
   };

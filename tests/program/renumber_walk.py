@@ -416,10 +416,18 @@ def delete(gltfx, source, folder, pointers):
     return read(target), "", None
 
 
+# The table above has nothing of these.
+OTHERS = ("KHR_audio", "KHR_implicit", "KHR_physics", "KHR_texture_procedurals", "MAXAR_", "NGA_", "OMI_", "VRM")
+
+
+def has_others(document):
+    return any(name.startswith(OTHERS) for name in document.get("extensionsUsed", []))
+
+
 def walk(gltfx, path, most, groups):
     found = read(path)
     result = {"path": str(path), "objects": 0, "deleted": 0, "refused": {}, "wrong": []}
-    if found is None or not isinstance(found[0], dict) or not is_version_2(found[0]):
+    if found is None or not isinstance(found[0], dict) or not is_version_2(found[0]) or has_others(found[0]):
         return result
     before, binary = marked(found[0]), found[1]
     pointers = deletable(before)

@@ -105,7 +105,8 @@ TEST_F(Report, MistakesOfTheCommandAreNamed) {
   EXPECT_THAT(here({"-o", "a.html"}).err, HasSubstr("at least one file"));
   EXPECT_THAT(here({"-", "-o", "a.html"}).err, HasSubstr("standard input"));
   EXPECT_THAT(here({"in", "-o", "a.html", "--thumbnail-size", "9"}).err, HasSubstr("at least 32"));
-  EXPECT_THAT(here({"in", "-o", "a.html", "--quality", "best"}).err, HasSubstr("--quality: 'best'"));
+  EXPECT_THAT(here({"in", "-o", "a.html", "--quality", "best"}).err,
+              HasSubstr("--quality: 'best'"));
   EXPECT_THAT(here({"in", "-o", "a.html", "--thumbnail-size", "4096"}).err,
               HasSubstr("32 to 1024"));
   EXPECT_THAT(here({"in/sound.gltf", "-o", "in/sound.gltf"}).err,

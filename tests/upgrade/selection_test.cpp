@@ -64,15 +64,16 @@ TEST(Selection, ASuccessorLimitsTheRunAndChooses) {
 
 TEST(Selection, AllNamesAreKnown) {
   const schema::Set& set = *schema::builtin_set();
-  EXPECT_THAT(legacy_names(set),
-              ElementsAre("3DS_materials_translucency", "ADOBE_materials_thin_transparency",
-                          "EXT_meshopt_compression", "KHR_materials_pbrSpecularGlossiness",
-                          "KHR_materials_sss", "KHR_materials_subsurface",
-                          "KHR_materials_translucency", "KHR_xmp"));
+  EXPECT_THAT(
+      legacy_names(set),
+      ElementsAre("3DS_materials_translucency", "ADOBE_materials_thin_transparency", "CESIUM_RTC",
+                  "EXT_meshopt_compression", "KHR_materials_pbrSpecularGlossiness",
+                  "KHR_materials_sss", "KHR_materials_subsurface", "KHR_materials_translucency",
+                  "KHR_xmp", "VRMC_materials_hdr_emissiveMultiplier"));
   EXPECT_THAT(
       successor_names(set),
-      ElementsAre("KHR_materials_diffuse_transmission", "KHR_materials_scatter",
-                  "KHR_materials_specular", "KHR_materials_transmission",
+      ElementsAre("KHR_materials_diffuse_transmission", "KHR_materials_emissive_strength",
+                  "KHR_materials_scatter", "KHR_materials_specular", "KHR_materials_transmission",
                   "KHR_materials_volume_scatter", "KHR_meshopt_compression", "KHR_xmp_json_ld"));
 }
 

@@ -70,6 +70,7 @@ TEST_P(Examples, BadRaisesTheRuleAndNothingElse) {
 TEST_P(Examples, GoodRaisesNothing) {
   std::set<std::string> found = codes(GetParam().good);
   if (GetParam().code.substr(0, 10) == "TECHNIQUE_") found.erase("EXTENSION_ARCHIVED");
+  if (GetParam().code.substr(0, 6) == "AUDIO_") found.erase("EXTENSION_DRAFT");
   EXPECT_TRUE(found.empty()) << "raises " << *found.begin() << "\n" << GetParam().good;
 }
 

@@ -33,7 +33,7 @@ TEST(Required, NotWhereEverythingHasAFallback) {
   EXPECT_EQ(findings(R"("extensionsUsed": ["EXT_texture_avif"], "images": [{}],
                         "textures": [{"extensions": {"EXT_texture_avif": {"source": 0}}}])",
                      {"NON_REQUIRED"}),
-            Lines{"NON_REQUIRED_EXTENSION /extensionsUsed/0"});
+            Lines{"NON_REQUIRED_EXTENSION /textures/0/extensions/EXT_texture_avif"});
 }
 
 Lines packed_lines(const std::string& attributes, const std::string& ids,

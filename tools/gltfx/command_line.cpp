@@ -127,7 +127,7 @@ void Declaration::declare_schema() {
   describe_positional(app, "NAME", "Extension or core type (default: list them)");
   add_word(app, "-f,--format", schema_.format, "NAME", "Output format: text (default) or json");
   add_list(app, "--status", schema_.statuses, "NAME",
-           "List extensions of this status: ratified, draft, vendor, ... (repeatable)");
+           "Extensions of this status only (repeatable)");
   add_word(app, "--new", schema_.new_name, "NAME", "Print a schema to start with");
   add_list(app, "--check", schema_.check_files, "FILE", "Check a schema file (repeatable)");
   add_list(app, "--test", schema_.test_files, "FILE",

@@ -104,7 +104,7 @@ void add_schema_sources(CLI::App& app, std::vector<std::string>& files,
 
 void add_targets(CLI::App& app, std::vector<std::string>& names, std::vector<std::string>& files) {
   add_list(app, "--target", names, "NAME[@VERSION]",
-           "Report what an engine refuses or ignores (comma-separated, repeatable)");
+           "What an engine refuses or ignores (repeatable)");
   add_target_files(app, files);
 }
 

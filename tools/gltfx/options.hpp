@@ -202,9 +202,10 @@ struct ConfigRequest {
   std::string import_file;  ///< not empty: a configuration of the Khronos validator to be read
 };
 
-using Request = std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, DeleteRequest, BakeRequest,
-                             InspectRequest, PageRequest, HookRequest, ExplainRequest, RulesRequest,
-                             TargetsRequest, SchemaRequest, ConfigRequest>;
+using Request =
+    std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, DeleteRequest,
+                 BakeRequest, InspectRequest, PageRequest, HookRequest, ExplainRequest,
+                 RulesRequest, TargetsRequest, SchemaRequest, ConfigRequest>;
 
 // Words of the command line into values. Each Error is a sentence that names the option, what was
 // given and what would do.

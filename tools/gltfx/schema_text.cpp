@@ -123,8 +123,8 @@ std::string extension_facts(const Set& set, const schema::Extension& extension) 
   }
   const schema::Upgrade& upgrade = extension.upgrade;
   if (upgrade.does_something()) {
-    std::string text = fmt::format("gltfx upgrade brings it to {}",
-                                   upgrade.to.empty() ? "core glTF" : upgrade.to);
+    std::string text =
+        fmt::format("gltfx upgrade brings it to {}", upgrade.to.empty() ? "core glTF" : upgrade.to);
     if (!upgrade.alternatives.empty()) {
       text += fmt::format(" or {}", fmt::join(upgrade.alternatives, ", "));
     }

@@ -102,8 +102,8 @@ std::string fix_example(const RuleDescription& rule, std::string_view example);
 /// validated. Never throws. Safe to call from several threads for different files.
 DeleteReport delete_objects(const std::string& path, const DeleteOptions& options);
 
-/// The same for many files on `jobs` threads (at least 1), which hands over the reports in the order
-/// of `inputs`, one at a time.
+/// The same for many files on `jobs` threads (at least 1), which hands over the reports in the
+/// order of `inputs`, one at a time.
 void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
                              unsigned jobs, const std::function<void(DeleteReport&&)>& consume);
 

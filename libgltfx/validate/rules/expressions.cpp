@@ -148,10 +148,11 @@ void check_material_properties(const Context& context) {
     if (name == json::kNoNode || !document.is_string(name) || document.string(name) == material) {
       continue;
     }
-    report_at(context.link_sink, fmt::format("{}/{}/name", place, i),
-              finding_on(context, name, Code::VRM_MATERIAL_MISMATCH,
-                         fmt::format("The name is {}, but that of material {} is {}.",
-                                     gltfx::quoted(document.string(name)), i, gltfx::quoted(material))));
+    report_at(
+        context.link_sink, fmt::format("{}/{}/name", place, i),
+        finding_on(context, name, Code::VRM_MATERIAL_MISMATCH,
+                   fmt::format("The name is {}, but that of material {} is {}.",
+                               gltfx::quoted(document.string(name)), i, gltfx::quoted(material))));
   }
 }
 
