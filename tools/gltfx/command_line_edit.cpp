@@ -59,7 +59,7 @@ void declare_fix(CLI::App& app, RawFixOptions& words) {
 
 void declare_edit(CLI::App& app, RawDeleteOptions& words) {
   add_list(app, "--delete", words.pointers, "POINTER",
-           "Delete what a JSON pointer names: /meshes/3 (repeatable)");
+           "Delete what a JSON pointer names (repeatable)");
   app.add_flag("--cascade", words.cascade, "Delete what refers to it, too");
   declare_destination(app, words);
   declare_sources(app, words);
