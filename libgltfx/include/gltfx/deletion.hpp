@@ -37,8 +37,8 @@ struct DeleteObstacle {
 
 /// What became of one file. A file with obstacles is refused as a whole.
 struct DeleteReport : EditOutcome {
-  std::vector<DeletedObject> deleted;  ///< first what was asked for
-  std::vector<DeleteObstacle> obstacles;
+  std::vector<DeletedObject> deleted;      ///< first what was asked for
+  std::vector<DeleteObstacle> obstacles;   ///< why nothing is deleted; empty where all can go
   std::uint64_t renumbered = 0;            ///< indices and JSON pointers that are counted anew
   std::uint64_t bytes = 0;                 ///< of the BIN chunk of a GLB that go, too
   std::vector<std::string> names_removed;  ///< extensions whose last object is deleted
