@@ -79,6 +79,12 @@ constexpr std::uint32_t kAllowed[] = {
 #if defined(__x86_64__)
     SYS_time,
 #endif
+#ifdef GLTFX_ADDRESS_SANITIZER
+    SYS_pipe2,  // UBSan writes memory into a pipe to learn whether it can be read
+#if defined(__x86_64__)
+    SYS_pipe,
+#endif
+#endif
 };
 constexpr std::uint32_t kAllowedWithoutExecution[] = {SYS_mmap, SYS_mprotect};
 
