@@ -301,7 +301,7 @@ TEST_F(Cache, ManySmallRunsEndUpInFewFiles) {
 }
 
 TEST_F(Cache, TheNewestReportOfAnAssetCounts) {
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 20; ++i) {
     folder_.write("assets/a.bin", i % 2 == 0 ? "1234" : "12345");
     folder_.write("assets/a.gltf", with_buffer("4"));  // last: its age is waited for
     const std::string said = validate().out;

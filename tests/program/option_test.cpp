@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Every option of every verb in every wrong form: what is said is ours, names the option and what
 /// is expected.
+#include <algorithm>
 #include <regex>
 
 #include <gmock/gmock.h>
@@ -55,10 +56,7 @@ class OptionForm : public testing::TestWithParam<std::string> {
 TEST_P(OptionForm, AFlagTakesNoValue) {
   for (const Option& option : options_) {
     if (!option.type.empty()) continue;
-    for (const std::string value : {"x", "true", "0"}) {
-      expect_said({option.name + "=" + value},
-                  option.name + " takes no value; '" + value + "' was given.");
-    }
+    expect_said({option.name + "=0"}, option.name + " takes no value; '0' was given.");
     if (option.short_name.empty()) continue;
     expect_said({option.short_name + "=x"}, option.short_name + " takes no value; 'x' was given.");
   }
@@ -69,17 +67,25 @@ TEST_P(OptionForm, AnOptionNeedsItsValue) {
     if (option.type.empty()) continue;
     const std::string& name = option.name;
     expect_said({name}, name + " needs a value: " + option.type + ".");
-    expect_said({name, "--", "a.gltf"}, name + " needs a value: " + option.type + ".");
-    expect_said({name + "="}, name + " has no value after '='; " + option.type + " is expected.");
-    expect_said({name, ""}, "the value of " + name + " is empty; " + option.type + " is expected.");
-    expect_said({name, "--help"}, name +
-                                      " needs a value, but '--help' is an option; to use it as " +
-                                      "the value, write " + name + "=--help.");
     if (option.short_name.empty()) continue;
     expect_said({option.short_name}, name + " needs a value: " + option.type + ".");
     expect_said({option.short_name + "=x"},
                 "a short option has no '='; write " + option.short_name + " x or " + name + "=x.");
   }
+}
+
+// What is no value, of one option of each verb: the parser does not tell options apart.
+TEST_P(OptionForm, WhatLooksLikeNoValueIsNone) {
+  const auto option = std::find_if(options_.begin(), options_.end(),
+                                   [](const Option& each) { return !each.type.empty(); });
+  if (option == options_.end()) return;
+  const std::string& name = option->name;
+  expect_said({name, "--", "a.gltf"}, name + " needs a value: " + option->type + ".");
+  expect_said({name + "="}, name + " has no value after '='; " + option->type + " is expected.");
+  expect_said({name, ""}, "the value of " + name + " is empty; " + option->type + " is expected.");
+  expect_said({name, "--help"},
+              name + " needs a value, but '--help' is an option; to use it as the value, write " +
+                  name + "=--help.");
 }
 
 TEST_P(OptionForm, AnArgumentIsNotEmpty) {
