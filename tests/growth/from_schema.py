@@ -26,6 +26,7 @@ class Schemas:
 
     def flat(self, schema, document, depth=0):
         """The schema with references, allOf and the first alternative put into it."""
+        schema = {} if schema is True else schema
         result, owner = dict(schema), document
         parts = []
         if "$ref" in schema:
@@ -91,6 +92,8 @@ class Walk:
 
     def lists(self, name, schema, document, put, seen):
         """`put(value, count)` makes an asset out of a value for this schema."""
+        if not isinstance(schema, dict):
+            return  # true, which allows any value, or false
         mark = schema.get("$ref")
         if mark in seen or len(seen) > 12:
             return
