@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/bake_scene.hpp"
 
+#include <gltfx/validate.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -47,6 +49,15 @@ std::optional<std::string> find_refusal(const BakeOptions& options) {
     return fmt::format("exposure: not from -{0} to {0} stops", kMostStops);
   }
   return std::nullopt;
+}
+
+// Whether an error of the report leaves nothing to draw.
+bool forbids_picture(const FileReport& report) {
+  return std::any_of(report.diagnostics.begin(), report.diagnostics.end(),
+                     [](const Diagnostic& each) {
+                       const RuleDescription* rule = find_rule(each.code);
+                       return each.severity == Severity::error && rule != nullptr && !rule->picture;
+                     });
 }
 
 FileReport errors_of(FileReport report) {
@@ -137,9 +148,9 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
     return failed(std::move(result), BakeProblem::refused, *std::move(refusal));
   }
   result.report.validation = errors_of(std::move(report));
-  if (result.report.validation.counts.errors > 0 && !options.force) {
-    return failed(std::move(result), BakeProblem::invalid,
-                  "it is not valid (--force draws it all the same)");
+  const std::uint64_t errors = result.report.validation.counts.errors;
+  if (errors > 0 && (options.strict || forbids_picture(result.report.validation))) {
+    return failed(std::move(result), BakeProblem::invalid, "it has errors");
   }
   auto scene = build(asset, options);
   if (!scene) return failed(std::move(result), BakeProblem::refused, scene.error().message);
@@ -147,6 +158,11 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
     return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
   }
   result.report.notes = (*scene)->notes;
+  if (errors > 0) {
+    result.report.notes.push_back(
+        fmt::format("it has {} error{}, which gltfx validate names; what can be drawn is drawn",
+                    errors, errors == 1 ? "" : "s"));
+  }
   result.scene = *std::move(scene);
   return result;
 }

@@ -30,7 +30,7 @@ struct BakeScene {
 
 /// Opens, validates, reads and poses. Nothing is written.
 BakeScene load_bake_scene(const std::string& path, const BakeOptions& options);
-/// The same for what was opened and validated already. Without `force`, errors of its report refuse
+/// The same for what was opened and validated already. With `strict`, errors of its report refuse
 /// it. Precondition: the asset has a document.
 BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options);
 /// The same for an asset that is needed further on.

@@ -55,7 +55,6 @@ PictureCheck::PictureCheck(const validate::ValidatedAsset& before, const std::st
   options_.turntable = kViews;
   options_.samples = kSamples;
   options_.denoise = false;  // noise is to be measured
-  options_.force = true;     // errors that were there before are no change
   options_.root = root;
   options_.schemas = std::move(schemas);
   options_.jobs = jobs;

@@ -36,7 +36,6 @@ BakeOptions bake_options(const ValidateOptions& options, const ThumbnailOptions&
     bake.samples = kSamples;
     bake.bounces = kBounces;
   }
-  bake.force = true;  // who looks for an error wants to see it
   bake.root = options.root;
   bake.schemas = options.schemas;
   bake.jobs = jobs;

@@ -38,7 +38,6 @@ TEST_F(BakeLimits, CamerasAtTheirLimits) {
     AssetText asset;
     asset.draw(cube(), plastic());
     asset.camera({{"type", "perspective"}, {"perspective", lens}}, {{"scale", {0, 0, 0}}});
-    options.force = true;
     EXPECT_EQ(report(asset).problem, BakeProblem::none) << lens;
   }
   for (const double magnification : {0.0, -1.0, 1e-30, 1e30}) {
@@ -95,7 +94,6 @@ TEST_F(BakeLimits, NumbersThatMakeNoPictureAreRefused) {
 // that the asset refers to, and moves none of it.
 TEST_F(BakeLimits, AThumbnailGoesIntoAGlbWithOddChunks) {
   options.camera.clear();
-  options.force = true;
   options.embed = true;
   const std::string kBin("BIN\0", 4);
   const auto chunk = [](const std::string& type, std::string data, char filler) {

@@ -124,7 +124,7 @@ TEST(BakeFile, TransparencyIsAlpha) {
   EXPECT_EQ(bake_file(fixture("leaf.gltf"), options).problem, BakeProblem::refused);
 }
 
-TEST(BakeFile, WhatIsNotValidIsDrawnByForceOnly) {
+TEST(BakeFile, WhatIsNotValidIsDrawnUnlessAsked) {
   const TempFolder folder;
   std::string text = content(fixture("triangle.gltf"));
   const std::size_t version = text.find("\"asset\"");
@@ -140,14 +140,15 @@ TEST(BakeFile, WhatIsNotValidIsDrawnByForceOnly) {
   }
   const std::string path = folder.write("a.gltf", text).native();
   BakeOptions options = quick();
+  options.strict = true;
   const BakeReport refused = bake_file(path, options);
   EXPECT_EQ(refused.problem, BakeProblem::invalid);
   EXPECT_FALSE(refused.validation.diagnostics.empty());
   EXPECT_TRUE(refused.pixels.bytes.empty());
-  options.force = true;
-  const BakeReport forced = bake_file(path, options);
-  EXPECT_EQ(forced.problem, BakeProblem::none) << forced.error;
-  EXPECT_FALSE(forced.validation.diagnostics.empty());
+  options.strict = false;
+  const BakeReport drawn = bake_file(path, options);
+  EXPECT_EQ(drawn.problem, BakeProblem::none) << drawn.error;
+  EXPECT_FALSE(drawn.validation.diagnostics.empty());
 }
 
 TEST(BakeFile, NothingToSeeIsSaid) {

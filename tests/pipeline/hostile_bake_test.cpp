@@ -298,7 +298,6 @@ class Hostile : public Baking, public testing::WithParamInterface<HostileCase> {
  protected:
   Hostile() {
     options.camera.clear();
-    options.force = true;
     options.samples = 2;
     options.denoise = true;
   }

@@ -19,7 +19,6 @@ BakeOptions quick_legacy() {
   options.sizes = {{32, 24}};
   options.samples = 4;
   options.jobs = 1;
-  options.force = true;  // an asset may have errors that no material can mend
   return options;
 }
 

@@ -104,7 +104,7 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
                                                                  {"--seed", "0"},
                                                                  {"--shader", "conserving"},
                                                                  {"--time-budget", "0"},
-                                                                 {"--force"},
+                                                                 {"--strict"},
                                                                  {"--isolated"},
                                                                  {"--color", "never"},
                                                                  {"--root", "."},
@@ -186,7 +186,8 @@ TEST_F(BakeOptionsTest, SchemasOfOnesOwnAndTheConfigurationHold) {
   text.insert(text.find("[\"KHR_materials_variants\"") + 1, "\"ACME_leaf\", ");
   folder_.write("leaf.gltf", text);
   const auto drawn = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"leaf.gltf", "-o", "a.png", "--size", "8", "--samples", "1"});
+    words.insert(words.begin(),
+                 {"leaf.gltf", "-o", "a.png", "--size", "8", "--samples", "1", "--strict"});
     return run(words).code;
   };
   EXPECT_EQ(drawn({}), 0) << "of an unknown extension nothing is known";
@@ -195,16 +196,6 @@ TEST_F(BakeOptionsTest, SchemasOfOnesOwnAndTheConfigurationHold) {
   folder_.write("own.toml", "environment = \"gone.hdr\"\n");
   EXPECT_EQ(drawn({"--config", "own.toml"}), 3);
   EXPECT_EQ(drawn({"--config", "gone.toml"}), 2);
-}
-
-TEST_F(BakeOptionsTest, ForceDrawsWhatIsNotValid) {
-  std::string text = kStage;
-  text.insert(1, "\"scene\": 0, \"nonsense\": [],");
-  folder_.write("odd.gltf", text);
-  EXPECT_EQ(run({"odd.gltf", "-o", "a.png", "--size", "8", "--samples", "1"}).code, 1);
-  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
-  EXPECT_EQ(run({"odd.gltf", "-o", "a.png", "--size", "8", "--samples", "1", "--force"}).code, 0);
-  EXPECT_THAT(content("a.png"), StartsWith("\x89PNG"));
 }
 
 }  // namespace

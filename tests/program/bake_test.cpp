@@ -59,13 +59,30 @@ TEST_F(BakeTest, AFolderBecomesAFolderWithASheet) {
   EXPECT_THAT(content("out/contact-sheet.png"), StartsWith("\x89PNG"));
 }
 
-TEST_F(BakeTest, AnInvalidAssetIsRefusedWithItsErrors) {
-  folder_.write("faulty.gltf", kFaulty);
+TEST_F(BakeTest, WhatCanBeDrawnOfAnInvalidAssetIsDrawn) {
+  std::string asset = read_file(fixture("good/lamp.gltf"));
+  asset.insert(asset.find('{') + 1, R"("samplers": [], )");
+  folder_.write("faulty.gltf", asset);
+  folder_.write("lamp.bin", read_file(fixture("good/lamp.bin")));
   const Outcome outcome = bake({"faulty.gltf", "-o", "a.png"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, Not(HasSubstr("error[")));
+  EXPECT_THAT(outcome.err, HasSubstr("it has 1 error, which gltfx validate names"));
+  EXPECT_THAT(content("a.png"), StartsWith("\x89PNG"));
+  const Outcome strict = bake({"faulty.gltf", "-o", "b.png", "--strict"});
+  EXPECT_EQ(strict.code, 1);
+  EXPECT_THAT(strict.out, HasSubstr("error[EMPTY_ENTITY]"));
+  EXPECT_THAT(strict.err, HasSubstr("it has errors"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "b.png"));
+}
+
+TEST_F(BakeTest, SomeErrorsLeaveNoPicture) {
+  folder_.write("old.gltf", R"({"asset": {"version": "1.0"}})");
+  const Outcome outcome = bake({"old.gltf", "-o", "a.png"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("error["));
-  EXPECT_THAT(outcome.err, HasSubstr("it is not valid (--force draws it all the same)"));
-  EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
+  EXPECT_THAT(outcome.out, HasSubstr("error[GLTF_VERSION_1]"));
+  EXPECT_THAT(gltfx({"explain", "GLTF_VERSION_1"}).out,
+              HasSubstr("draws no asset with this error"));
 }
 
 TEST_F(BakeTest, NothingToSeeIsNoPicture) {

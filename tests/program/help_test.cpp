@@ -60,7 +60,7 @@ const std::vector<Verb>& verbs() {
        words(
            "PATH --output --format --sheet --size --turntable --layer --transparent --embed "
            "--compare --camera --lights --environment --exposure --scene --animation --time "
-           "--variant --force --quality --samples --bounces --seed --denoise --noise --time-budget "
+           "--variant --strict --quality --samples --bounces --seed --denoise --noise --time-budget "
            "--shader --root --schema --schema-dir --quiet --config --isolated "
            "--unsandboxed-decoders --jobs --color --files-from --shard --exclude --no-ignore "
            "--allow-empty --cache "

@@ -82,7 +82,7 @@ class BakeRun {
   void take(const BakeReport& report) {
     progress_.clear();
     const std::string name = printable(report.path);
-    if (!report.validation.diagnostics.empty()) print_diagnostics(report.validation);
+    if (report.problem == BakeProblem::invalid) print_diagnostics(report.validation);
     if (!request_.quiet) {
       for (const std::string& note : report.notes) {
         complain(fmt::format("note: {}: {}", name, printable(note)));

@@ -80,6 +80,7 @@ std::string explanation(const RuleDescription& rule, bool color) {
   heading("See also");
   if (!rule.section.empty()) text += fmt::format("    {}: {}\n", rule.section, rule.link);
   text += fmt::format("    fix: {}\n", way_to_fix(rule));
+  if (!rule.picture) text += "    gltfx bake draws no asset with this error\n";
   text += rule.khronos ? "    the Khronos validator has the same code\n"
                        : "    the Khronos validator has no such code\n";
   return text;

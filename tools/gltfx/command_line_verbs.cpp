@@ -33,7 +33,7 @@ void declare_scene(CLI::App& app, RawBakeOptions& words) {
   add_word(app, "--animation", words.animation, "NAME|N", "Animation to pose the asset with");
   add_word(app, "--time", words.time, "SECONDS", "Time in the animation (default: 0)");
   add_word(app, "--variant", words.variant, "NAME|N", "Material variant");
-  app.add_flag("--force", words.force, "Render invalid assets as far as possible");
+  app.add_flag("--strict", words.strict, "Refuse every asset that has errors");
 }
 
 void declare_quality(CLI::App& app, RawBakeOptions& words) {

@@ -30,6 +30,7 @@ void write_rule(json::Writer& writer, const RuleDescription& rule) {
   }
   writer.member("khronos", rule.khronos);
   writer.member("pixels", rule.pixels);
+  writer.member("picture", rule.picture);
   writer.end_object();
 }
 

@@ -96,7 +96,7 @@ void read_scene(Reading& reading, const RawBakeOptions& words, BakeOptions& bake
   bake.animation = words.animation;
   bake.variant = words.variant;
   bake.transparent = words.transparent;
-  bake.force = words.force;
+  bake.strict = words.strict;
   bake.root = words.root;
 }
 

@@ -98,7 +98,7 @@ struct RawBakeOptions {
   std::string camera, lights = "both", environment, exposure = "0";
   std::string scene, animation, time = "0", variant;
   std::string denoise = "on", noise = "0", time_budget = "0", shader = "conserving";
-  bool transparent = false, embed = false, force = false, quiet = false;
+  bool transparent = false, embed = false, strict = false, quiet = false;
 };
 
 struct RawInspectOptions {

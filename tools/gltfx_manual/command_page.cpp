@@ -93,8 +93,8 @@ extensions have them. It needs no display, no network and no environment file: i
 never seen and brings its own light and backdrop. The same program, asset, options and seed give the
 same bytes for any number of threads.
 
-An asset with errors is refused with its findings unless `--force` is given. What is drawn
-differently, such as an image that cannot be read, is named in a note. Several assets need a folder
+What can be drawn of an asset with errors is drawn; `--strict` refuses it with its findings. What is
+drawn differently, such as an image that cannot be read, is named in a note. Several assets need a folder
 to write to, and get a contact sheet besides.)";
 
 constexpr std::string_view kReport =

@@ -95,7 +95,7 @@ struct BakeOptions {
   double time = 0;        ///< of the animation, seconds
   std::string variant;    ///< name or index; empty: none
 
-  bool force = false;  ///< draw also what is not valid, as far as it goes
+  bool strict = false;  ///< refuse any asset that has errors, not only those that leave no picture
   /// File to write: .png, .webp, .jpg, .jpeg or .exr. Folders are made.
   std::string output;
   /// Put the picture, of the first size, into the asset itself, as its thumbnail.
@@ -117,7 +117,7 @@ struct BakeOptions {
 enum class BakeProblem : std::uint8_t {
   none,
   unreadable,      ///< the file could not be read, or is no glTF
-  invalid,         ///< it has errors: see `validation`
+  invalid,         ///< it has errors that refuse it: see `validation`
   nothing_to_see,  ///< it is fine, but shows nothing
   refused,         ///< what was asked for cannot be done with this file
   not_written,     ///< the picture could not be encoded or written

@@ -47,6 +47,7 @@ struct RuleDescription {
   Fix fix = Fix::none;        ///< whether a program can do it
   bool khronos = false;       ///< the Khronos validator has a code of this name and meaning
   bool pixels = false;        ///< needs decoded pixels: see PixelLevel
+  bool picture = true;        ///< `gltfx bake` draws an asset with this error
   Severity khronos_severity = Severity::error;  ///< that validator's, where it has the code
 };
 

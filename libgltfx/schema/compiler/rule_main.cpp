@@ -41,7 +41,8 @@ std::string row(const RulePage& page) {
          text(page.checks) + text(page.why) + text(page.help) + text(page.section) +
          text(page.link) + text(page.bad) + text(page.good) + text(page.fix_does) +
          text(page.fixed) + " " + fix_value(page.fix) + ", " + flag(page.khronos) + ", " +
-         flag(page.pixels) + "," + severity(page.khronos_severity.value_or(page.severity)) + "},\n";
+         flag(page.pixels) + ", " + flag(page.picture) + "," +
+         severity(page.khronos_severity.value_or(page.severity)) + "},\n";
 }
 
 }  // namespace

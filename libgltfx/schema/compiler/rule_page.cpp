@@ -103,6 +103,8 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Read
     set(page.khronos, khronos, "yes, no, or that validator's severity", reader);
   } else if (key == "pixels") {
     set(page.pixels, yes_or_no(value), "yes, no", reader);
+  } else if (key == "picture") {
+    set(page.picture, yes_or_no(value), "yes, no", reader);
   } else if (key == "fix") {
     set(page.fix, fix_from_name(value), "none, safe, unsafe, upgrade", reader);
   } else if (key == "section") {
@@ -110,7 +112,7 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Read
   } else if (key == "link") {
     page.link = value;
   } else {
-    reader.fail("expected one of severity, khronos, pixels, fix, section, link");
+    reader.fail("expected one of severity, khronos, pixels, picture, fix, section, link");
   }
 }
 

@@ -18,6 +18,7 @@ struct RulePage {
   /// That of the Khronos validator; nothing: the same.
   std::optional<Severity> khronos_severity;
   bool pixels = false;
+  bool picture = true;  ///< an asset with this error is drawn
   Fix fix = Fix::none;
   std::string section, link;  ///< both empty: the rule is ours alone
   std::string checks, why, help;
