@@ -14,7 +14,7 @@ package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only nightly asks for them
 oracle_packages=(python3-jsonschema)  # only nightly asks for it
 page_packages=(chromium npm)  # large: only nightly asks for them
-target_packages=(blender python3-numpy assimp-utils python3-vtk9 npm)  # engines; only nightly asks for them
+target_packages=(blender chromium python3-numpy assimp-utils python3-vtk9 npm)  # engines; only nightly asks for them
 web_packages=(chromium firefox-esr npm python3)
 
 say() { printf '\n== %s\n' "$*"; }

@@ -180,6 +180,14 @@ function restart() {
 
 // Name of an extension: { used, required, requiredWithFallback }, functions that give { asset, twin }. One function
 // stands for used and required.
+const shader = (type, text) => ({ type, uri: `data:text/plain;base64,${Buffer.from(text).toString('base64')}` });
+const techniques = {
+  programs: [{ fragmentShader: 0, vertexShader: 1 }],
+  shaders: [shader(35632, 'precision mediump float; void main() { gl_FragColor = vec4(0.1, 0.2, 0.9, 1); }'),
+    shader(35633, 'attribute vec3 position; uniform mat4 matrix; void main() { gl_Position = matrix * vec4(position, 1); }')],
+  techniques: [{ program: 0, attributes: { position: { semantic: 'POSITION' } }, uniforms: { matrix: { semantic: 'MODELVIEWPROJECTION', type: 35676 } } }],
+};
+
 export const extensions = {
   ...Object.fromEntries(Object.entries(onMaterial).map(([name, value]) => [name, () => material(name, value, emissive[name])])),
   ADOBE_materials_clearcoat_specular: () => material('ADOBE_materials_clearcoat_specular', { clearcoatIor: 2, clearcoatSpecularFactor: 0.3 }, {}, { KHR_materials_clearcoat: { clearcoatFactor: 1 } }),
@@ -220,6 +228,7 @@ export const extensions = {
   KHR_node_hoverability: () => added(model(), asset => set(node(asset.json), 'KHR_node_hoverability', { hoverable: false })),
   KHR_node_selectability: () => added(model(), asset => set(node(asset.json), 'KHR_node_selectability', { selectable: false })),
   KHR_node_visibility: () => added(twoNodes(), asset => set(node(asset.json), 'KHR_node_visibility', { visible: false })),
+  KHR_techniques_webgl: () => onRoot('KHR_techniques_webgl', techniques, json => json.materials[0], { technique: 0 }),
   KHR_texture_basisu: byImage('KHR_texture_basisu', 'etc1s.ktx2', 'image/ktx2'),
   KHR_texture_transform: () => added(textured(), asset => set(asset.json.materials[0].pbrMetallicRoughness.baseColorTexture, 'KHR_texture_transform', transform)),
   KHR_xmp: () => onRoot('KHR_xmp', { '@context': { dc: 'http://purl.org/dc/elements/1.1/' }, packets: [{ 'dc:title': 'Ball' }] }, json => json.asset, { packet: 0 }),
