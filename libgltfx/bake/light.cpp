@@ -47,7 +47,8 @@ Corners corners_of(const Instance& each, const Mesh& mesh, std::size_t triangle)
   return {point(a), point(b), point(c)};
 }
 
-// The emission of a triangle, as the mean of its middle and three points near its corners.
+// The emission of a triangle, as the mean of its middle and three points near its corners, at
+// most that of the factor.
 double brightness(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, Hit hit) {
   if (material.use(Slot::emissive).texture == kNone) return luminance(material.factors.emissive);
   constexpr std::array<Float2, 4> kProbes{
@@ -107,15 +108,16 @@ bool is_emissive(const SceneMaterial& material) {
   return !material.factors.unlit && max_value(material.factors.emissive) > 0;
 }
 
-Emitters::Emitters(const Scene& scene) {
+Emitters::Emitters(const Scene& scene, double dim) {
   std::map<std::uint32_t, std::vector<float>> shining;  // by mesh: emission of its triangles
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
     const Mesh& mesh = scene.meshes[i];
     const SceneMaterial& material = material_of(scene, mesh);
-    if (!is_emissive(material)) continue;
+    if (!is_emissive(material) || luminance(material.factors.emissive) <= dim) continue;
     std::vector<float>& each = shining[i];
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      each.push_back(static_cast<float>(brightness(scene, mesh, material, {0, 0, i, t, 0, 0})));
+      const double light = brightness(scene, mesh, material, {0, 0, i, t, 0, 0});
+      each.push_back(light > dim ? static_cast<float>(light) : 0.0F);
     }
   }
   std::vector<float> weights;

@@ -45,11 +45,12 @@ struct EmissiveTriangle {
 };
 
 /// Emissive triangles, sampled by power: area times emission, estimated at a few points of the
-/// texture. The pdf of a triangle that is black at these points, or beyond a million, is 0.
+/// texture. The pdf of a triangle that is dim at these points, or beyond a million, is 0.
 class Emitters {
  public:
   Emitters() = default;
-  explicit Emitters(const Scene& scene);
+  /// `dim`: luminance up to which surfaces are left to BSDF sampling.
+  explicit Emitters(const Scene& scene, double dim = 0);
 
   bool empty() const { return shapes_.empty(); }
   /// `scene`: the same as before. `random`: uniform.

@@ -57,6 +57,9 @@ double within(const SoftBox& box, double azimuth, double elevation) {
 // A white surface that faces the camera becomes as bright as this.
 constexpr double kWhite = 1.0;
 
+// In the studio, surfaces that shine no brighter are found by paths, as lit surfaces are.
+constexpr double kDim = 1.5 * kWhite;
+
 void scale_to_white(EnvironmentImage& image, const Vec3d& normal) {
   const Rgb light = irradiance(image, normal);
   const auto scale = static_cast<float>(kWhite * std::numbers::pi / luminance(light));
@@ -168,7 +171,7 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
     if (studio) world.shadow_catcher = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
     world.environment.emplace(image);
   }
-  world.emitters = Emitters(scene);
+  world.emitters = Emitters(scene, studio && !options.enclosed ? kDim * exposure : 0);
   world.lights = brought_to_studio(scene, subject, options.lamps);
   for (Light& light : world.lights) scale(light.intensity, exposure);
   if (own) world.background = Background::environment;

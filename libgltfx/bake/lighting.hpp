@@ -32,6 +32,8 @@ struct LightingOptions {
   Lamps lamps = Lamps::both;
   bool transparent = false;
   double exposure = 0;  ///< stops
+  /// The camera stands in a closed room, where all that shines is a lamp.
+  bool enclosed = false;
 };
 
 /// An environment of the scene's own takes the place of studio and backdrop. Otherwise the studio

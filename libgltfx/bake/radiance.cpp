@@ -197,7 +197,7 @@ void sample_direct_light(const TraceContext& context, const Path& path, const Su
   const std::uint32_t sky_candidates = context.world.sky && matt ? 1 : candidates;
   const auto choose = [](std::uint32_t count, const PathSampler& sampler, Dimension choice,
                          Dimension point, const auto& propose) {
-    return resample(count, sampler.single(choice),
+    return resample(count, count > 1 ? sampler.single(choice) : 0,
                     [&](std::uint32_t i) { return propose(sampler.split(i, count).pair(point)); });
   };
   const auto add = [&](const Reservoir& chosen) {

@@ -111,12 +111,15 @@ std::vector<float> SampleMap::estimate_variance(const TraceContext& context, con
     }
     return variance.tone_mapped();
   };
+  // Of every second pixel, as the fields of one colour on a checkerboard.
   const auto mean_of = [&](const PixelBlock& block) {
     double sum = 0;
+    std::uint32_t count = 0;
     for (std::uint32_t y = block.top; y < block.bottom; ++y) {
-      for (std::uint32_t x = block.left; x < block.right; ++x) sum += variance_at(x, y);
+      for (std::uint32_t x = block.left + (y & 1U); x < block.right; x += 2, ++count)
+        sum += variance_at(x, y);
     }
-    return static_cast<float>(sum / block.pixels());
+    return static_cast<float>(sum / std::max(count, 1U));
   };
   std::vector<float> variances(std::size_t{columns_} * rows_);
   const auto row_of_blocks = [&](std::size_t row) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "bake/lighting.hpp"
@@ -81,6 +82,8 @@ bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
   lighting.lamps = static_cast<bake::Lamps>(options.lights);
   lighting.transparent = options.transparent;
   lighting.exposure = options.exposure;
+  const std::optional<bake::Eye> eye = bake::eye_of(view, *loaded.bvh);
+  lighting.enclosed = !eye;
   bake::World world = bake::make_world(*loaded.scene, *loaded.subject, view, lighting);
   bake::PictureOptions drawing{render_options(size, options), layers, options.denoise};
   drawing.render.progress = std::move(progress);
@@ -88,7 +91,7 @@ bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
   if (world.environment && drawing.render.samples <= kSharedSky) {
     world.sky.emplace(*world.environment);
   }
-  world.eye = bake::eye_of(view, *loaded.bvh);
+  world.eye = eye;
   const bake::TraceContext paths{*loaded.scene,
                                  *loaded.bvh,
                                  world,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -40,6 +42,36 @@ TEST(Emitters, NothingShinesUnlessAMaterialDoes) {
   SceneMaterial unlit = shining(Rgb(1));
   unlit.factors.unlit = true;
   EXPECT_TRUE(Emitters(scene_of(cube(), unlit)).empty());
+}
+
+TEST(Emitters, DimSurfacesAreLeftToPaths) {
+  const Scene scene = lamp_above(true, shining(Rgb(2)));
+  EXPECT_TRUE(Emitters(scene, 2).empty());
+  EXPECT_FALSE(Emitters(scene, 1.9).empty());
+}
+
+// Both triangles of a lamp have a texel of their own.
+TEST(Emitters, TrianglesAreDimByTheirTexture) {
+  static constexpr std::array<std::byte, 6> kTexels{std::byte{80},  std::byte{80},  std::byte{80},
+                                                    std::byte{255}, std::byte{255}, std::byte{255}};
+  Scene scene = scene_of(quad(), shining(Rgb(4)));
+  Texture texture;
+  texture.width = 2;
+  texture.height = 1;
+  texture.channels = 3;
+  texture.pixels = kTexels;
+  scene.textures = {texture};
+  scene.materials[0].use(Slot::emissive).texture = 0;
+  Mesh& mesh = scene.meshes[0];
+  mesh.normals.clear();
+  mesh.positions.insert(mesh.positions.end(), {mesh.positions[0], mesh.positions[2]});
+  mesh.triangles[1] = {4, 5, 3};
+  mesh.uvs = {{{0.25F, 0}, {0.25F, 0}, {0.25F, 0}, {0.75F, 0}, {0.75F, 0}, {0.75F, 0}}};
+  const Hit dim{1, 0, 0, 0, 0, 0};
+  const Hit bright{1, 0, 0, 1, 0, 0};
+  EXPECT_GT(Emitters(scene).pdf(dim, 1), 0);
+  EXPECT_EQ(Emitters(scene, 1).pdf(dim, 1), 0);
+  EXPECT_GT(Emitters(scene, 1).pdf(bright, 1), Emitters(scene).pdf(bright, 1));
 }
 
 TEST(Emitters, LookingForThemChangesNoMean) {

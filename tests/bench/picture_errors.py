@@ -101,7 +101,7 @@ def main():
     os.makedirs(options.references, exist_ok=True)
     programs = [options.program, *options.also]
     picture = os.path.join(options.references, f"picture-{os.getpid()}.png")
-    sums = [[0.0, 0.0] for _ in programs]
+    sums = [[0.0, 0.0, 0] for _ in programs]
     for asset in options.assets:
         name = os.path.splitext(os.path.basename(asset))[0]
         reference = os.path.join(options.references,
@@ -120,10 +120,11 @@ def main():
             os.remove(picture)
             total[0] += found
             total[1] += seconds
+            total[2] += 1
             cells.append(f"{found:6.2f} dB {seconds:7.2f} s")
         print(f"{name:36}", "   ".join(cells), flush=True)
-    count = len(options.assets)
-    print(f"{'mean':36}", "   ".join(f"{d / count:6.2f} dB {s / count:7.2f} s" for d, s in sums))
+    print(f"{'mean':36}", "   ".join(f"{d / n:6.2f} dB {s / n:7.2f} s" if n else "no picture"
+                                     for d, s, n in sums))
 
 
 if __name__ == "__main__":
