@@ -63,7 +63,7 @@ std::uint64_t affordable_trials(const OpenedAsset& asset) {
       size = saturating_add(size, view.byte_length.value_or(0));
     }
   }
-  return std::clamp<std::uint64_t>((std::uint64_t{256} << 20U) / size, 16, 256);
+  return std::clamp<std::uint64_t>((std::uint64_t{32} << 20U) / size, 8, 256);
 }
 
 // Halves; where there are several codes, the sites of each.
