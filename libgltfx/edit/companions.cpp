@@ -93,11 +93,9 @@ std::optional<Error> make_folder(const fs::path& folder) {
   return Error{fmt::format("cannot create {}: {}", quoted(folder.native(), 200), error.message())};
 }
 
-std::optional<Error> copy_companions(const json::Document& document,
-                                     const container::Resolver& resolver, const fs::path& folder,
-                                     const std::set<std::string>& but) {
-  for (const std::string& path : referred_paths(document)) {
-    if (but.count(path) != 0) continue;
+std::optional<Error> copy_companions(const std::set<std::string>& paths,
+                                     const container::Resolver& resolver, const fs::path& folder) {
+  for (const std::string& path : paths) {
     if (auto trouble = copy(path, resolver, folder)) return trouble;
   }
   return std::nullopt;

@@ -27,12 +27,11 @@ bool has_bytes(const std::filesystem::path& file, const container::Bytes& bytes)
 /// be writing now. One with other bytes is not overwritten.
 std::optional<Error> put_file(const std::filesystem::path& target, const container::Bytes& bytes);
 
-/// Copies every file but those of `but` below `folder`, under the name by which the document refers
-/// to it. One that is there with the same bytes stays; one with other bytes is not overwritten.
-/// References to files that do not exist are passed over: they lead nowhere before and after.
-std::optional<Error> copy_companions(const json::Document& document,
+/// Copies files below `folder`, under the names by which a document refers to them. One that is
+/// there with the same bytes stays; one with other bytes is not overwritten. References to files
+/// that do not exist are passed over: they lead nowhere before and after.
+std::optional<Error> copy_companions(const std::set<std::string>& paths,
                                      const container::Resolver& resolver,
-                                     const std::filesystem::path& folder,
-                                     const std::set<std::string>& but = {});
+                                     const std::filesystem::path& folder);
 
 }  // namespace gltfx::edit

@@ -149,9 +149,10 @@ class Writer {
 
   Trouble copy_others(const fs::path& folder) const {
     if (is_own_folder(folder)) return std::nullopt;
-    std::set<std::string> written;
-    for (const ReplacedFile& file : bytes_.replaced) written.insert(file.path);
-    return copy_companions(old_.document(), old_.resolver, folder, written);
+    std::set<std::string> paths = referred_paths(old_.document());
+    paths.insert(bytes_.referred.begin(), bytes_.referred.end());
+    for (const ReplacedFile& file : bytes_.replaced) paths.erase(file.path);
+    return copy_companions(paths, old_.resolver, folder);
   }
 
   const OldAsset& old_;

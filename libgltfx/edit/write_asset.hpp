@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct NewBytes {
   const std::vector<container::Bytes>& pieces;  ///< one behind the other, of the asset
   const std::vector<NewFile>& files;            ///< that it refers to
   std::vector<ReplacedFile> replaced = {};      ///< that it refers to, with other bytes than before
+  std::set<std::string> referred = {};          ///< paths that the old asset may not refer to
 };
 
 /// Why new bytes were not written. `refused`: the check said so.

@@ -79,6 +79,28 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
   return out;
 }
 
+Relocation::Relocation(std::span<const Edit> edits) {
+  std::uint32_t at = 0;
+  std::uint32_t behind = 0;  // of `at`, in the new text
+  for (const Edit& edit : edits) {
+    const std::uint32_t begin = behind + (edit.span.begin - at);
+    behind = begin + static_cast<std::uint32_t>(edit.text.size());
+    at = edit.span.end;
+    moved_.push_back({edit.span, {begin, behind}});
+  }
+}
+
+Span Relocation::of(std::uint32_t at) const {
+  const auto next = std::upper_bound(
+      moved_.begin(), moved_.end(), at,
+      [](std::uint32_t byte, const Moved& moved) { return byte < moved.from.begin; });
+  if (next == moved_.begin()) return {at, at + 1};
+  const Moved& before = *std::prev(next);
+  if (at < before.from.end) return before.to;
+  const std::uint32_t now = before.to.end + (at - before.from.end);
+  return {now, now + 1};
+}
+
 std::vector<Edit> merge_edits(std::vector<Edit> a, std::vector<Edit> b) {
   std::vector<Edit> all;
   all.reserve(a.size() + b.size());

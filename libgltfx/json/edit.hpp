@@ -34,6 +34,20 @@ std::vector<Edit> merge_edits(std::vector<Edit> a, std::vector<Edit> b);
 std::vector<Edit> chain_edits(std::string_view text, std::span<const Edit> first,
                               std::span<const Edit> second);
 
+/// Where the bytes of a text stand after edits, which are as Editor::take() gives them.
+class Relocation {
+ public:
+  explicit Relocation(std::span<const Edit> edits);
+  /// The byte at `at` in the new text; where it is gone, what stands in its place.
+  Span of(std::uint32_t at) const;
+
+ private:
+  struct Moved {
+    Span from, to;
+  };
+  std::vector<Moved> moved_;
+};
+
 /// Collects changes to members and elements of one document and turns them into edits. New text
 /// follows the indentation, line ends and spacing of what stands around it. The
 /// document may have recoverable errors; those in the text of removed and replaced values go with

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "edit/companions.hpp"
 #include "edit/rewrite.hpp"
 #include "pipeline/edit_asset.hpp"
 #include "pipeline/fix_rounds.hpp"
@@ -27,6 +28,7 @@ edit::NewBytes new_bytes(const std::vector<container::Bytes>& pieces, const Fixe
   static const std::vector<edit::NewFile> kNone;
   edit::NewBytes bytes{pieces, kNone, {}};
   for (const auto& [path, file] : fixed.files) bytes.replaced.push_back(file);
+  bytes.referred = edit::referred_paths(fixed.after.asset().document());
   return bytes;
 }
 
@@ -61,8 +63,8 @@ FixReport fix_opened(EditedAsset opened, const FixOptions& options) {
   }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const OpenedAsset old(opened.asset.name(), opened.asset.container(), opened.asset.resolver());
-  const FixedAsset fixed = fix_in_rounds({std::move(opened.asset), fix_judgement(schemas)}, options,
-                                         schemas, options.diff);
+  const FixedAsset fixed =
+      fix_in_rounds({std::move(opened.asset), fix_judgement(schemas)}, options, schemas);
   if (const auto obstacle = find_obstacle(fixed.after.asset())) {
     note_failure(report, EditProblem::unreadable, obstacle->message);
     return report;

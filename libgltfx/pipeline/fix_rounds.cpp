@@ -2,53 +2,47 @@
 #include "pipeline/fix_rounds.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/checked.hpp"
 #include "base/codes.hpp"
-#include "edit/rewrite.hpp"
 #include "validate/context.hpp"
 
 namespace gltfx {
 namespace {
 
 using model::OpenedAsset;
-using validate::FixEntry;
-using validate::Fixing;
-using validate::FixStage;
 using validate::Site;
 using validate::Sites;
 using validate::ValidatedAsset;
-using CountsByCode = std::map<std::string_view, std::uint64_t>;
+using Positions = std::vector<std::size_t>;  ///< of sites
 
 constexpr unsigned kMostRounds = 32;
 constexpr std::size_t kMostPointers = 10;
 
-CountsByCode counts_of(const FileReport& report) {
-  CountsByCode counts;
-  for (const Diagnostic& finding : report.diagnostics) counts[finding.code] += finding.count;
-  return counts;
+/// A code and where it is found in the text; UINT32_MAX: the file as a whole.
+using SitePlace = std::pair<Code, std::uint32_t>;
+
+SitePlace place_of(const Site& site) {
+  return {site.code, site.span.end == 0 ? UINT32_MAX : site.span.begin};
 }
 
 /// Actions by code.
 class Tally {
  public:
-  void add(Code code, std::uint64_t count, std::vector<std::string> pointers) {
-    FixAction& action = actions_[code_name(code)];
-    action.code = code_name(code);
-    action.kind = validate::description(code).fix;
-    action.count += count;
-    for (std::string& pointer : pointers) {
-      if (action.pointers.size() < kMostPointers) action.pointers.push_back(std::move(pointer));
+  FixAction& add(const json::Document& document, const Site& site) {
+    FixAction& action = actions_[code_name(site.code)];
+    action.code = code_name(site.code);
+    action.kind = validate::description(site.code).fix;
+    ++action.count;
+    if (action.pointers.size() < kMostPointers) {
+      const json::NodeId node = validate::node_at(document, site.span);
+      action.pointers.push_back(node == json::kNoNode ? "" : document.pointer_of(node));
     }
-  }
-  bool wants_pointer(Code code) const {
-    const auto found = actions_.find(code_name(code));
-    return found == actions_.end() || found->second.pointers.size() < kMostPointers;
+    return action;
   }
   std::vector<FixAction> take() {
     std::vector<FixAction> list;
@@ -60,58 +54,55 @@ class Tally {
   std::map<std::string_view, FixAction> actions_;
 };
 
-std::string pointer_at(const Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_at(place);
-  return node == json::kNoNode ? std::string() : fixing.document().pointer_of(node);
-}
-
-// The first stage with a fix that does something.
-std::optional<FixStage> first_stage(const Sites& sites, const std::function<bool(Code)>& wants,
-                                    FixStage from) {
-  std::optional<FixStage> first;
-  for (const Site& site : sites) {
-    const FixStage stage = validate::find_fix(site.code)->stage;
-    if (stage < from || (first && stage >= *first) || !wants(site.code)) continue;
-    first = stage;
+// A trial costs a validation, and there may be as many as findings: their cost stays in proportion
+// to the asset.
+std::uint64_t affordable_trials(const OpenedAsset& asset) {
+  std::uint64_t size = asset.container().bytes.size() + 1;
+  if (!asset.document().empty()) {
+    for (const model::BufferView& view : asset.views().buffer_views) {
+      size = saturating_add(size, view.byte_length.value_or(0));
+    }
   }
-  return first;
+  return std::clamp<std::uint64_t>((std::uint64_t{32} << 20U) / size, 8, 256);
 }
 
-// What is written anew with other lengths is opened anew.
-Result<container::Container> changed_container(const OpenedAsset& asset,
-                                               const Fixing::Changes& changes,
-                                               const SharedText& text) {
-  const container::Container& old = asset.container();
-  if (!changes.container) return edit::rewritten(old, text, changes.buffers.bin, asset.name());
-  const auto pieces = edit::rewrite_sound(old, *text, changes.buffers.bin);
-  if (!pieces) return pieces.error();
-  return container::open_bytes(container::Bytes::from_string(container::join(*pieces)),
-                               asset.name());
+// Halves; where there are several codes, the sites of each.
+std::vector<Positions> parts_of(const Positions& group, const Sites& sites) {
+  std::map<Code, Positions> by_code;
+  for (const std::size_t i : group) by_code[sites[i].code].push_back(i);
+  std::vector<Positions> parts;
+  if (by_code.size() > 1) {
+    for (auto& [code, part] : by_code) parts.push_back(std::move(part));
+  } else {
+    const auto middle = group.begin() + static_cast<std::ptrdiff_t>(group.size() / 2);
+    parts = {{group.begin(), middle}, {middle, group.end()}};
+  }
+  return parts;
 }
+
+/// What some fixes make of the asset.
+struct Trial {
+  PlannedFixes planned;
+  ValidatedAsset after;
+};
 
 /// One asset on its way through the rounds.
 class Rounds {
  public:
   Rounds(ValidatedAsset before, const FixOptions& options,
-         const std::shared_ptr<const schema::Set>& schemas, bool keeps_edits)
+         const std::shared_ptr<const schema::Set>& schemas)
       : asset_(std::move(before)),
         options_(options),
         schemas_(schemas),
-        keeps_edits_(keeps_edits),
-        text_(asset_.asset().container().json) {}
+        text_(asset_.asset().container().json),
+        trials_(affordable_trials(asset_.asset())) {}
 
   FixedAsset run() {
-    unsigned rounds = 0;
-    while (rounds < kMostRounds && advance()) ++rounds;
-    FixedAsset fixed{std::move(asset_), done_.take(), std::move(edits_), std::move(files_),
-                     changes_};
-    for (FixAction& action : fixed.actions) action.done = true;
-    for (FixAction& action : left_) {
-      const auto why = dropped_.find(action.code);
-      if (why != dropped_.end()) action.why_not = why->second;
-      fixed.actions.push_back(std::move(action));
-    }
-    return fixed;
+    for (unsigned rounds = 0; rounds < kMostRounds && advance();) ++rounds;
+    std::vector<FixAction> actions = done_.take();
+    for (FixAction& action : actions) action.done = true;
+    for (FixAction& action : left_over()) actions.push_back(std::move(action));
+    return {std::move(asset_), std::move(actions), std::move(edits_), std::move(files_), changes_};
   }
 
  private:
@@ -122,189 +113,145 @@ class Rounds {
     return options_.unsafe && options_.only.contains(rule.code);
   }
 
-  std::optional<PlannedFixes> plan(const std::function<bool(Code)>& wants) const {
-    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wants);
+  std::vector<FixAction> left_over() const {
+    Tally left;
+    for (const Site& site : asset_.sites()) {
+      if (!is_asked_for(site.code)) continue;
+      FixAction& action = left.add(asset_.asset().document(), site);
+      const auto why = dropped_.find(place_of(site));
+      if (why != dropped_.end() && action.why_not.empty()) action.why_not = why->second;
+    }
+    return left.take();
+  }
+
+  std::optional<PlannedFixes> plan(const std::vector<bool>& wanted) const {
+    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted);
   }
 
   // One more round; whether there may be another one.
   bool advance() {
-    auto planned = plan([this](Code code) { return is_asked_for(code) && !is_dropped(code); });
+    std::vector<bool> wanted;
+    for (const Site& site : asset_.sites()) {
+      wanted.push_back(is_asked_for(site.code) && !dropped_.contains(place_of(site)));
+    }
+    auto planned = plan(wanted);
     if (!planned) return false;
-    if (planned->done.empty() && retries_) {
+    if (planned->changes.empty()) {
       // What stood against a fix may be gone by another one.
-      retries_ = false;
+      if (!std::exchange(retries_, false)) return false;
       dropped_.clear();
       return true;
     }
-    if (planned->done.empty()) {
-      left_ = everything_left();
-      return false;
+    Positions made;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (planned->fixed[i]) made.push_back(i);
     }
-    std::vector<std::string_view> codes;
-    for (const FixAction& action : planned->done) codes.push_back(action.code);
-    if (auto why = try_out(*std::move(planned)); !why.empty()) find_culprits(codes, why);
+    auto trial = judge(*std::move(planned));
+    if (trial) {
+      accept(*std::move(trial));
+    } else if (made.size() == 1) {
+      drop(made, trial.error().message);
+    } else {
+      settle(made, trial.error().message);
+    }
     return true;
   }
 
-  bool is_dropped(Code code) const { return dropped_.contains(code_name(code)); }
-
-  // What stays of all that was asked for, with the reason.
-  std::vector<FixAction> everything_left() const {
-    Tally tally;
-    const auto planned = plan([this](Code code) { return is_asked_for(code); });
-    if (!planned) return {};
-    std::vector<FixAction> left = planned->left;
-    for (const FixAction& action : planned->done) left.push_back(action);
-    std::sort(left.begin(), left.end(),
-              [](const FixAction& a, const FixAction& b) { return a.code < b.code; });
-    return left;
-  }
-
-  // Takes the changes over and gives nothing, or says why they are none to take.
-  std::string try_out(PlannedFixes planned) {
+  // What the changes make of the asset, or why it is not to be taken.
+  Result<Trial> judge(PlannedFixes planned) const {
     const OpenedAsset& old = asset_.asset();
     auto changed = with_changes(old, planned.changes);
-    if (!changed) return changed.error().message;
-    const bool was_readable = !old.document().empty();
+    if (!changed) return changed.error();
     ValidatedAsset next(*std::move(changed), fix_judgement(schemas_));
     const auto worse = worse_codes(asset_.report(), next.report());
-    const bool readable = !next.asset().document().empty();
-    if (!worse.empty() && (was_readable || !readable)) {
-      return fmt::format("the new file would have the new finding {}", worse.front());
+    // What could not be read could not be found.
+    const bool first_read = old.document().empty() && !next.asset().document().empty();
+    if (!worse.empty() && !first_read) {
+      return Error{fmt::format("the new file would have the new finding {}", worse.front())};
     }
-    accept(std::move(planned), std::move(next));
-    return {};
+    return Trial{std::move(planned), std::move(next)};
   }
 
-  void accept(PlannedFixes planned, ValidatedAsset next) {
-    for (const FixAction& action : planned.done) {
-      done_.add(code_of(action.code), action.count, action.pointers);
+  // Takes over as many of the fixes as bring nothing new, and drops the others.
+  void settle(const Positions& made, const std::string& why) {
+    std::vector<Positions> groups = parts_of(made, asset_.sites());
+    std::vector<bool> good(asset_.sites().size());
+    std::optional<Trial> best;
+    while (!groups.empty()) {
+      const Positions group = std::move(groups.back());
+      groups.pop_back();
+      if (trials_ == 0) {
+        drop(group, why);
+        continue;
+      }
+      --trials_;
+      std::vector<bool> wanted = good;
+      for (const std::size_t i : group) wanted[i] = true;
+      auto planned = plan(wanted);
+      auto trial = planned ? judge(*std::move(planned)) : Error{why};
+      if (trial) {
+        good = std::move(wanted);
+        best.emplace(*std::move(trial));
+      } else if (group.size() == 1) {
+        drop(group, trial.error().message);
+      } else {
+        for (Positions& part : parts_of(group, asset_.sites())) groups.push_back(std::move(part));
+      }
     }
-    if (keeps_edits_ && text_) {
-      edits_ = json::chain_edits(*text_, edits_, planned.changes.edits);
+    if (best && !best->planned.changes.empty()) accept(*std::move(best));
+  }
+
+  void drop(const Positions& group, const std::string& why) {
+    for (const std::size_t i : group) dropped_.emplace(place_of(asset_.sites()[i]), why);
+  }
+
+  void accept(Trial trial) {
+    const Sites& sites = asset_.sites();
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      if (trial.planned.fixed[i]) done_.add(asset_.asset().document(), sites[i]);
     }
-    for (edit::ReplacedFile& file : planned.changes.buffers.files) {
+    move_dropped(trial.planned.changes.edits);
+    if (text_) edits_ = json::chain_edits(*text_, edits_, trial.planned.changes.edits);
+    for (edit::ReplacedFile& file : trial.planned.changes.buffers.files) {
       const auto [known, is_new] = files_.try_emplace(file.path, file);
       if (!is_new) known->second.after = file.after;
     }
-    asset_ = std::move(next);
+    asset_ = std::move(trial.after);
     changes_ = true;
     retries_ = !dropped_.empty();
   }
 
-  static Code code_of(std::string_view name) {
-    return static_cast<Code>(find_rule(name) - rules().data());
-  }
-
-  // Of several fixes those that bring something new by themselves; where none does, all of them.
-  void find_culprits(const std::vector<std::string_view>& codes, const std::string& why) {
-    bool found = false;
-    for (const std::string_view code : codes) {
-      if (codes.size() == 1) break;
-      auto alone = plan([code](Code each) { return code_name(each) == code; });
-      if (!alone || alone->done.empty()) continue;
-      std::string reason = try_out(*std::move(alone));
-      if (reason.empty()) continue;
-      dropped_.emplace(code, std::move(reason));
-      found = true;
+  // What stood in a text that is gone is judged anew.
+  void move_dropped(const std::vector<json::Edit>& edits) {
+    const json::Relocation relocation(edits);
+    std::map<SitePlace, std::string> moved;
+    for (auto& [place, why] : dropped_) {
+      const bool whole = place.second == UINT32_MAX;
+      const Span now = whole ? Span{place.second, place.second} : relocation.of(place.second);
+      if (whole || now.size() == 1)
+        moved.emplace(SitePlace{place.first, now.begin}, std::move(why));
     }
-    if (found) return;
-    for (const std::string_view code : codes) dropped_.emplace(code, why);
+    dropped_ = std::move(moved);
   }
 
   ValidatedAsset asset_;
   const FixOptions& options_;
   const std::shared_ptr<const schema::Set>& schemas_;
-  const bool keeps_edits_;
   const SharedText text_;  // the old one
   std::vector<json::Edit> edits_;
   std::map<std::string, edit::ReplacedFile> files_;
   Tally done_;
-  std::vector<FixAction> left_;
-  std::map<std::string_view, std::string> dropped_;  // why, by code
+  std::map<SitePlace, std::string> dropped_;  // why
   bool changes_ = false;
   bool retries_ = false;  // something was accepted after something was dropped
+  std::uint64_t trials_;  // left, for what stands against others
 };
 
 }  // namespace
 
-std::vector<std::string_view> worse_codes(const FileReport& before, const FileReport& after) {
-  const CountsByCode known = counts_of(before);
-  std::vector<std::string_view> worse;
-  for (const auto& [code, count] : counts_of(after)) {
-    const auto was = known.find(code);
-    if (count > (was == known.end() ? 0 : was->second)) worse.push_back(code);
-  }
-  return worse;
-}
-
-ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas) {
-  ValidateOptions options;
-  options.profile = Profile::strict;
-  options.pixels = PixelLevel::headers;
-  options.jobs = 1;
-  options.schemas = schemas;
-  return options;
-}
-
-std::optional<PlannedFixes> plan_fixes(const OpenedAsset& asset, const Sites& sites,
-                                       const schema::Set& schemas,
-                                       const std::function<bool(Code)>& wants) {
-  auto stage = first_stage(sites, wants, FixStage::container);
-  PlannedFixes planned;
-  planned.fixed.resize(sites.size());
-  Tally done, left;
-  while (stage) {
-    Fixing fixing(asset, schemas);
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      const FixEntry& entry = *validate::find_fix(sites[i].code);
-      if (entry.stage != *stage || !wants(entry.code)) continue;
-      planned.fixed[i] = entry.fix(fixing, sites[i].span);
-      Tally& tally = planned.fixed[i] ? done : left;
-      std::vector<std::string> pointers;
-      if (tally.wants_pointer(entry.code)) pointers.push_back(pointer_at(fixing, sites[i].span));
-      tally.add(entry.code, 1, std::move(pointers));
-    }
-    auto changes = fixing.take();
-    if (!changes) return std::nullopt;
-    planned.changes = *std::move(changes);
-    if (!planned.changes.empty()) break;
-    stage = first_stage(sites, wants, static_cast<FixStage>(static_cast<int>(*stage) + 1));
-  }
-  if (!planned.changes.empty()) planned.done = done.take();
-  planned.left = left.take();
-  return planned;
-}
-
-std::vector<bool> fixable_sites(const OpenedAsset& asset, const Sites& sites,
-                                const schema::Set& schemas) {
-  std::vector<bool> fixable(sites.size());
-  if (!asset.container().json || edit::find_glb_obstacle(asset.container())) return fixable;
-  Fixing fixing(asset, schemas);
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    const Code code = sites[i].code;
-    if (validate::description(code).fix != Fix::safe) continue;
-    fixable[i] = validate::find_fix(code)->fix(fixing, sites[i].span);
-  }
-  return fixable;
-}
-
-Result<OpenedAsset> with_changes(const OpenedAsset& asset, const Fixing::Changes& changes) {
-  const container::Container& old = asset.container();
-  if (!old.json) return Error{"it has no JSON"};
-  const auto obstacle = edit::find_glb_obstacle(old);
-  if (obstacle) return Error{"it cannot be written anew: " + *obstacle};
-  const SharedText text = share_text(json::apply_edits(*old.json, changes.edits));
-  auto container = changed_container(asset, changes, text);
-  if (!container) return container.error();
-  container::Resolver resolver = asset.resolver();
-  for (const edit::ReplacedFile& file : changes.buffers.files) resolver.add(file.path, file.after);
-  return OpenedAsset(asset.name(), *std::move(container), std::move(resolver));
-}
-
 FixedAsset fix_in_rounds(ValidatedAsset before, const FixOptions& options,
-                         const std::shared_ptr<const schema::Set>& schemas, bool keeps_edits) {
-  return Rounds(std::move(before), options, schemas, keeps_edits).run();
+                         const std::shared_ptr<const schema::Set>& schemas) {
+  return Rounds(std::move(before), options, schemas).run();
 }
 
 }  // namespace gltfx

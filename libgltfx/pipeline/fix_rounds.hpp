@@ -4,60 +4,30 @@
 
 #include <gltfx/fix.hpp>
 
-#include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "edit/new_file.hpp"
 #include "json/edit.hpp"
-#include "validate/fix.hpp"
-#include "validate/validated_asset.hpp"
+#include "pipeline/fix_plan.hpp"
 
 namespace gltfx {
-
-/// How the verb judges: all that headers of images tell, hints too.
-ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas);
-
-/// Changes of one asset by the fixes of some rules, and what they are about.
-struct PlannedFixes {
-  validate::Fixing::Changes changes;
-  std::vector<FixAction> done, left;  ///< by code; what is left says why
-  std::vector<bool> fixed;            ///< by site
-};
-
-/// `sites` are those of the asset as it is. `wants` says of a code whether its findings are to be
-/// fixed. Only fixes of the first stage that has some are made. Nothing where a buffer that changes
-/// cannot be found.
-std::optional<PlannedFixes> plan_fixes(const model::OpenedAsset& asset,
-                                       const validate::Sites& sites, const schema::Set& schemas,
-                                       const std::function<bool(Code)>& wants);
-
-/// Which sites safe fixes fix, by their position; none where the asset cannot be written.
-std::vector<bool> fixable_sites(const model::OpenedAsset& asset, const validate::Sites& sites,
-                                const schema::Set& schemas);
-
-/// The asset with the changes.
-Result<model::OpenedAsset> with_changes(const model::OpenedAsset& asset,
-                                        const validate::Fixing::Changes& changes);
 
 /// What all rounds came to.
 struct FixedAsset {
   /// The asset after the last of them.
   validate::ValidatedAsset after;
-  std::vector<FixAction> actions;  ///< as in FixReport
-  std::vector<json::Edit> edits;   ///< of the old text; only where they were asked for
+  std::vector<FixAction> actions;                   ///< as in FixReport
+  std::vector<json::Edit> edits;                    ///< of the old text
   std::map<std::string, edit::ReplacedFile> files;  ///< by path
   bool changes = false;
 };
 
-/// `before` was judged by fix_judgement(). `keeps_edits`: FixedAsset::edits are wanted.
+/// `before` was judged by fix_judgement(). Where all fixes together bring a new finding, those that
+/// do so are looked for by halves and left out, in as many trials as the size of the asset allows.
 FixedAsset fix_in_rounds(validate::ValidatedAsset before, const FixOptions& options,
-                         const std::shared_ptr<const schema::Set>& schemas, bool keeps_edits);
-
-/// Codes of which `after` has more findings than `before`.
-std::vector<std::string_view> worse_codes(const FileReport& before, const FileReport& after);
+                         const std::shared_ptr<const schema::Set>& schemas);
 
 }  // namespace gltfx

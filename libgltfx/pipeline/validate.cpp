@@ -26,7 +26,7 @@
 #include "json/parse.hpp"
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/cached_verb.hpp"
-#include "pipeline/fix_rounds.hpp"
+#include "pipeline/fixable.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
@@ -104,70 +104,6 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
                                        default_judgement(schemas));
   if (!new_findings(validated, after, schemas).error.empty()) return;
   validated.propose(*finding, std::make_shared<const ProposedFix>(fix_of(plan, text)));
-}
-
-// A place of the text, or none, with a code.
-using Place = std::pair<std::string_view, std::uint64_t>;
-
-Place place_of(const Diagnostic& finding) {
-  return {finding.code, finding.location.length == 0 ? UINT64_MAX : finding.location.offset};
-}
-
-Place place_of(const validate::Site& site, std::uint64_t json_offset) {
-  return {code_name(site.code), site.span.end == 0 ? UINT64_MAX : json_offset + site.span.begin};
-}
-
-// Marks what 'gltfx fix' fixes, and counts it.
-void mark_fixable(validate::ValidatedAsset& validated, const ValidateOptions& options) {
-  if (options.profile == Profile::khronos || validated.sites().empty()) return;
-  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
-  const std::vector<bool> fixable = fixable_sites(validated.asset(), validated.sites(), *schemas);
-  FileReport& report = validated.report();
-  const std::uint64_t json_offset = validated.asset().container().json_offset;
-  std::set<Place> places;
-  for (std::size_t i = 0; i < fixable.size(); ++i) {
-    if (!fixable[i]) continue;
-    ++report.fixable;
-    places.insert(place_of(validated.sites()[i], json_offset));
-  }
-  for (Diagnostic& finding : report.diagnostics) {
-    finding.fixable = places.contains(place_of(finding));
-  }
-}
-
-// What the fixes of one rule come to, where they are edits of a text file and bring no new finding.
-std::shared_ptr<const ProposedFix> proposal(const validate::ValidatedAsset& validated,
-                                            std::string_view code,
-                                            const std::shared_ptr<const schema::Set>& schemas) {
-  const model::OpenedAsset& asset = validated.asset();
-  const auto planned = plan_fixes(asset, validated.sites(), *schemas,
-                                  [&](Code each) { return code_name(each) == code; });
-  if (!planned || planned->done.empty() || planned->changes.edits.empty()) return nullptr;
-  if (planned->changes.container || !planned->changes.buffers.files.empty()) return nullptr;
-  auto changed = with_changes(asset, planned->changes);
-  if (!changed) return nullptr;
-  const validate::ValidatedAsset after(*std::move(changed), fix_judgement(schemas));
-  const validate::ValidatedAsset before({asset.name(), asset.container(), asset.resolver()},
-                                        fix_judgement(schemas));
-  if (!worse_codes(before.report(), after.report()).empty()) return nullptr;
-  ProposedFix fix;
-  fix.description = find_rule(code)->fix_does;
-  const json::LineIndex lines(*asset.container().json);
-  for (const json::Edit& edit : planned->changes.edits) {
-    fix.replacements.push_back({lines.locate(edit.span), edit.text});
-  }
-  return std::make_shared<const ProposedFix>(std::move(fix));
-}
-
-// The first fixable finding of each rule gets what fixes all of them.
-void propose_fixes_of_rules(validate::ValidatedAsset& validated, const ValidateOptions& options) {
-  if (validated.asset().container().format != container::Format::gltf) return;
-  const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
-  std::set<std::string_view> done;
-  for (Diagnostic& finding : validated.report().diagnostics) {
-    if (!finding.fixable || finding.fix || !done.insert(finding.code).second) continue;
-    finding.fix = proposal(validated, finding.code, schemas);
-  }
 }
 
 void add(HashParts& parts, const Budgets& budgets) {
@@ -332,10 +268,10 @@ container::Resolver resolver_of(const MemoryAsset& asset, const ValidateOptions&
 
 validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options) {
   validate::ValidatedAsset validated(std::move(asset), options);
-  mark_fixable(validated, options);
-  if (options.propose_fixes) {
-    propose_fix(validated, options);
-    propose_fixes_of_rules(validated, options);
+  if (options.propose_fixes) propose_fix(validated, options);
+  if (options.profile != Profile::khronos && !validated.sites().empty()) {
+    mark_fixable(validated, options.schemas ? options.schemas : schema::builtin_set(),
+                 options.propose_fixes);
   }
   return validated;
 }

@@ -69,25 +69,25 @@ std::string* Fixing::content(std::uint32_t buffer) {
 }
 
 // Nodes stand in the order of the text, and no two of them begin at one byte.
-json::NodeId Fixing::node_around(Span place) const {
+json::NodeId node_around(const json::Document& document, Span place) {
   if (place.end == 0) return json::kNoNode;
   json::NodeId first = 0;
-  auto last = static_cast<json::NodeId>(document_.node_count());
+  auto last = static_cast<json::NodeId>(document.node_count());
   while (first < last) {
     const json::NodeId middle = first + (last - first) / 2;
-    if (document_.node(middle).begin <= place.begin) {
+    if (document.node(middle).begin <= place.begin) {
       first = middle + 1;
     } else {
       last = middle;
     }
   }
-  const bool found = first > 0 && document_.node(first - 1).end > place.begin;
+  const bool found = first > 0 && document.node(first - 1).end > place.begin;
   return found ? first - 1 : json::kNoNode;
 }
 
-json::NodeId Fixing::node_at(Span place) const {
-  const json::NodeId node = node_around(place);
-  const bool found = node != json::kNoNode && document_.node(node).begin == place.begin;
+json::NodeId node_at(const json::Document& document, Span place) {
+  const json::NodeId node = node_around(document, place);
+  const bool found = node != json::kNoNode && document.node(node).begin == place.begin;
   return found ? node : json::kNoNode;
 }
 

@@ -24,6 +24,11 @@
 
 namespace gltfx::validate {
 
+/// The innermost value or key that holds the first byte of `place`, or json::kNoNode.
+json::NodeId node_around(const json::Document& document, Span place);
+/// The value or key that begins where `place` does, or json::kNoNode.
+json::NodeId node_at(const json::Document& document, Span place);
+
 /// The changes of one asset, as fixes collect them. Each value is changed once: a fix that finds it
 /// changed leaves it to the next run over the new asset.
 class Fixing {
@@ -46,10 +51,8 @@ class Fixing {
     return *static_cast<Table*>(made.get());
   }
 
-  /// The value or key that begins where `place` does, or json::kNoNode.
-  json::NodeId node_at(Span place) const;
-  /// The innermost value or key that holds the first byte of `place`, or json::kNoNode.
-  json::NodeId node_around(Span place) const;
+  json::NodeId node_at(Span place) const { return validate::node_at(document_, place); }
+  json::NodeId node_around(Span place) const { return validate::node_around(document_, place); }
   /// The object or array that holds a value or key; json::kNoNode for the root.
   json::NodeId parent(json::NodeId node);
   /// Whether nobody has changed the value in this run; from now on somebody has.

@@ -342,5 +342,20 @@ TEST(MergeEdits, TwoListsBecomeOne) {
   EXPECT_EQ(apply_edits("abcd", merge_edits(a, b)), "AbCd+-");
 }
 
+TEST(Relocation, SaysWhereBytesStandAfterEdits) {
+  const std::string text = "0123456789";
+  const std::vector<Edit> edits{{{0, 0}, "<"}, {{2, 4}, ""}, {{5, 6}, "five"}, {{8, 8}, ">>"}};
+  const std::string now = apply_edits(text, edits);
+  const Relocation relocation(edits);
+  for (const std::uint32_t kept : {0U, 1U, 4U, 6U, 7U, 8U, 9U}) {
+    const Span place = relocation.of(kept);
+    EXPECT_EQ(place.in(now), text.substr(kept, 1)) << kept;
+  }
+  EXPECT_TRUE(relocation.of(2).empty());
+  EXPECT_TRUE(relocation.of(3).empty());
+  EXPECT_EQ(relocation.of(5).in(now), "five");
+  EXPECT_EQ(Relocation({}).of(7), (Span{7, 8}));
+}
+
 }  // namespace
 }  // namespace gltfx::json

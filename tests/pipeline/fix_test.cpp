@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -190,6 +191,50 @@ TEST(FixFile, DoesWhatItIsAskedFor) {
   EXPECT_FALSE(fix_file(path.native(), options).changes);
 }
 
+const char kPixel[] =
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4DwABAQEAHLCMmQAAAABJRU5ErkJggg==";
+
+// An asset of images whose URIs have a backslash.
+std::string images(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) {
+    list += fmt::format(R"({}{{"uri":"images\\{}"}})", list.empty() ? "" : ",", name);
+  }
+  return fmt::format(R"({{"asset":{{"version":"2.0"}},"images":[{}]}})", list);
+}
+
+// A valid URI would lead to a file that is no image, which the old one hides.
+TEST(FixFile, LeavesAPlaceOutWhoseFixBringsANewFinding) {
+  const TempFolder folder;
+  std::vector<std::string> names;
+  for (int i = 0; i < 9; ++i) {
+    names.push_back(fmt::format("{}.png", i));
+    const bool broken = i == 4 || i == 8;
+    folder.write("images/" + names.back(), broken ? "no image" : *container::decode_base64(kPixel));
+  }
+  const auto path = folder.write("a.gltf", images(names));
+  EXPECT_EQ(validate_file(path.native()).fixable, 7U);
+  const FixReport report = fix_file(path.native(), in_place());
+  EXPECT_EQ(report.fixed(), 7U);
+  EXPECT_EQ(report.left(), 2U);
+  ASSERT_EQ(report.actions.size(), 2U);
+  EXPECT_EQ(report.actions[1].pointers,
+            (std::vector<std::string>{"/images/4/uri", "/images/8/uri"}));
+  EXPECT_NE(report.actions[1].why_not, "");
+  EXPECT_FALSE(fix_file(path.native()).changes);
+}
+
+TEST(FixFile, TakesFilesAlongToWhichOnlyTheFixedUriLeads) {
+  const TempFolder folder;
+  folder.write("images/a.png", *container::decode_base64(kPixel));
+  const auto path = folder.write("a.gltf", images({"a.png"}));
+  FixOptions options;
+  options.output = (folder.path() / "other" / "a.gltf").native();
+  EXPECT_EQ(fix_file(path.native(), options).error, "");
+  EXPECT_EQ(text_of(folder.path() / "other" / "images" / "a.png"),
+            *container::decode_base64(kPixel));
+}
+
 TEST(FixFile, DoesNothingUnsafeUnasked) {
   const TempFolder folder;
   const RuleDescription& rule = *find_rule("EXTENSION_NAME_MISSPELT");
@@ -223,6 +268,38 @@ TEST(Fixable, IsCountedAndMarked) {
   ValidateOptions options;
   options.profile = Profile::khronos;
   EXPECT_EQ(validate_file(path.native(), options).fixable, 0U);
+}
+
+std::map<std::string, std::uint64_t> counts_of(const FileReport& report) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const Diagnostic& finding : report.diagnostics) {
+    counts[std::string(finding.code)] += finding.count;
+  }
+  return counts;
+}
+
+TEST(Fixable, IsWhatOneRunRemoves) {
+  ValidateOptions strict;
+  strict.profile = Profile::strict;
+  std::uint64_t marked = 0;
+  for (const RuleDescription& rule : rules()) {
+    if (rule.fix != Fix::safe) continue;
+    const TempFolder folder;
+    const std::string bytes = example_bytes(rule.bad);
+    const std::string name = bytes.starts_with("glTF") ? "a.glb" : "a.gltf";
+    const auto path = folder.write(name, bytes);
+    const FileReport before = validate_file(path.native(), strict);
+    const FixReport fixed = fix_file(path.native(), in_place());
+    EXPECT_EQ(before.fixable > 0, fixed.written) << rule.code;
+    auto after = counts_of(validate_file(path.native(), strict));
+    std::uint64_t gone = 0;
+    for (const auto& [code, count] : counts_of(before)) {
+      if (find_rule(code)->fix == Fix::safe && count > after[code]) gone += count - after[code];
+    }
+    EXPECT_EQ(before.fixable, gone) << rule.code;
+    marked += gone;
+  }
+  EXPECT_GT(marked, 50U);
 }
 
 TEST(ProposedFix, IsThatOfTheRule) {

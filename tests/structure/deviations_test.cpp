@@ -22,7 +22,7 @@ using testing::SizeIs;
 const std::map<std::string, std::pair<std::size_t, std::string>, std::less<>> kPlaces{
     {"libgltfx/include/gltfx/validate.hpp", {1, "the default"}},
     {"libgltfx/pipeline/example.cpp", {2, "examples raise their rule in one of two profiles"}},
-    {"libgltfx/pipeline/fix_rounds.cpp", {1, "what is new is looked for among hints, too"}},
+    {"libgltfx/pipeline/fix_plan.cpp", {1, "what is new is looked for among hints, too"}},
     {"libgltfx/pipeline/validate.cpp", {1, "the Khronos validator says nothing of fixes"}},
     {"libgltfx/validate/collector.cpp", {3, "codes and hints by profile; its deviations"}},
     {"libgltfx/validate/context.hpp", {1, "hands the deviations down"}},

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/fix_plan.hpp"
+
+#include <map>
+#include <utility>
+
+#include "edit/rewrite.hpp"
+
+namespace gltfx {
+namespace {
+
+using model::OpenedAsset;
+using validate::Fixing;
+using validate::FixStage;
+using validate::Sites;
+using FindingsByCode = std::map<std::string_view, std::uint64_t>;
+
+FindingsByCode findings_by_code(const FileReport& report) {
+  FindingsByCode counts;
+  for (const Diagnostic& finding : report.diagnostics) counts[finding.code] += finding.count;
+  return counts;
+}
+
+// The first stage, not before `from`, with a fix that is wanted.
+std::optional<FixStage> first_stage(const Sites& sites, const std::vector<bool>& wanted,
+                                    FixStage from) {
+  std::optional<FixStage> first;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (!wanted[i]) continue;
+    const FixStage stage = validate::find_fix(sites[i].code)->stage;
+    if (stage >= from && (!first || stage < *first)) first = stage;
+  }
+  return first;
+}
+
+// What is written anew with other lengths is opened anew.
+Result<container::Container> changed_container(const OpenedAsset& asset,
+                                               const Fixing::Changes& changes,
+                                               const SharedText& text) {
+  const container::Container& old = asset.container();
+  if (!changes.container) return edit::rewritten(old, text, changes.buffers.bin, asset.name());
+  const auto pieces = edit::rewrite_sound(old, *text, changes.buffers.bin);
+  if (!pieces) return pieces.error();
+  return container::open_bytes(container::Bytes::from_string(container::join(*pieces)),
+                               asset.name());
+}
+
+}  // namespace
+
+ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas) {
+  ValidateOptions options;
+  options.profile = Profile::strict;
+  options.pixels = PixelLevel::headers;
+  options.jobs = 1;
+  options.schemas = schemas;
+  return options;
+}
+
+OpenedAsset opened_anew(const OpenedAsset& asset) {
+  return {asset.name(), asset.container(), asset.resolver()};
+}
+
+std::optional<PlannedFixes> plan_fixes(const OpenedAsset& asset, const Sites& sites,
+                                       const schema::Set& schemas,
+                                       const std::vector<bool>& wanted) {
+  PlannedFixes planned;
+  auto stage = first_stage(sites, wanted, FixStage::container);
+  while (stage) {
+    planned.fixed.assign(sites.size(), false);
+    Fixing fixing(asset, schemas);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      if (!wanted[i]) continue;
+      const validate::FixEntry& entry = *validate::find_fix(sites[i].code);
+      if (entry.stage == *stage) planned.fixed[i] = entry.fix(fixing, sites[i].span);
+    }
+    auto changes = fixing.take();
+    if (!changes) return std::nullopt;
+    planned.changes = *std::move(changes);
+    if (!planned.changes.empty()) return planned;
+    stage = first_stage(sites, wanted, static_cast<FixStage>(static_cast<int>(*stage) + 1));
+  }
+  planned.fixed.assign(sites.size(), false);
+  return planned;
+}
+
+Result<OpenedAsset> with_changes(const OpenedAsset& asset, const Fixing::Changes& changes) {
+  const container::Container& old = asset.container();
+  if (!old.json) return Error{"it has no JSON"};
+  const auto obstacle = edit::find_glb_obstacle(old);
+  if (obstacle) return Error{"it cannot be written anew: " + *obstacle};
+  const SharedText text = share_text(json::apply_edits(*old.json, changes.edits));
+  auto container = changed_container(asset, changes, text);
+  if (!container) return container.error();
+  container::Resolver resolver = asset.resolver();
+  for (const edit::ReplacedFile& file : changes.buffers.files) resolver.add(file.path, file.after);
+  return OpenedAsset(asset.name(), *std::move(container), std::move(resolver));
+}
+
+std::vector<std::string_view> worse_codes(const FileReport& before, const FileReport& after) {
+  const FindingsByCode known = findings_by_code(before);
+  std::vector<std::string_view> worse;
+  for (const auto& [code, count] : findings_by_code(after)) {
+    const auto was = known.find(code);
+    if (count > (was == known.end() ? 0 : was->second)) worse.push_back(code);
+  }
+  return worse;
+}
+
+}  // namespace gltfx
