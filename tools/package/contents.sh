@@ -34,7 +34,7 @@ EOF
   echo "Relationship: SPDXRef-DOCUMENT DESCRIBES SPDXRef-gltfx"
   for name; do
     found=$(component_version "$name")
-    spdx_package "$name" "$found" "${licences[$name]}" "pkg:deb/debian/$name@$found"
+    spdx_package "$name" "$found" "${licences[$name]}" "pkg:deb/debian/${name//+/%2B}@${found//+/%2B}"
     echo "Relationship: SPDXRef-gltfx STATIC_LINK SPDXRef-${name//+/-}"
   done
 }
