@@ -78,6 +78,11 @@ void NameList::replace(std::string_view from, std::string_view to) {
 
 void NameList::remove(std::string_view name) { replace(name, {}); }
 
+void NameList::remove_at(json::NodeId node) {
+  const std::string name = text_of(node);
+  if (has(name)) change(node, name, {});
+}
+
 std::set<std::string> NameList::remove_all(const std::map<std::string, json::NodeId>& names) {
   std::set<std::string> removed;
   for (const auto& [name, node] : names) {

@@ -27,6 +27,8 @@ class NameList {
   /// Puts `to` in the place of `from`; takes `from` out when `to` is there already.
   void replace(std::string_view from, std::string_view to);
   void remove(std::string_view name);
+  /// Takes out one name of the document's list, by its node.
+  void remove_at(json::NodeId node);
   /// Takes out all names that are keys of `names`; gives those that were there.
   std::set<std::string> remove_all(const std::map<std::string, json::NodeId>& names);
   /// Adds a name at the end unless it is there.

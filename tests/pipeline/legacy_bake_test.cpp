@@ -133,7 +133,8 @@ TEST_P(LegacyBaked, LooksAsItDidToTheLastBit) {
     const BakeReport fresh = bake_file(options.output, baked);
     ASSERT_EQ(old.problem, BakeProblem::none) << old.error;
     ASSERT_EQ(fresh.problem, BakeProblem::none) << fresh.error;
-    EXPECT_THAT(old.notes, testing::IsEmpty());
+    // An asset may have errors that no material can mend.
+    EXPECT_THAT(old.notes, testing::Each(testing::HasSubstr("what can be drawn is drawn")));
     EXPECT_EQ(old.pixels.bytes, fresh.pixels.bytes) << i;
   }
 }

@@ -32,12 +32,6 @@ bool declare(Fixing& fixing, Span place) {
   return true;
 }
 
-/// Each takes a walk over the list, so that a run takes a few, and the next run more.
-struct NameRemovals {
-  explicit NameRemovals(const Fixing&) {}
-  unsigned left = 256;
-};
-
 // `place` is a name in extensionsRequired. What is used is declared; what is not goes.
 bool declare_or_forget(Fixing& fixing, Span place) {
   const json::NodeId node = fixing.node_at(place);
@@ -51,10 +45,8 @@ bool declare_or_forget(Fixing& fixing, Span place) {
     fixing.extensions_used().add(name);
     return true;
   }
-  NameRemovals& removals = fixing.table<NameRemovals>();
-  if (removals.left == 0 || !fixing.extensions_required().has(name)) return false;
-  --removals.left;
-  fixing.extensions_required().remove(name);
+  if (!fixing.extensions_required().has(name)) return false;
+  fixing.extensions_required().remove_at(node);
   return true;
 }
 

@@ -14,7 +14,7 @@ export async function browser({ page, folder, tools }) {
   let files = new Map();
   let outside = null;  // an address that nothing here answers
   const server = createServer((request, response) => {
-    const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+    const path = decodeURIComponent(new URL(request.url, 'http://example.com').pathname);
     const asset = path.match(/^\/asset\/\d+\/(.*)$/);
     const bytes = path === '/' ? Buffer.from(page) : asset ? files.get(asset[1]) : path.startsWith('/package/') && !path.includes('..') && existsSync(folder + path.slice(8)) ? readFileSync(folder + path.slice(8)) : undefined;
     if (!bytes && path.startsWith('/package/')) outside = path;
@@ -22,7 +22,8 @@ export async function browser({ page, folder, tools }) {
     response.end(bytes);
   });
   await new Promise(done => server.listen(0, '127.0.0.1', done));
-  const origin = `http://127.0.0.1:${server.address().port}`;
+  const { address, port } = server.address();
+  const origin = `http://${address}:${port}`;
   const { chromium } = createRequire(`${tools}/`)('playwright-core');
   const program = await chromium.launch({ executablePath: '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--hide-scrollbars'] });
