@@ -27,7 +27,11 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
                     quoted(path, 200))};
   }
   const container::Resolved resolved = resolver.open(path);
-  if (resolved.error == container::ResolveError::not_found) return std::nullopt;
+  // What is no file leads nowhere from the old asset either.
+  if (resolved.error == container::ResolveError::not_found ||
+      resolved.error == container::ResolveError::not_regular) {
+    return std::nullopt;
+  }
   if (resolved.error != container::ResolveError::none) {
     return Error{container::describe(resolved.error, path, resolved.problem)};
   }

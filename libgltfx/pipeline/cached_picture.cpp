@@ -88,7 +88,8 @@ bool can_be_kept(const BakeOptions& options) {
 Hash128 key_of(const BakeOptions& options) {
   const auto& [sizes, turntable, layers, quality, samples, bounces, seed, denoise, seconds, noise,
                literal_shader, lights, environment, exposure, transparent, camera, scene, animation,
-               time, variant, strict, output, embed, root, jobs, schemas, cache, progress] = options;
+               time, variant, strict, output, embed, root, jobs, schemas, cache, progress] =
+      options;
   // Where pictures lie is no part of them; the same come of any number of threads.
   static_cast<void>(output);
   static_cast<void>(jobs);

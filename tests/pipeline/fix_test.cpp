@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -233,6 +234,19 @@ TEST(FixFile, TakesFilesAlongToWhichOnlyTheFixedUriLeads) {
   EXPECT_EQ(fix_file(path.native(), options).error, "");
   EXPECT_EQ(text_of(folder.path() / "other" / "images" / "a.png"),
             *container::decode_base64(kPixel));
+}
+
+TEST(FixFile, UrisThatNameNoFileAreNotTakenAlong) {
+  const TempFolder folder;
+  folder.write("folder/a.png", *container::decode_base64(kPixel));
+  const auto path = folder.write("a.gltf", R"({"asset": {"version": "2.0"},
+    "extensionsRequired": ["ACME_a"], "images": [{"uri": ""}, {"uri": "folder/"}, {"uri": "."}]})");
+  FixOptions options;
+  options.output = (folder.path() / "other" / "a.gltf").native();
+  const FixReport report = fix_file(path.native(), options);
+  EXPECT_EQ(report.error, "");
+  EXPECT_TRUE(report.changes);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "other" / "folder"));
 }
 
 TEST(FixFile, DoesNothingUnsafeUnasked) {

@@ -57,14 +57,14 @@ const std::vector<Verb>& verbs() {
            "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
-       words(
-           "PATH --output --format --sheet --size --turntable --layer --transparent --embed "
-           "--compare --camera --lights --environment --exposure --scene --animation --time "
-           "--variant --strict --quality --samples --bounces --seed --denoise --noise --time-budget "
-           "--shader --root --schema --schema-dir --quiet --config --isolated "
-           "--unsandboxed-decoders --jobs --color --files-from --shard --exclude --no-ignore "
-           "--allow-empty --cache "
-           "--cache-key")},
+       words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "
+             "--compare --camera --lights --environment --exposure --scene --animation --time "
+             "--variant --strict --quality --samples --bounces --seed --denoise --noise "
+             "--time-budget "
+             "--shader --root --schema --schema-dir --quiet --config --isolated "
+             "--unsandboxed-decoders --jobs --color --files-from --shard --exclude --no-ignore "
+             "--allow-empty --cache "
+             "--cache-key")},
       {"report",
        words("PATH --output --title --no-thumbnails --thumbnail-size --quality --quality --fail-on "
              "--profile "
