@@ -6,7 +6,6 @@ import { basename } from 'node:path';
 import { browser, pixels } from './chromium.mjs';
 
 export { limit } from './chromium.mjs';
-export const measured = 'picture';
 
 const page = `<!doctype html><meta charset="utf-8"><body style="margin:0"><div id="scene" style="width:96px;height:96px"></div>
 <script>window.CESIUM_BASE_URL = '/package/bundle/';</script>
@@ -25,8 +24,7 @@ let model;
 window.show = async address => {
   if (model) scene.primitives.remove(model);
   model = undefined;
-  const url = address;
-  const options = { url, modelMatrix: place, incrementallyLoadTextures: false, asynchronous: false };
+  const options = { url: address, modelMatrix: place, incrementallyLoadTextures: false, asynchronous: false };
   model = scene.primitives.add(await within(Cesium.Model.fromGltfAsync(options), 30000));
   await within(new Promise((done, failed) => {
     let finished = false;

@@ -3,7 +3,6 @@
 import { browser, pixels } from './chromium.mjs';
 
 export { limit } from './chromium.mjs';
-export const measured = 'picture';
 
 const page = `<!doctype html><meta charset="utf-8"><body style="margin:0">
 <script type="module">
