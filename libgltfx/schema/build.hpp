@@ -28,13 +28,26 @@ struct SetParts {
   const Property* find_property(TypeId type, std::string_view name) const;
 };
 
+struct LazyParts {
+  std::shared_ptr<const Lazy<Shape>> shapes;
+  std::shared_ptr<const Lazy<ObjectType>> types;
+};
+
+struct WalkPlans;
+
 /// The one way into a Set, and out of it.
 class SetWriter {
  public:
   /// Makes the walk's tables and closes the Set.
   static std::shared_ptr<const Set> close(SetParts parts, const Hash128& sources = {});
+  /// The same with shapes and types that are read later, which `parts` has none of, and what the
+  /// walk's tables say of them.
+  static std::shared_ptr<const Set> close(SetParts parts, LazyParts lazy, WalkPlans plans);
   /// A copy of what a Set consists of.
   static SetParts open(const Set& set);
+
+ private:
+  static std::shared_ptr<Set> make(SetParts parts, LazyParts lazy);
 };
 
 /// State of one compilation. Stages run in the order: vocabulary, shapes, extensions, references.

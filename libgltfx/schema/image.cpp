@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "schema/build.hpp"
+#include "schema/walk_tables.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -107,8 +109,46 @@ void exchange(Archive& archive, Extension& extension) {
           extension.from_user);
 }
 
+template <class Archive>
+void exchange(Archive& archive, ShapePlan& plan) {
+  archive(plan.plan, plan.combined, plan.members, plan.slot, plan.every_value, plan.every_fraction,
+          plan.every_negative_fraction, plan.of_extension, plan.target, plan.type, plan.items,
+          plan.values, plan.low, plan.high);
+}
+
+template <class Archive>
+void exchange(Archive& archive, PropertyPlan& plan) {
+  archive(plan.shape, plan.required, plan.deprecated, plan.draft, plan.slot);
+}
+
+template <class Archive>
+void exchange(Archive& archive, DependencyPlan& plan) {
+  archive(plan.name, plan.other, plan.property, plan.needed);
+}
+
+template <class Archive>
+void exchange(Archive& archive, TypePlan::Entry& entry) {
+  archive(entry.symbol, entry.property, entry.alias);
+}
+
+template <class Archive>
+void exchange(Archive& archive, TypePlan& plan) {
+  archive(plan.entries, plan.properties, plan.dependencies, plan.constraints_at, plan.extensions_at,
+          plan.origin, plan.is_root, plan.declarations_at, plan.asset_at);
+}
+
+template <class Archive>
+void exchange(Archive& archive, TargetPlan& plan) {
+  archive(plan.target, plan.pointer, plan.steps_over);
+}
+
+template <class Archive>
+void exchange(Archive& archive, WalkPlans& plans) {
+  archive(plans.names, plans.shapes, plans.types, plans.targets, plans.name_target_of);
+}
+
 constexpr std::uint64_t kMagic =
-    0x6778'5363'6865'0005;  // its last digits count the format's versions
+    0x6778'5363'6865'0006;  // its last digits count the format's versions
 
 class Writer {
  public:
@@ -140,6 +180,10 @@ class Writer {
       exchange(*this, value);
     }
   }
+  void put(std::string_view& text) {
+    put_number(text.size());
+    bytes += text;
+  }
   void put(std::string& text) {
     put_number(text.size());
     bytes += text;
@@ -170,6 +214,11 @@ class Reader {
     (get(values), ...);
   }
   bool is_done() const { return at_ == end_ && !short_; }
+  /// The next bytes, as they are.
+  std::string_view take(std::size_t size) {
+    if (!has(size)) return {};
+    return {std::exchange(at_, at_ + size), size};
+  }
 
  private:
   bool has(std::size_t bytes) {
@@ -206,10 +255,15 @@ class Reader {
       exchange(*this, value);
     }
   }
-  void get(std::string& text) {
+  void get(std::string_view& text) {
     const std::size_t size = get_count();
-    text.assign(at_, size);
+    text = {at_, size};
     at_ += size;
+  }
+  void get(std::string& text) {
+    std::string_view bytes;
+    get(bytes);
+    text = bytes;
   }
   template <class T>
   void get(std::vector<T>& list) {
@@ -242,6 +296,27 @@ Names sorted(const Map& map) {
   return names;
 }
 
+// Parts that are read one by one: where each ends, then all of them.
+template <class T>
+void put_parts(Writer& writer, std::vector<T>& parts) {
+  Writer all;
+  std::vector<std::uint32_t> ends;
+  for (T& part : parts) {
+    all(part);
+    ends.push_back(static_cast<std::uint32_t>(all.bytes.size()));
+  }
+  writer(ends);
+  writer.bytes += all.bytes;
+}
+
+template <class T>
+std::shared_ptr<const Lazy<T>> get_parts(Reader& reader) {
+  std::vector<std::uint32_t> ends;
+  reader(ends);
+  const std::string_view bytes = reader.take(ends.empty() ? 0 : ends.back());
+  return std::make_shared<const Lazy<T>>(bytes, std::move(ends));
+}
+
 }  // namespace
 
 std::string write_image(const Set& set) {
@@ -252,7 +327,10 @@ std::string write_image(const Set& set) {
   for (const Pattern& pattern : parts.patterns) patterns.push_back(pattern.text());
   Writer writer;
   std::uint64_t magic = kMagic;
-  writer(magic, parts.shapes, parts.types, parts.extensions, types, extensions, patterns);
+  WalkPlans plans = set.walk_tables();
+  writer(magic, parts.extensions, types, extensions, patterns, plans);
+  put_parts(writer, parts.shapes);
+  put_parts(writer, parts.types);
   return std::move(writer.bytes);
 }
 
@@ -265,7 +343,9 @@ std::shared_ptr<const Set> read_image(std::string_view bytes) {
   Reader reader(bytes);
   reader(magic);
   if (magic != kMagic) return nullptr;
-  reader(parts.shapes, parts.types, parts.extensions, types, extensions, patterns);
+  WalkPlans plans;
+  reader(parts.extensions, types, extensions, patterns, plans);
+  LazyParts lazy{get_parts<Shape>(reader), get_parts<ObjectType>(reader)};
   if (!reader.is_done()) return nullptr;
   for (const std::string& expression : patterns) {
     auto pattern = Pattern::compile(expression);
@@ -275,7 +355,11 @@ std::shared_ptr<const Set> read_image(std::string_view bytes) {
   parts.type_ids.reserve(types.size());
   for (auto& [name, id] : types) parts.type_ids.emplace(std::move(name), id);
   for (auto& [name, id] : extensions) parts.extension_ids.emplace(std::move(name), id);
-  return SetWriter::close(std::move(parts));
+  return SetWriter::close(std::move(parts), std::move(lazy), std::move(plans));
 }
+
+void read_part(std::string_view bytes, Shape& shape) { Reader{bytes}(shape); }
+
+void read_part(std::string_view bytes, ObjectType& type) { Reader{bytes}(type); }
 
 }  // namespace gltfx::schema

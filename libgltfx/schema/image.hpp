@@ -15,6 +15,8 @@ namespace gltfx::schema {
 std::string write_image(const Set& set);
 
 /// The Set behind an image of the same version of the library. Null when the bytes are no image.
+/// Shapes and types are read when they are asked for: the bytes stay where they are while the Set
+/// lives.
 std::shared_ptr<const Set> read_image(std::string_view bytes);
 
 }  // namespace gltfx::schema

@@ -41,7 +41,7 @@ ExtensionId Set::find_extension(std::string_view name) const {
 }
 
 const Property* Set::find_property(TypeId type, std::string_view name) const {
-  return type == kNone ? nullptr : find_in(types_[type], name);
+  return type == kNone ? nullptr : find_in((*types_)[type], name);
 }
 
 bool Set::matches(std::uint32_t pattern, std::string_view text) const {
@@ -63,21 +63,36 @@ const Property* SetParts::find_property(TypeId type, std::string_view name) cons
 }
 
 std::shared_ptr<const Set> SetWriter::close(SetParts parts, const Hash128& sources) {
-  auto set = std::make_shared<Set>();
-  set->shapes_ = std::move(parts.shapes);
-  set->types_ = std::move(parts.types);
-  set->extensions_ = std::move(parts.extensions);
-  set->type_ids_ = std::move(parts.type_ids);
-  set->extension_ids_ = std::move(parts.extension_ids);
-  set->patterns_ = std::make_shared<const std::vector<Pattern>>(std::move(parts.patterns));
+  LazyParts lazy{std::make_shared<const Lazy<Shape>>(std::move(parts.shapes)),
+                 std::make_shared<const Lazy<ObjectType>>(std::move(parts.types))};
+  const std::shared_ptr<Set> set = make(std::move(parts), std::move(lazy));
   set->sources_ = sources;
   set->walk_tables_ = make_walk_tables(*set);
   return set;
 }
 
+std::shared_ptr<const Set> SetWriter::close(SetParts parts, LazyParts lazy, WalkPlans plans) {
+  const std::shared_ptr<Set> set = make(std::move(parts), std::move(lazy));
+  set->walk_tables_ = make_walk_tables(*set, std::move(plans));
+  return set;
+}
+
+std::shared_ptr<Set> SetWriter::make(SetParts parts, LazyParts lazy) {
+  auto set = std::make_shared<Set>();
+  set->shapes_ = std::move(lazy.shapes);
+  set->types_ = std::move(lazy.types);
+  set->extensions_ = std::move(parts.extensions);
+  set->type_ids_ = std::move(parts.type_ids);
+  set->extension_ids_ = std::move(parts.extension_ids);
+  set->patterns_ = std::make_shared<const std::vector<Pattern>>(std::move(parts.patterns));
+  return set;
+}
+
 SetParts SetWriter::open(const Set& set) {
-  return {set.shapes_,   set.types_,         set.extensions_,
-          set.type_ids_, set.extension_ids_, *set.patterns_};
+  SetParts parts{{}, {}, set.extensions_, set.type_ids_, set.extension_ids_, *set.patterns_};
+  for (ShapeId id = 0; id < set.shapes().size(); ++id) parts.shapes.push_back(set.shape(id));
+  for (TypeId id = 0; id < set.types().size(); ++id) parts.types.push_back(set.type(id));
+  return parts;
 }
 
 }  // namespace gltfx::schema

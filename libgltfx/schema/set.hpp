@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
+#include "schema/lazy.hpp"
 
 namespace gltfx::schema {
 
@@ -250,14 +251,19 @@ struct Extension {
 
 class Pattern;
 
-/// Immutable after compilation. Cheap to share, expensive to copy.
+// Of an image (schema/image.hpp).
+void read_part(std::string_view bytes, Shape& shape);
+void read_part(std::string_view bytes, ObjectType& type);
+
+/// Immutable after compilation. Shapes and types that come with the program are read when they are
+/// first asked for, and stay where they are.
 class Set {
  public:
   Set() = default;
-  const std::vector<Shape>& shapes() const { return shapes_; }
-  const Shape& shape(ShapeId id) const { return shapes_[id]; }
-  const std::vector<ObjectType>& types() const { return types_; }
-  const ObjectType& type(TypeId id) const { return types_[id]; }
+  const Lazy<Shape>& shapes() const { return *shapes_; }
+  const Shape& shape(ShapeId id) const { return (*shapes_)[id]; }
+  const Lazy<ObjectType>& types() const { return *types_; }
+  const ObjectType& type(TypeId id) const { return (*types_)[id]; }
   const std::vector<Extension>& extensions() const { return extensions_; }
 
   TypeId find_type(std::string_view name) const;            ///< or kNone
@@ -277,8 +283,8 @@ class Set {
 
  private:
   friend class SetWriter;
-  std::vector<Shape> shapes_;
-  std::vector<ObjectType> types_;
+  std::shared_ptr<const Lazy<Shape>> shapes_;
+  std::shared_ptr<const Lazy<ObjectType>> types_;
   std::vector<Extension> extensions_;
   std::unordered_map<std::string, TypeId> type_ids_;
   std::unordered_map<std::string, ExtensionId> extension_ids_;

@@ -11,10 +11,10 @@ Targets::Targets(const json::Document& document, const Set& set)
   for (const TargetPlan& plan : tables_.targets) {
     Array array;
     if (plan.steps_over) {
-      array.size = largest(document.root(), plan.target->steps);
+      array.size = largest(document.root(), plan.target.steps);
       array.is_array = array.size != 0;
-    } else if (plan.target->base != Target::Base::enclosing) {
-      const json::NodeId node = value_at(document.root(), plan.target->steps);
+    } else if (plan.target.base != Target::Base::enclosing) {
+      const json::NodeId node = value_at(document.root(), plan.target.steps);
       if (node != json::kNoNode) array = read(node);
     }
     from_root_.push_back(std::move(array));
@@ -107,7 +107,7 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
   const auto [known, is_new] = names_.try_emplace(target);
   if (is_new) {
     for (const json::NodeId place :
-         places(document_.root(), tables_.targets[target].target->steps)) {
+         places(document_.root(), tables_.targets[target].target.steps)) {
       if (document_.is_string(place)) known->second.insert(document_.string(place));
     }
   }

@@ -14,15 +14,15 @@ namespace gltfx::schema {
 
 // The array that is meant at this place of the walk; null when the document does not have it.
 Targets::Array* Walker::array_of(const TargetPlan& plan, std::uint32_t target) {
-  if (plan.target->base != Target::Base::enclosing) {
+  if (plan.target.base != Target::Base::enclosing) {
     Targets::Array& array = targets_.from_root(target);
     return array.is_array ? &array : nullptr;
   }
   for (const Frame* frame = top_; frame != nullptr; frame = frame->parent) {
     if (frame->mode != Mode::object || frame->type == kNone ||
-        set_.type(frame->type).origin != plan.target->enclosing)
+        set_.type(frame->type).origin != plan.target.enclosing)
       continue;
-    Targets::Array* array = targets_.below(*plan.target, frame->node, frame->path);
+    Targets::Array* array = targets_.below(plan.target, frame->node, frame->path);
     return array != nullptr && array->is_array ? array : nullptr;
   }
   return nullptr;
@@ -45,7 +45,7 @@ bool Walker::discard_reference(ShapeId shape) {
     array->used.mark_all();
     return false;
   }
-  return plan.target->base != Target::Base::enclosing &&
+  return plan.target.base != Target::Base::enclosing &&
          targets_.from_root(target).node != json::kNoNode;
 }
 
@@ -58,7 +58,7 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   if (options_.references != nullptr) {
     (*options_.references)({plan.steps_over ? std::string_view() : plan.pointer, index,
                             values_.span(value), array == nullptr ? json::kNoNode : array->node,
-                            value.node, plan.target});
+                            value.node, &plan.target});
   }
   const bool hole = array != nullptr && array->is_hole(index);
   if (array != nullptr && index < array->size && !(deviations().broken_values_are_absent && hole)) {
@@ -67,11 +67,11 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
     return;
   }
   if (array == nullptr && deviations().root_extension_is_a_dependency &&
-      lacks_root_extension(*plan.target)) {
+      lacks_root_extension(plan.target)) {
     return;
   }
   if (discard_reference(shape)) return;
-  const std::string& name = plan.target->steps.back();
+  const std::string& name = plan.target.steps.back();
   std::string message =
       name_of(path) + " refers to " + printable(name) + "[" + std::to_string(index) + "], but ";
   if (array == nullptr) {
@@ -232,12 +232,12 @@ void Walker::dependencies(const Frame& frame) {
                              : members_[frame.scratch + property];
   };
   for (const DependencyPlan& plan : tables_.types[frame.type].dependencies) {
-    const json::NodeId member = value_of(plan.property, *plan.name);
-    const json::NodeId needed = value_of(plan.needed, *plan.other);
+    const json::NodeId member = value_of(plan.property, plan.name);
+    const json::NodeId needed = value_of(plan.needed, plan.other);
     if (member == json::kNoNode || is_hidden(member)) continue;
     if (needed != json::kNoNode && !is_hidden(needed)) continue;
-    const std::string name = quoted(*plan.name);
-    const std::string other = quoted(*plan.other);
+    const std::string name = quoted(plan.name);
+    const std::string other = quoted(plan.other);
     report({frame.path, key_of(member)}, Code::UNSATISFIED_DEPENDENCY, document_.span(member - 1),
            fmt::format("{} requires {}.", name, other),
            fmt::format("add {}, or remove {}", other, name));

@@ -21,17 +21,29 @@ class Maker {
  public:
   explicit Maker(const Set& set) : set_(set), tables_(std::make_shared<Set::WalkTables>()) {}
 
-  std::shared_ptr<const Set::WalkTables> run() {
+  void make_plans() {
     symbol("extensions");
     symbol("extras");
-    tables_->root = set_.find_type("glTF");
     tables_->shapes.reserve(set_.shapes().size());
     tables_->name_target_of.assign(set_.shapes().size(), kNone);
     for (ShapeId id = 0; id < set_.shapes().size(); ++id) tables_->shapes.push_back(shape(id));
-    for (const ObjectType& type : set_.types()) {
+    for (TypeId id = 0; id < set_.types().size(); ++id) {
+      const ObjectType& type = set_.type(id);
       tables_->types.push_back(object_type(type));
       if (type.extension != kNone) mark_references(type);
     }
+  }
+
+  void take_plans(WalkPlans plans) {
+    static_cast<WalkPlans&>(*tables_) = std::move(plans);
+    tables_->symbols.reserve(tables_->names.size());
+    for (const std::string_view name : tables_->names) {
+      tables_->symbols.emplace(name, static_cast<Symbol>(tables_->symbols.size()));
+    }
+  }
+
+  std::shared_ptr<const Set::WalkTables> run() {
+    tables_->root = set_.find_type("glTF");
     for (const Extension& extension : set_.extensions()) {
       tables_->extensions.push_back({relations(extension.excludes), relations(extension.requires_),
                                      relations(extension.overridden_by),
@@ -43,8 +55,10 @@ class Maker {
 
  private:
   Symbol symbol(std::string_view name) {
-    return tables_->symbols.emplace(name, static_cast<Symbol>(tables_->symbols.size()))
-        .first->second;
+    const auto [known, is_new] =
+        tables_->symbols.emplace(name, static_cast<Symbol>(tables_->symbols.size()));
+    if (is_new) tables_->names.push_back(name);
+    return known->second;
   }
 
   ShapePlan shape(ShapeId id) {
@@ -107,7 +121,7 @@ class Maker {
         target_ids_.emplace(target.text, static_cast<std::uint32_t>(all.size()));
     if (!is_new) return known->second;
     TargetPlan plan;
-    plan.target = &target;
+    plan.target = target;
     plan.steps_over =
         std::find(target.steps.begin(), target.steps.end(), "*") != target.steps.end();
     if (target.base != Target::Base::enclosing) {
@@ -119,6 +133,7 @@ class Maker {
 
   TypePlan object_type(const ObjectType& type) {
     TypePlan plan;
+    plan.origin = type.origin;
     plan.is_root = type.name == "glTF";
     plan.extensions_at = extensions_place(type);
     std::size_t names = 0;
@@ -175,7 +190,7 @@ class Maker {
     };
     for (const auto& [name, needed] : set_.shape(type.shape).dependent_required) {
       for (const std::string& other : needed)
-        plan.dependencies.push_back({&name, &other, place(name), place(other)});
+        plan.dependencies.push_back({name, other, place(name), place(other)});
     }
   }
 
@@ -207,7 +222,7 @@ class Maker {
 
   std::vector<std::pair<TypeId, ShapeId>> attachment_points(const Extension& extension) const {
     auto attachment_points = extension.attachment_points;
-    for (auto& home : attachment_points) home.first = set_.type(home.first).origin;
+    for (auto& home : attachment_points) home.first = tables_->types[home.first].origin;
     return attachment_points;
   }
 
@@ -272,6 +287,16 @@ const Slot* slot_of_generation(const Set& set, const ObjectType& type,
   return slot ? &*slot : nullptr;
 }
 
-std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set) { return Maker(set).run(); }
+std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set) {
+  Maker maker(set);
+  maker.make_plans();
+  return maker.run();
+}
+
+std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set, WalkPlans plans) {
+  Maker maker(set);
+  maker.take_plans(std::move(plans));
+  return maker.run();
+}
 
 }  // namespace gltfx::schema

@@ -58,8 +58,8 @@ struct PropertyPlan {
 /// `dependentRequired`: when the member `name` is there, `other` must be. The indices are those of
 /// the type's properties, kNone where it does not list the member.
 struct DependencyPlan {
-  const std::string* name = nullptr;
-  const std::string* other = nullptr;
+  std::string name;
+  std::string other;
   std::uint32_t property = kNone;
   std::uint32_t needed = kNone;
 };
@@ -78,6 +78,7 @@ struct TypePlan {
       0;  ///< what concerns several members is judged before this property
   /// Extensions are judged before this property, or behind all of them.
   std::uint32_t extensions_at = kNone;
+  TypeId origin = kNone;  ///< that of the type
   bool is_root = false;
   std::uint32_t declarations_at =
       kNone;  ///< root: extensions' declarations are judged before this property
@@ -106,21 +107,26 @@ struct ExtensionPlan {
 
 /// Arrays that references may point into.
 struct TargetPlan {
-  const Target* target = nullptr;
+  Target target;
   std::string pointer;      ///< from the root; empty for Base::enclosing
   bool steps_over = false;  ///< has a '*'
 };
 
-struct Set::WalkTables {
-  static constexpr Symbol kExtensions = 0;
-  static constexpr Symbol kExtras = 1;
-  std::unordered_map<std::string_view, Symbol> symbols;
+/// What is known of shapes and types alone: an image has it.
+struct WalkPlans {
+  std::vector<std::string_view> names;  ///< by Symbol; they live in the Set or in its image
   std::vector<ShapePlan> shapes;
   std::vector<TypePlan> types;
-  std::vector<ExtensionPlan> extensions;
   std::vector<TargetPlan> targets;
   std::vector<std::uint32_t>
       name_target_of;  ///< by ShapeId: index into targets for refName, or kNone
+};
+
+struct Set::WalkTables : WalkPlans {
+  static constexpr Symbol kExtensions = 0;
+  static constexpr Symbol kExtras = 1;
+  std::unordered_map<std::string_view, Symbol> symbols;
+  std::vector<ExtensionPlan> extensions;
   /// Shapes of core whose enum an extension widens.
   struct Addition {
     ShapeId shape;
@@ -132,6 +138,8 @@ struct Set::WalkTables {
 };
 
 std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set);
+/// The same for a Set whose plans are known.
+std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set, WalkPlans plans);
 
 /// The slot that a property of an extension's object is, in the generation of the extension that
 /// the object belongs to. Lives in the Set; null when the property is no slot.

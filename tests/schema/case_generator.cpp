@@ -29,7 +29,8 @@ std::vector<Subject> CaseGenerator::extension_subjects() {
 
 std::vector<Subject> CaseGenerator::core_subjects() {
   std::vector<Subject> subjects;
-  for (const schema::ObjectType& type : set_.types()) {
+  for (schema::TypeId id = 0; id < set_.types().size(); ++id) {
+    const schema::ObjectType& type = set_.type(id);
     const bool inner =
         set_.shape(type.shape).type != type.origin || type.name.find("/") != type.name.npos;
     if (type.extension != kNone || inner || set_.find_type(type.name) != type.origin) continue;

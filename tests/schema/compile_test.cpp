@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What schema files become.
 
+#include <functional>
+#include <thread>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -75,6 +79,22 @@ TEST(Image, BrokenBytesAreRefused) {
   for (const std::size_t size : {image.size() / 7, image.size() / 2, image.size() - 1}) {
     EXPECT_EQ(schema::read_image(std::string_view(image).substr(0, size)), nullptr) << size;
   }
+}
+
+TEST(Image, ThreadsThatAskForTheSamePartsGetTheSame) {
+  const std::string image = schema::write_image(*builtin_set());
+  const auto set = schema::read_image(image);
+  ASSERT_NE(set, nullptr);
+  std::vector<const void*> seen[2];
+  const auto ask_for_all = [&](std::vector<const void*>& parts) {
+    for (schema::ShapeId id = 0; id < set->shapes().size(); ++id) parts.push_back(&set->shape(id));
+    for (schema::TypeId id = 0; id < set->types().size(); ++id) parts.push_back(&set->type(id));
+  };
+  std::thread other(ask_for_all, std::ref(seen[1]));
+  ask_for_all(seen[0]);
+  other.join();
+  EXPECT_GT(seen[0].size(), 1000U);
+  EXPECT_EQ(seen[0], seen[1]);
 }
 
 TEST(Compile, PropertiesKeepTheirOrderAndFacts) {

@@ -92,8 +92,9 @@ bool remove_repeat(Fixing& fixing, Span place) {
 /// Names that properties had in earlier drafts, with the one they have now; empty where two had it.
 struct DraftNames {
   explicit DraftNames(const Fixing& fixing) {
-    for (const schema::ObjectType& type : fixing.schemas().types()) {
-      for (const schema::Property& property : type.properties) {
+    const schema::Set& set = fixing.schemas();
+    for (schema::TypeId id = 0; id < set.types().size(); ++id) {
+      for (const schema::Property& property : set.type(id).properties) {
         for (const std::string& alias : property.aliases) {
           const auto [known, is_new] = now.emplace(alias, property.name);
           if (!is_new && known->second != property.name) known->second.clear();
