@@ -85,26 +85,32 @@ class Walk:
     def __init__(self, schemas):
         self.schemas = schemas
         self.found = {}
+        self.walked = set()  # definitions of the schema file at hand: each is walked at its first use
 
     def add(self, name, build):
-        for mode, numbered in (("alike", False), ("numbered", True)):
+        modes = [("alike", False), ("numbered", True)]
+        if build(3, False) == build(3, True):
+            modes = modes[:1]
+        for mode, numbered in modes:
             self.found[f"{name} {mode}"] = lambda n, numbered=numbered: build(n, numbered)
 
-    def lists(self, name, schema, document, put, seen):
-        """`put(value, count)` makes an asset out of a value for this schema."""
+    def lists(self, name, schema, document, put):
+        """`put(value)` makes an asset out of a value for this schema."""
         if not isinstance(schema, dict):
             return  # true, which allows any value, or false
-        mark = schema.get("$ref")
-        if mark in seen or len(seen) > 12:
-            return
-        seen = seen | {mark} if mark else seen
+        if "$ref" in schema:
+            home, _, pointer = schema["$ref"].partition("#")
+            definition = (home or document["$id"], pointer)
+            if definition in self.walked:
+                return
+            self.walked.add(definition)
         schema, document = self.schemas.flat(schema, document)
         schemas = self.schemas
         if "items" in schema:
             items = schema["items"]
             self.add(name, lambda n, numbered: put(
                 [schemas.example(items, document, i if numbered else None) for i in range(n)]))
-            self.lists(name + "[]", items, document, lambda value: put([value]), seen)
+            self.lists(name + "[]", items, document, lambda value: put([value]))
         for word in ("additionalProperties", "patternProperties"):
             values = schema.get(word)
             if word == "patternProperties" and values:
@@ -114,18 +120,18 @@ class Walk:
             self.add(name + "{}", lambda n, numbered, values=values: put(
                 {f"_K{i}": schemas.example(values, document, i if numbered else None)
                  for i in range(n)}))
-            self.lists(name + "{}", values, document, lambda value: put({"_K": value}), seen)
+            self.lists(name + "{}", values, document, lambda value: put({"_K": value}))
         whole = None
         for key, member in schema.get("properties", {}).items():
             whole = whole if whole is not None else schemas.example(schema, document, None)
             self.lists(f"{name}.{key}", member, document,
-                       lambda value, key=key, whole=whole: put({**whole, key: value}), seen)
+                       lambda value, key=key, whole=whole: put({**whole, key: value}))
 
     def core(self):
         root = self.schemas.documents["gltfx:core/glTF"]
         for key, member in root["properties"].items():
             self.lists(key, member, root,
-                       lambda value, key=key: finished(merged(base(), {key: value})), frozenset())
+                       lambda value, key=key: finished(merged(base(), {key: value})))
 
     def extension(self, document):
         words = document["x-gltfx"]
@@ -137,9 +143,9 @@ class Walk:
             if not is_place(place):
                 continue
             schema = document if not pointer else self.schemas.resolve(pointer, document)[0]
+            self.walked = set()
             self.lists(f"{name} on {place}", schema, document,
-                       lambda value, place=place: with_extension(name, place, [value]),
-                       frozenset())
+                       lambda value, place=place: with_extension(name, place, [value]))
             if place not in ("glTF", "asset"):
                 self.add(f"{name} on many {place}", lambda n, numbered, place=place, schema=schema:
                          with_extension(name, place,
@@ -148,10 +154,15 @@ class Walk:
                                          for i in range(n)]))
 
 
+# The member of a material that holds each kind of texture info.
+TEXTURE_INFOS = {"textureInfo": "emissiveTexture", "material.normalTextureInfo": "normalTexture",
+                 "material.occlusionTextureInfo": "occlusionTexture"}
+
+
 def is_place(place):
     """Whether with_extension() has such objects: not those of other extensions."""
     return (place in FRESH or place in ("glTF", "asset", "mesh.primitive", "animation.channel.target") or
-            place.startswith("material.") or place == "textureInfo")
+            place in TEXTURE_INFOS)
 
 
 def finished(asset):
@@ -159,9 +170,7 @@ def finished(asset):
 
 
 def texture_infos(kind, extension, values):
-    members = {"textureInfo": "emissiveTexture", "material.normalTextureInfo": "normalTexture",
-               "material.occlusionTextureInfo": "occlusionTexture"}
-    return [{members[kind]: {"index": 0, "extensions": {extension: value}}} for value in values]
+    return [{TEXTURE_INFOS[kind]: {"index": 0, "extensions": {extension: value}}} for value in values]
 
 
 def with_extension(name, place, values):
@@ -172,7 +181,7 @@ def with_extension(name, place, values):
     if place in ("glTF", "asset"):
         holder = asset if place == "glTF" else asset["asset"]
         holder["extensions"] = objects[0]
-    elif place.endswith("extureInfo"):
+    elif place in TEXTURE_INFOS:
         asset["materials"] += texture_infos(place, name, values)
     elif place == "mesh.primitive":
         drawn = asset["meshes"][0]["primitives"][0]

@@ -67,7 +67,8 @@ class Watch(threading.Thread):
     def run(self):
         while not self.done.wait(PAUSE):
             for child in descendants(self.process):
-                self.peaks[child] = max(self.peaks.get(child, 0), high_water(child))
+                # The latest one counts: it begins anew when a fork of the program becomes a worker.
+                self.peaks[child] = high_water(child) or self.peaks.get(child, 0)
 
 
 def limits():
