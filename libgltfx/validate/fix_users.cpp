@@ -14,6 +14,19 @@ using model::AccessorUse;
 using model::RootArray;
 using model::ViewUse;
 
+namespace {
+
+// Among the objects that refer to accessors, other elements of arrays are samplers and primitives.
+bool is_morph_target(Fixing& fixing, json::NodeId object) {
+  const json::Document& document = fixing.document();
+  const json::NodeId above = fixing.parent(object);
+  return above != json::kNoNode && document.is_array(above) &&
+         document.find(object, "input") == json::kNoNode &&
+         document.find(object, "attributes") == json::kNoNode;
+}
+
+}  // namespace
+
 ExtensionsSeen::ExtensionsSeen(Fixing& fixing) {
   const json::Document& document = fixing.document();
   const json::KeyId extras = document.key_id("extras");
@@ -116,6 +129,8 @@ void Users::find_others(Fixing& fixing) {
     const json::NodeId view = views_.buffer_views[i].node;
     if (document.find(view, "extensions") != json::kNoNode) others_[i] = true;
   }
+  json::NodeId asked = json::kNoNode;  // references of one object follow each other
+  bool target = false;
   for (const edit::Reference& reference : references.to("accessors")) {
     if (reference.index >= roles_.size()) continue;
     const json::NodeId value = fixing.node_at(reference.span);
@@ -124,10 +139,8 @@ void Users::find_others(Fixing& fixing) {
       roles_[reference.index].emplace();
       continue;
     }
-    const json::NodeId above = fixing.parent(object);
-    const bool target = above != json::kNoNode && document.is_array(above) &&
-                        document.find(object, "input") == json::kNoNode &&
-                        document.find(object, "attributes") == json::kNoNode;
+    if (object != asked) target = is_morph_target(fixing, object);
+    asked = object;
     const std::string name(document.key(document.node(value - 1).next));
     roles_[reference.index].insert(target ? "target " + name : name);
   }

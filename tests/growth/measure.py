@@ -77,7 +77,7 @@ def limits():
 
 
 def measure(words, folder):
-    told = subprocess.run([sys.executable, __file__, folder, *words], stdout=subprocess.PIPE,
+    told = subprocess.run([sys.executable, "-S", __file__, folder, *words], stdout=subprocess.PIPE,
                           check=True).stdout
     return Measured(**json.loads(told))
 
