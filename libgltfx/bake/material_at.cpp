@@ -131,6 +131,10 @@ Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& 
     if (slot == Slot::thickness || !reader.has(slot)) continue;
     if (!m.unlit || slot == Slot::base_color) scale_by_slot(reader, slot, m);
   }
+  if (mesh.unlit && !m.unlit) {
+    m.base_color += m.emissive;
+    m.unlit = true;
+  }
   if (m.unlit) return m;
   if (material.toon) read_toon(reader, material, m);
   if (material.specular_glossiness) read_specular_glossiness(reader, material, m);

@@ -108,7 +108,7 @@ inline constexpr auto kParameterMembers =
     material_members<ParameterMember, Material, SceneMaterial>();
 
 /// Triangles with one material, posed: skinned and morphed where the asset says so. Attributes are
-/// by vertex, and empty where the asset has none.
+/// by vertex, and empty where the asset has none. Points and lines are markers (markers.hpp).
 struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front
   std::vector<Float3> positions;
@@ -118,6 +118,9 @@ struct Mesh {
   std::vector<std::vector<Float2>> uvs;  ///< by number of the set
   std::vector<Float4> colors;            ///< linear, factors of the base colour
   std::uint32_t material = kNone;        ///< index in Scene::materials; kNone: the default one
+  /// Of markers that have no size yet: unit vectors from the point or line to their surface.
+  std::vector<Float3> marker_directions;
+  bool unlit = false;  ///< shows base colour and emission, whatever the material says of light
 };
 
 /// Meshes in one place: `count` of them from `mesh` on. Instances that begin with the same mesh

@@ -65,14 +65,29 @@ struct Influences {
   ElementBlocks joints, weights;
 };
 
+// By number of the set; a file may have any number of them.
+std::vector<const Attribute*> sets_of(const Primitive& primitive, SemanticKind kind,
+                                      std::size_t count) {
+  std::vector<const Attribute*> sets(count);
+  for (const Attribute& each : primitive.attributes) {
+    if (each.semantic.kind == kind && each.semantic.set < count) sets[each.semantic.set] = &each;
+  }
+  return sets;
+}
+
 std::vector<Influences> open_influences(const PrimitiveData& data, std::size_t vertices) {
   std::vector<Influences> sets;
-  for (std::size_t set = 0; set < joint_sets(data.primitive()); ++set) {
-    auto joints = data.open(SemanticKind::joints, set);
-    auto weights = data.open(SemanticKind::weights, set);
-    const auto fits = [&](const std::optional<AccessorData>& elements) {
-      return elements && elements->count() == vertices && elements->components() == 4;
-    };
+  const std::size_t count = joint_sets(data.primitive());
+  const auto joints_of = sets_of(data.primitive(), SemanticKind::joints, count);
+  const auto weights_of = sets_of(data.primitive(), SemanticKind::weights, count);
+  const auto fits = [&](const std::optional<AccessorData>& elements) {
+    return elements && elements->count() == vertices && elements->components() == 4;
+  };
+  for (std::size_t set = 0; set < count; ++set) {
+    if (joints_of[set] == nullptr || weights_of[set] == nullptr)
+      continue;  // another one is doubled
+    auto joints = data.open(*joints_of[set]);
+    auto weights = data.open(*weights_of[set]);
     if (!fits(joints) || !fits(weights)) continue;
     sets.push_back({ElementBlocks(*std::move(joints)), ElementBlocks(*std::move(weights))});
   }

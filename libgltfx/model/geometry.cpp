@@ -45,11 +45,11 @@ class GeometryReader {
     geometry_.positions.resize(count_);
     read_elements(*positions, geometry_.positions);
     read_attributes();
-    read_triangles();
+    read_topology();
     morph(data_, request_.weights, request_.tex_coords, geometry_);
     if (!request_.joints.empty()) skin(data_, request_.joints, geometry_);
     finish();
-    return geometry_.triangles.empty() ? GeometryError::empty : GeometryError::none;
+    return geometry_.empty() ? GeometryError::empty : GeometryError::none;
   }
 
  private:
@@ -113,18 +113,19 @@ class GeometryReader {
     if (!read(SemanticKind::color, 0, 3, geometry_.colors)) geometry_.colors.clear();
   }
 
-  void read_triangles() {
+  void read_topology() {
     const auto vertices = static_cast<std::uint32_t>(count_);
     if (const codec::DracoMesh* mesh = data_.packed()) {
-      TriangleAssembly assembly(Mode::triangles, vertices, kNoRestart, geometry_.triangles);
+      PrimitiveAssembly assembly(Mode::triangles, vertices, kNoRestart, geometry_);
       geometry_.triangles.reserve(mesh->indices.size() / 3);
       for (const std::uint32_t index : mesh->indices) assembly.add(index);
       return;
     }
     const Mode mode = *data_.primitive().mode;
     if (data_.primitive().indices_node == json::kNoNode) {
-      TriangleAssembly assembly(mode, vertices, kNoRestart, geometry_.triangles);
+      PrimitiveAssembly assembly(mode, vertices, kNoRestart, geometry_);
       for (std::uint32_t i = 0; i < vertices; ++i) assembly.add(i);
+      assembly.finish();
       return;
     }
     const auto indices = data_.open(data_.primitive().indices);
@@ -133,8 +134,7 @@ class GeometryReader {
 
   void read_indices(const AccessorData& indices, Mode mode) {
     const auto restart = static_cast<std::uint32_t>(value_range(indices.format().component).most);
-    TriangleAssembly assembly(mode, static_cast<std::uint32_t>(count_), restart,
-                              geometry_.triangles);
+    PrimitiveAssembly assembly(mode, static_cast<std::uint32_t>(count_), restart, geometry_);
     with_component_type(indices.format().component, [&](auto zero) {
       using T = decltype(zero);
       if constexpr (std::is_unsigned_v<T>) {
@@ -143,6 +143,7 @@ class GeometryReader {
         });
       }
     });
+    assembly.finish();
   }
 
   void finish() {
@@ -154,14 +155,17 @@ class GeometryReader {
     for (auto& color : geometry_.colors) {
       for (float& value : color) value = std::clamp(value, 0.0F, 1.0F);
     }
-    finish_triangles();
+    finish_topology();
   }
 
-  void finish_triangles() {
-    std::erase_if(geometry_.triangles, [&](const Triangle& triangle) {
-      return !std::all_of(triangle.begin(), triangle.end(),
-                          [&](std::uint32_t i) { return is_finite(geometry_.positions[i]); });
-    });
+  void finish_topology() {
+    const auto is_infinite = [&](std::uint32_t i) { return !is_finite(geometry_.positions[i]); };
+    const auto has_infinite = [&](const auto& vertices) {
+      return std::any_of(vertices.begin(), vertices.end(), is_infinite);
+    };
+    std::erase_if(geometry_.triangles, has_infinite);
+    std::erase_if(geometry_.segments, has_infinite);
+    std::erase_if(geometry_.points, is_infinite);
     geometry_.triangles.shrink_to_fit();
   }
 
@@ -173,18 +177,42 @@ class GeometryReader {
 
 }  // namespace
 
-bool draws_triangles(Mode mode) { return mode >= Mode::triangles; }
-
-void TriangleAssembly::emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+void PrimitiveAssembly::emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const bool there = std::max({a, b, c}) < vertices_;
-  if (there && a != b && b != c && c != a) triangles_.push_back({a, b, c});
+  if (there && a != b && b != c && c != a) to_.triangles.push_back({a, b, c});
 }
 
-void TriangleAssembly::add(std::uint32_t index) {
+void PrimitiveAssembly::emit(std::uint32_t a, std::uint32_t b) {
+  if (std::max(a, b) < vertices_ && a != b) to_.segments.push_back({a, b});
+}
+
+void PrimitiveAssembly::add(std::uint32_t index) {
   if (index == restart_) {
+    finish();
     count_ = 0;
-    return;
+  } else if (mode_ >= Mode::triangles) {
+    add_to_triangles(index);
+  } else if (mode_ != Mode::points) {
+    add_to_segments(index);
+  } else if (index < vertices_) {
+    to_.points.push_back(index);
   }
+}
+
+void PrimitiveAssembly::finish() {
+  if (mode_ == Mode::line_loop && count_ > 1) emit(held_[1], held_[0]);
+}
+
+// Holds the first vertex of a loop, and the one before.
+void PrimitiveAssembly::add_to_segments(std::uint32_t index) {
+  if (count_ == 0) held_[0] = index;
+  if (count_ > 0) emit(held_[1], index);
+  held_[1] = index;
+  ++count_;
+  if (mode_ == Mode::lines && count_ == 2) count_ = 0;
+}
+
+void PrimitiveAssembly::add_to_triangles(std::uint32_t index) {
   if (count_ < 2) {
     held_[count_++] = index;
     return;
@@ -205,13 +233,17 @@ PrimitiveData::PrimitiveData(const GeometrySource& source, const Primitive& prim
 
 std::optional<AccessorData> PrimitiveData::open(SemanticKind kind, std::uint64_t set) const {
   const Attribute* attribute = primitive_.find(kind, set);
-  if (attribute == nullptr || !attribute->accessor) return std::nullopt;
+  return attribute != nullptr ? open(*attribute) : std::nullopt;
+}
+
+std::optional<AccessorData> PrimitiveData::open(const Attribute& attribute) const {
+  if (!attribute.accessor) return std::nullopt;
   const auto id =
-      packed_ != nullptr ? draco_id(source_.asset, *reference_, attribute->name) : std::nullopt;
-  if (!id) return open(attribute->accessor);
+      packed_ != nullptr ? draco_id(source_.asset, *reference_, attribute.name) : std::nullopt;
+  if (!id) return open(attribute.accessor);
   const codec::DracoAttribute* found = find_attribute(*packed_, *id);
   if (found == nullptr) return std::nullopt;
-  const bool normalized = source_.views.accessors[*attribute->accessor].format.normalized;
+  const bool normalized = source_.views.accessors[*attribute.accessor].format.normalized;
   return AccessorData::packed(format_of(*found, normalized), packed_->points,
                               {found->values, packed_->owner}, found->quantization_step);
 }
@@ -224,20 +256,17 @@ std::optional<AccessorData> PrimitiveData::open(
 }
 
 std::string_view error_text(GeometryError error) {
-  static constexpr std::array<std::string_view, 6> kTexts{
-      "can be drawn",
-      "has points or lines only, which are not drawn",
-      "has no positions that can be read",
-      "is compressed and could not be decoded",
+  static constexpr std::array<std::string_view, 5> kTexts{
+      "can be drawn", "has no positions that can be read", "is compressed and could not be decoded",
       "asks for more memory than its bytes can be worth",
-      "has no triangle with an area"};
+      "has nothing to draw: no triangle with an area, no line, no point"};
   return kTexts[static_cast<std::size_t>(error)];
 }
 
 GeometryError read_geometry(const GeometrySource& source, const Primitive& primitive,
                             const GeometryRequest& request, MemoryBudget& budget,
                             Geometry& geometry) {
-  if (!primitive.mode || !draws_triangles(*primitive.mode)) return GeometryError::no_triangles;
+  if (!primitive.mode) return GeometryError::empty;
   const PrimitiveData data(source, primitive);
   const GeometryError error = GeometryReader(data, request, geometry).read(budget);
   const bool undecoded = data.packed() == nullptr && read_draco(source.asset, primitive);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "bake/markers.hpp"
 #include "base/pages.hpp"
 #include "codec/client.hpp"
 #include "model/asset.hpp"
@@ -119,11 +120,22 @@ std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
   return std::nullopt;
 }
 
+// Points and lines are to be seen in a picture of all that is there.
+void give_markers_size(bake::Scene& scene, const BakeSize& size) {
+  const bool any = std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                               [](const auto& mesh) { return !mesh.marker_directions.empty(); });
+  if (!any) return;
+  const auto subject = bake::find_subject(scene);
+  if (subject)
+    bake::give_markers_size(scene,
+                            bake::marker_radius(*subject, std::max(size.width, size.height)));
+}
+
 BakeScene prepared(BakeScene result) {
   if (!result.scene) return result;
   auto subject = bake::find_subject(*result.scene);
   if (!subject) {
-    return failed(std::move(result), BakeProblem::nothing_to_see, "it has no visible triangles");
+    return failed(std::move(result), BakeProblem::nothing_to_see, "nothing in it is visible");
   }
   auto bvh = bake::Bvh::build(*result.scene);
   // What a machine with more memory draws is not refused.
@@ -157,6 +169,7 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
   if (auto trouble = light(**scene, options)) {
     return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
   }
+  give_markers_size(**scene, options.sizes.front());
   result.report.notes = (*scene)->notes;
   if (errors > 0) {
     result.report.notes.push_back(

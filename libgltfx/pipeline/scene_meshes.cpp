@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "bake/markers.hpp"
 #include "bake/texture.hpp"
 #include "model/skin.hpp"
 #include "model/tangent_space.hpp"
@@ -130,7 +131,22 @@ void SceneMeshes::draw(const model::Primitive& primitive, const Key& key, std::u
     return;
   }
   add_tangents(needs, geometry);
-  scene_.meshes.push_back(to_mesh(std::move(geometry), needs.material));
+  const std::vector<model::Segment> segments = std::move(geometry.segments);
+  const std::vector<std::uint32_t> points = std::move(geometry.points);
+  bake::Mesh drawn = to_mesh(std::move(geometry), needs.material);
+  const std::size_t markers = segments.size() + points.size();  // one of them is 0
+  if (markers > bake::kMostMarkers) {
+    notes_.add(place_of(mesh, index),
+               fmt::format("has more than {} points or lines; some are drawn", bake::kMostMarkers));
+  }
+  const std::size_t most = std::min(markers, bake::kMostMarkers);
+  if (!budget_.take(checked_mul(most, bake::marker_bytes(drawn)))) {
+    notes_.add(place_of(mesh, index), "has more points or lines than memory allows");
+    return;
+  }
+  if (!segments.empty()) drawn = bake::line_markers(drawn, segments);
+  if (!points.empty()) drawn = bake::point_markers(drawn, points);
+  scene_.meshes.push_back(std::move(drawn));
 }
 
 // Flat triangles need none: each has its own, along its texture coordinates.

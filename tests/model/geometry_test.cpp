@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Primitives as triangles: modes, formats, what is stored sparsely or not at all, and limits.
+// Primitives as triangles, segments and points: modes, formats, what is stored sparsely or not at
+// all, and limits.
 #include "model/geometry.hpp"
 
 #include <gmock/gmock.h>
@@ -35,7 +36,8 @@ std::string row_of_points(int count) {
   return packed(values);
 }
 
-Triangles triangles_of(int mode, const std::vector<std::uint16_t>& indices) {
+// Of five vertices; without indices each in turn.
+Geometry assembled(int mode, const std::vector<std::uint16_t>& indices) {
   Accessors accessors;
   accessors.add("VEC3", kFloat, 5, row_of_points(5));
   std::string more = R"(, "mode": )" + std::to_string(mode);
@@ -43,7 +45,15 @@ Triangles triangles_of(int mode, const std::vector<std::uint16_t>& indices) {
     accessors.add("SCALAR", kUnsignedShort, indices.size(), packed(indices));
     more += R"(, "indices": 1)";
   }
-  return BytesAsset(accessors, one_mesh(R"("POSITION": 0)", more)).read().geometry.triangles;
+  return BytesAsset(accessors, one_mesh(R"("POSITION": 0)", more)).read().geometry;
+}
+
+Triangles triangles_of(int mode, const std::vector<std::uint16_t>& indices) {
+  return assembled(mode, indices).triangles;
+}
+
+std::vector<Segment> segments_of(int mode, const std::vector<std::uint16_t>& indices) {
+  return assembled(mode, indices).segments;
 }
 
 TEST(Geometry, EveryModeGivesItsTriangles) {
@@ -59,11 +69,26 @@ TEST(Geometry, EveryModeGivesItsTriangles) {
   for (const int mode : {0, 1, 2, 3}) EXPECT_THAT(triangles_of(mode, {}), IsEmpty()) << mode;
 }
 
-TEST(Geometry, PointsAndLinesAreNamed) {
-  Accessors accessors;
-  accessors.add("VEC3", kFloat, 3, row_of_points(3));
-  const BytesAsset lines(accessors, one_mesh(R"("POSITION": 0)", R"(, "mode": 1)"));
-  EXPECT_EQ(lines.read().error, GeometryError::no_triangles);
+TEST(Geometry, EveryModeOfLinesGivesItsSegments) {
+  EXPECT_THAT(segments_of(1, {}), ElementsAre(Segment{0, 1}, Segment{2, 3}));
+  EXPECT_THAT(segments_of(3, {}),
+              ElementsAre(Segment{0, 1}, Segment{1, 2}, Segment{2, 3}, Segment{3, 4}));
+  EXPECT_THAT(segments_of(2, {3, 1, 0}), ElementsAre(Segment{3, 1}, Segment{1, 0}, Segment{0, 3}));
+  EXPECT_THAT(
+      segments_of(2, {0, 1, 65535, 2, 3, 4}),
+      ElementsAre(Segment{0, 1}, Segment{1, 0}, Segment{2, 3}, Segment{3, 4}, Segment{4, 2}));
+  // A vertex that does not exist, and lines without length.
+  EXPECT_THAT(segments_of(1, {0, 7, 1, 1, 2, 3}), ElementsAre(Segment{2, 3}));
+  EXPECT_THAT(segments_of(2, {4}), IsEmpty());
+  for (const int mode : {0, 4, 5, 6}) EXPECT_THAT(segments_of(mode, {}), IsEmpty()) << mode;
+}
+
+TEST(Geometry, PointsAreThoseOfTheirIndices) {
+  EXPECT_THAT(assembled(0, {}).points, ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(assembled(0, {3, 3, 9, 0}).points, ElementsAre(3, 3, 0));
+  for (const int mode : {1, 2, 3, 4, 5, 6}) {
+    EXPECT_THAT(assembled(mode, {}).points, IsEmpty()) << mode;
+  }
 }
 
 TEST(Geometry, TrianglesWithoutAreaOrVertexAreLeftOut) {

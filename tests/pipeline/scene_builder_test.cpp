@@ -98,12 +98,11 @@ TEST(SceneBuilder, TheSceneThatIsAskedFor) {
 TEST(SceneBuilder, PrimitivesThatAreNotDrawnAreCounted) {
   const bake::Scene scene = scene_of(triangle(), R"("meshes": [{"primitives": [
  {"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}},
- {"attributes": {"POSITION": 0}, "mode": 1}, {"attributes": {"NORMAL": 1}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])");
-  EXPECT_THAT(scene.meshes, SizeIs(1));
+ {"attributes": {"NORMAL": 1}}, {"attributes": {"NORMAL": 1}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])");
+  EXPECT_THAT(scene.meshes, SizeIs(2));
   EXPECT_THAT(scene.notes,
-              UnorderedElementsAre("Primitive 0 of mesh 0 has points or lines only, which are "
-                                   "not drawn, and 1 more like it.",
-                                   "Primitive 3 of mesh 0 has no positions that can be read."));
+              ElementsAre("Primitive 2 of mesh 0 has no positions that can be read, and 1 more "
+                          "like it."));
 }
 
 TEST(SceneBuilder, CopiesOfANodeStandInItsSpace) {

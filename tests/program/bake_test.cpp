@@ -89,7 +89,7 @@ TEST_F(BakeTest, NothingToSeeIsNoPicture) {
   folder_.write("empty.gltf", kSound);
   const Outcome outcome = bake({"empty.gltf", "-o", "a.png"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("no visible triangles"));
+  EXPECT_THAT(outcome.err, HasSubstr("nothing in it is visible"));
   EXPECT_EQ(bake({"gone.gltf", "-o", "a.png"}).code, 3);
 }
 

@@ -98,11 +98,11 @@ TEST_F(UpgradeVerifyTest, SaysSoWhereNothingCanBeCompared) {
   folder_.write("leaf.gltf", kLegacy);
   const Outcome outcome = here({"leaf.gltf", "--verify", "--in-place"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("  not verified: it has no visible triangles\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("  not verified: nothing in it is visible\n"));
   EXPECT_EQ(content("leaf.gltf"), kUpgraded);
   folder_.write("leaf.gltf", kLegacy);
   EXPECT_THAT(here({"leaf.gltf", "--verify", "--diff"}).err,
-              HasSubstr("note: leaf.gltf: not verified: it has no visible triangles"));
+              HasSubstr("note: leaf.gltf: not verified: nothing in it is visible"));
   folder_.write("bottle.gltf", read_file(fixture("legacy/on-request/bottle.gltf")));
   EXPECT_THAT(here({"bottle.gltf", "--verify", "--only", "ADOBE_materials_thin_transparency"}).out,
               HasSubstr("not verified: gltfx does not draw ADOBE_materials_thin_transparency"));
@@ -114,7 +114,7 @@ TEST_F(UpgradeVerifyTest, IsPartOfTheJson) {
       here({"leaf.gltf", "poster.gltf", "painted.gltf", "--verify", "--unsafe", "-f", "json"});
   const auto files = nlohmann::json::parse(outcome.out).at("files");
   EXPECT_FALSE(files.at(0).at("verified"));
-  EXPECT_EQ(files.at(0).at("notVerified"), "it has no visible triangles");
+  EXPECT_EQ(files.at(0).at("notVerified"), "nothing in it is visible");
   EXPECT_TRUE(files.at(1).at("verified"));
   EXPECT_FALSE(files.at(1).contains("notVerified"));
   EXPECT_FALSE(files.at(2).at("verified"));

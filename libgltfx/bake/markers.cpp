@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "bake/storage.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+using MarkerCorners = std::array<std::uint32_t, 3>;
+
+// A hexagon in the plane of the first two directions; the third is unused.
+constexpr std::array<MarkerCorners, 4> kDisc{{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
+// MarkerCorners: +x, -x, +y, -y, +z, -z.
+constexpr std::array<MarkerCorners, 8> kOctahedron{
+    {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+// Three corners around the first end, three around the second.
+constexpr std::array<MarkerCorners, 6> kTube{
+    {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}}};
+constexpr std::array<Vec3d, 6> kAxes{Vec3d(1, 0, 0),  Vec3d(-1, 0, 0), Vec3d(0, 1, 0),
+                                     Vec3d(0, -1, 0), Vec3d(0, 0, 1),  Vec3d(0, 0, -1)};
+
+// A direction square to another of length 1.
+Vec3d square_to(const Vec3d& direction) {
+  const Vec3d axis = std::fabs(direction.x) < 0.7 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+  return normalize(cross(axis, direction));
+}
+
+// On a circle around an axis of length 1: part `i` of `count`.
+Vec3d around(const Vec3d& axis, int i, int count) {
+  const Vec3d right = square_to(axis);
+  const double angle = 2 * std::numbers::pi * i / count;
+  return right * std::cos(angle) + cross(axis, right) * std::sin(angle);
+}
+
+class MarkerMesh {
+ public:
+  explicit MarkerMesh(const Mesh& vertices) : from_(vertices) {
+    mesh_.material = vertices.material;
+    mesh_.unlit = vertices.normals.empty();
+    mesh_.uvs.resize(vertices.uvs.size());
+  }
+
+  void add_vertex(std::uint32_t vertex, const Vec3d& direction) {
+    mesh_.positions.push_back(from_.positions[vertex]);
+    mesh_.marker_directions.push_back(to_float3(direction));
+    if (!from_.normals.empty()) mesh_.normals.push_back(from_.normals[vertex]);
+    if (!from_.colors.empty()) mesh_.colors.push_back(from_.colors[vertex]);
+    for (std::size_t set = 0; set < mesh_.uvs.size(); ++set) {
+      if (!from_.uvs[set].empty()) mesh_.uvs[set].push_back(from_.uvs[set][vertex]);
+    }
+  }
+
+  // Of the last six vertices.
+  void add_triangles(std::span<const MarkerCorners> triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh_.positions.size()) - 6;
+    for (const MarkerCorners& each : triangles) {
+      mesh_.triangles.push_back({first + each[0], first + each[1], first + each[2]});
+    }
+  }
+
+  Mesh take() { return std::move(mesh_); }
+
+ private:
+  const Mesh& from_;
+  Mesh mesh_;
+};
+
+std::size_t step_over(std::size_t count) { return count / (kMostMarkers + 1) + 1; }
+
+}  // namespace
+
+std::size_t marker_bytes(const Mesh& vertices) {
+  std::size_t vertex = 2 * sizeof(Float3);
+  if (!vertices.normals.empty()) vertex += sizeof(Float3);
+  if (!vertices.colors.empty()) vertex += sizeof(Float4);
+  vertex += vertices.uvs.size() * sizeof(Float2);
+  return 6 * vertex + kOctahedron.size() * sizeof(MarkerCorners);
+}
+
+Mesh point_markers(const Mesh& vertices, std::span<const std::uint32_t> points) {
+  MarkerMesh markers(vertices);
+  for (std::size_t i = 0; i < points.size(); i += step_over(points.size())) {
+    const Vec3d normal = vertices.normals.empty() ? Vec3d() : to_vec(vertices.normals[points[i]]);
+    const bool faces = length(normal) > 0;
+    for (int corner = 0; corner < 6; ++corner) {
+      markers.add_vertex(points[i], faces ? around(normalize(normal), corner, 6)
+                                          : kAxes[static_cast<std::size_t>(corner)]);
+    }
+    if (faces) markers.add_triangles(kDisc);
+    if (!faces) markers.add_triangles(kOctahedron);
+  }
+  return markers.take();
+}
+
+Mesh line_markers(const Mesh& vertices, std::span<const std::array<std::uint32_t, 2>> segments) {
+  MarkerMesh markers(vertices);
+  for (std::size_t i = 0; i < segments.size(); i += step_over(segments.size())) {
+    const auto [first, second] = segments[i];
+    const Vec3d along = to_vec(vertices.positions[second]) - to_vec(vertices.positions[first]);
+    const double norm = length(along);
+    const Vec3d axis = norm > 0 && std::isfinite(norm) ? along / norm : Vec3d(0, 1, 0);
+    for (const std::uint32_t end : segments[i]) {
+      for (int corner = 0; corner < 3; ++corner) markers.add_vertex(end, around(axis, corner, 3));
+    }
+    markers.add_triangles(kTube);
+  }
+  return markers.take();
+}
+
+void give_markers_size(Scene& scene, double radius) {
+  for (const Instance& instance : scene.instances) {
+    const double scale = std::cbrt(std::fabs(determinant(instance.to_world)));
+    const double own = scale > 0 && std::isfinite(scale) ? radius / scale : radius;
+    for (std::uint32_t i = instance.mesh; i < instance.mesh + instance.count; ++i) {
+      Mesh& mesh = scene.meshes[i];
+      const std::vector<Float3> directions = std::move(mesh.marker_directions);
+      mesh.marker_directions.clear();
+      for (std::size_t v = 0; v < directions.size(); ++v) {
+        mesh.positions[v] = to_float3(to_vec(mesh.positions[v]) + to_vec(directions[v]) * own);
+      }
+    }
+  }
+}
+
+double marker_radius(const Subject& subject, std::uint32_t side) {
+  const double blurred = 0.01 * length(subject.middle());  // smaller ones lose their shape
+  const double extent = std::max(subject.size(), blurred);
+  return extent > 1e-9 ? extent * std::max(0.003, 1.0 / std::max(side, 1U)) : 1;
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of points and lines, from a .gltf on the disk to the numbers of an OpenEXR file.
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/baking.hpp"
+
+namespace gltfx::test {
+namespace {
+
+using Points = std::vector<bake::Float3>;
+constexpr int kPoints = 0, kLines = 1, kLineLoop = 2;
+
+class Markers : public Baking {
+ protected:
+  Markers() {
+    options.camera = "0,0";
+    options.sizes = {{64, 64}};
+    options.samples = 16;
+    options.transparent = true;
+    surround(1);
+  }
+
+  // A mesh of one primitive, red with a green glow.
+  int add_mesh(int mode, const Points& points, const Json& more = Json::object()) {
+    Json attributes{{"POSITION", asset.positions(points)}};
+    attributes.update(more);
+    Json material = dielectric({0.5, 0, 0, 1}, 1);
+    material["emissiveFactor"] = {0, 0.25, 0};
+    return asset.add(
+        "meshes",
+        {{"primitives",
+          {{{"attributes", attributes}, {"mode", mode}, {"material", asset.material(material)}}}}});
+  }
+  double alpha(const Numbers& picture, std::uint32_t x, std::uint32_t y) const {
+    return picture.at(x, y, 3);
+  }
+  static double covered(const Numbers& picture) { return picture.mean(3); }
+
+  AssetText asset;
+};
+
+TEST_F(Markers, LinesWithoutNormalsShowBaseColorAndEmission) {
+  asset.node({{"mesh", add_mesh(kLineLoop, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}})}});
+  const Numbers picture = bake(asset);
+  EXPECT_GT(covered(picture), 0.02);
+  EXPECT_LT(covered(picture), 0.15);
+  EXPECT_EQ(alpha(picture, 32, 32), 0);  // the inside of the loop
+  std::uint32_t seen = 0;
+  for (std::uint32_t i = 0; i < 64 * 64; ++i) {
+    const double a = alpha(picture, i % 64, i / 64);
+    if (a < 0.99) continue;
+    ++seen;
+    EXPECT_NEAR(picture.at(i % 64, i / 64, 0), 0.5, 0.01);
+    EXPECT_NEAR(picture.at(i % 64, i / 64, 1), 0.25, 0.01);
+    EXPECT_NEAR(picture.at(i % 64, i / 64, 2), 0, 0.01);
+  }
+  EXPECT_GT(seen, 20U);
+}
+
+TEST_F(Markers, APointIsAsLargeInASceneOfAnyUnit) {
+  const std::vector<double> scales{1e-4, 1, 1e5};
+  std::vector<double> sizes;
+  for (const double scale : scales) {
+    asset = AssetText();
+    const int mesh = add_mesh(kPoints, {{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}});
+    asset.node({{"mesh", mesh}, {"scale", {scale, scale, scale}}});
+    sizes.push_back(covered(bake(asset)));
+  }
+  EXPECT_GT(sizes[1], 0.0005);
+  EXPECT_NEAR(sizes[0], sizes[1], 0.0005);
+  EXPECT_NEAR(sizes[2], sizes[1], 0.0005);
+}
+
+TEST_F(Markers, ASinglePointFillsThePicture) {
+  asset.node({{"mesh", add_mesh(kPoints, {{3, 4, 5}})}});
+  EXPECT_GT(covered(bake(asset)), 0.2);
+}
+
+// A white furnace: what scatters all light shows as the light around it.
+TEST_F(Markers, PointsWithNormalsAreLit) {
+  const Points points{{3, 4, 5}};
+  Json material = dielectric({1, 1, 1, 1}, 1, no_specular());
+  const int normals = asset.accessor("VEC3", 5126, 1, packed(Points{{0, 0, 1}}));
+  const int mesh = add_mesh(kPoints, points, {{"NORMAL", normals}});
+  asset.json()["materials"][0] = material;
+  asset.uses("KHR_materials_specular");
+  asset.node({{"mesh", mesh}});
+  options.samples = 64;
+  const Numbers picture = bake(asset);
+  double sum = 0;
+  int count = 0;
+  for (std::uint32_t i = 0; i < 64 * 64; ++i) {
+    if (alpha(picture, i % 64, i / 64) < 0.99) continue;
+    sum += picture.at(i % 64, i / 64);
+    ++count;
+  }
+  ASSERT_GT(count, 500);
+  EXPECT_NEAR(sum / count, 1, 0.01);
+}
+
+TEST_F(Markers, ManyPointsAreThinnedOut) {
+  Points points;
+  for (int i = 0; i < 200001; ++i) {
+    points.push_back({static_cast<float>(i % 640), static_cast<float>(i / 640), 0});
+  }
+  asset.node({{"mesh", add_mesh(kPoints, points)}});
+  options.output = (folder.path() / "picture.exr").native();
+  options.samples = 1;
+  const BakeReport done = report(asset);
+  EXPECT_EQ(done.problem, BakeProblem::none) << done.error;
+  EXPECT_THAT(done.notes, testing::Contains("Primitive 0 of mesh 0 has more than 100000 points or "
+                                            "lines; some are drawn."));
+}
+
+TEST_F(Markers, LinesOfLengthZeroAreNothingToSee) {
+  asset.node({{"mesh", add_mesh(kLines, {{1, 1, 1}, {1, 1, 1}})}});
+  EXPECT_EQ(report(asset).problem, BakeProblem::none);  // two places, one direction
+  asset = AssetText();
+  asset.node({{"mesh", add_mesh(kLines, {{1, 1, 1}})}});
+  EXPECT_EQ(report(asset).problem, BakeProblem::nothing_to_see);
+}
+
+}  // namespace
+}  // namespace gltfx::test
