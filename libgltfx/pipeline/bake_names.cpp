@@ -73,6 +73,22 @@ std::optional<std::pair<double, double>> parse_angles(const std::string& word) {
   return angles;
 }
 
+std::optional<std::pair<double, double>> find_preset(std::string_view word) {
+  struct Preset {
+    std::string_view name;
+    double azimuth, elevation;
+  };
+  // The front of an asset faces +z, so its left is +x (specification section 3.4).
+  static constexpr Preset kPresets[] = {
+      {"front", 0, 0}, {"back", 180, 0},   {"left", 90, 0},        {"right", -90, 0},
+      {"top", 0, 90},  {"bottom", 0, -90}, {"iso", 45, 35.264389},  // equal angles to all axes
+  };
+  for (const Preset& each : kPresets) {
+    if (each.name == word) return std::pair(each.azimuth, each.elevation);
+  }
+  return std::nullopt;
+}
+
 std::string_view bake_layer_name(BakeLayer layer) {
   switch (layer) {
     case BakeLayer::albedo:

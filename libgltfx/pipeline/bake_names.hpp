@@ -24,4 +24,8 @@ std::vector<std::string> names_in(const model::Asset& asset, model::RootArray ar
 /// "12.5,-3": both numbers, or nothing.
 std::optional<std::pair<double, double>> parse_angles(const std::string& word);
 
+/// A view that goes for any asset: "front", "back", "left", "right" (the asset's own), "top",
+/// "bottom" or "iso", as azimuth and elevation in degrees; or nothing.
+std::optional<std::pair<double, double>> find_preset(std::string_view word);
+
 }  // namespace gltfx

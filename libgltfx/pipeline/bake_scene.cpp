@@ -230,13 +230,19 @@ Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bak
     direction = {angles->first, angles->second};
   } else {
     const auto named = find_named("camera", options.camera, camera_names(scene));
-    if (!named) {
-      return Error{named.error().message + "; AZIMUTH,ELEVATION in degrees goes for any asset"};
+    const auto preset = find_preset(options.camera);
+    if (!named && !preset) {
+      return Error{named.error().message +
+                   "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees "
+                   "go for any asset"};
     }
-    if (*named && options.turntable > 0) {
+    if (named && *named && options.turntable > 0) {
       return Error{"a turntable goes around the asset, not through a camera of its own"};
     }
-    if (*named) return std::vector<bake::View>{bake::view_of(scene.cameras[**named], aspect)};
+    if (named && *named) {
+      return std::vector<bake::View>{bake::view_of(scene.cameras[**named], aspect)};
+    }
+    if (preset) direction = {preset->first, preset->second};
   }
   std::vector<bake::View> views;
   const std::uint32_t count = std::max(options.turntable, 1U);

@@ -176,6 +176,20 @@ TEST(BakeFile, UnknownNamesAreRefused) {
   EXPECT_THAT(bake_file(fixture("leaf.gltf"), options).error, HasSubstr(".hdr or .exr"));
 }
 
+TEST(BakeFile, PresetsOfTheCameraAreAngles) {
+  const std::vector<std::pair<const char*, const char*>> presets{
+      {"front", "0,0"}, {"back", "180,0"},   {"left", "90,0"},       {"right", "-90,0"},
+      {"top", "0,90"},  {"bottom", "0,-90"}, {"iso", "45,35.264389"}};
+  for (const auto& [preset, angles] : presets) {
+    BakeOptions options = quick();
+    options.camera = preset;
+    const BakeReport first = bake_file(fixture("leaf.gltf"), options);
+    options.camera = angles;
+    EXPECT_EQ(first.problem, BakeProblem::none) << first.error;
+    EXPECT_EQ(first.pixels.bytes, bake_file(fixture("leaf.gltf"), options).pixels.bytes) << preset;
+  }
+}
+
 TEST(BakeFile, ProgressReachesTheEnd) {
   double last = 0;
   BakeOptions options = quick();

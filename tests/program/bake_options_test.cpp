@@ -131,7 +131,7 @@ TEST_F(BakeOptionsTest, FilesThatAreWritten) {
 
 TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
   EXPECT_THAT(complaint({"-o", "a.png", "--camera", "side"}, 1),
-              HasSubstr("no camera 'side'; there is 'front'; AZIMUTH,ELEVATION"));
+              HasSubstr("no camera 'side'; there is 'front'; front, back, left"));
   EXPECT_THAT(complaint({"-o", "a.png", "--variant", "green"}, 1),
               HasSubstr("no variant 'green'; there is 'red', 'blue'"));
   EXPECT_THAT(complaint({"-o", "a.png", "--scene", "2"}, 1),

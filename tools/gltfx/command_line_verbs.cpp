@@ -24,7 +24,7 @@ void declare_outputs(CLI::App& app, RawBakeOptions& words) {
 
 void declare_scene(CLI::App& app, RawBakeOptions& words) {
   add_word(app, "--camera", words.camera, "NAME|N|AZ,EL",
-           "Camera of the asset, or azimuth,elevation in degrees");
+           "Asset camera, front, top, iso or azimuth,elevation");
   add_word(app, "--lights", words.lights, "WHICH", "Lights: asset, studio or both (default)");
   add_word(app, "--environment", words.environment, "FILE",
            "Equirectangular environment map, .hdr or .exr");

@@ -87,8 +87,9 @@ struct BakeOptions {
   double exposure = 0;       ///< stops, from -64 to 64; 1 doubles all light
   bool transparent = false;  ///< no backdrop, and an alpha channel where the format has one
 
-  /// A camera of the asset by name or index, or "AZIMUTH,ELEVATION" in degrees around the asset,
-  /// "0,0" before its front; empty: three quarters from the front.
+  /// A camera of the asset by name or index; for any asset "front", "back", "left", "right", "top",
+  /// "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" before its front; empty:
+  /// three quarters from the front.
   std::string camera;
   std::string scene;      ///< name or index; empty: the default one
   std::string animation;  ///< name or index; empty: everything as it is written
