@@ -9,7 +9,7 @@
 
 #include "base/codes.hpp"
 #include "validate/context.hpp"
-#include "validate/fix.hpp"
+#include "validate/fix_deletion.hpp"
 #include "validate/fix_users.hpp"
 
 namespace gltfx::validate {
@@ -126,6 +126,7 @@ constexpr FixEntry kSchemaFixes[] = {
     {Code::NON_REQUIRED_EXTENSION, require_extension},
     {Code::EMPTY_ENTITY, remove_empty},
     {Code::DUPLICATE_ELEMENTS, remove_repeat},
+    {Code::UNRESOLVED_REFERENCE, delete_marked, FixStage::deletion},
 };
 
 }  // namespace
