@@ -38,7 +38,7 @@ edit::WriteCheck check_of(const FixedAsset& fixed, const SchemaSet& schemas) {
     const OpenedAsset& asset = fixed.after.asset();
     const ValidatedAsset written({asset.name(), std::move(on_disk), asset.resolver()},
                                  fix_judgement(schemas));
-    const auto worse = worse_codes(fixed.after.report(), written.report());
+    const auto worse = worse_codes(findings_by_code(fixed.after.report()), written.report());
     if (worse.empty()) return std::nullopt;
     return fmt::format("the new file would have the new finding {}", worse.front());
   };

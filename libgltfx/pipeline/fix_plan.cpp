@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/fix_plan.hpp"
 
-#include <map>
+#include <algorithm>
 #include <utility>
 
 #include "edit/rewrite.hpp"
@@ -13,13 +13,6 @@ using model::OpenedAsset;
 using validate::Fixing;
 using validate::FixStage;
 using validate::Sites;
-using FindingsByCode = std::map<std::string_view, std::uint64_t>;
-
-FindingsByCode findings_by_code(const FileReport& report) {
-  FindingsByCode counts;
-  for (const Diagnostic& finding : report.diagnostics) counts[finding.code] += finding.count;
-  return counts;
-}
 
 // The first stage, not before `from`, with a fix that is wanted.
 std::optional<FixStage> first_stage(const Sites& sites, const std::vector<bool>& wanted,
@@ -45,6 +38,40 @@ Result<container::Container> changed_container(const OpenedAsset& asset,
                                asset.name());
 }
 
+/// Findings of an asset after a run, as they stand to those before it.
+class Remains {
+ public:
+  Remains(const Sites& after, const std::vector<json::Edit>& edits) : relocation_(edits) {
+    for (const validate::Site& site : after) {
+      auto& places = places_[site.code];
+      if (site.span.end == 0)
+        ++places.whole;
+      else
+        places.begins.push_back(site.span.begin);
+    }
+    for (auto& [code, places] : places_) std::sort(places.begins.begin(), places.begins.end());
+  }
+
+  // Those about the file as a whole are to be asked about one after the other.
+  bool has(const validate::Site& site) {
+    const auto found = places_.find(site.code);
+    if (found == places_.end()) return false;
+    Places& places = found->second;
+    if (site.span.end == 0) return places.whole > 0 && places.whole-- > 0;
+    const Span now = relocation_.of(site.span.begin);
+    const auto at = std::lower_bound(places.begins.begin(), places.begins.end(), now.begin);
+    return at != places.begins.end() && *at < now.end;
+  }
+
+ private:
+  struct Places {
+    std::vector<std::uint32_t> begins;
+    std::uint64_t whole = 0;
+  };
+  json::Relocation relocation_;
+  std::map<Code, Places> places_;
+};
+
 }  // namespace
 
 ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas) {
@@ -56,13 +83,8 @@ ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas)
   return options;
 }
 
-OpenedAsset opened_anew(const OpenedAsset& asset) {
-  return {asset.name(), asset.container(), asset.resolver()};
-}
-
-std::optional<PlannedFixes> plan_fixes(const OpenedAsset& asset, const Sites& sites,
-                                       const schema::Set& schemas,
-                                       const std::vector<bool>& wanted) {
+PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const schema::Set& schemas,
+                        const std::vector<bool>& wanted) {
   PlannedFixes planned;
   auto stage = first_stage(sites, wanted, FixStage::container);
   while (stage) {
@@ -74,9 +96,12 @@ std::optional<PlannedFixes> plan_fixes(const OpenedAsset& asset, const Sites& si
       if (entry.stage == *stage) planned.fixed[i] = entry.fix(fixing, sites[i].span);
     }
     auto changes = fixing.take();
-    if (!changes) return std::nullopt;
-    planned.changes = *std::move(changes);
-    if (!planned.changes.empty()) return planned;
+    if (changes) {
+      planned.changes = *std::move(changes);
+    } else {
+      planned.obstacle = changes.error().message;
+    }
+    if (!changes || !planned.changes.empty()) return planned;
     stage = first_stage(sites, wanted, static_cast<FixStage>(static_cast<int>(*stage) + 1));
   }
   planned.fixed.assign(sites.size(), false);
@@ -96,14 +121,27 @@ Result<OpenedAsset> with_changes(const OpenedAsset& asset, const Fixing::Changes
   return OpenedAsset(asset.name(), *std::move(container), std::move(resolver));
 }
 
-std::vector<std::string_view> worse_codes(const FileReport& before, const FileReport& after) {
-  const FindingsByCode known = findings_by_code(before);
+FindingsByCode findings_by_code(const FileReport& report) {
+  FindingsByCode counts;
+  for (const Diagnostic& finding : report.diagnostics) counts[finding.code] += finding.count;
+  return counts;
+}
+
+std::vector<std::string_view> worse_codes(const FindingsByCode& known, const FileReport& after) {
   std::vector<std::string_view> worse;
   for (const auto& [code, count] : findings_by_code(after)) {
     const auto was = known.find(code);
     if (count > (was == known.end() ? 0 : was->second)) worse.push_back(code);
   }
   return worse;
+}
+
+std::vector<bool> sites_gone(const Sites& sites, const Sites& after,
+                             const std::vector<json::Edit>& edits) {
+  Remains remains(after, edits);
+  std::vector<bool> gone;
+  for (const validate::Site& site : sites) gone.push_back(!remains.has(site));
+  return gone;
 }
 
 }  // namespace gltfx

@@ -2,11 +2,14 @@
 /// What fixes of rules come to in one asset, and whether that makes it worse.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
-#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "json/edit.hpp"
 #include "model/opened_asset.hpp"
 #include "schema/set.hpp"
 #include "validate/fix.hpp"
@@ -17,27 +20,31 @@ namespace gltfx {
 /// How the verb judges: all that headers of images tell, hints too.
 ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas);
 
-/// The asset anew, so that it can be judged.
-model::OpenedAsset opened_anew(const model::OpenedAsset& asset);
-
 /// Changes of one asset by fixes, and which sites they are about, by position.
 struct PlannedFixes {
   validate::Fixing::Changes changes;
   std::vector<bool> fixed;
+  std::string obstacle;  ///< why there are no changes; a sentence without stop, empty: none is due
 };
 
 /// `sites` are those of the asset as it is; those that are `wanted`, by position, are to be fixed.
-/// Only fixes of the first stage that has some are made. Nothing where a buffer that changes cannot
-/// be found.
-std::optional<PlannedFixes> plan_fixes(const model::OpenedAsset& asset,
-                                       const validate::Sites& sites, const schema::Set& schemas,
-                                       const std::vector<bool>& wanted);
+/// Only fixes of the first stage that has some are made.
+PlannedFixes plan_fixes(const model::OpenedAsset& asset, const validate::Sites& sites,
+                        const schema::Set& schemas, const std::vector<bool>& wanted);
 
 /// The asset with the changes.
 Result<model::OpenedAsset> with_changes(const model::OpenedAsset& asset,
                                         const validate::Fixing::Changes& changes);
 
+/// Number of findings by code.
+using FindingsByCode = std::map<std::string_view, std::uint64_t>;
+FindingsByCode findings_by_code(const FileReport& report);
+
 /// Codes of which `after` has more findings than `before`.
-std::vector<std::string_view> worse_codes(const FileReport& before, const FileReport& after);
+std::vector<std::string_view> worse_codes(const FindingsByCode& before, const FileReport& after);
+
+/// Which sites, by position, are not among those that the asset has `after` edits of its text.
+std::vector<bool> sites_gone(const validate::Sites& sites, const validate::Sites& after,
+                             const std::vector<json::Edit>& edits);
 
 }  // namespace gltfx

@@ -9,6 +9,7 @@
 
 #include "base/checked.hpp"
 #include "base/codes.hpp"
+#include "json/parse.hpp"
 #include "validate/context.hpp"
 
 namespace gltfx {
@@ -30,28 +31,29 @@ SitePlace place_of(const Site& site) {
   return {site.code, site.span.end == 0 ? UINT32_MAX : site.span.begin};
 }
 
-/// Actions by code.
+/// Actions by code; those that were planned and left out stand apart from those without a plan.
 class Tally {
  public:
-  FixAction& add(const json::Document& document, const Site& site) {
-    FixAction& action = actions_[code_name(site.code)];
+  explicit Tally(bool done) : is_done_(done) {}
+  void add(const json::Document& document, const Site& site, const std::string& why_not = {}) {
+    FixAction& action = actions_[{code_name(site.code), why_not.empty()}];
     action.code = code_name(site.code);
     action.kind = validate::description(site.code).fix;
+    action.done = is_done_;
+    if (action.why_not.empty()) action.why_not = why_not;
     ++action.count;
     if (action.pointers.size() < kMostPointers) {
       const json::NodeId node = validate::node_at(document, site.span);
       action.pointers.push_back(node == json::kNoNode ? "" : document.pointer_of(node));
     }
-    return action;
   }
-  std::vector<FixAction> take() {
-    std::vector<FixAction> list;
+  void move_to(std::vector<FixAction>& list) {
     for (auto& [code, action] : actions_) list.push_back(std::move(action));
-    return list;
   }
 
  private:
-  std::map<std::string_view, FixAction> actions_;
+  std::map<std::pair<std::string_view, bool>, FixAction> actions_;
+  bool is_done_;
 };
 
 // A trial costs a validation, and there may be as many as findings: their cost stays in proportion
@@ -95,13 +97,14 @@ class Rounds {
         options_(options),
         schemas_(schemas),
         text_(asset_.asset().container().json),
+        first_sites_(asset_.sites()),
         trials_(affordable_trials(asset_.asset())) {}
 
   FixedAsset run() {
     for (unsigned rounds = 0; rounds < kMostRounds && advance();) ++rounds;
-    std::vector<FixAction> actions = done_.take();
-    for (FixAction& action : actions) action.done = true;
-    for (FixAction& action : left_over()) actions.push_back(std::move(action));
+    std::vector<FixAction> actions;
+    if (changes_) done().move_to(actions);
+    left_over().move_to(actions);
     return {std::move(asset_), std::move(actions), std::move(edits_), std::move(files_), changes_};
   }
 
@@ -113,18 +116,28 @@ class Rounds {
     return options_.unsafe && options_.only.contains(rule.code);
   }
 
-  std::vector<FixAction> left_over() const {
-    Tally left;
-    for (const Site& site : asset_.sites()) {
-      if (!is_asked_for(site.code)) continue;
-      FixAction& action = left.add(asset_.asset().document(), site);
-      const auto why = dropped_.find(place_of(site));
-      if (why != dropped_.end() && action.why_not.empty()) action.why_not = why->second;
+  Tally done() const {
+    Tally done(true);
+    const json::Parsed first = json::parse(text_);
+    const std::vector<bool> gone = sites_gone(first_sites_, asset_.sites(), edits_);
+    for (std::size_t i = 0; i < gone.size(); ++i) {
+      const Site& site = first_sites_[i];
+      if (gone[i] && is_asked_for(site.code)) done.add(first.document, site);
     }
-    return left.take();
+    return done;
   }
 
-  std::optional<PlannedFixes> plan(const std::vector<bool>& wanted) const {
+  Tally left_over() const {
+    Tally left(false);
+    for (const Site& site : asset_.sites()) {
+      if (!is_asked_for(site.code)) continue;
+      const auto why = dropped_.find(place_of(site));
+      left.add(asset_.asset().document(), site, why == dropped_.end() ? "" : why->second);
+    }
+    return left;
+  }
+
+  PlannedFixes plan(const std::vector<bool>& wanted) const {
     return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted);
   }
 
@@ -134,9 +147,8 @@ class Rounds {
     for (const Site& site : asset_.sites()) {
       wanted.push_back(is_asked_for(site.code) && !dropped_.contains(place_of(site)));
     }
-    auto planned = plan(wanted);
-    if (!planned) return false;
-    if (planned->changes.empty()) {
+    PlannedFixes planned = plan(wanted);
+    if (planned.changes.empty() && planned.obstacle.empty()) {
       // What stood against a fix may be gone by another one.
       if (!std::exchange(retries_, false)) return false;
       dropped_.clear();
@@ -144,9 +156,9 @@ class Rounds {
     }
     Positions made;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (planned->fixed[i]) made.push_back(i);
+      if (planned.fixed[i]) made.push_back(i);
     }
-    auto trial = judge(*std::move(planned));
+    auto trial = judge(std::move(planned));
     if (trial) {
       accept(*std::move(trial));
     } else if (made.size() == 1) {
@@ -159,11 +171,12 @@ class Rounds {
 
   // What the changes make of the asset, or why it is not to be taken.
   Result<Trial> judge(PlannedFixes planned) const {
+    if (!planned.obstacle.empty()) return Error{planned.obstacle};
     const OpenedAsset& old = asset_.asset();
     auto changed = with_changes(old, planned.changes);
     if (!changed) return changed.error();
     ValidatedAsset next(*std::move(changed), fix_judgement(schemas_));
-    const auto worse = worse_codes(asset_.report(), next.report());
+    const auto worse = worse_codes(findings_by_code(asset_.report()), next.report());
     // What could not be read could not be found.
     const bool first_read = old.document().empty() && !next.asset().document().empty();
     if (!worse.empty() && !first_read) {
@@ -187,8 +200,7 @@ class Rounds {
       --trials_;
       std::vector<bool> wanted = good;
       for (const std::size_t i : group) wanted[i] = true;
-      auto planned = plan(wanted);
-      auto trial = planned ? judge(*std::move(planned)) : Error{why};
+      auto trial = judge(plan(wanted));
       if (trial) {
         good = std::move(wanted);
         best.emplace(*std::move(trial));
@@ -206,10 +218,6 @@ class Rounds {
   }
 
   void accept(Trial trial) {
-    const Sites& sites = asset_.sites();
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      if (trial.planned.fixed[i]) done_.add(asset_.asset().document(), sites[i]);
-    }
     move_dropped(trial.planned.changes.edits);
     if (text_) edits_ = json::chain_edits(*text_, edits_, trial.planned.changes.edits);
     for (edit::ReplacedFile& file : trial.planned.changes.buffers.files) {
@@ -237,10 +245,10 @@ class Rounds {
   ValidatedAsset asset_;
   const FixOptions& options_;
   const std::shared_ptr<const schema::Set>& schemas_;
-  const SharedText text_;  // the old one
+  const SharedText text_;    // the old one
+  const Sites first_sites_;  // of that
   std::vector<json::Edit> edits_;
   std::map<std::string, edit::ReplacedFile> files_;
-  Tally done_;
   std::map<SitePlace, std::string> dropped_;  // why
   bool changes_ = false;
   bool retries_ = false;  // something was accepted after something was dropped

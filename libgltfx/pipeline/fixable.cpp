@@ -37,55 +37,27 @@ bool is_any_planned(const OpenedAsset& asset, const Sites& sites, const schema::
   });
 }
 
-/// Findings of an asset after a run, as they stand to those before it.
-class Remains {
- public:
-  Remains(const Sites& after, const std::vector<json::Edit>& edits) : relocation_(edits) {
-    for (const Site& site : after) {
-      auto& places = places_[site.code];
-      if (site.span.end == 0)
-        ++places.whole;
-      else
-        places.begins.push_back(site.span.begin);
-    }
-    for (auto& [code, places] : places_) std::sort(places.begins.begin(), places.begins.end());
-  }
-
-  // Those about the file as a whole are to be asked about one after the other.
-  bool has(const Site& site) {
-    const auto found = places_.find(site.code);
-    if (found == places_.end()) return false;
-    Places& places = found->second;
-    if (site.span.end == 0) return places.whole > 0 && places.whole-- > 0;
-    const Span now = relocation_.of(site.span.begin);
-    const auto at = std::lower_bound(places.begins.begin(), places.begins.end(), now.begin);
-    return at != places.begins.end() && *at < now.end;
-  }
-
- private:
-  struct Places {
-    std::vector<std::uint32_t> begins;
-    std::uint64_t whole = 0;
-  };
-  json::Relocation relocation_;
-  std::map<Code, Places> places_;
+/// What a run comes to.
+struct FixRehearsal {
+  std::vector<bool> removed;  ///< sites, by position
+  FindingsByCode before;      ///< of the verb's own judgement
 };
 
-// Which sites a run removes, by position.
-std::vector<bool> sites_removed(const ValidatedAsset& validated, const SchemaSet& schemas) {
+FixRehearsal rehearse(const ValidatedAsset& validated, const SchemaSet& schemas) {
   const OpenedAsset& asset = validated.asset();
   const Sites& sites = validated.sites();
-  std::vector<bool> removed(sites.size());
-  if (!is_any_planned(asset, sites, *schemas)) return removed;
+  FixRehearsal rehearsal{std::vector<bool>(sites.size()), {}};
+  if (!is_any_planned(asset, sites, *schemas)) return rehearsal;
   OpenedAsset again(asset.name(), without_zero_padding(asset.container()), asset.resolver());
-  const FixedAsset fixed =
-      fix_in_rounds({std::move(again), fix_judgement(schemas)}, FixOptions(), schemas);
-  if (!fixed.changes || find_obstacle(fixed.after.asset())) return removed;
-  Remains remains(fixed.after.sites(), fixed.edits);
+  ValidatedAsset before(std::move(again), fix_judgement(schemas));
+  rehearsal.before = findings_by_code(before.report());
+  const FixedAsset fixed = fix_in_rounds(std::move(before), FixOptions(), schemas);
+  if (!fixed.changes || find_obstacle(fixed.after.asset())) return rehearsal;
+  rehearsal.removed = sites_gone(sites, fixed.after.sites(), fixed.edits);
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    removed[i] = is_safe(sites[i]) && !remains.has(sites[i]);
+    if (!is_safe(sites[i])) rehearsal.removed[i] = false;
   }
-  return removed;
+  return rehearsal;
 }
 
 // A place of the text, or none, with a code.
@@ -100,38 +72,38 @@ FindingPlace place_of(const Site& site, std::uint64_t json_offset) {
 }
 
 // What fixes of one rule come to, where they are edits of a text file and bring no new finding.
-std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& before, const Sites& sites,
+std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& validated,
+                                            const FindingsByCode& before,
                                             const std::vector<bool>& wanted, std::string_view does,
                                             const SchemaSet& schemas) {
-  const OpenedAsset& asset = before.asset();
-  const auto planned = plan_fixes(asset, sites, *schemas, wanted);
-  if (!planned || planned->changes.edits.empty()) return nullptr;
-  if (planned->changes.container || !planned->changes.buffers.files.empty()) return nullptr;
-  auto changed = with_changes(asset, planned->changes);
+  const OpenedAsset& asset = validated.asset();
+  const auto planned = plan_fixes(asset, validated.sites(), *schemas, wanted);
+  if (planned.changes.edits.empty()) return nullptr;
+  if (planned.changes.container || !planned.changes.buffers.files.empty()) return nullptr;
+  auto changed = with_changes(asset, planned.changes);
   if (!changed) return nullptr;
   const ValidatedAsset after(*std::move(changed), fix_judgement(schemas));
-  if (!worse_codes(before.report(), after.report()).empty()) return nullptr;
+  if (!worse_codes(before, after.report()).empty()) return nullptr;
   ProposedFix fix;
   fix.description = does;
   const json::LineIndex lines(*asset.container().json);
-  for (const json::Edit& edit : planned->changes.edits) {
+  for (const json::Edit& edit : planned.changes.edits) {
     fix.replacements.push_back({lines.locate(edit.span), edit.text});
   }
   return std::make_shared<const ProposedFix>(std::move(fix));
 }
 
-void propose(ValidatedAsset& validated, const std::vector<bool>& removed,
-             const SchemaSet& schemas) {
-  const ValidatedAsset before(opened_anew(validated.asset()), fix_judgement(schemas));
+void propose(ValidatedAsset& validated, const FixRehearsal& rehearsal, const SchemaSet& schemas) {
   const Sites& sites = validated.sites();
   std::set<std::string_view> done;
   for (Diagnostic& finding : validated.report().diagnostics) {
     if (!finding.fixable || finding.fix || !done.insert(finding.code).second) continue;
-    std::vector<bool> wanted = removed;
+    std::vector<bool> wanted = rehearsal.removed;
     for (std::size_t i = 0; i < sites.size(); ++i) {
       wanted[i] = wanted[i] && code_name(sites[i].code) == finding.code;
     }
-    finding.fix = proposal(before, sites, wanted, find_rule(finding.code)->fix_does, schemas);
+    finding.fix =
+        proposal(validated, rehearsal.before, wanted, find_rule(finding.code)->fix_does, schemas);
   }
 }
 
@@ -139,12 +111,12 @@ void propose(ValidatedAsset& validated, const std::vector<bool>& removed,
 
 void mark_fixable(ValidatedAsset& validated, const SchemaSet& schemas, bool proposes) {
   const Sites& sites = validated.sites();
-  const std::vector<bool> removed = sites_removed(validated, schemas);
+  const FixRehearsal rehearsal = rehearse(validated, schemas);
   FileReport& report = validated.report();
   const container::Container& container = validated.asset().container();
   std::set<FindingPlace> places;
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    if (!removed[i]) continue;
+  for (std::size_t i = 0; i < rehearsal.removed.size(); ++i) {
+    if (!rehearsal.removed[i]) continue;
     ++report.fixable;
     places.insert(place_of(sites[i], container.json_offset));
   }
@@ -152,7 +124,7 @@ void mark_fixable(ValidatedAsset& validated, const SchemaSet& schemas, bool prop
     finding.fixable = places.contains(place_of(finding));
   }
   const bool is_text = container.format == container::Format::gltf;
-  if (proposes && is_text && report.fixable > 0) propose(validated, removed, schemas);
+  if (proposes && is_text && report.fixable > 0) propose(validated, rehearsal, schemas);
 }
 
 }  // namespace gltfx

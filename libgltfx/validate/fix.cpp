@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "edit/deletion.hpp"
 #include "json/parse.hpp"
 #include "validate/context.hpp"
 
@@ -43,8 +44,7 @@ Fixing::Fixing(const model::OpenedAsset& opened, const schema::Set& schemas)
       schemas_(schemas),
       elements_(document_),
       editor_(document_),
-      used_(document_, "extensionsUsed"),
-      required_(document_, "extensionsRequired") {}
+      names_{{document_, "extensionsUsed"}, {document_, "extensionsRequired"}} {}
 
 namespace {
 
@@ -173,7 +173,18 @@ std::string without_repeats(const json::Document& document, json::NodeId numbers
   return text + "]";
 }
 
+Result<Fixing::Changes> Fixing::take_deletion() {
+  const std::vector<std::string> pointers(deleted_.begin(), deleted_.end());
+  auto deletion = edit::plan_deletion(document_, schemas_, pointers, {true, &opened_.container()});
+  if (!deletion) return deletion.error();
+  Changes changes;
+  changes.edits = std::move(deletion->edits);
+  changes.buffers.bin = std::move(deletion->bin);
+  return changes;
+}
+
 Result<Fixing::Changes> Fixing::take() {
+  if (!deleted_.empty()) return take_deletion();
   Changes changes;
   std::erase_if(contents_, [&](const auto& content) {
     return content.second == resources().buffers[content.first]->text();
@@ -182,8 +193,8 @@ Result<Fixing::Changes> Fixing::take() {
                                       std::move(contents_), editor_);
   if (!buffers) return buffers.error();
   changes.buffers = *std::move(buffers);
-  used_.apply(editor_);
-  required_.apply(editor_);
+  names_.used.apply(editor_);
+  names_.required.apply(editor_);
   changes.edits = editor_.take();
   changes.container = rewrites_container_;
   return changes;

@@ -5,11 +5,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <typeindex>
 #include <typeinfo>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "base/span.hpp"
@@ -70,10 +72,12 @@ class Fixing {
   /// Puts text in the place of a stretch of the text.
   void replace_text(Span span, std::string text) { editor_.replace_text(span, std::move(text)); }
   json::Editor& editor() { return editor_; }
-  edit::NameList& extensions_used() { return used_; }
-  edit::NameList& extensions_required() { return required_; }
+  edit::NameList& extensions_used() { return names_.used; }
+  edit::NameList& extensions_required() { return names_.required; }
   /// What a buffer holds from now on, to be changed in place; null where its bytes are missing.
   std::string* content(std::uint32_t buffer);
+  /// Takes out the value of a JSON pointer, in a stage where nothing else is changed.
+  void delete_value(std::string pointer) { deleted_.insert(std::move(pointer)); }
   /// The container is to be written anew, with right lengths and padding.
   void rewrite_container() { rewrites_container_ = true; }
 
@@ -86,20 +90,25 @@ class Fixing {
       return edits.empty() && buffers.bin.empty() && buffers.files.empty() && !container;
     }
   };
+  /// An Error says why not.
   Result<Changes> take();
 
  private:
   void find_parents();
+  Result<Changes> take_deletion();
 
   const model::OpenedAsset& opened_;
   const json::Document& document_;
   const schema::Set& schemas_;
   model::Asset elements_;
   json::Editor editor_;
-  edit::NameList used_, required_;
+  struct {
+    edit::NameList used, required;
+  } names_;
   edit::BufferContents contents_;
   std::vector<json::NodeId> parents_;  ///< empty until somebody asks
   std::unordered_set<json::NodeId> claimed_;
+  std::set<std::string> deleted_;  ///< JSON pointers
   std::map<std::type_index, std::shared_ptr<void>> tables_;
   bool rewrites_container_ = false;
 };

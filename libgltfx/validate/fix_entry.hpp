@@ -23,6 +23,7 @@ enum class FixStage : std::uint8_t {
   container,  ///< of the file, whatever its text is
   syntax,     ///< of the text: there may be no document
   document,
+  deletion,  ///< of objects: what refers to others is counted anew
 };
 
 class Fixing;

@@ -225,6 +225,30 @@ TEST(FixFile, LeavesAPlaceOutWhoseFixBringsANewFinding) {
   EXPECT_FALSE(fix_file(path.native()).changes);
 }
 
+// Without a file behind it no change is planned; one to a file that is no image is left out.
+TEST(FixFile, TellsWhatItLeavesOutFromWhatItDoesNotPlan) {
+  const TempFolder folder;
+  folder.write("images/broken.png", "no image");
+  const auto path = folder.write("a.gltf", images({"missing.png", "broken.png"}));
+  const FixReport report = fix_file(path.native());
+  ASSERT_EQ(report.actions.size(), 2U);
+  EXPECT_EQ(report.actions[0].pointers, std::vector<std::string>{"/images/1/uri"});
+  EXPECT_NE(report.actions[0].why_not, "");
+  EXPECT_EQ(report.actions[1].pointers, std::vector<std::string>{"/images/0/uri"});
+  EXPECT_EQ(report.actions[1].why_not, "");
+}
+
+// Both primitives lack the bounds of one accessor.
+TEST(FixFile, CountsTheFindingsThatValidateMarks) {
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", R"({"asset":{"version":"2.0"},
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}},{"attributes":{"POSITION":0},"mode":0}]}],
+"accessors":[{"componentType":5126,"type":"VEC3","count":3}]})");
+  const FixReport report = fix_file(path.native());
+  EXPECT_EQ(report.fixed(), 2U);
+  EXPECT_EQ(validate_file(path.native()).fixable, 2U);
+}
+
 TEST(FixFile, TakesFilesAlongToWhichOnlyTheFixedUriLeads) {
   const TempFolder folder;
   folder.write("images/a.png", *container::decode_base64(kPixel));

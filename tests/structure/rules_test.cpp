@@ -63,6 +63,7 @@ const std::map<std::string, std::string, std::less<>> kSeveral{
     {"TYPE_MISMATCH", "the walk over schemas is one class in several files"},
     {"UNDECLARED_EXTENSION", "graphs of an earlier draft keep this finding alone"},
     {"UNDEFINED_PROPERTY", "the walk, and the object that a camera's type names"},
+    {"UNRESOLVED_REFERENCE", "the walk over schemas knows nothing of edits"},
     {"UNSATISFIED_DEPENDENCY", "the walk, accessors, and extensions that need a root object"},
     {"UNSUPPORTED_EXTENSION", "declared, or only used"},
     {"UNUSED_OBJECT", "animations and vertex data have uses of their own"},

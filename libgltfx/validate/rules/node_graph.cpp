@@ -12,6 +12,7 @@
 #include "model/scene_graph.hpp"
 #include "model/skin.hpp"
 #include "validate/context.hpp"
+#include "validate/fix_deletion.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/use.hpp"
 
@@ -254,7 +255,8 @@ void check_graph(const Context& context) { GraphCheck(context).run(); }
 
 const Family& node_graph_family() {
   static constexpr LinkRule kLinkRules[] = {check_graph};
-  static constexpr Family family{.order = 480, .link_rules = kLinkRules};
+  static constexpr FixEntry kFixes[] = {{Code::NODE_EMPTY, delete_marked, FixStage::deletion}};
+  static constexpr Family family{.order = 480, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -9,7 +9,7 @@
 
 #include "base/codes.hpp"
 #include "validate/context.hpp"
-#include "validate/fix.hpp"
+#include "validate/fix_deletion.hpp"
 #include "validate/fix_users.hpp"
 
 namespace gltfx::validate {
@@ -23,12 +23,14 @@ std::string_view member_name(Fixing& fixing, json::NodeId value) {
                 : std::string_view();
 }
 
-// `place` is the name of an extension's object.
+// `place` is the name of an extension's object. What is unknown may be misspelt, or no extension.
 bool declare(Fixing& fixing, Span place) {
   const json::NodeId key = fixing.node_at(place);
   if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+  const std::string_view name = fixing.document().key(fixing.document().node(key).next);
+  if (fixing.schemas().find_extension(name) == schema::kNone) return false;
   if (!fixing.extensions_used().can_change()) return false;
-  fixing.extensions_used().add(fixing.document().key(fixing.document().node(key).next));
+  fixing.extensions_used().add(name);
   return true;
 }
 
@@ -124,6 +126,7 @@ constexpr FixEntry kSchemaFixes[] = {
     {Code::NON_REQUIRED_EXTENSION, require_extension},
     {Code::EMPTY_ENTITY, remove_empty},
     {Code::DUPLICATE_ELEMENTS, remove_repeat},
+    {Code::UNRESOLVED_REFERENCE, delete_marked, FixStage::deletion},
 };
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "model/fields.hpp"
 #include "model/node.hpp"
 #include "validate/context.hpp"
-#include "validate/fix.hpp"
+#include "validate/fix_deletion.hpp"
 #include "validate/rules/accessor_extent.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
@@ -175,7 +175,8 @@ void check_mesh_weights(const Context& context) {
 
 const Family& unused_objects_family() {
   static constexpr LinkRule kLinkRules[] = {check_objects, check_mesh_weights};
-  static constexpr FixEntry kFixes[] = {{Code::UNUSED_MESH_WEIGHTS, remove_marked}};
+  static constexpr FixEntry kFixes[] = {{Code::UNUSED_MESH_WEIGHTS, remove_marked},
+                                        {Code::UNUSED_OBJECT, delete_unused, FixStage::deletion}};
   static constexpr Family family{.order = 640, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }

@@ -85,10 +85,10 @@ bool add_target(Fixing& fixing, Span place) {
   const auto use = view ? only_use(fixing, *view) : std::nullopt;
   if (!use || target_of(*use).empty()) return false;
   const json::NodeId object = fixing.views().buffer_views[*view].node;
-  if (fixing.document().find(object, "target") != json::kNoNode || !fixing.claim(object)) {
-    return false;
-  }
-  return fixing.append_member(object, "target", target_of(*use));
+  const json::NodeId invalid = fixing.document().find(object, "target");
+  if (!fixing.claim(object)) return false;
+  return invalid == json::kNoNode ? fixing.append_member(object, "target", target_of(*use))
+                                  : fixing.replace(invalid, target_of(*use));
 }
 
 // The target follows the use: it says what the view is for, and changes nothing of that.
