@@ -56,16 +56,15 @@ class Tally {
   bool is_done_;
 };
 
-// A trial costs a validation, and there may be as many as findings: their cost stays in proportion
-// to the asset.
-std::uint64_t affordable_trials(const OpenedAsset& asset) {
+// A trial costs a validation, and there may be as many as findings: their cost is bounded.
+std::uint64_t affordable_trials(const OpenedAsset& asset, std::uint64_t trial_bytes) {
   std::uint64_t size = asset.container().bytes.size() + 1;
   if (!asset.document().empty()) {
     for (const model::BufferView& view : asset.views().buffer_views) {
       size = saturating_add(size, view.byte_length.value_or(0));
     }
   }
-  return std::clamp<std::uint64_t>((std::uint64_t{32} << 20U) / size, 8, 256);
+  return std::clamp<std::uint64_t>(trial_bytes / size, trial_bytes >> 22U, 256);
 }
 
 // Halves; where there are several codes, the sites of each.
@@ -92,13 +91,13 @@ struct Trial {
 class Rounds {
  public:
   Rounds(ValidatedAsset before, const FixOptions& options,
-         const std::shared_ptr<const schema::Set>& schemas)
+         const std::shared_ptr<const schema::Set>& schemas, std::uint64_t trial_bytes)
       : asset_(std::move(before)),
         options_(options),
         schemas_(schemas),
         text_(asset_.asset().container().json),
         first_sites_(asset_.sites()),
-        trials_(affordable_trials(asset_.asset())) {}
+        trials_(affordable_trials(asset_.asset(), trial_bytes)) {}
 
   FixedAsset run() {
     for (unsigned rounds = 0; rounds < kMostRounds && advance();) ++rounds;
@@ -258,8 +257,9 @@ class Rounds {
 }  // namespace
 
 FixedAsset fix_in_rounds(ValidatedAsset before, const FixOptions& options,
-                         const std::shared_ptr<const schema::Set>& schemas) {
-  return Rounds(std::move(before), options, schemas).run();
+                         const std::shared_ptr<const schema::Set>& schemas,
+                         std::uint64_t trial_bytes) {
+  return Rounds(std::move(before), options, schemas, trial_bytes).run();
 }
 
 }  // namespace gltfx

@@ -4,6 +4,7 @@
 
 #include <gltfx/fix.hpp>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -25,9 +26,13 @@ struct FixedAsset {
   bool changes = false;
 };
 
+/// Bytes of assets that trials of a run validate, about.
+inline constexpr std::uint64_t kTrialBytes = 32U << 20U;
+
 /// `before` was judged by fix_judgement(). Where all fixes together bring a new finding, those that
-/// do so are looked for by halves and left out, in as many trials as the size of the asset allows.
+/// do so are looked for by halves and left out, in as many trials as `trial_bytes` allow.
 FixedAsset fix_in_rounds(validate::ValidatedAsset before, const FixOptions& options,
-                         const std::shared_ptr<const schema::Set>& schemas);
+                         const std::shared_ptr<const schema::Set>& schemas,
+                         std::uint64_t trial_bytes = kTrialBytes);
 
 }  // namespace gltfx

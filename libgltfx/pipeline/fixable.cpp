@@ -25,6 +25,10 @@ using validate::Sites;
 using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
 
+// Whoever validates asked for no fix: what a run would do is found out at little cost, or not.
+constexpr std::uint64_t kRehearsalBytes = 4U << 20U;
+constexpr std::size_t kMostNodes = 1U << 20U;  // of the JSON text
+
 bool is_safe(const Site& site) { return validate::description(site.code).fix == Fix::safe; }
 
 // Whether a safe fix would change something, whatever became of it.
@@ -47,11 +51,12 @@ FixRehearsal rehearse(const ValidatedAsset& validated, const SchemaSet& schemas)
   const OpenedAsset& asset = validated.asset();
   const Sites& sites = validated.sites();
   FixRehearsal rehearsal{std::vector<bool>(sites.size()), {}};
+  if (asset.document().node_count() > kMostNodes) return rehearsal;
   if (!is_any_planned(asset, sites, *schemas)) return rehearsal;
   OpenedAsset again(asset.name(), without_zero_padding(asset.container()), asset.resolver());
   ValidatedAsset before(std::move(again), fix_judgement(schemas));
   rehearsal.before = findings_by_code(before.report());
-  const FixedAsset fixed = fix_in_rounds(std::move(before), FixOptions(), schemas);
+  const FixedAsset fixed = fix_in_rounds(std::move(before), FixOptions(), schemas, kRehearsalBytes);
   if (!fixed.changes || find_obstacle(fixed.after.asset())) return rehearsal;
   rehearsal.removed = sites_gone(sites, fixed.after.sites(), fixed.edits);
   for (std::size_t i = 0; i < sites.size(); ++i) {
