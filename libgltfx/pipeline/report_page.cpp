@@ -129,6 +129,13 @@ PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnai
   return failed;
 }
 
+PageAsset collected_for_targets(const ValidateInput& input, const ThumbnailOptions& thumbnails,
+                                unsigned jobs) {
+  PageAsset page = collected(input, thumbnails, jobs);
+  for (const TargetChoice& choice : input.options->targets) page.targets.push_back(choice.label());
+  return page;
+}
+
 }  // namespace
 
 void report_files(std::span<const ValidateInput> inputs, const ThumbnailOptions& thumbnails,
@@ -136,8 +143,8 @@ void report_files(std::span<const ValidateInput> inputs, const ThumbnailOptions&
   // Many files keep all threads busy by themselves.
   const unsigned each = inputs.size() == 1 ? jobs : 1;
   report_in_order<PageAsset>(
-      inputs.size(), jobs, [&](std::size_t i) { return collected(inputs[i], thumbnails, each); },
-      consume);
+      inputs.size(), jobs,
+      [&](std::size_t i) { return collected_for_targets(inputs[i], thumbnails, each); }, consume);
 }
 
 }  // namespace gltfx

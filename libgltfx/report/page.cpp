@@ -149,6 +149,7 @@ void PageWriter::begin(std::string& out) const {
 
 void PageWriter::asset(const PageAsset& asset, std::string& out) {
   for (const Diagnostic& finding : asset.report.diagnostics) codes_.insert(finding.code);
+  targets_.insert(asset.targets.begin(), asset.targets.end());
   out += has_assets_ ? ",\n" : "\n";
   has_assets_ = true;
   std::string json;
@@ -170,6 +171,10 @@ void PageWriter::end(const RunSummary& summary, std::string& out) const {
     write_rule(writer, *rule);
   }
   writer.end_object();
+  writer.key("targets");
+  writer.begin_array();
+  for (const std::string& label : targets_) writer.string(label);
+  writer.end_array();
   writer.key("summary");
   writer.begin_object();
   writer.member("files", summary.files);

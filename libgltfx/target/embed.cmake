@@ -9,12 +9,12 @@ if(DEFINED OUT)
   foreach(file ${files})
     get_filename_component(name ${file} NAME_WE)
     file(READ ${file} text)
-    if(name STREQUAL "features")
+    if(file MATCHES "/features.json$")
       set(features "${text}")
     else()
       # Compilers limit the length of one literal.
       string(REGEX REPLACE "\n    \"" ")json\" R\"json(\n    \"" text "${text}")
-      string(APPEND entries "  R\"json(${text})json\",\n")
+      string(APPEND entries "  EmbeddedTarget{\"${name}\", R\"json(${text})json\"},\n")
     endif()
   endforeach()
   string(REGEX REPLACE "\n    \"" ")json\" R\"json(\n    \"" features "${features}")
@@ -31,7 +31,7 @@ ${entries}};
 
 }  // namespace
 
-std::span<const char* const> embedded_targets() { return kTargets; }
+std::span<const EmbeddedTarget> embedded_targets() { return kTargets; }
 
 std::string_view embedded_features() { return R\"json(${features})json\"; }
 

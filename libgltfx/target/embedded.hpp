@@ -7,8 +7,13 @@
 
 namespace gltfx::target {
 
-/// One text for each target, sorted by name.
-std::span<const char* const> embedded_targets();
+struct EmbeddedTarget {
+  std::string_view name;
+  std::string_view text;
+};
+
+/// All targets, sorted by name.
+std::span<const EmbeddedTarget> embedded_targets();
 /// The list of features.
 std::string_view embedded_features();
 

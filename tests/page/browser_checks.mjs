@@ -108,6 +108,32 @@ async function filters(browser, url) {
   await context.close();
 }
 
+/** The matrix of targets agrees with the findings, and its links filter by them. */
+async function showsTargets(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  const { targets, assets } = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent));
+  assert.deepEqual(targets.map((one) => one.split(" ")[0]), ["Babylon.js", "Blender", "three.js"]);
+  const fold = page.locator(".fold", { has: page.getByRole("heading", { name: "Targets" }) });
+  await fold.locator("summary").click();
+  const cells = await fold.locator("tbody tr").evaluateAll((lines) => lines.map((line) => [...line.cells].map((cell) => cell.textContent)));
+  assert.ok(cells.length > 10);
+  for (const [, words, ...counts] of cells) {
+    targets.forEach((target, i) => {
+      const having = assets.filter((asset) => asset.findings.some((one) => one.message === `${target} ${words}`));
+      assert.equal(counts[i], String(having.length), `${target} ${words}`);
+    });
+  }
+  const said = assets.flatMap((asset) => asset.findings).filter((one) => one.code.startsWith("TARGET_")).map((one) => one.message);
+  const listed = cells.flatMap(([, words]) => targets.map((target) => `${target} ${words}`));
+  assert.deepEqual([...new Set(said)].filter((one) => !listed.includes(one)), []);
+  await fold.locator("td a").first().focus();
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => / of /.test(document.getElementById("count").textContent));
+  assert.equal(await page.inputValue("#text"), cells[0][1]);
+  await context.close();
+}
+
 async function sorts(browser, url) {
   const context = await browser.newContext();
   const page = await open(context, url);
@@ -232,6 +258,7 @@ export function browserChecks(browser, url, axePath) {
     ["loads nothing and complains of nothing", () => loadsNothing(browser, url)],
     ["text of assets stays text", () => textStaysText(browser, url)],
     ["filters", () => filters(browser, url)],
+    ["shows what targets lose", () => showsTargets(browser, url)],
     ["sorts", () => sorts(browser, url)],
     ["address holds filters and the open asset", () => addressHoldsTheState(browser, url)],
     ["shows lengths with a unit that fits", () => showsLengths(browser, url)],

@@ -52,7 +52,7 @@ async function main() {
     }
   };
   const pictures = speed ? ["--thumbnail-size", "96"] : ["--no-thumbnails"];
-  write("fixtures", writeHostile(folder), "-o", page, ...pictures);
+  write("fixtures", writeHostile(folder), "-o", page, "--target", "three,blender,babylon", ...pictures);
   await check(["valid HTML", validateHtml]);
   const browser = await startBrowser();
   if (browser === null) {

@@ -10,6 +10,7 @@
 namespace gltfx::program {
 namespace {
 
+using container::test::content_of;
 using container::test::TempFolder;
 using testing::HasSubstr;
 using testing::Not;
@@ -20,8 +21,8 @@ const std::string kTwist = R"({"asset": {"version": "2.0"}, "extensionsUsed": ["
  {"KHR_node_visibility": {"visible": false}}}]})";
 
 const std::string kEngine = R"({"format": 1, "name": "engine", "title": "Engine",
- "source": "other:engine", "measured": "picture", "versions": [{"version": "1.0"}],
- "features": {"KHR_node_visibility": {"used": "ignored"}}})";
+ "source": "other:engine", "measured": "picture", "versions": [{"version": "1.0",
+ "released": "2020-02-03"}], "features": {"KHR_node_visibility": {"used": "ignored"}}})";
 
 class Targets : public testing::Test {
  protected:
@@ -61,6 +62,12 @@ TEST_F(Targets, APlanNotesWhoIgnoresTheSuccessor) {
   const Outcome outcome =
       run({"upgrade", "old.gltf", "--target", "engine", "--target-file", "other.json"});
   EXPECT_THAT(outcome.out, HasSubstr("Engine 1.0 ignores KHR_materials_diffuse_transmission"));
+  folder_.write("gltfx.toml", "targets = [\"three@0.187.0\"]\n");
+  const std::string before = content_of(folder_.path() / "old.gltf");
+  const Outcome configured = run({"upgrade", "old.gltf"});
+  EXPECT_THAT(configured.out,
+              HasSubstr("three.js 0.187.0 ignores KHR_materials_diffuse_transmission"));
+  EXPECT_EQ(content_of(folder_.path() / "old.gltf"), before);
 }
 
 TEST_F(Targets, WrongWordsAndFilesAreUsageErrors) {
@@ -76,6 +83,7 @@ TEST_F(Targets, TheMatrixInThreeFormats) {
   EXPECT_THAT(text.out, StartsWith("feature "));
   EXPECT_THAT(text.out, HasSubstr("Engine 1.0"));
   EXPECT_THAT(text.out, HasSubstr("\nKHR_materials_unlit "));
+  EXPECT_THAT(text.out, HasSubstr("\nEngine 1.0 was released on 2020-02-03.\n"));
   const Outcome markdown = run({"targets", "three", "--format", "markdown"});
   EXPECT_THAT(markdown.out, StartsWith("| feature | three.js "));
   EXPECT_THAT(markdown.out, HasSubstr("|---|---|"));

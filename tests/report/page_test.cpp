@@ -95,6 +95,14 @@ PageAsset hostile() {
   return asset;
 }
 
+TEST(Page, ListsTheTargetsOfAllAssetsOnce) {
+  PageAsset first, second;
+  first.targets = {"three.js 0.187.0", "<Engine> 1"};
+  second.targets = {"Blender 3.4.1", "three.js 0.187.0"};
+  const Json data = Json::parse(data_of(page_of({first, second})));
+  EXPECT_EQ(data["targets"], Json({"<Engine> 1", "Blender 3.4.1", "three.js 0.187.0"}));
+}
+
 TEST(Page, TextOfAssetsStaysInsideTheData) {
   const std::string page = page_of({hostile()});
   EXPECT_EQ(count(page, "<script"), 2U);

@@ -74,7 +74,7 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/validate/data/volumes.cpp", "whether a surface is closed is told by its indices"},
     {"libgltfx/validate/targets/geometry_features.cpp", "unlit primitives do not ask for normals"},
     {"libgltfx/validate/targets/material_features.cpp",
-     "transforms of slots as features of engines, told by their values"},
+     "transforms of slots and places of shaders as features of engines"},
     {"libgltfx/validate/targets/scene_features.cpp", "types of lights as features of engines"},
     {"libgltfx/pipeline/example.cpp", "an engine made up for the examples of rules"},
     {"libgltfx/inspect/metadata_facts.cpp", "counts rows, columns and bytes of tables in buffers"},

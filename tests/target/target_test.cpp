@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "container/temp_folder.hpp"
+#include "target/builtin.hpp"
 #include "target/choice.hpp"
 #include "target/target_file.hpp"
 #include "validate/selected.hpp"
@@ -120,6 +122,30 @@ TEST(Target, DataThatIsLostIsAnInfo) {
             Lines{"info TARGET_IGNORES /meshes/0/primitives/0"});
 }
 
+// The bytes of a WebP image of 4 x 2 texels: a lossless stream, of which only the head is read.
+TEST(Target, ImagesWhoseFormatNoMimeTypeTells) {
+  const auto choice = choice_of(R"("image.webp-no-mime-type": {"used": "refused"})");
+  const container::test::TempFolder folder;
+  folder.write(
+      "a.webp",
+      std::string("RIFF\x16\0\0\0WEBPVP8L\x0a\0\0\0\x2f\x03\x40\0\0\x07\x50\x88\x00\x00", 30));
+  const std::string text = R"({"asset": {"version": "2.0"}, "images": [{"uri": "a.webp")";
+  ValidateOptions options;
+  options.targets = {choice};
+  options.select = {"TARGET_REFUSES"};
+  const auto found = [&](const std::string& members) {
+    return lines(validate_file(folder.write("a.gltf", text + members + "}]}").native(), options));
+  };
+  EXPECT_EQ(found(""), Lines{"error TARGET_REFUSES /images/0"});
+  EXPECT_THAT(found(R"(, "mimeType": "image/webp")"), IsEmpty());
+}
+
+TEST(Target, BuiltInOnesByName) {
+  for (const auto& one : builtin_targets()) EXPECT_EQ(target::builtin_target(one->name), one);
+  EXPECT_EQ(target::builtin_target("nobody"), nullptr);
+  EXPECT_EQ(target::builtin_target(""), nullptr);
+}
+
 TEST(Target, EveryBuiltInFileIsRead) {
   EXPECT_GE(builtin_targets().size(), 4U);
   std::set<std::string> names;
@@ -173,6 +199,13 @@ const std::string kPoints =
     R"("accessors": [{"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0],
     "max": [0, 0, 0]}, {"componentType": 5121, "type": "SCALAR", "count": 3}], )";
 
+std::string column(const std::string& property) {
+  return R"("extensionsUsed": ["EXT_structural_metadata"], "extensions": {"EXT_structural_metadata":
+      {"schema": {"id": "s", "classes": {"part": {"properties": {"value": )" +
+         property + R"(}}}}, "propertyTables": [{"class": "part", "count": 2,
+      "properties": {"value": {"values": 0}}}]}})";
+}
+
 std::string primitive(const std::string& members) {
   return kPoints + R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0})" + members +
          "}]}]";
@@ -200,11 +233,26 @@ INSTANTIATE_TEST_SUITE_P(
         Detected{"scene.no-default", R"("scenes": [{"nodes": [0]}], "nodes": [{}])"},
         Detected{"node.matrix", R"("nodes": [{"matrix": [2,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])"},
         Detected{"node.negative-scale", R"("nodes": [{"scale": [-1, 1, 1]}])"},
-        Detected{"node.name-doubled", R"("nodes": [{"name": "a"}, {"name": "a"}])"},
+        Detected{"node.zero-scale", R"("nodes": [{"scale": [1, 0, 1]}])"},
+        Detected{"node.name-doubled", R"("nodes": [{"name": "a"}, {"name": "\u0061"}])"},
+        Detected{"node.name-special", R"("nodes": [{"name": "arm.l"}])"},
+        Detected{"node.mesh-shared", primitive("") + R"(, "nodes": [{"mesh": 0}, {"mesh": 0}])"},
         Detected{"camera.orthographic", R"("nodes": [{"camera": 0}], "cameras": [{"type":
             "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "zfar": 2, "znear": 1}}])"},
         Detected{"light.spot", R"("extensionsUsed": ["KHR_lights_punctual"], "extensions":
             {"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}}]}})"},
+        Detected{"structural-metadata.boolean", column(R"({"type": "BOOLEAN"})")},
+        Detected{"structural-metadata.enum", column(R"({"type": "ENUM", "enumType": "e"})")},
+        Detected{"structural-metadata.string", column(R"({"type": "STRING"})")},
+        Detected{"structural-metadata.matrix",
+                 column(R"({"type": "MAT3", "componentType": "FLOAT32"})")},
+        Detected{"structural-metadata.array", column(R"({"type": "BOOLEAN", "array": true})")},
+        Detected{"structural-metadata.array-fixed",
+                 column(R"({"type": "BOOLEAN", "array": true, "count": 2})")},
+        Detected{"techniques.shader-uri", R"("extensionsUsed": ["KHR_techniques_webgl"],
+            "extensions": {"KHR_techniques_webgl": {"shaders": [{"type": 35632, "uri": "a.glsl"}]}})"},
+        Detected{"uri.data-gltf-buffer", R"("buffers": [{"byteLength": 1,
+            "uri": "data:application/gltf-buffer;base64,AA=="}])"},
         Detected{"uri.subfolder", R"("images": [{"uri": "tex/a.png"}])"},
         Detected{"uri.percent-encoded", R"("images": [{"uri": "a%20b.png"}])"},
         Detected{"uri.absolute", R"("images": [{"uri": "https://example.com/a.png"}])"},

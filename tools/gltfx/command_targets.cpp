@@ -51,6 +51,16 @@ std::vector<Row> table_of(const std::vector<TargetChoice>& choices) {
   return rows;
 }
 
+// A sentence for each version whose date is known.
+std::string dates_of(const std::vector<TargetChoice>& choices) {
+  std::string text;
+  for (const TargetChoice& choice : choices) {
+    const std::string& date = choice.target->versions[choice.version].released;
+    if (!date.empty()) text += fmt::format("{} was released on {}.\n", choice.label(), date);
+  }
+  return text;
+}
+
 std::string targets_text(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows) {
@@ -147,8 +157,8 @@ std::string targets_json(const std::vector<TargetChoice>& choices) {
 ExitCode run(const TargetsRequest& request) {
   if (request.format == MatrixFormat::json) return print(targets_json(request.choices));
   const std::vector<Row> rows = table_of(request.choices);
-  return print(request.format == MatrixFormat::markdown ? targets_markdown(rows)
-                                                        : targets_text(rows));
+  if (request.format == MatrixFormat::markdown) return print(targets_markdown(rows));
+  return print(targets_text(rows) + dates_of(request.choices));
 }
 
 }  // namespace gltfx::tool

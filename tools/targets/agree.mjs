@@ -3,8 +3,8 @@
 // newest version, how many assets were refused and found, how many refusals were false, and how often gltfx is right about
 // an extension: ignored, or read. GLTFX names the program; assets with other errors are left out.
 import { spawnSync } from 'node:child_process';
-import { readFileSync, readdirSync, statSync } from 'node:fs';
-import { basename, dirname, join, relative } from 'node:path';
+import { existsSync, readFileSync } from 'node:fs';
+import { basename, dirname, join, normalize, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { ofHarness, openEngine } from './loading.mjs';
 import { asIfNamed, stranger } from './probes/index.mjs';
@@ -20,7 +20,16 @@ if (targets.length > 1) {
   process.exit(0);
 }
 
-const walk = path => readdirSync(path).sort().flatMap(name => (statSync(join(path, name)).isDirectory() ? walk(join(path, name)) : [join(path, name)]));
+// The asset and the files below its folder that it names: bytes by path.
+function filesOf(path, json) {
+  const names = [];
+  JSON.stringify(json, (key, value) => {
+    if (/uri$/i.test(key) && typeof value === 'string' && !/^[a-z]+:/i.test(value)) names.push(decodeURIComponent(value));
+    return value;
+  });
+  const there = names.map(name => normalize(name)).filter(name => !name.startsWith('..') && existsSync(join(dirname(path), name)));
+  return new Map([basename(path), ...there].map(name => [name, readFileSync(join(dirname(path), name))]));
+}
 
 function jsonOf(path) {
   const bytes = readFileSync(path);
@@ -69,11 +78,14 @@ const notes = [];
 for (const { path, readable, findings } of JSON.parse(run.stdout).files) {
   if (!readable || findings.some(it => it.severity === 'error' && !it.code.startsWith('TARGET_'))) continue;
   const asset = jsonOf(path);
-  const place = dirname(path);
-  const files = new Map(walk(place).filter(name => statSync(name).size < 1 << 24).map(name => [relative(place, name), readFileSync(name)]));
+  const files = filesOf(path, asset.json);
   const { refusal, ignored } = prediction(findings);
   const it = await attempt(files, basename(path));
-  if (it.error && ofHarness(it.error)) { counts.harness += 1; continue; }
+  if (it.error && ofHarness(it.error)) {
+    counts.harness += 1;
+    notes.push(`${relative(folder, path)}: not compared. ${`${it.error.message ?? it.error}`.slice(0, 200)}`);
+    continue;
+  }
   counts.assets += 1;
   counts.refused += it.error ? 1 : 0;
   counts.predicted += refusal ? 1 : 0;

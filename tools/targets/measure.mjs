@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures targets and writes their files: measure.mjs [--check] [--packages FOLDER] [--out FOLDER] [--feature NAME]
+// Measures targets and writes their files: measure.mjs [--check] [--packages FOLDER] [--out FOLDER] [--feature NAMES]
 // [TARGET[@VERSION]...]. A version that is not named keeps the outcomes it has in the file, and so does another feature;
 // "@newest" names the newest of a target.
 import { spawnSync } from 'node:child_process';
@@ -14,7 +14,7 @@ const check = args.includes('--check');
 const option = (name, otherwise) => (args.includes(name) ? args[args.indexOf(name) + 1] : otherwise);
 const store = option('--packages', `${root}build/targets/npm`);
 const out = option('--out', `${root}schema/targets`);
-const feature = option('--feature', null);
+const features = option('--feature', '').split(',').filter(Boolean);
 const wanted = args.filter((arg, i) => !arg.startsWith('--') && !['--packages', '--out', '--feature'].includes(args[i - 1]));
 const targets = JSON.parse(readFileSync(`${here}targets.json`, 'utf8'));
 
@@ -25,7 +25,7 @@ const chosen = (name, version) => wanted.length === 0 || wanted.includes(name) |
 // Outcomes of one version by feature and mode, or null.
 function measure(name, target, version) {
   const folder = `${store}/${target.folder ?? name}-${version}`;
-  const result = spawnSync(process.execPath, ['--no-warnings', '--max-old-space-size=4096', `${here}run.mjs`, target.engine ?? name.replaceAll('-', '_'), folder, `${root}build/targets/npm/tools`, ...(feature ? [feature] : [])],
+  const result = spawnSync(process.execPath, ['--no-warnings', '--max-old-space-size=4096', `${here}run.mjs`, target.engine ?? name.replaceAll('-', '_'), folder, `${root}build/targets/npm/tools`, ...features],
     { encoding: 'utf8', maxBuffer: 1 << 26, stdio: ['ignore', 'pipe', 'inherit'] });
   if (result.status !== 0) {
     process.stderr.write(`${name} ${version}: not measured\n`);
@@ -54,7 +54,8 @@ for (const [name, target] of Object.entries(targets)) {
     if (chosen(name, version)) {
       npmInstall(name, target, version);
       const result = measure(name, target, version);
-      if (result) outcomes.set(version, feature ? { ...known.get(version), ...result } : result);
+      const kept = Object.entries(features.length ? known.get(version) ?? {} : {}).filter(([name]) => !features.includes(name));
+      if (result) outcomes.set(version, { ...Object.fromEntries(kept), ...result });
       else failed = true;
     } else if (known.has(version)) {
       outcomes.set(version, known.get(version));

@@ -24,6 +24,7 @@ const hasAll = (names, wanted) => wanted.every(name => names.filter(x => x === n
 async function outcome(probe) {
   const twin = await loaded(probe.twin);
   if (twin.error) return null;
+  if (probe.of && ignores(probe.of, twin, await loaded(probe.renamed))) return null;
   const it = await loaded(probe.asset);
   if (it.error) {
     told(probe.name, '|', it.error?.stack ?? it.error);
@@ -38,10 +39,13 @@ async function outcome(probe) {
     return equal(it.facts, twin.facts, keys) === Boolean(probe.same) ? 'read' : 'ignored';
   }
   if (it.dump === twin.dump) return 'ignored';
-  if (!probe.renamed) return 'read';
-  const renamed = await loaded(probe.renamed);
-  return !renamed.error && it.dump === asIfNamed(probe.feature, renamed.dump) ? 'ignored' : 'read';
+  if (!probe.renamed || probe.of) return 'read';
+  return ignores(probe.feature, it, await loaded(probe.renamed)) ? 'ignored' : 'read';
 }
+
+// Whether the engine builds the same without the extension that a probe is about.
+const ignores = (name, it, renamed) => !renamed.error
+  && (it.picture ? !drawn({}, difference(it.picture, renamed.picture)) : it.dump === asIfNamed(name, renamed.dump));
 
 // The share of pixels of two pictures that differ visibly. Pictures of the same model may differ at edges.
 function difference(a, b) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace gltfx {
 
@@ -29,6 +30,7 @@ struct PageAsset {
   InspectReport inspection;             ///< what is in it
   PagePicture picture;                  ///< what it looks like
   std::optional<PagePicture> upgraded;  ///< where an upgrade changes the asset
+  std::vector<std::string> targets;     ///< labels of those that it was checked for
 };
 
 /// What stands on a page beside the assets.
@@ -52,6 +54,7 @@ class PageWriter {
  private:
   PageOptions options_;
   std::set<std::string_view> codes_;  ///< that findings have
+  std::set<std::string> targets_;     ///< of the assets
   bool has_assets_ = false;
 };
 

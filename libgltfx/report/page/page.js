@@ -247,6 +247,36 @@ function extensionCounts() {
   return [...counts.values()].sort((a, b) => b.assets - a.assets || (a.name < b.name ? -1 : 1));
 }
 
+/** What targets refuse or ignore: a severity, the words after the name of the target, and assets by target. */
+function targetLosses() {
+  const losses = new Map();
+  for (const asset of report.assets) {
+    const seen = new Set();
+    for (const { code, severity, message } of asset.findings) {
+      const target = code.startsWith("TARGET_") ? report.targets.find((one) => message.startsWith(one + " ")) : undefined;
+      if (target === undefined || seen.has(message)) continue;
+      seen.add(message);
+      const words = message.slice(target.length + 1);
+      const loss = losses.get(words) || { words, severity, assets: new Map() };
+      if (SEVERITIES.indexOf(severity) < SEVERITIES.indexOf(loss.severity)) loss.severity = severity;
+      loss.assets.set(target, (loss.assets.get(target) || 0) + 1);
+      losses.set(words, loss);
+    }
+  }
+  return [...losses.values()].sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity)
+    || (a.words < b.words ? -1 : 1));
+}
+
+function targetTable() {
+  const losses = targetLosses();
+  if (losses.length === 0) return make("p.soft", {}, "Every target reads every feature that was measured.");
+  const rows = losses.map((loss) => [make("span.label.is-" + loss.severity, {}, loss.severity),
+    make("a", { href: "#" + new URLSearchParams({ text: loss.words }) }, visible(loss.words)),
+    ...report.targets.map((one) => grouped(loss.assets.get(one) || 0))]);
+  return table("What targets refuse or ignore, and in how many assets",
+    [["severity"], ["the target …"], ...report.targets.map((one) => [visible(one), true])], rows);
+}
+
 function fold(heading, note, content) {
   return make("details.fold", {}, make("summary", {}, make("h3", {}, heading), " ", make("span.soft", {}, note)),
     make("div", {}, content));
@@ -265,6 +295,9 @@ function fillOverview(rules) {
   if (rules.length > 0) {
     overview.append(fold("Findings by rule", counted(rules.length, "rule"), table("Rules that found something",
       [["severity"], ["rule"], ["what it says"], ["findings", true], ["assets", true]], ruleRows)));
+  }
+  if (report.targets.length > 0) {
+    overview.append(fold("Targets", counted(report.targets.length, "target"), targetTable()));
   }
   if (extensions.length > 0) {
     overview.append(fold("Extensions", grouped(extensions.length), table("Extensions in use",

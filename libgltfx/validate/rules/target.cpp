@@ -40,11 +40,11 @@ class TargetCheck {
   TargetCheck(const Context& context, Sink& sink) : context_(context), sink_(sink) {}
 
   void check(const TargetChoice& choice, std::string_view name, const FeaturePlace& place) const {
+    const TargetRange* range = find_outcome(choice, name, place.use);
+    if (range == nullptr || range->outcome > TargetOutcome::ignored) return;
     const auto known = target_features().find(name);
     if (known == target_features().end()) return;
     const Feature& feature = known->second;
-    const TargetRange* range = find_outcome(choice, name, place.use);
-    if (range == nullptr) return;
     const std::string subject = is_extension(name) ? std::string(name) : feature.title;
     if (range->outcome == TargetOutcome::refused) {
       const std::string_view how =
@@ -52,7 +52,7 @@ class TargetCheck {
       return report(place, name, Code::TARGET_REFUSES, {},
                     fmt::format("{} refuses assets {} {}.", choice.label(), how, subject), feature);
     }
-    if (range->outcome != TargetOutcome::ignored || feature.effect == FeatureEffect::none) return;
+    if (feature.effect == FeatureEffect::none) return;
     std::string message = fmt::format("{} ignores {}: {}.", choice.label(), subject, feature.lost);
     if (name.find("-over-") != std::string_view::npos) {
       return report(place, name, Code::TARGET_LIMIT, {}, std::move(message), feature);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/targets/features.hpp"
 
-#include <gltfx/targets.hpp>
-
 #include <algorithm>
+#include <string>
 
 namespace gltfx::validate {
 namespace {
@@ -52,12 +51,22 @@ void find_extensions(const Context& context, Features& features) {
 
 }  // namespace
 
+bool Features::matters(std::string_view name) const {
+  return std::any_of(targets_.begin(), targets_.end(), [&](const TargetChoice& choice) {
+    const auto found = choice.target->features.find(name);
+    if (found == choice.target->features.end()) return false;
+    const TargetRange* range = outcome_of(found->second.used, choice.version);
+    return range != nullptr && range->outcome <= TargetOutcome::ignored;
+  });
+}
+
 Features find_features(const Context& context, const model::ResourceData& resources) {
-  Features features;
+  Features features(context.options.targets);
   find_extensions(context, features);
   find_geometry_features(context, features);
   find_material_features(context, features);
   find_scene_features(context, features);
+  find_metadata_features(context, features);
   find_file_features(context, resources, features);
   return features;
 }

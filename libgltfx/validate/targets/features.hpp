@@ -3,8 +3,12 @@
 /// as its member `has` states.
 #pragma once
 
+#include <gltfx/targets.hpp>
+
+#include <array>
+#include <cstdint>
 #include <map>
-#include <string>
+#include <span>
 #include <string_view>
 
 #include "model/resource_data.hpp"
@@ -25,9 +29,18 @@ struct FeaturePlace {
 /// in the context.
 class Features {
  public:
+  explicit Features(std::span<const TargetChoice> targets) : targets_(targets) {}
+
+  /// Whether one of the targets refuses or ignores it. Others need not be looked for; it is for
+  /// features whose search costs something.
+  bool matters(std::string_view name) const;
   /// Keeps the first place.
   void note(std::string_view name, json::NodeId node, FeatureUse use = FeatureUse::used,
             bool fallback = false) {
+    // Many objects have what one before them had: its literal tells without a comparison of texts.
+    const char*& last = recent_[(reinterpret_cast<std::uintptr_t>(name.data()) >> 3U) % 16];
+    if (last == name.data()) return;
+    last = name.data();
     places_.try_emplace(name, FeaturePlace{node, use, fallback});
   }
   void note_if(bool has, std::string_view name, json::NodeId node) {
@@ -37,7 +50,9 @@ class Features {
   const std::map<std::string_view, FeaturePlace>& all() const { return places_; }
 
  private:
+  std::span<const TargetChoice> targets_;
   std::map<std::string_view, FeaturePlace> places_;
+  std::array<const char*, 16> recent_{};  // names in places_
 };
 
 /// All features of an asset whose links were checked. Linear in the document.
@@ -47,6 +62,7 @@ Features find_features(const Context& context, const model::ResourceData& resour
 void find_geometry_features(const Context& context, Features& features);
 void find_material_features(const Context& context, Features& features);
 void find_scene_features(const Context& context, Features& features);
+void find_metadata_features(const Context& context, Features& features);
 void find_file_features(const Context& context, const model::ResourceData& resources,
                         Features& features);
 

@@ -60,14 +60,14 @@ class FileFeatures {
   }
 
   void find_buffer(NodeId buffer) {
-    const std::string uri = model::string_member(document_, buffer, "uri");
-    if (uri.empty()) return;
-    note_if(uri.starts_with("data:"), "uri.data-buffer", buffer);
-    note_if(uri.starts_with("data:application/gltf-buffer"), "uri.data-gltf-buffer", buffer);
-    if (uri.starts_with("data:")) return;
+    const NodeId value = document_.find(buffer, "uri");
+    if (value == json::kNoNode || !document_.is_string(value)) return;
+    const std::string_view raw = document_.raw(value);
+    note_if(raw.starts_with("\"data:application/gltf-buffer"), "uri.data-gltf-buffer", buffer);
+    if (raw.starts_with("\"data:")) return features_.note("uri.data-buffer", buffer);
     note_if(context_.container.format == container::Format::glb, "container.glb-external-buffer",
             buffer);
-    find_uri(uri, buffer);
+    find_uri(document_.string(value), buffer);
   }
 
   void find_uri(const std::string& uri, NodeId node) {
@@ -91,12 +91,21 @@ class FileFeatures {
       const bool is_data = document_.raw(value).starts_with("\"data:");
       note_if(is_data, "uri.data-image", image);
       if (!is_data) find_uri(document_.string(value), image);
+      if (!is_data && data.header && document_.find(image, "mimeType") == json::kNoNode) {
+        find_untyped(image, data.header->format);
+      }
     }
     if (data.ktx2) {
       note_if(data.ktx2->model == image::Ktx2Model::etc1s, "image.ktx2-etc1s", image);
       note_if(data.ktx2->model == image::Ktx2Model::uastc, "image.ktx2-uastc", image);
     }
     if (data.header) find_header(image, *data.header);
+  }
+
+  void find_untyped(NodeId image, image::Format format) {
+    note_if(format == image::Format::webp, "image.webp-no-mime-type", image);
+    note_if(format == image::Format::avif, "image.avif-no-mime-type", image);
+    note_if(format == image::Format::ktx2, "image.ktx2-no-mime-type", image);
   }
 
   void find_header(NodeId image, const image::Header& header) {

@@ -17,6 +17,7 @@ using json::NodeId;
 using model::RootArray;
 
 constexpr std::string_view kTransform = "KHR_texture_transform";
+constexpr std::string_view kTechniques = "KHR_techniques_webgl";
 
 class MaterialFeatures {
  public:
@@ -28,6 +29,7 @@ class MaterialFeatures {
       if (material != json::kNoNode) find_material(material);
     }
     find_slots();
+    find_shaders();
     for (const NodeId texture : context_.asset.elements(RootArray::textures)) {
       if (texture != json::kNoNode) find_texture(texture);
     }
@@ -89,6 +91,15 @@ class MaterialFeatures {
         material = owner;
         first = slot;
       }
+    }
+  }
+
+  void find_shaders() {
+    const NodeId extension = model::extension_object(document_, document_.root(), kTechniques);
+    const NodeId shaders = document_.find(extension, "shaders");
+    if (shaders == json::kNoNode || document_.kind(shaders) != json::Kind::array) return;
+    for (const NodeId shader : document_.elements(shaders)) {
+      note_if(document_.find(shader, "uri") != json::kNoNode, "techniques.shader-uri", shader);
     }
   }
 

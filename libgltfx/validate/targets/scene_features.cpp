@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Features of scenes, nodes, skins, cameras, lights and animations.
+#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/fields.hpp"
 #include "model/skin.hpp"
@@ -20,7 +22,11 @@ class SceneFeatures {
       : context_(context),
         document_(context.document),
         views_(context.views),
-        features_(features) {}
+        features_(features),
+        scales_(features.matters("node.negative-scale") || features.matters("node.zero-scale")),
+        names_(features.matters("node.name-special") || features.matters("node.name-doubled")),
+        meshes_(views_.meshes.size()),
+        name_key_(document_.key_id("name")) {}
 
   void find() {
     find_scenes();
@@ -58,16 +64,13 @@ class SceneFeatures {
   void find_node(const model::Node& node) {
     const NodeId object = node.object;
     note_if(node.matrix != json::kNoNode, "node.matrix", object);
-    if (const auto scale = model::float_array<3>(document_, node.scale)) {
-      const float product = (*scale)[0] * (*scale)[1] * (*scale)[2];
-      note_if(product < 0, "node.negative-scale", object);
-      note_if((*scale)[0] == 0 || (*scale)[1] == 0 || (*scale)[2] == 0, "node.zero-scale", object);
-    }
+    if (scales_) find_scale(node);
     note_if(node.weights != json::kNoNode, "morph.node-weights", object);
     if (node.mesh) {
-      note_if(!meshes_.insert(*node.mesh).second, "node.mesh-shared", object);
+      note_if(meshes_[*node.mesh], "node.mesh-shared", object);
+      meshes_[*node.mesh] = true;
     }
-    find_name(object);
+    if (names_) find_name(object);
     if (node.camera) find_camera(context_.asset.elements(RootArray::cameras)[*node.camera]);
     if (!node.skin) return;
     features_.note("skin.joints", object);
@@ -75,11 +78,27 @@ class SceneFeatures {
     note_if(!model::read_transform(document_, node).is_identity(), "skin.transformed-mesh", object);
   }
 
+  void find_scale(const model::Node& node) {
+    const auto scale = model::float_array<3>(document_, node.scale);
+    if (!scale) return;
+    const float product = (*scale)[0] * (*scale)[1] * (*scale)[2];
+    note_if(product < 0, "node.negative-scale", node.object);
+    note_if((*scale)[0] == 0 || (*scale)[1] == 0 || (*scale)[2] == 0, "node.zero-scale",
+            node.object);
+  }
+
   void find_name(NodeId object) {
-    const std::string name = context_.asset.name(object);
+    const NodeId value = document_.find(object, name_key_);
+    if (value == json::kNoNode || !document_.is_string(value)) return;
+    std::string buffer;
+    const std::string_view name = document_.string(value, buffer);
     if (name.empty()) return;
-    note_if(name.find_first_of("[].:/") != std::string::npos, "node.name-special", object);
-    note_if(!names_.insert(name).second, "node.name-doubled", object);
+    note_if(std::any_of(name.begin(), name.end(), is_special), "node.name-special", object);
+    note_if(!document_.insert_string(value, names_so_far_), "node.name-doubled", object);
+  }
+
+  static bool is_special(char c) {
+    return c == '[' || c == ']' || c == '.' || c == ':' || c == '/';
   }
 
   void find_camera(NodeId camera) {
@@ -160,8 +179,11 @@ class SceneFeatures {
   const json::Document& document_;
   const model::Views& views_;
   Features& features_;
-  std::set<std::uint32_t> meshes_, skins_;  // of nodes so far
-  std::set<std::string> names_;             // likewise
+  bool scales_, names_;       // whether a target cares
+  std::vector<bool> meshes_;  // whether a node has had the mesh
+  json::KeyId name_key_;
+  std::set<std::uint32_t> skins_;
+  json::KeyTable names_so_far_;
 };
 
 }  // namespace

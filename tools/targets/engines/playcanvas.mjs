@@ -36,11 +36,14 @@ async function load(pc, files, main) {
     const parts = asset.resource;
     const built = list => (list ?? []).map(it => it?.resource ?? it);
     const roots = { renders: built(parts.renders).map(it => it.meshes), materials: built(parts.materials), textures: built(parts.textures), animations: built(parts.animations), variants: Object.keys(parts.data?.variants ?? {}) };
-    return described(() => ({ dump: dump({ roots, entities: entities(entity), images: [...decoded].sort() }, skip).replace(/gltf-texture-\d+/g, 'gltf-texture'), facts: facts(pc, entity, parts) }));
+    return described(() => ({ dump: dump({ roots, entities: entities(entity), images: [...decoded].sort() }, skip).replace(counted, '$1"'), facts: facts(pc, entity, parts) }));
   } finally {
     app.destroy();
   }
 }
+
+// Names of textures end in a number that counts all textures so far.
+const counted = /^(.* _addressU=.* name="[^"\n]*)-\d+"/gm;
 
 const left = new Set(['id', '_id', '_app', '_device', 'device', 'app', '_registry', 'registry', '_system', 'system', '_callbacks', '_callbackActive', 'graphicsDevice', '_guid', 'guid', 'key', '_shader', 'variants', 'profilerHint', '_parent', 'impl', '_storage', 'adapter', '_gpuSize', '_loader', 'loader', '_file', 'file', '_url', 'url', 'renderVersion', 'renderVersionDirty', 'meshInstances', '_resources', '_resource', 'nodes', '_allocated', 'stamp', '_textures', '_hash', 'hash', '_shaderVersion', 'name_', 'sortKeyShadow', 'refCount', '_refCount', 'dirtyBlend_', 'renderFrame']);
 const skip = (key, value, owner) => (left.has(key) && !(key === 'variants' && owner.renders)) || /version$|uniqueid/i.test(key) || ['Asset', 'NullGraphicsDevice', 'AppBase', 'Events', 'EventHandle'].includes(value?.constructor?.name);

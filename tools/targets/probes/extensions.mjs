@@ -178,16 +178,38 @@ function restart() {
   return added(asset, it => set(it.json.meshes[0], 'EXT_mesh_primitive_restart', { primitiveGroups: [{ primitives: [0, 1], indices: it.indices([...strip, 65535, ...strip]) }] }));
 }
 
-// Name of an extension: { used, required, requiredWithFallback }, functions that give { asset, twin }. One function
-// stands for used and required.
-const shader = (type, text) => ({ type, uri: `data:text/plain;base64,${Buffer.from(text).toString('base64')}` });
-const techniques = {
-  programs: [{ fragmentShader: 0, vertexShader: 1 }],
-  shaders: [shader(35632, 'precision mediump float; void main() { gl_FragColor = vec4(0.1, 0.2, 0.9, 1); }'),
-    shader(35633, 'attribute vec3 position; uniform mat4 matrix; void main() { gl_Position = matrix * vec4(position, 1); }')],
-  techniques: [{ program: 0, attributes: { position: { semantic: 'POSITION' } }, uniforms: { matrix: { semantic: 'MODELVIEWPROJECTION', type: 35676 } } }],
+const vertexShader = 'attribute vec3 position; uniform mat4 matrix; void main() { gl_Position = matrix * vec4(position, 1); }';
+const fragmentShader = 'precision mediump float; void main() { gl_FragColor = vec4(0.1, 0.2, 0.9, 1); }';
+const inlined = text => ({ uri: `data:text/plain;base64,${Buffer.from(text).toString('base64')}` });
+
+// A material drawn by a program. store(asset, text) gives the members of a shader that say where its text is.
+export function technique(store = (asset, text) => ({ bufferView: asset.view(Buffer.from(text)) })) {
+  const asset = model();
+  const shader = (type, text) => ({ type, ...store(asset, text) });
+  const shaders = [shader(35632, fragmentShader), shader(35633, vertexShader)];
+  const techniques = [{ program: 0, attributes: { position: { semantic: 'POSITION' } }, uniforms: { matrix: { semantic: 'MODELVIEWPROJECTION', type: 35676 } } }];
+  return onRoot('KHR_techniques_webgl', { programs: [{ fragmentShader: 0, vertexShader: 1 }], shaders, techniques }, json => json.materials[0], { technique: 0 }, asset);
+}
+export const inlinedTechnique = () => technique((asset, text) => inlined(text));
+
+// A table of two rows for the two halves of a model, with one property. bytes: the column, and where its elements begin.
+export function metadata(property = { type: 'SCALAR', componentType: 'FLOAT32' }, bytes = { values: Float32Array.of(1.5, 2.5) }, more = {}) {
+  const asset = model();
+  const column = Object.fromEntries(Object.entries(bytes).map(([name, list]) => [name, asset.view(Buffer.from(list.buffer, list.byteOffset, list.byteLength))]));
+  return onRoot('EXT_structural_metadata', {
+    schema: { id: 'probe', classes: { part: { properties: { value: property } } }, ...more },
+    propertyTables: [{ class: 'part', count: 2, properties: { value: column } }],
+  }, undefined, undefined, asset);
+}
+const featureIds = { featureIds: [{ featureCount: 117, nullFeatureId: 0 }] };
+const instanceFeatures = () => {
+  const { asset } = instances();
+  asset.uses('EXT_mesh_gpu_instancing');
+  return added(asset, it => set(it.json.nodes[0], 'EXT_instance_features', { featureIds: [{ featureCount: 3 }] }));
 };
 
+// Name of an extension: { used, required, requiredWithFallback }, functions that give { asset, twin }. One function
+// stands for used and required.
 export const extensions = {
   ...Object.fromEntries(Object.entries(onMaterial).map(([name, value]) => [name, () => material(name, value, emissive[name])])),
   ADOBE_materials_clearcoat_specular: () => material('ADOBE_materials_clearcoat_specular', { clearcoatIor: 2, clearcoatSpecularFactor: 0.3 }, {}, { KHR_materials_clearcoat: { clearcoatFactor: 1 } }),
@@ -195,12 +217,15 @@ export const extensions = {
   AGI_articulations: () => onRoot('AGI_articulations', { articulations: [{ name: 'Arm', stages: [{ name: 'Turn', type: 'xRotate', minimumValue: -90, maximumValue: 90, initialValue: 10 }] }] }, node, { articulationName: 'Arm' }),
   AGI_stk_metadata: () => onRoot('AGI_stk_metadata', { solarPanelGroups: [{ name: 'Panels', efficiency: 20 }] }, node, { solarPanelGroupName: 'Panels' }),
   CESIUM_primitive_outline: outline,
+  EXT_instance_features: instanceFeatures,
   EXT_lights_image_based: imageBased,
+  EXT_mesh_features: () => added(model(), asset => set(asset.json.meshes[0].primitives[0], 'EXT_mesh_features', featureIds)),
   EXT_mesh_gpu_instancing: instances,
   EXT_lights_ies: () => withFile('lamp.ies', 'IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 0\n', onRoot('EXT_lights_ies', { lights: [{ uri: 'lamp.ies', name: 'Lamp' }] }, node, { light: 0, multiplier: 5 })),
   EXT_mesh_manifold: () => added(model({ shape: tetrahedron() }), asset => set(asset.json.meshes[0], 'EXT_mesh_manifold', { manifoldPrimitive: { attributes: { POSITION: asset.json.meshes[0].primitives[0].attributes.POSITION }, indices: asset.json.meshes[0].primitives[0].indices } })),
   EXT_mesh_primitive_edge_visibility: () => added(model({ shape: square() }), asset => set(asset.json.meshes[0].primitives[0], 'EXT_mesh_primitive_edge_visibility', { visibility: asset.accessor([0b1010, 0b1010], { type: 'SCALAR', componentType: 5121 }) })),
   EXT_mesh_primitive_restart: restart,
+  EXT_structural_metadata: () => metadata(),
   EXT_texture_avif: byImage('EXT_texture_avif', 'rgb.avif', 'image/avif'),
   EXT_texture_webp: byImage('EXT_texture_webp', 'rgb.webp', 'image/webp'),
   FB_geometry_metadata: () => added(model(), asset => set(asset.json.scenes[0], 'FB_geometry_metadata', { vertexCount: 117, primitiveCount: 168, sceneBounds: { min: [-1, -1, -1], max: [1, 1, 1] } })),
@@ -228,7 +253,7 @@ export const extensions = {
   KHR_node_hoverability: () => added(model(), asset => set(node(asset.json), 'KHR_node_hoverability', { hoverable: false })),
   KHR_node_selectability: () => added(model(), asset => set(node(asset.json), 'KHR_node_selectability', { selectable: false })),
   KHR_node_visibility: () => added(twoNodes(), asset => set(node(asset.json), 'KHR_node_visibility', { visible: false })),
-  KHR_techniques_webgl: () => onRoot('KHR_techniques_webgl', techniques, json => json.materials[0], { technique: 0 }),
+  KHR_techniques_webgl: () => technique(),
   KHR_texture_basisu: byImage('KHR_texture_basisu', 'etc1s.ktx2', 'image/ktx2'),
   KHR_texture_transform: () => added(textured(), asset => set(asset.json.materials[0].pbrMetallicRoughness.baseColorTexture, 'KHR_texture_transform', transform)),
   KHR_xmp: () => onRoot('KHR_xmp', { '@context': { dc: 'http://purl.org/dc/elements/1.1/' }, packets: [{ 'dc:title': 'Ball' }] }, json => json.asset, { packet: 0 }),

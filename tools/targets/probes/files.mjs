@@ -115,6 +115,9 @@ export const files = {
   'image.jpeg-orientation': orientation,
   'image.ktx2-etc1s': () => besideFallback('etc1s.ktx2'),
   'image.ktx2-uastc': () => besideFallback('uastc.ktx2'),
+  'image.webp-no-mime-type': () => untyped('EXT_texture_webp', 'rgb.webp', 'image/webp'),
+  'image.avif-no-mime-type': () => untyped('EXT_texture_avif', 'rgb.avif', 'image/avif'),
+  'image.ktx2-no-mime-type': () => untyped('KHR_texture_basisu', 'etc1s.ktx2', 'image/ktx2'),
   'image.buffer-view': () => stored(textured, inBufferView, 'images'),
   'image.non-power-of-two': () => like(textured({ image: colors([48, 40]), sampler: sharp }), textured({ sampler: sharp }), 'pixels'),
   'asset.version-2.1': () => ({ asset: versions(model(), { version: '2.1' }), twin: model(), same: ['corners'] }),
@@ -126,4 +129,11 @@ export const files = {
 function besideFallback(file) {
   const { asset, twin } = imageBy('KHR_texture_basisu', file, 'image/ktx2', true);
   return { asset: asset.uses('KHR_texture_basisu'), twin, differs: ['pixels'] };
+}
+
+// An image in a file, whose name and bytes alone say its format.
+function untyped(name, file, mimeType) {
+  const [asset, twin] = [0, 1].map(() => imageBy(name, file, mimeType, false).asset.uses(name, true));
+  delete asset.json.images[0].mimeType;
+  return { ...like(asset, twin, 'images'), of: name };
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// All probes: [{ name, feature, mode, asset, twin, renamed?, same?, differs?, names?, seen }].
+// All probes: [{ name, feature, mode, asset, twin, renamed?, of?, same?, differs?, names?, seen }].
 //   same:    facts that the engine must build of the asset as of its twin, which says the same without the feature
 //   differs: facts of which one must be another than that of the twin; without it, anything the engine built
 //   names:   names that must be among the facts, each as often as here
-//   renamed: the asset with an extension that no engine knows in place of the probed one
+//   renamed: the asset with an extension that no engine knows in place of the probed one; with `of`, the twin
+//   of:      the extension that the feature is a part of; an engine that ignores it says nothing about the feature
 //   seen:    whether a picture at rest can show it
 import { extensions } from './extensions.mjs';
 import { files } from './files.mjs';
@@ -18,7 +19,7 @@ export const asIfNamed = (name, text) => text.replaceAll(stranger(name), name).r
 // What no picture at rest shows.
 const unseen = [/^animation\./, /^attribute\.(custom|color-1|texcoord-[0-9]|tangent)$/, /^morph\.target-names$/, /^node\.name/, /^extras$/,
   /^scene\.several$/, /^asset\.min/, /^camera\./, /^node\.negative-scale$/, /^attribute\.joints-1$/, /^morph\.(normal|tangent|texcoord)$/, /^texture\.sampler-no-mipmaps$/, /^primitive\.no-material$/, /^material\.occlusion/,
-  /^(AGI_|FB_|GRIFFEL_|GODOT_|KHR_XMP|KHR_xmp|KHR_interactivity|KHR_node_(hover|select)ability|KHR_animation_pointer|KHR_materials_variants|EXT_mesh_manifold|MPEG_|MSFT_lod)/];
+  /^(AGI_|FB_|GRIFFEL_|GODOT_|KHR_XMP|KHR_xmp|KHR_interactivity|KHR_node_(hover|select)ability|KHR_animation_pointer|KHR_materials_variants|EXT_mesh_manifold|MPEG_|MSFT_lod|EXT_(structural_metadata|(mesh|instance)_features))/, /^structural-metadata\./];
 
 // The asset with another name for the extension, used but not required.
 function renamed(asset, name) {
@@ -43,8 +44,10 @@ export function probes() {
     const ways = typeof entry === 'function' ? { used: entry, required: entry } : entry;
     for (const [mode, make] of Object.entries(ways)) all.push(extensionProbe(name, mode, make));
   }
-  for (const [name, make] of Object.entries({ ...files, ...geometry, ...scene }))
-    all.push({ name: `${name} used`, feature: name, mode: 'used', ...make() });
+  for (const [name, make] of Object.entries({ ...files, ...geometry, ...scene })) {
+    const probe = { name: `${name} used`, feature: name, mode: 'used', ...make() };
+    all.push({ ...probe, ...(probe.of && { renamed: renamed(probe.twin, probe.of) }) });
+  }
   for (const probe of all) probe.seen = !unseen.some(pattern => pattern.test(probe.feature));
   return all.sort((a, b) => (a.name < b.name ? -1 : 1));
 }

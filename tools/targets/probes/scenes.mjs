@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Probes of scenes, nodes, cameras, animations, materials, textures and extensions that no reader knows.
-import { lights } from './extensions.mjs';
+import { inlinedTechnique, lights, metadata, technique } from './extensions.mjs';
 import { model, place, primitive, square, texture, textured } from './models.mjs';
 import { png, quadrants } from './png.mjs';
 
@@ -152,6 +152,14 @@ export const scene = {
   'light.directional': () => lit('directional'),
   'light.point': () => lit('point'),
   'light.spot': () => lit('spot'),
+  'techniques.shader-uri': () => required('KHR_techniques_webgl', inlinedTechnique().asset, technique().asset),
+  'structural-metadata.boolean': () => column({ type: 'BOOLEAN' }, { values: Uint8Array.of(2) }),
+  'structural-metadata.enum': () => column({ type: 'ENUM', enumType: 'kind' }, { values: Uint16Array.of(0, 1) },
+    { enums: { kind: { values: [{ name: 'wall', value: 0 }, { name: 'roof', value: 1 }] } } }),
+  'structural-metadata.string': () => column({ type: 'STRING' }, { values: Buffer.from('wallroof'), stringOffsets: Uint32Array.of(0, 4, 8) }),
+  'structural-metadata.matrix': () => column({ type: 'MAT2', componentType: 'FLOAT32' }, { values: Float32Array.of(1, 0, 0, 1, 2, 0, 0, 2) }),
+  'structural-metadata.array': () => column({ type: 'SCALAR', componentType: 'FLOAT32', array: true }, { values: Float32Array.of(1, 2, 3), arrayOffsets: Uint32Array.of(0, 1, 3) }),
+  'structural-metadata.array-fixed': () => column({ type: 'SCALAR', componentType: 'FLOAT32', array: true, count: 2 }, { values: Float32Array.of(1, 2, 3, 4) }),
   'extension.unknown-used': () => unknown(false),
   'extension.unknown-required': () => unknown(true),
 };
@@ -167,4 +175,15 @@ function chosen(index) {
   asset.json.scenes = [{ name: 'One', nodes: [0] }, { name: 'Two', nodes: [1] }];
   asset.json.scene = index;
   return asset;
+}
+
+function required(name, asset, twin) {
+  for (const it of [asset, twin]) it.uses(name, true);
+  return { asset, twin, of: name };
+}
+
+// A table whose property is no number; that of its twin is one.
+function column(...property) {
+  const [asset, twin] = [metadata(...property).asset, metadata().asset].map(it => it.uses('EXT_structural_metadata'));
+  return { asset, twin, of: 'EXT_structural_metadata' };
 }
