@@ -267,7 +267,7 @@ def floats(asset, chance):
         size = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}[accessor["type"]]
         stride = view.get("byteStride", 4 * size)
         at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-        at += chance.randrange(accessor["count"]) * stride + 4 * chance.randrange(size)
+        at += chance.randrange(int(accessor["count"])) * stride + 4 * chance.randrange(size)
         data, put = data_of(asset, view["buffer"])
         old = struct.unpack_from("<f", data, at)[0]
         new = chance.choice([float("nan"), float("inf"), -0.0, old * 1.02, old * 3, old + 0.2])
@@ -289,7 +289,7 @@ def integers(asset, chance):
         form = {5121: "<B", 5123: "<H", 5125: "<I"}[accessor["componentType"]]
         size = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]] * struct.calcsize(form)
         at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-        at += chance.randrange(accessor["count"]) * view.get("byteStride", size)
+        at += chance.randrange(int(accessor["count"])) * view.get("byteStride", size)
         data, put = data_of(asset, view["buffer"])
         struct.pack_into(form, data, at, chance.choice([0, 1, 2, 3, 200]))
         put(data)
