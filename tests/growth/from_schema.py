@@ -26,7 +26,7 @@ class Schemas:
 
     def flat(self, schema, document, depth=0):
         """The schema with references, allOf and the first alternative put into it."""
-        schema = {} if schema is True else schema
+        schema = {True: {}, False: {"not": {}}}[schema] if isinstance(schema, bool) else schema
         result, owner = dict(schema), document
         parts = []
         if "$ref" in schema:
