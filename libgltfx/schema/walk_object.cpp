@@ -20,6 +20,13 @@ const TypePlan& no_type() {
   return plan;
 }
 
+bool lists(const Shape& names, std::string_view name) {
+  const auto equal = [&](const Literal& literal) {
+    return literal.kind == Literal::Kind::string && literal.string == name;
+  };
+  return names.literals.empty() || std::any_of(names.literals.begin(), names.literals.end(), equal);
+}
+
 }  // namespace
 
 void Walker::object_step(Frame& frame) {
@@ -304,18 +311,21 @@ void Walker::member_name(const Frame& frame, const Shape& shape, json::NodeId va
   const std::string_view name = key_of(value);
   const Path path(frame.path, name);
   const Span span = document_.span(value - 1);
-  const auto equal = [&](const Literal& l) {
-    return l.kind == Literal::Kind::string && l.string == name;
+  const auto matches = [&](const Shape& names) {
+    return names.pattern == kNone || set_.matches(names.pattern, name);
   };
-  if (shape.pattern != kNone && !set_.matches(shape.pattern, name)) {
+  if (!matches(shape)) {
     report(path, Code::PATTERN_MISMATCH, span,
            "The name " + quoted(name) + " is not allowed; it must match " +
                std::string(set_.pattern_text(shape.pattern)) + ".");
-  } else if (!shape.literals.empty() &&
-             std::none_of(shape.literals.begin(), shape.literals.end(), equal)) {
+  } else if (!lists(shape, name)) {
     report_unlisted(
         path, span,
         "The name " + quoted(name) + " is not allowed; it must be " + list_phrase(shape) + ".", {});
+  } else if (shape.not_shape != kNone && matches(set_.shape(shape.not_shape)) &&
+             lists(set_.shape(shape.not_shape), name)) {
+    report(path, Code::CONDITION_MISMATCH, span,
+           "The name " + quoted(name) + " is not allowed here.");
   }
   const std::size_t length = count_code_points(name);
   if (length >= shape.min_length && length <= shape.max_length) return;

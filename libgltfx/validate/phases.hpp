@@ -76,6 +76,9 @@ void check_targets(const Context& context, const model::ResourceData& resources,
 void check_image_based_lights(const Context& context, const model::ResourceData& resources,
                               Sink& sink);
 
+/// VRMC_vrm: the thumbnail of an avatar is square.
+void check_thumbnails(const Context& context, const model::ResourceData& resources, Sink& sink);
+
 /// Positions are in metres: a scene that is far too small or too large for that is reported.
 void check_scene_extent(const Context& context, const model::ResourceData& resources, Sink& sink);
 

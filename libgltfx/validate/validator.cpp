@@ -56,6 +56,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   decode_views(context, resources.data, sink);
   check_data(context, resources.data, sink, report);
   check_image_based_lights(context, resources.data, sink);
+  check_thumbnails(context, resources.data, sink);
   check_light_profiles(context, resources.data, sink, report);
   check_scene_extent(context, resources.data, sink);
   check_torn(context, resources.data, sink);

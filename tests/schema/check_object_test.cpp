@@ -248,6 +248,13 @@ TEST_F(Words, PropertyNamesAreChecked) {
               ElementsAre("STRING_LENGTH_NOT_IN_RANGE /m/abcd"));
 }
 
+TEST_F(Words, PropertyNamesThatAreTakenAreRefused) {
+  const std::string map =
+      R"("properties": {"m": {"type": "object", "additionalProperties": true, "propertyNames": {"not": {"enum": ["a", "b"]}}}})";
+  EXPECT_THAT(said(map, R"({"m": {"ab": 1, "c": 1}})"), IsEmpty());
+  EXPECT_THAT(said(map, R"({"m": {"b": 1}})"), ElementsAre("CONDITION_MISMATCH /m/b"));
+}
+
 TEST_F(Words, MemberCountsAreChecked) {
   const std::string map =
       R"("properties": {"m": {"type": "object", "minProperties": 2, "maxProperties": 3}})";

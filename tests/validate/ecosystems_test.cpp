@@ -52,7 +52,7 @@ Lines springs(const std::string& list, const std::string& nodes) {
   return findings(used("VRMC_springBone") +
                       R"("extensions": {"VRMC_springBone": {"specVersion": "1.0", "springs": [)" +
                       list + R"(]}}, "nodes": [)" + nodes + "]",
-                  {"SPRING_"});
+                  {"SPRING_CHAIN", "SPRING_JOINT", "SPRING_CENTER"});
 }
 const std::string kSprings = " /extensions/VRMC_springBone/springs/";
 // 0 above 1 above 2 above 3, and 4 beside 1.
@@ -153,6 +153,18 @@ TEST(Humanoid, NodesOnALoopAreNotBelowAnything) {
 }
 
 // --- Bodies ---
+
+TEST(Humanoid, BonesAreScaledAlikeOnAllAxesAndNotMirrored) {
+  const auto scaled = [](const std::string& transform) {
+    return humanoid("", kBody.substr(0, kBody.size() - 1) + transform + "}");
+  };
+  const Lines wrong{"HUMANOID_SCALE" + kHumanBones + "/rightHand/node"};
+  EXPECT_EQ(scaled(R"("scale": [2, 2, 2.0000002])"), Lines{});
+  EXPECT_EQ(scaled(R"("scale": [1, 2, 1])"), wrong);
+  EXPECT_EQ(scaled(R"("scale": [1, -1, 1])"), wrong);
+  EXPECT_EQ(scaled(R"("matrix": [0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1])"), Lines{});
+  EXPECT_EQ(scaled(R"("matrix": [0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1])"), wrong);
+}
 
 TEST(Vehicle, PartsLieBelowIt) {
   const std::string wheel = R"({"extensions": {"OMI_vehicle_wheel": {"wheel": 0}}})";

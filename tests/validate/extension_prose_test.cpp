@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the texts of extensions ask beside their schemas: who may be required, which names go
-// together, what repeats.
+// together, what repeats, what joints, gravity, shapes and sounds need of other objects.
 #include <gtest/gtest.h>
 
 #include "model/packed_bytes.hpp"
@@ -209,6 +209,153 @@ TEST(Languages, StandUnderNumbers) {
   EXPECT_EQ(title(R"("rdf:_1": {"@language": "en", "@value": "x"})"), Lines{});
   EXPECT_EQ(title(R"("@set": ["x"])"),
             Lines{"XMP_LANGUAGE_INVALID /extensions/KHR_xmp_json_ld/packets/0/dc:title/@set"});
+}
+
+// --- What bodies and sounds need of other objects ---
+
+std::string body_node(const std::string& members, const std::string& more = {}) {
+  return R"({"extensions": {"OMI_physics_body": {)" + members + "}}" + more + "}";
+}
+std::string moving(const std::string& type, const std::string& more = {}) {
+  return body_node(R"("motion": {"type": ")" + type + "\"}", more);
+}
+
+// --- Joints ---
+
+// Node 0 above node 1, which has the joint; node 2 above node 3, which it is connected to.
+Lines joint(const std::string& above, const std::string& other) {
+  return findings(
+      R"("extensionsUsed": ["OMI_physics_body", "OMI_physics_joint"],
+     "extensions": {"OMI_physics_joint": {"physicsJoints": [{}]}}, "nodes": [)" +
+          above + R"(, {"extensions": {"OMI_physics_joint": {"joint": 0, "connectedNode": 3}}}, )" +
+          other + ", {}]",
+      {"JOINT_"});
+}
+const std::string kChild = R"(, "children": [1])";
+const std::string kOtherChild = R"(, "children": [3])";
+const std::string kJoint = "JOINT_WITHOUT_BODY /nodes/1/extensions/OMI_physics_joint";
+
+TEST(Joint, ConnectsADynamicBodyWithAny) {
+  EXPECT_EQ(joint(moving("dynamic", kChild), moving("static", kOtherChild)), Lines{});
+  EXPECT_EQ(joint(moving("dynamic", kChild), moving("dynamic", kOtherChild)), Lines{});
+  EXPECT_EQ(joint(moving("kinematic", kChild), moving("dynamic", kOtherChild)), Lines{kJoint});
+  EXPECT_EQ(joint(moving("dynamic"), moving("dynamic", kOtherChild)), Lines{kJoint});
+  EXPECT_EQ(joint(moving("dynamic", kChild), moving("dynamic")), Lines{kJoint + "/connectedNode"});
+}
+
+TEST(Joint, HasNoEffectWhenNeitherSideMoves) {
+  const auto sides = [](const std::string& one, const std::string& other) {
+    const std::string motion = R"({"KHR_physics_rigid_bodies": {"motion": {}}})";
+    const auto node = [&](const std::string& side, const std::string& child) {
+      return R"({"children": [)" + child + "]" +
+             (side.empty() ? "" : R"(, "extensions": )" + motion) + "}";
+    };
+    return findings(
+        R"("extensionsUsed": ["KHR_physics_rigid_bodies"], "extensions":
+        {"KHR_physics_rigid_bodies": {"physicsJoints": [{}]}}, "nodes": [)" +
+            node(one, "1") + R"(, {"extensions": {"KHR_physics_rigid_bodies": {"joint":
+        {"connectedNode": 3, "joint": 0}}}}, )" +
+            node(other, "3") + ", {}]",
+        {"JOINT_"});
+  };
+  EXPECT_EQ(sides("moves", ""), Lines{});
+  EXPECT_EQ(sides("", "moves"), Lines{});
+  EXPECT_EQ(sides("", ""),
+            Lines{"JOINT_WITHOUT_BODY /nodes/1/extensions/KHR_physics_rigid_bodies/joint"});
+}
+
+// --- Gravity ---
+
+Lines gravity(const std::string& nodes) {
+  return findings(
+      R"("extensionsUsed": ["OMI_physics_body", "OMI_physics_gravity"], "nodes": [)" + nodes + "]",
+      {"GRAVITY_"});
+}
+std::string pulling(const std::string& members, const std::string& line = {}) {
+  return R"({"extensions": {"OMI_physics_body": {)" + members +
+         R"(}, "OMI_physics_gravity": {"type": "line", "gravity": 1, "line": {"points": [)" +
+         (line.empty() ? "0, 0, 0, 0, 0, 1" : line) + "]}}}}";
+}
+const std::string kGravity = "/nodes/0/extensions/OMI_physics_gravity";
+
+TEST(Gravity, IsOnATriggerOfItsOwn) {
+  const Lines wrong{"GRAVITY_WITHOUT_TRIGGER " + kGravity};
+  EXPECT_EQ(gravity(pulling(R"("trigger": {})")), Lines{});
+  EXPECT_EQ(gravity(pulling("")), wrong);
+  EXPECT_EQ(gravity(pulling(R"("trigger": {}, "motion": {"type": "static"})")), wrong);
+  EXPECT_EQ(gravity(pulling(R"("trigger": {}, "collider": {})")), wrong);
+  const std::string compound = body_node(R"("trigger": {"nodes": [0]})", R"(, "children": [0])");
+  EXPECT_EQ(gravity(pulling(R"("trigger": {})") + ", " + compound), wrong);
+}
+
+TEST(Gravity, HasThreeNumbersForEachPointOfALine) {
+  const Lines wrong{"GRAVITY_LINE_LENGTH " + kGravity + "/line/points"};
+  EXPECT_EQ(gravity(pulling(R"("trigger": {})", "0, 0, 0, 0, 0, 1, 0")), wrong);
+  EXPECT_EQ(gravity(pulling(R"("trigger": {})", "0, 0, 0, 0, 0, 1, 0, 1, 1")), Lines{});
+}
+
+// --- Shapes ---
+
+TEST(Shape, OfAMeshHasTriangles) {
+  const auto shape = [](const std::string& type, const std::string& modes) {
+    return findings(R"("extensionsUsed": ["OMI_physics_shape"], "extensions": {"OMI_physics_shape":
+      {"shapes": [{"type": ")" +
+                        type + R"(", ")" + type +
+                        R"(": {"mesh": 0}}]}}, "meshes": [{"primitives": [)" + modes + "]}]",
+                    {"SHAPE_"});
+  };
+  const std::string triangles = R"({"attributes": {}}, {"attributes": {}, "mode": 5})";
+  const std::string lines = R"(, {"attributes": {}, "mode": 1})";
+  EXPECT_EQ(shape("trimesh", triangles), Lines{});
+  for (const std::string type : {"trimesh", "convex"}) {
+    EXPECT_EQ(
+        shape(type, triangles + lines),
+        Lines{"SHAPE_WITHOUT_TRIANGLES /extensions/OMI_physics_shape/shapes/0/" + type + "/mesh"});
+  }
+}
+
+// --- Sounds ---
+
+// One source that refers to MP3 by itself, and to `audio` as `extension` asks, if there is one.
+Lines sound(const std::string& audio, const std::string& extension = {}) {
+  const std::string source =
+      extension.empty() ? R"({"audio": 1})"
+                        : R"({"audio": 0, "extensions": {")" + extension + R"(": {"audio": 1}}})";
+  return findings(R"("extensionsUsed": ["KHR_audio_emitter", "OMI_audio_opus",
+      "OMI_audio_ogg_vorbis"], "extensions": {"KHR_audio_emitter": {"audio": [{"uri": "a.mp3"}, {)" +
+                      audio + R"(}], "sources": [)" + source + R"(], "emitters": []}})",
+                  {"AUDIO_MIME"});
+}
+Lines wrong_sound(const std::string& member) {
+  return {"AUDIO_MIME_TYPE_INVALID /extensions/KHR_audio_emitter/audio/1/" + member};
+}
+
+TEST(Sound, IsOfTheTypeThatTheReferringExtensionAllows) {
+  const auto of_type = [](const std::string& type, const std::string& extension = {}) {
+    return sound(R"("bufferView": 0, "mimeType": ")" + type + "\"", extension);
+  };
+  const Lines wrong = wrong_sound("mimeType");
+  EXPECT_EQ(of_type("audio/mpeg"), Lines{});
+  EXPECT_EQ(of_type("audio/wav"), wrong);
+  EXPECT_EQ(of_type("audio/ogg"), wrong);
+  EXPECT_EQ(of_type("audio/ogg", "OMI_audio_ogg_vorbis"), Lines{});
+  EXPECT_EQ(of_type("audio/mpeg", "OMI_audio_ogg_vorbis"), wrong);
+  EXPECT_EQ(of_type("audio/opus", "OMI_audio_opus"), Lines{});
+  EXPECT_EQ(of_type("video/webm", "OMI_audio_opus"), Lines{});
+  EXPECT_EQ(of_type("audio/ogg", "OMI_audio_opus"), wrong);
+}
+
+TEST(Sound, IsToldByTheNameOfItsFileWhereNothingElseTells) {
+  const auto of_name = [](const std::string& name, const std::string& extension = {}) {
+    return sound(R"("uri": ")" + name + "\"", extension);
+  };
+  EXPECT_EQ(of_name("a.ogg", "OMI_audio_ogg_vorbis"), Lines{});
+  EXPECT_EQ(of_name("a.oga", "OMI_audio_ogg_vorbis"), wrong_sound("uri"));
+  EXPECT_EQ(of_name("a.opus", "OMI_audio_opus"), Lines{});
+  EXPECT_EQ(of_name("a.webm", "OMI_audio_opus"), Lines{});
+  EXPECT_EQ(of_name("a.ogg", "OMI_audio_opus"), wrong_sound("uri"));
+  EXPECT_EQ(of_name("data:audio/opus;base64,AAAA", "OMI_audio_opus"), Lines{});
+  EXPECT_EQ(of_name("a.bin"), Lines{});  // the text of KHR_audio_emitter asks for no name
 }
 
 }  // namespace

@@ -135,6 +135,12 @@ TEST(MetadataSchema, EnumsHaveDifferentValuesInTheirRange) {
   EXPECT_EQ(values("", R"({"name": "a", "value": -1})"),
             Lines{"METADATA_ENUM_OUT_OF_RANGE " + place + "0/value"});
   EXPECT_EQ(values(R"("valueType": "INT8", )", R"({"name": "a", "value": -1})"), Lines{});
+  const auto largest = [&](const std::string& value) {
+    return values(R"("valueType": "INT64", )", R"({"name": "a", "value": )" + value + "}");
+  };
+  EXPECT_EQ(largest("9223372036854775807"), Lines{});
+  EXPECT_EQ(largest("9223372036854775808"),
+            Lines{"METADATA_ENUM_OUT_OF_RANGE " + place + "0/value"});
 }
 
 TEST(MetadataSchema, IdsLeadSomewhere) {
@@ -164,6 +170,23 @@ TEST(MetadataOfObjects, HasTheFormOfItsClass) {
   EXPECT_EQ(node(R"("class": "c", "properties": {"q": 1})"),
             Lines{"METADATA_UNRESOLVED_ID " + place + "/properties/q"});
   EXPECT_EQ(node(R"("class": "d")"), Lines{"METADATA_UNRESOLVED_ID " + place + "/class"});
+}
+
+TEST(MetadataOfObjects, StaysWithinTheBoundsOfItsClass) {
+  const auto node = [](const std::string& value) {
+    return metadata_findings(metadata_asset(
+        class_property(
+            R"("type": "VEC2", "componentType": "INT8", "min": [0, 0], "max": [9, 5], "noData": [-1, -1])"),
+        R"(, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"extensions":
+           {"EXT_structural_metadata": {"class": "c", "properties": {"p": )" +
+            value + "}}}}]"));
+  };
+  const Lines wrong{
+      "METADATA_VALUE_BEYOND_LIMIT /nodes/0/extensions/EXT_structural_metadata/properties/p"};
+  EXPECT_EQ(node("[9, 5]"), Lines{});
+  EXPECT_EQ(node("[9, 6]"), wrong);
+  EXPECT_EQ(node("[-1, 0]"), wrong);
+  EXPECT_EQ(node("[-1, -1]"), Lines{});
 }
 
 // --- schemaUri ---

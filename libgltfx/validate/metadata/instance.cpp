@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "model/fields.hpp"
+#include "validate/metadata/value_scan.hpp"
 #include "validate/metadata/values.hpp"
 #include "validate/rules/extension_walk.hpp"
 
@@ -130,6 +131,7 @@ void check_metadata_of_objects(MetadataPhase& phase) {
                                {phase.document(), place.object, *use.path.parent(), phase.sink()},
                                use.property.id, use.value, use.property,
                                MetadataNumber::transformed);
+                           check_json_bounds(phase, use);
                          });
                        });
   }

@@ -48,7 +48,10 @@ void check_enum_value(const json::Document& document, json::NodeId object, const
   const model::MetadataRange range = metadata_range(owner.component);
   if (owner.component == model::MetadataComponent::none) return;
   const Path member(path, "value");
-  if (number.value < range.least || number.value > range.most) {
+  const std::string_view text = document.raw(value);
+  const bool has_digits_alone = text.find_first_of(".eE") == std::string_view::npos;
+  if (number.value < range.least || number.value > range.most ||
+      (has_digits_alone && !model::integer_bits(text, owner.component))) {
     return report_in(
         sink, member, document, value, Code::METADATA_ENUM_OUT_OF_RANGE,
         fmt::format("{} cannot be stored as {}, the valueType of the enum.",

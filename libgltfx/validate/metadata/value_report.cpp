@@ -188,4 +188,25 @@ void report_stored(MetadataPhase& phase, const Path& path, json::NodeId node,
   }
 }
 
+void check_json_bounds(MetadataPhase& phase, const PropertyUse& use) {
+  const auto numbers = metadata_numbers(phase.document(), use.value, use.property);
+  if (!numbers) return;
+  const auto of_class = [&](std::string_view member) {
+    return numbers_of(phase.schema.document(), use.property.node, member, use.property);
+  };
+  if (of_class("noData") == *numbers) return;
+  for (const std::string_view member : {"min", "max"}) {
+    const std::vector<double> bounds = of_class(member);
+    for (std::size_t i = 0; i < bounds.size() && i < numbers->size(); ++i) {
+      const double value = (*numbers)[i];
+      if (member == "min" ? value >= bounds[i] : value <= bounds[i]) continue;
+      report_in(phase.sink(), use.path, phase.document(), use.value,
+                Code::METADATA_VALUE_BEYOND_LIMIT,
+                fmt::format("The value{} is {}; {} is {}.", component_text(use.property, i),
+                            number_text(value), member, number_text(bounds[i])));
+      return;
+    }
+  }
+}
+
 }  // namespace gltfx::validate

@@ -79,4 +79,7 @@ std::vector<StoredFinding> describe_values(const model::MetadataProperty& proper
 void report_stored(MetadataPhase& phase, const Path& path, json::NodeId node,
                    std::vector<StoredFinding> findings);
 
+/// Reports a value in JSON that is beyond min or max of its class, and not noData.
+void check_json_bounds(MetadataPhase& phase, const PropertyUse& use);
+
 }  // namespace gltfx::validate

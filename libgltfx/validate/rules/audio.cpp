@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sources of sound (MPEG_audio_spatial, KHR_audio_emitter): lists that go together, distances in
-// order, and which emitters have no place. This file is about sound and names its extensions.
+// order, which emitters have no place, and formats that sound data may have. This file is about
+// sound and names its extensions.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "model/node.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
@@ -100,10 +102,71 @@ void check_scene_emitters(const Context& context) {
       });
 }
 
+// What sound data may be, and which extension says so.
+struct AudioFormat {
+  std::string_view mime_type, suffix, extension;
+};
+constexpr AudioFormat kAudioFormats[] = {
+    {"audio/mpeg", ".mp3", ""},
+    {"audio/ogg", ".ogg", "OMI_audio_ogg_vorbis"},
+    {"audio/opus", ".opus", "OMI_audio_opus"},
+    {"audio/webm", ".webm", "OMI_audio_opus"},
+    {"video/webm", ".webm", "OMI_audio_opus"},
+};
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+// Sound data that a source, or the object of `extension` on a source, refers to.
+void check_audio_format(const Context& context, json::NodeId audio, std::size_t index,
+                        std::string_view extension) {
+  const json::Document& document = context.document;
+  const std::string type = model::string_member(document, audio, "mimeType");
+  const std::string uri = model::string_member(document, audio, "uri");
+  const bool by_name = type.empty();
+  if (by_name && (uri.empty() || extension.empty() || uri.compare(0, 5, "data:") == 0)) return;
+  std::vector<std::string> allowed;
+  for (const AudioFormat& format : kAudioFormats) {
+    if (format.extension != extension) continue;
+    if (by_name ? ends_with(uri, format.suffix) : type == format.mime_type) return;
+    if (by_name && format.mime_type == "video/webm") continue;  // as audio/webm
+    allowed.emplace_back(by_name ? format.suffix : format.mime_type);
+  }
+  const std::string_view member = by_name ? "uri" : "mimeType";
+  report_at(context.link_sink, fmt::format("/extensions/{}/audio/{}/{}", kEmitter, index, member),
+            finding_on(context, document.find(audio, member), Code::AUDIO_MIME_TYPE_INVALID,
+                       fmt::format("The {} is {}; for {} it must {}{}.", member,
+                                   gltfx::quoted(by_name ? uri : type),
+                                   extension.empty() ? kEmitter : extension,
+                                   by_name ? "end with " : "be ", join_or(allowed, 3))));
+}
+
+void check_audio_formats(const Context& context) {
+  const json::Document& document = context.document;
+  const json::NodeId object = root_extension(context, kEmitter);
+  const auto audio = object_list(document, object, "audio");
+  const auto check = [&](json::NodeId source, std::string_view extension) {
+    const auto index = model::unsigned_member(document, source, "audio");
+    if (!index || *index >= audio.size()) return;
+    check_audio_format(context, audio[*index], *index, extension);
+  };
+  for (const json::NodeId source : object_list(document, object, "sources")) {
+    check(source, {});
+    std::string_view last;
+    for (const AudioFormat& format : kAudioFormats) {
+      if (format.extension == last) continue;
+      last = format.extension;
+      check(model::extension_object(document, source, last), last);
+    }
+  }
+}
+
 }  // namespace
 
 const Family& audio_family() {
-  static constexpr LinkRule kLinkRules[] = {check_audio, check_distances, check_scene_emitters};
+  static constexpr LinkRule kLinkRules[] = {check_audio, check_distances, check_scene_emitters,
+                                            check_audio_formats};
   static constexpr Family family{.order = 580, .link_rules = kLinkRules};
   return family;
 }

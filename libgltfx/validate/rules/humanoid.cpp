@@ -3,6 +3,9 @@
 // and lie below each other as bones of a body do. Only the scene graph tells.
 #include "validate/rules/humanoid.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -79,6 +82,24 @@ std::string parent_bone(std::string_view bone) {
   return {};
 }
 
+constexpr double kUniform = 0.001;  // of the greatest scale, for programs that multiply floats
+
+// That of a matrix is the length of its columns; a mirror is a negative one.
+std::array<float, 3> scale_of(const model::Transform& transform) {
+  if (transform.scale) return *transform.scale;
+  if (!transform.matrix) return {1, 1, 1};
+  const auto& m = *transform.matrix;
+  std::array<float, 3> scale{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    scale[i] = std::hypot(m[4 * i], m[4 * i + 1], m[4 * i + 2]);
+  }
+  const float determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) -
+                            m[4] * (m[1] * m[10] - m[2] * m[9]) +
+                            m[8] * (m[1] * m[6] - m[2] * m[5]);
+  if (determinant < 0) scale[0] = -scale[0];
+  return scale;
+}
+
 class Humanoid {
  public:
   Humanoid(const Context& context, json::NodeId object, std::string_view extension)
@@ -131,12 +152,15 @@ class Humanoid {
   void check_scales() const {
     for (const HumanBone& bone : bones_) {
       const auto scale =
-          model::read_transform(context_.document, context_.views.nodes[bone.node]).scale;
-      if (!scale || ((*scale)[0] > 0 && (*scale)[1] > 0 && (*scale)[2] > 0)) continue;
+          scale_of(model::read_transform(context_.document, context_.views.nodes[bone.node]));
+      const auto [least, most] = std::minmax_element(scale.begin(), scale.end());
+      const bool positive = *least > 0;
+      if (positive && *most - *least <= kUniform * *most) continue;
       report(bone, Code::HUMANOID_SCALE,
-             fmt::format("{}, the bone {}, has a scale of [{}, {}, {}]; it must be positive.",
-                         label(bone), gltfx::quoted(bone.name), (*scale)[0], (*scale)[1],
-                         (*scale)[2]));
+             fmt::format("{}, the bone {}, has a scale of [{}, {}, {}]; it must be {}.",
+                         label(bone), gltfx::quoted(bone.name), scale[0], scale[1], scale[2],
+                         positive ? "the same on all axes" : "positive"),
+             positive ? std::optional(Severity::warning) : std::nullopt);
     }
   }
 
@@ -147,9 +171,11 @@ class Humanoid {
     return text;
   }
 
-  void report(const HumanBone& bone, Code code, std::string message) const {
-    report_at(context_.link_sink, place_ + bone.place,
-              finding_on(context_, bone.value, code, std::move(message)));
+  void report(const HumanBone& bone, Code code, std::string message,
+              std::optional<Severity> severity = {}) const {
+    Finding finding = finding_on(context_, bone.value, code, std::move(message));
+    finding.severity = severity;
+    report_at(context_.link_sink, place_ + bone.place, std::move(finding));
   }
 
   const Context& context_;
@@ -172,6 +198,20 @@ void check_humanoids(const Context& context) {
       humanoid.check_scales();
     }
   }
+}
+
+// Eyes turn by their bones only when there are such.
+void check_look_at(const Context& context) {
+  const json::NodeId object = root_extension(context, kAvatar);
+  const json::Document& document = context.document;
+  const json::NodeId look = model::object_member(document, object, "lookAt");
+  if (model::string_member(document, look, "type") != "bone") return;
+  for (const HumanBone& bone : read_human_bones(context, object)) {
+    if (bone.name == "leftEye" || bone.name == "rightEye") return;
+  }
+  report_at(context.link_sink, fmt::format("/extensions/{}/lookAt/type", kAvatar),
+            finding_on(context, document.find(look, "type"), Code::LOOK_AT_WITHOUT_EYES,
+                       "The type is bone, but the avatar has neither leftEye nor rightEye."));
 }
 
 // Animations of avatars: other bodies than the one they were made for have bones of other lengths.
@@ -241,7 +281,7 @@ std::vector<HumanBone> read_human_bones(const Context& context, json::NodeId ext
 }
 
 const Family& humanoid_family() {
-  static constexpr LinkRule kLinkRules[] = {check_humanoids, check_animation_paths,
+  static constexpr LinkRule kLinkRules[] = {check_humanoids, check_look_at, check_animation_paths,
                                             check_animation_alone};
   static constexpr Family family{.order = 600, .additional = true, .link_rules = kLinkRules};
   return family;

@@ -55,6 +55,10 @@ class Springs {
       }
       last = node;
     }
+    if (joints.size() != 1) return;
+    report(fmt::format("/extensions/{}/springs/{}/joints", kSpringBone, spring),
+           context_.document.find(springs_[spring], "joints"), Code::SPRING_TOO_SHORT,
+           "The spring has one joint; the last one only ends a chain, so that nothing swings.");
   }
 
   // The node and those between it and the joint before it. Ends where a node belongs to a spring

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// VRMC_vrm: the picture of an avatar in lists. The sizes of images are not in the document.
+#include <fmt/format.h>
+
+#include "base/codes.hpp"
+#include "model/node.hpp"
+#include "validate/context.hpp"
+#include "validate/phases.hpp"
+#include "validate/rules/extension_walk.hpp"
+#include "validate/rules/finding.hpp"
+#include "validate/rules/texture_slots.hpp"
+
+namespace gltfx::validate {
+
+void check_thumbnails(const Context& context, const model::ResourceData& resources, Sink& sink) {
+  constexpr std::string_view kAvatar = "VRMC_vrm";
+  const json::Document& document = context.document;
+  const json::NodeId meta =
+      model::object_member(document, root_extension(context, kAvatar), "meta");
+  const auto image = context.asset.index(meta, "thumbnailImage", model::RootArray::images);
+  if (!image) return;
+  const auto& header = resources.images[*image].header;
+  if (!header || !header->doubt.empty() || header->width == header->height) return;
+  report_at(sink, fmt::format("/extensions/{}/meta/thumbnailImage", kAvatar),
+            finding_on(context, document.find(meta, "thumbnailImage"), Code::THUMBNAIL_NOT_SQUARE,
+                       fmt::format("The size of {} is {}x{}; it must be square.",
+                                   image_label(context, *image), header->width, header->height)));
+}
+
+}  // namespace gltfx::validate
