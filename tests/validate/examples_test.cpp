@@ -35,6 +35,7 @@ const std::map<std::string_view, std::set<std::string_view>>& companions() {
       // Rules about an extension that is archived, or a draft, however well it is used.
       {"AUDIO_DISTANCE_ORDER", {"EXTENSION_DRAFT"}},
       {"AUDIO_EMITTER_NOT_GLOBAL", {"EXTENSION_DRAFT"}},
+      {"AUDIO_MIME_TYPE_INVALID", {"EXTENSION_DRAFT"}},
       {"TECHNIQUE_SEMANTIC_UNKNOWN", {"EXTENSION_ARCHIVED"}},
       {"TECHNIQUE_VALUE_MISSING", {"EXTENSION_ARCHIVED"}},
       {"TECHNIQUE_VALUE_UNKNOWN", {"EXTENSION_ARCHIVED"}},
