@@ -284,8 +284,8 @@ const HostileCase kCases[] = {
                   {{"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
      },
      false},
-    {"points_only", [](AssetText& asset) { only_mode(asset, 0); }, false},
-    {"lines_only", [](AssetText& asset) { only_mode(asset, 1); }, false},
+    {"points_only", [](AssetText& asset) { only_mode(asset, 0); }},
+    {"lines_only", [](AssetText& asset) { only_mode(asset, 1); }},
     {"long_chain", [](AssetText& asset) { chain(asset, 20000); }},
     {"many_copies", [](AssetText& asset) { copies(asset, 10000); }},
     {"weights_of_0", [](AssetText& asset) { skinned(asset, 0); }},

@@ -80,7 +80,7 @@ TEST_F(Report, PicturesAreOfTheSizeThatWasAskedFor) {
 TEST_F(Report, WhatCannotBeDrawnSaysWhy) {
   folder_.write("sound.gltf", kSound);
   const json data = data_in(here({"sound.gltf", "-o", "-"}).out);
-  EXPECT_THAT(data["assets"][0]["picture"]["problem"].get<std::string>(), HasSubstr("triangles"));
+  EXPECT_THAT(data["assets"][0]["picture"]["problem"].get<std::string>(), HasSubstr("visible"));
 }
 
 TEST_F(Report, ExitCodesAreThoseOfValidate) {
