@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "bake/storage.hpp"
+#include "bake/surface.hpp"
 
 namespace gltfx::bake {
 namespace {
 
 using MarkerCorners = std::array<std::uint32_t, 3>;
 
-// A hexagon in the plane of the first two directions; the third is unused.
+// A hexagon, counter-clockwise.
 constexpr std::array<MarkerCorners, 4> kDisc{{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
-// MarkerCorners: +x, -x, +y, -y, +z, -z.
+// Corners: +x, -x, +y, -y, +z, -z.
 constexpr std::array<MarkerCorners, 8> kOctahedron{
     {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 // Three corners around the first end, three around the second.
@@ -25,17 +26,10 @@ constexpr std::array<MarkerCorners, 6> kTube{
 constexpr std::array<Vec3d, 6> kAxes{Vec3d(1, 0, 0),  Vec3d(-1, 0, 0), Vec3d(0, 1, 0),
                                      Vec3d(0, -1, 0), Vec3d(0, 0, 1),  Vec3d(0, 0, -1)};
 
-// A direction square to another of length 1.
-Vec3d square_to(const Vec3d& direction) {
-  const Vec3d axis = std::fabs(direction.x) < 0.7 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
-  return normalize(cross(axis, direction));
-}
-
-// On a circle around an axis of length 1: part `i` of `count`.
-Vec3d around(const Vec3d& axis, int i, int count) {
-  const Vec3d right = square_to(axis);
+// On a circle around the normal of a frame: part `i` of `count`.
+Vec3d around(const Frame& frame, int i, int count) {
   const double angle = 2 * std::numbers::pi * i / count;
-  return right * std::cos(angle) + cross(axis, right) * std::sin(angle);
+  return frame.to_world({std::cos(angle), std::sin(angle), 0});
 }
 
 class MarkerMesh {
@@ -85,28 +79,34 @@ std::size_t marker_bytes(const Mesh& vertices) {
 
 Mesh point_markers(const Mesh& vertices, std::span<const std::uint32_t> points) {
   MarkerMesh markers(vertices);
-  for (std::size_t i = 0; i < points.size(); i += step_over(points.size())) {
+  const std::size_t step = step_over(points.size());
+  for (std::size_t i = 0; i < points.size(); i += step) {
     const Vec3d normal = vertices.normals.empty() ? Vec3d() : to_vec(vertices.normals[points[i]]);
-    const bool faces = length(normal) > 0;
-    for (int corner = 0; corner < 6; ++corner) {
-      markers.add_vertex(points[i], faces ? around(normalize(normal), corner, 6)
-                                          : kAxes[static_cast<std::size_t>(corner)]);
+    if (length(normal) > 0) {
+      const Frame frame = frame_around(normalize(normal));
+      for (int corner = 0; corner < 6; ++corner) {
+        markers.add_vertex(points[i], around(frame, corner, 6));
+      }
+      markers.add_triangles(kDisc);
+    } else {
+      for (const Vec3d& axis : kAxes) markers.add_vertex(points[i], axis);
+      markers.add_triangles(kOctahedron);
     }
-    if (faces) markers.add_triangles(kDisc);
-    if (!faces) markers.add_triangles(kOctahedron);
   }
   return markers.take();
 }
 
 Mesh line_markers(const Mesh& vertices, std::span<const std::array<std::uint32_t, 2>> segments) {
   MarkerMesh markers(vertices);
-  for (std::size_t i = 0; i < segments.size(); i += step_over(segments.size())) {
+  const std::size_t step = step_over(segments.size());
+  for (std::size_t i = 0; i < segments.size(); i += step) {
     const auto [first, second] = segments[i];
     const Vec3d along = to_vec(vertices.positions[second]) - to_vec(vertices.positions[first]);
     const double norm = length(along);
-    const Vec3d axis = norm > 0 && std::isfinite(norm) ? along / norm : Vec3d(0, 1, 0);
+    const bool is_line = norm > 0 && std::isfinite(norm);
+    const Frame frame = frame_around(is_line ? along / norm : Vec3d(0, 1, 0));
     for (const std::uint32_t end : segments[i]) {
-      for (int corner = 0; corner < 3; ++corner) markers.add_vertex(end, around(axis, corner, 3));
+      for (int corner = 0; corner < 3; ++corner) markers.add_vertex(end, around(frame, corner, 3));
     }
     markers.add_triangles(kTube);
   }

@@ -200,6 +200,13 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+std::string capitalized(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
+}
+
 std::string ending_of(std::string_view path) {
   return lower_case(std::filesystem::path(path).extension().native());
 }

@@ -55,6 +55,9 @@ constexpr char ascii_lower(char c) {
 }
 std::string lower_case(std::string_view text);
 
+/// The text with a capital where it begins with a small ASCII letter.
+std::string capitalized(std::string text);
+
 /// What the file's name ends with, in lower case and with its dot: ".glb". Empty without a dot.
 std::string ending_of(std::string_view path);
 

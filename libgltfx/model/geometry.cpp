@@ -190,7 +190,7 @@ void PrimitiveAssembly::add(std::uint32_t index) {
   if (index == restart_) {
     finish();
     count_ = 0;
-  } else if (mode_ >= Mode::triangles) {
+  } else if (draws_triangles(mode_)) {
     add_to_triangles(index);
   } else if (mode_ != Mode::points) {
     add_to_segments(index);

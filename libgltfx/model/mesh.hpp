@@ -57,6 +57,8 @@ enum class Mode : std::uint8_t {
 };
 /// "TRIANGLES".
 std::string_view mode_name(Mode mode);
+/// Whether a mode draws triangles, and not points or lines.
+constexpr bool draws_triangles(Mode mode) { return mode >= Mode::triangles; }
 
 struct Attribute {
   std::string_view name;  ///< lives in the document

@@ -56,7 +56,8 @@ class Tally {
   bool is_done_;
 };
 
-// A trial costs a validation, and there may be as many as findings: their cost is bounded.
+// A trial costs a validation, and there may be as many as findings: their cost is bounded. Large
+// assets have one for each 4 MiB of `trial_bytes` all the same.
 std::uint64_t affordable_trials(const OpenedAsset& asset, std::uint64_t trial_bytes) {
   std::uint64_t size = asset.container().bytes.size() + 1;
   if (!asset.document().empty()) {

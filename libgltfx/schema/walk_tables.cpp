@@ -8,10 +8,6 @@
 namespace gltfx::schema {
 namespace {
 
-bool ends_with(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 bool is_combined(const Shape& shape) {
   return !shape.all_of.empty() || !shape.any_of.empty() || !shape.one_of.empty() ||
          shape.not_shape != kNone || !shape.conditions.empty();
@@ -174,7 +170,7 @@ class Maker {
 
   // The order in which the Khronos validator reads these types.
   static std::uint32_t extensions_place(const ObjectType& type) {
-    if (ends_with(type.name, "extureInfo") || type.name == "animation.channel.target") return 0;
+    if (type.name.ends_with("extureInfo") || type.name == "animation.channel.target") return 0;
     const bool before_name = type.name == "material" && !type.properties.empty() &&
                              type.properties.back().name == "name";
     return before_name ? static_cast<std::uint32_t>(type.properties.size() - 1) : kNone;

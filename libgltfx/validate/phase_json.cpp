@@ -78,10 +78,7 @@ std::string default_message(json::SyntaxError error) {
 // "found 'x'; JSON has none" as the sentence of a message.
 std::string sentence(std::string text) {
   if (text.empty()) return text;
-  const bool is_name = text.compare(0, 4, "glTF") == 0;
-  if (!is_name && text.front() >= 'a' && text.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
+  if (!text.starts_with("glTF")) text = capitalized(std::move(text));
   if (text.back() != '.' && text.back() != '?') text += '.';
   return text;
 }

@@ -114,10 +114,6 @@ constexpr AudioFormat kAudioFormats[] = {
     {"video/webm", ".webm", "OMI_audio_opus"},
 };
 
-bool ends_with(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 // Sound data that a source, or the object of `extension` on a source, refers to.
 void check_audio_format(const Context& context, json::NodeId audio, std::size_t index,
                         std::string_view extension) {
@@ -125,11 +121,11 @@ void check_audio_format(const Context& context, json::NodeId audio, std::size_t 
   const std::string type = model::string_member(document, audio, "mimeType");
   const std::string uri = model::string_member(document, audio, "uri");
   const bool by_name = type.empty();
-  if (by_name && (uri.empty() || extension.empty() || uri.compare(0, 5, "data:") == 0)) return;
+  if (by_name && (uri.empty() || extension.empty() || uri.starts_with("data:"))) return;
   std::vector<std::string> allowed;
   for (const AudioFormat& format : kAudioFormats) {
     if (format.extension != extension) continue;
-    if (by_name ? ends_with(uri, format.suffix) : type == format.mime_type) return;
+    if (by_name ? uri.ends_with(format.suffix) : type == format.mime_type) return;
     if (by_name && format.mime_type == "video/webm") continue;  // as audio/webm
     allowed.emplace_back(by_name ? format.suffix : format.mime_type);
   }

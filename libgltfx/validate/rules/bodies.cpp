@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/text.hpp"
 #include "model/mesh.hpp"
 #include "model/node.hpp"
 #include "model/scene_graph.hpp"
@@ -173,7 +174,7 @@ std::string gravity_refusal(const Context& context, const ExtensionPlace& place,
   const auto has = [&](std::string_view member) {
     return body != json::kNoNode && document.find(body, member) != json::kNoNode;
   };
-  const std::string node = node_label(context, place.index);
+  const std::string node = capitalized(node_label(context, place.index));
   if (!has("trigger")) return fmt::format("{} has gravity, but no trigger.", node);
   for (const std::string_view other : {"motion", "collider"}) {
     if (has(other)) return fmt::format("{} has gravity, and a {} beside its trigger.", node, other);
@@ -207,7 +208,6 @@ void check_gravity(const Context& context) {
       [&](const ExtensionPlace& place, const Path& path) {
         std::string refusal = gravity_refusal(context, place, parts);
         if (!refusal.empty()) {
-          refusal.front() = 'N';
           report_link(context, path, place.object, Code::GRAVITY_WITHOUT_TRIGGER,
                       std::move(refusal));
         }
@@ -226,10 +226,7 @@ void check_gravity(const Context& context) {
 // The mode of a primitive that has no triangles.
 std::optional<model::Mode> other_mode(const model::Mesh& mesh) {
   for (const model::Primitive& primitive : mesh.primitives) {
-    const auto mode = primitive.mode;
-    const bool triangles = mode == model::Mode::triangles || mode == model::Mode::triangle_strip ||
-                           mode == model::Mode::triangle_fan;
-    if (mode && !triangles) return mode;
+    if (primitive.mode && !model::draws_triangles(*primitive.mode)) return primitive.mode;
   }
   return std::nullopt;
 }

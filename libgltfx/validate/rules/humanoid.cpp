@@ -166,9 +166,7 @@ class Humanoid {
 
  private:
   std::string label(const HumanBone& bone) const {
-    std::string text = object_label(context_, model::RootArray::nodes, bone.node);
-    text.front() = 'N';
-    return text;
+    return capitalized(object_label(context_, model::RootArray::nodes, bone.node));
   }
 
   void report(const HumanBone& bone, Code code, std::string message,

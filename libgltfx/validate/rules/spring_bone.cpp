@@ -7,6 +7,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "base/text.hpp"
 #include "model/node.hpp"
 #include "model/scene_graph.hpp"
 #include "validate/context.hpp"
@@ -123,9 +124,7 @@ class Springs {
   }
 
   std::string label(model::NodeIndex node) const {
-    std::string text = object_label(context_, model::RootArray::nodes, node);
-    text.front() = 'N';
-    return text;
+    return capitalized(object_label(context_, model::RootArray::nodes, node));
   }
 
   void report(std::string_view place, json::NodeId value, Code code, std::string message) const {

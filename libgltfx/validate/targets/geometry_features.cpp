@@ -90,7 +90,7 @@ class GeometryFeatures {
                                         "primitive.triangle-fan"};
     const std::string_view name = kNames[static_cast<std::size_t>(*primitive.mode)];
     note_if(!name.empty(), name, primitive.node);
-    const bool triangles = *primitive.mode >= model::Mode::triangles;
+    const bool triangles = model::draws_triangles(*primitive.mode);
     if (triangles && primitive.find(SemanticKind::normal) == nullptr && !is_unlit(primitive)) {
       note("primitive.no-normals", primitive.node);
     }
