@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json/document.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "base/json_pointer.hpp"
 #include "json/literals.hpp"
@@ -163,26 +165,61 @@ NodeId Document::find(NodeId object, std::string_view name) const {
 }
 
 NodeId Document::find(NodeId object, KeyId name) const {
-  NodeId found = kNoNode;
-  if (object == kNoNode || !is_object(object)) return found;
-  // The most called function of all: without the iterator, which lives in another file.
-  const Node* const nodes = nodes_.data();
-  if (nodes[object].hidden) return found;
-  const NodeId end = nodes[object].next;
-  for (NodeId key = object + 1; key < end; key = nodes[key + 1].next) {
-    if (nodes[key].next == name) found = key + 1;
-  }
-  return found != kNoNode && nodes[found - 1].hidden ? kNoNode : found;
+  if (object == kNoNode || !is_object(object)) return kNoNode;
+  if (nodes_[object].hidden) return kNoNode;
+  const NodeId found = last_member(object, name);
+  return found != kNoNode && nodes_[found - 1].hidden ? kNoNode : found;
 }
 
 NodeId Document::find_in_text(NodeId object, std::string_view name) const {
   if (object == kNoNode || !is_object(object) || nodes_[object].hidden) return kNoNode;
-  const KeyId id = key_id(name);
+  return last_member(object, key_id(name));
+}
+
+// The most called function of all: without the iterator, which lives in another file.
+NodeId Document::last_member(NodeId object, KeyId name) const {
+  const Node* const nodes = nodes_.data();
+  const NodeId end = nodes[object].next;
+  if (end - object > 2 * kManyMembers) {
+    const auto large = std::lower_bound(
+        large_objects_.begin(), large_objects_.end(), object,
+        [](const LargeObject& each, NodeId wanted) { return each.object < wanted; });
+    if (large != large_objects_.end() && large->object == object) {
+      const auto first = sorted_values_.begin() + large->begin;
+      const auto behind =
+          std::upper_bound(first, sorted_values_.begin() + large->end, name,
+                           [this](KeyId wanted, NodeId value) { return wanted < key_of(value); });
+      const bool is_there = behind != first && key_of(*(behind - 1)) == name;
+      return is_there ? *(behind - 1) : kNoNode;
+    }
+  }
   NodeId found = kNoNode;
-  for (NodeId key = object + 1; key < nodes_[object].next; key = nodes_[key + 1].next) {
-    if (nodes_[key].next == id) found = key + 1;
+  for (NodeId key = object + 1; key < end; key = nodes[key + 1].next) {
+    if (nodes[key].next == name) found = key + 1;
   }
   return found;
+}
+
+void Document::sort_members(NodeId object) {
+  const auto begin = static_cast<std::uint32_t>(sorted_values_.size());
+  const NodeId end = nodes_[object].next;
+  for (NodeId key = object + 1; key < end; key = nodes_[key + 1].next) {
+    sorted_values_.push_back(key + 1);
+  }
+  const auto by_key = [this](NodeId one, NodeId other) {
+    return std::pair(key_of(one), one) < std::pair(key_of(other), other);
+  };
+  const auto first = sorted_values_.begin() + begin;
+  if (!std::is_sorted(first, sorted_values_.end(), by_key)) {
+    std::sort(first, sorted_values_.end(), by_key);
+  }
+  large_objects_.push_back({object, begin, static_cast<std::uint32_t>(sorted_values_.size())});
+}
+
+void Document::sort_large_objects() {
+  // They come in the order in which they end.
+  std::sort(large_objects_.begin(), large_objects_.end(),
+            [](const LargeObject& a, const LargeObject& b) { return a.object < b.object; });
 }
 
 bool Document::has_value(NodeId object, std::string_view name) const {

@@ -173,7 +173,7 @@ class Document {
   std::size_t object_size(NodeId object) const;
 
   /// The value of the last member with that name (of repeated names the last wins), or kNoNode.
-  /// Also kNoNode when `object` is no object or kNoNode itself.
+  /// Also kNoNode when `object` is no object or kNoNode itself. Logarithmic in a large object.
   NodeId find(NodeId object, std::string_view name) const;
   NodeId find(NodeId object, KeyId name) const;
   /// As find(), but hidden members are found as well.
@@ -222,9 +222,24 @@ class Document {
 
  private:
   friend class Parser;
+  /// An object from this many members on has them sorted by name, too.
+  static constexpr std::uint32_t kManyMembers = 64;
+  /// Values of its members: from `begin` to `end` in sorted_values_.
+  struct LargeObject {
+    NodeId object;
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  void sort_members(NodeId object);
+  void sort_large_objects();
+  NodeId last_member(NodeId object, KeyId name) const;
+  KeyId key_of(NodeId value) const { return nodes_[value - 1].next; }
+
   SharedText text_;
   NodeArray nodes_;
   KeyTable keys_;
+  std::vector<LargeObject> large_objects_;  ///< by node
+  std::vector<NodeId> sorted_values_;       ///< by key; those of a repeated name as in the text
 };
 
 }  // namespace gltfx::json

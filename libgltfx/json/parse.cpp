@@ -41,6 +41,7 @@ Parsed Parser::run() {
   std::stable_sort(errors_.begin(), errors_.end(), [](const ParseError& a, const ParseError& b) {
     return a.span.begin < b.span.begin;
   });
+  document_.sort_large_objects();
   parsed.document = std::move(document_);
   parsed.errors = std::move(errors_);
   parsed.unrecorded_errors = unrecorded_;
@@ -106,10 +107,13 @@ bool Parser::can_follow_without_comma(const char* p) const {
          word == "null";
 }
 
-// Every name is stamped with the object that has it; a stamp that is there already is a repeat.
-void Parser::find_duplicates(NodeId object) {
+// Repeats are found: every name is stamped with the object that has it; a stamp that is there
+// already is a repeat.
+void Parser::end_members(NodeId object) {
   const NodeId end = nodes_[object].next;
+  std::uint32_t members = 0;
   for (NodeId key = object + 1; key != end; key = nodes_[key + 1].next) {
+    ++members;
     Stamp& stamp = stamps_[nodes_[key].next];
     if (stamp.object != object) {
       stamp = {object, key};
@@ -118,6 +122,7 @@ void Parser::find_duplicates(NodeId object) {
     warn(SyntaxError::duplicate_key, document_.span(key), "duplicate key; the last value is used",
          document_.span(stamp.key));
   }
+  if (members >= Document::kManyMembers) document_.sort_members(object);
 }
 
 const char* Parser::bad_value(const char* p) {

@@ -248,7 +248,7 @@ const char* Parser::close(const char* p) {
   frames_.pop_back();
   nodes_[frame.node].end = offset(p + 1);
   nodes_[frame.node].next = static_cast<NodeId>(nodes_.size());
-  if (frame.is_object) find_duplicates(frame.node);
+  if (frame.is_object) end_members(frame.node);
   return p + 1;
 }
 

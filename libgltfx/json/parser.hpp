@@ -63,7 +63,7 @@ class Parser {
   const char* fail(ParseError error);
   const char* too_deep(const char* bracket);
   void warn(SyntaxError error, Span span, std::string_view detail, Span other = {});
-  void find_duplicates(NodeId object);
+  void end_members(NodeId object);
   void warn_if_infinite(Span number);
 
   std::uint32_t offset(const char* p) const { return static_cast<std::uint32_t>(p - begin_); }

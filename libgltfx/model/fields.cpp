@@ -4,22 +4,6 @@
 #include <cmath>
 
 namespace gltfx::model {
-namespace {
-
-// From this many members on an object gets a table.
-constexpr std::size_t kManyMembers = 24;
-
-bool is_large(const json::Document& document, json::NodeId object) {
-  std::size_t count = 0;
-  const auto members = document.members(object);
-  for (auto at = members.begin(); at != members.end(); ++at) {
-    if (++count == kManyMembers) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 std::optional<std::uint64_t> unsigned_member(const json::Document& document, json::NodeId object,
                                              std::string_view name) {
   const json::NodeId value = document.find(object, name);
@@ -58,19 +42,7 @@ json::NodeId extension_object(const json::Document& document, json::NodeId objec
   return object_member(document, object_member(document, object, "extensions"), extension);
 }
 
-json::NodeId Lookup::member(json::NodeId object, std::string_view name) {
-  if (object == json::kNoNode || !document_.is_object(object)) return json::kNoNode;
-  auto known = members_.find(object);
-  if (known == members_.end()) {
-    if (!is_large(document_, object)) return document_.find(object, name);
-    known = members_.try_emplace(object).first;
-    for (const auto each : document_.members(object)) known->second[each.key_id] = each.value;
-  }
-  const auto found = known->second.find(document_.key_id(name));
-  return found == known->second.end() ? json::kNoNode : found->second;
-}
-
-const std::vector<json::NodeId>& Lookup::elements(json::NodeId array) {
+const std::vector<json::NodeId>& ArrayLookup::elements(json::NodeId array) {
   const auto [known, fresh] = elements_.try_emplace(array);
   if (fresh) {
     for (const json::NodeId element : document_.elements(array)) known->second.push_back(element);
@@ -78,7 +50,7 @@ const std::vector<json::NodeId>& Lookup::elements(json::NodeId array) {
   return known->second;
 }
 
-std::uint64_t Lookup::size(json::NodeId array) {
+std::uint64_t ArrayLookup::size(json::NodeId array) {
   if (document_.kind(array) == json::Kind::array) return elements(array).size();
   const auto [known, fresh] = sizes_.try_emplace(array);
   if (fresh) known->second = document_.array_size(array);

@@ -38,26 +38,20 @@ json::NodeId object_member(const json::Document& document, json::NodeId object,
 json::NodeId extension_object(const json::Document& document, json::NodeId object,
                               std::string_view extension);
 
-/// Keeps tables of the arrays and of the large objects it was asked about, so that many questions
-/// take time linear in them and in the document, whatever its form. The document must outlive it.
-/// Not thread-safe.
-class Lookup {
+/// Keeps tables of the arrays it was asked about, so that many questions take time linear in them
+/// and in the document, whatever its form. The document must outlive it. Not thread-safe.
+class ArrayLookup {
  public:
-  explicit Lookup(const json::Document& document) : document_(document) {}
+  explicit ArrayLookup(const json::Document& document) : document_(document) {}
 
-  /// As Document::find().
-  json::NodeId member(json::NodeId object, std::string_view name);
   /// The element nodes of an `array` (not of a `number_array`).
   const std::vector<json::NodeId>& elements(json::NodeId array);
   /// Number of elements of any array.
   std::uint64_t size(json::NodeId array);
 
  private:
-  using MembersByKey = std::unordered_map<json::KeyId, json::NodeId>;
-
   const json::Document& document_;
   std::unordered_map<json::NodeId, std::vector<json::NodeId>> elements_;
-  std::unordered_map<json::NodeId, MembersByKey> members_;
   std::unordered_map<json::NodeId, std::uint64_t> sizes_;
 };
 

@@ -92,7 +92,7 @@ struct ObjectModel::Walk {
 };
 
 ObjectModel::ObjectModel(const Asset& asset, const schema::Set& schemas)
-    : asset_(asset), schemas_(schemas), lookup_(asset.document()) {
+    : asset_(asset), schemas_(schemas), arrays_(asset.document()) {
   const schema::TypeId root = schemas.find_type("glTF");
   if (root != schema::kNone) root_shape_ = schemas.type(root).shape;
 }
@@ -158,7 +158,7 @@ bool ObjectModel::into_object(Walk& walk) {
   const schema::Property* property = schemas_.find_property(id, name);
   if (property != nullptr && name != "extensions") return into_member(walk, *property);
   if (name == "extensions") {
-    walk.node = lookup_.member(walk.node, name);
+    walk.node = asset_.document().find(walk.node, name);
     walk.place = Walk::Place::extensions;
     walk.property = nullptr;
     return true;
@@ -167,7 +167,7 @@ bool ObjectModel::into_object(Walk& walk) {
 }
 
 bool ObjectModel::into_member(Walk& walk, const schema::Property& property) {
-  walk.node = lookup_.member(walk.node, walk.step());
+  walk.node = asset_.document().find(walk.node, walk.step());
   walk.shape = property.shape;
   walk.property = &property;
   walk.element = false;
@@ -187,7 +187,7 @@ bool ObjectModel::missing_member(Walk& walk, const schema::ObjectType& type) {
     return walk.fail(Status::immutable,
                      fmt::format("{} is read-only at run time", gltfx::quoted(name)));
   }
-  if (lookup_.member(walk.node, name) != json::kNoNode) {
+  if (asset_.document().find(walk.node, name) != json::kNoNode) {
     if (type.open) return into_unknown(walk);
     return walk.fail(Status::immutable, fmt::format("{} is not a known property of {}",
                                                     gltfx::quoted(name), walk.here()));
@@ -215,7 +215,7 @@ bool ObjectModel::into_array(Walk& walk) {
     walk.target.element = index;
     return true;
   }
-  const std::uint64_t size = lookup_.size(walk.node);
+  const std::uint64_t size = arrays_.size(walk.node);
   if (*index >= size) {
     return walk.fail(Status::unresolved,
                      fmt::format("{} has {}", walk.here(), plural(size, "element")));
@@ -223,7 +223,7 @@ bool ObjectModel::into_array(Walk& walk) {
   walk.shape = items_of(walk.shape);
   walk.element = true;
   const bool numbers = document.kind(walk.node) == json::Kind::number_array;
-  if (!numbers) walk.node = lookup_.elements(walk.node)[*index];
+  if (!numbers) walk.node = arrays_.elements(walk.node)[*index];
   // The elements of a number array have no members: whatever follows leads nowhere.
   if (numbers && walk.at + 1 < walk.steps.size()) {
     ++walk.at;
@@ -235,7 +235,7 @@ bool ObjectModel::into_array(Walk& walk) {
 bool ObjectModel::into_extension(Walk& walk) {
   const std::string& name = walk.step();
   const json::NodeId object =
-      walk.node == json::kNoNode ? json::kNoNode : lookup_.member(walk.node, name);
+      walk.node == json::kNoNode ? json::kNoNode : asset_.document().find(walk.node, name);
   if (object == json::kNoNode) {
     std::vector<std::string_view> written;
     const json::Document& document = asset_.document();
@@ -271,16 +271,16 @@ bool ObjectModel::into_unknown(Walk& walk) {
   walk.property = nullptr;
   const json::Document& document = asset_.document();
   if (document.is_object(walk.node)) {
-    const json::NodeId next = lookup_.member(walk.node, walk.step());
+    const json::NodeId next = asset_.document().find(walk.node, walk.step());
     if (next != json::kNoNode) {
       walk.node = next;
       return true;
     }
   } else if (document.is_array(walk.node)) {
     const auto index = array_index(walk.step());
-    if (index && *index < lookup_.size(walk.node)) {
+    if (index && *index < arrays_.size(walk.node)) {
       if (document.kind(walk.node) == json::Kind::array)
-        walk.node = lookup_.elements(walk.node)[*index];
+        walk.node = arrays_.elements(walk.node)[*index];
       return true;
     }
   }
@@ -326,7 +326,7 @@ void ObjectModel::arrive_at_node(Walk& walk) {
   PropertyTarget& target = walk.target;
   const std::string_view name = walk.property->name;
   if (name != "translation" && target.type != PropertyType::number_array &&
-      lookup_.member(walk.owner_node, "matrix") != json::kNoNode) {
+      asset_.document().find(walk.owner_node, "matrix") != json::kNoNode) {
     walk.fail(Status::unresolved, fmt::format("a node with a matrix has no {}", name));
     return;
   }

@@ -96,7 +96,7 @@ class ObjectModel {
   const Asset& asset_;
   const schema::Set& schemas_;
   schema::ShapeId root_shape_ = schema::kNone;
-  Lookup lookup_;
+  ArrayLookup arrays_;
   std::unordered_map<json::NodeId, std::uint64_t> morph_targets_;  ///< by mesh
   Guess guess_;
 };

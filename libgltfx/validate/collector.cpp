@@ -57,16 +57,16 @@ std::uint64_t fold_key(const Path& path, const Finding& finding, Severity severi
 }
 
 // The name of the element of a root array that a pointer leads into: what an artist knows it by.
-std::string nearest_name(model::Lookup& lookup, const json::Document& document,
+std::string nearest_name(model::ArrayLookup& arrays, const json::Document& document,
                          std::string_view pointer) {
   const std::size_t second = pointer.find('/', 1);
   if (document.empty() || second == std::string_view::npos) return {};
   const std::string_view position = pointer.substr(second + 1);
   std::size_t index = 0;
   const auto read = std::from_chars(position.data(), position.data() + position.size(), index);
-  const json::NodeId array = lookup.member(document.root(), pointer.substr(1, second - 1));
+  const json::NodeId array = document.find(document.root(), pointer.substr(1, second - 1));
   if (read.ec != std::errc() || array == json::kNoNode) return {};
-  const auto& elements = lookup.elements(array);
+  const auto& elements = arrays.elements(array);
   if (index >= elements.size()) return {};
   const json::NodeId name = document.find(elements[index], "name");
   return name != json::kNoNode && document.is_string(name) ? document.string(name) : std::string();
@@ -313,7 +313,7 @@ void Collector::locate(std::vector<Entry>& entries, const json::Document& docume
                        std::uint64_t json_offset) {
   if (!text_) return;
   if (!lines_) lines_.emplace(*text_, last_place());
-  if (!lookup_) lookup_.emplace(document);
+  if (!arrays_) arrays_.emplace(document);
   for (Entry& entry : entries) {
     locate(entry, document, json_offset);
     if (entry.span.end != 0) entry.diagnostic.excerpt = lines_->excerpt(entry.span);
@@ -322,7 +322,7 @@ void Collector::locate(std::vector<Entry>& entries, const json::Document& docume
 }
 
 void Collector::locate(Entry& entry, const json::Document& document, std::uint64_t json_offset) {
-  entry.diagnostic.object_name = nearest_name(*lookup_, document, entry.diagnostic.pointer);
+  entry.diagnostic.object_name = nearest_name(*arrays_, document, entry.diagnostic.pointer);
   // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.
   if (entry.span.end != 0) entry.diagnostic.location = lines_->locate(entry.span, json_offset);
 }

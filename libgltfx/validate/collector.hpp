@@ -139,7 +139,7 @@ class Collector {
   std::size_t repeats_kept_ = 0;  ///< in all entries
   Suppressions* suppressions_ = nullptr;
   std::optional<json::LineIndex> lines_;
-  std::optional<model::Lookup> lookup_;
+  std::optional<model::ArrayLookup> arrays_;
 };
 
 }  // namespace gltfx::validate

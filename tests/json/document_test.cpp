@@ -2,6 +2,8 @@
 #include "json/document.hpp"
 
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <gmock/gmock.h>
 
@@ -25,6 +27,44 @@ TEST(Document, FindsMembersByName) {
   EXPECT_EQ(document.find_in_text(kNoNode, "a"), kNoNode);
   EXPECT_EQ(document.find_in_text(document.find(0, "c"), "a"), kNoNode);
   EXPECT_FALSE(document.has_value(0, "x"));
+}
+
+// Large objects have a table of their members; names come again out of order.
+std::string object_of(int members) {
+  std::string text = R"({"in":{"k1":"another"},"end":)";
+  std::string inner = "{";
+  for (int i = 0; i < members; ++i) {
+    if (i > 0) inner += ',';
+    const int name = i % 3 == 2 ? (i * 7) % 200 : i;
+    inner += "\"k" + std::to_string(name) + "\":[" + std::to_string(i) + ",{}]";
+  }
+  return text + inner + "}}";
+}
+
+TEST(Document, TheLastMemberOfANameIsFoundWhateverTheNumberOfMembers) {
+  for (const int members : {0, 1, 30, 63, 64, 65, 200, 5000}) {
+    Document document = parse(object_of(members)).document;
+    const NodeId object = document.find(0, "end");
+    const auto expected = [&document, object](std::string_view name) {
+      NodeId found = kNoNode;
+      for (const auto member : document.members(object)) {
+        if (document.key(member.key_id) == name) found = member.value;
+      }
+      return found;
+    };
+    for (const char* const name : {"k0", "k1", "k2", "k14", "k63", "k199", "k4999", "in", "no"}) {
+      EXPECT_EQ(document.find(object, name), expected(name)) << name << " of " << members;
+      EXPECT_EQ(document.find(object, document.key_id(name)), expected(name));
+      EXPECT_EQ(document.find_in_text(object, name), expected(name));
+    }
+    const NodeId first = document.find(object, "k0");
+    if (first == kNoNode) continue;
+    document.hide(first);
+    EXPECT_EQ(document.find(object, "k0"), kNoNode);
+    EXPECT_EQ(document.find_in_text(object, "k0"), first);
+    document.strip(object);
+    EXPECT_EQ(document.find(object, "k1"), kNoNode);
+  }
 }
 
 TEST(Document, HiddenMembersAreFoundInTheTextOnly) {
