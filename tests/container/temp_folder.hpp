@@ -2,6 +2,7 @@
 /// A folder of its own for each test, gone at its end.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include <unistd.h>
 
@@ -39,6 +41,10 @@ class TempFolder {
     std::ofstream(file, std::ios::binary) << content;
     return file;
   }
+
+  /// Returns when all that was written is older than a tick of the clock that dates files: a cache
+  /// keeps nothing of younger ones.
+  static void wait_for_tick() { std::this_thread::sleep_for(std::chrono::milliseconds(100)); }
 
   /// Files and folders directly in it.
   std::ptrdiff_t entries() const {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// --cache: what did not change is not checked again, and what did is.
-#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,8 +51,7 @@ TEST_F(Cache, ASecondRunSaysTheSameAndKeepsNothingNew) {
   fs::create_directories(folder_.path() / "assets");
   fs::copy(fixture("bad"), folder_.path() / "assets/bad", fs::copy_options::recursive);
   fs::copy(fixture("good"), folder_.path() / "assets/good", fs::copy_options::recursive);
-  // A report is kept once the asset's companions are older than a tick of the file system's clock.
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  TempFolder::wait_for_tick();
   const Outcome first = validate();
   EXPECT_EQ(first.out, plain().out);
   const std::uintmax_t kept = bytes_kept();

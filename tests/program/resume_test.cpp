@@ -161,6 +161,7 @@ class ResumeBake : public Resume {
          {"bowl.glb", "leaf.gltf", "leaf.bin", "leaf_color.png", "leaf_transmission.png"}) {
       folder_.write("assets/" + name, read_file(fixture("good/" + name)));
     }
+    TempFolder::wait_for_tick();
     for (const std::string& each : options_) line_ += " " + each;
   }
   Outcome bake(const std::string& output, const std::vector<std::string>& more = {}) const {
