@@ -71,13 +71,13 @@ std::string number_text(double value) {
   auto [text, point] = shortest_digits(std::fabs(value));
   const int count = static_cast<int>(text.size());
   if (point > 21 || point < -5) {
-    if (count > 1) text.insert(1, ".");
+    if (count > 1) text.insert(1, 1, '.');
     return fmt::format("{}{}e{:+}", sign, text, point - 1);
   }
   if (point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + text;
   if (count <= point)
     return sign + text + std::string(static_cast<std::size_t>(point - count), '0');
-  text.insert(static_cast<std::size_t>(point), ".");
+  text.insert(static_cast<std::size_t>(point), 1, '.');
   return sign + text;
 }
 

@@ -182,7 +182,7 @@ class GroupedWriter final : public ReportWriter {
                                               counted(group.files, "file"))) +
         "\n";
     for (const std::string& place : group.places) {
-      out += " " + style_.paint(Ink::frame, "-->") + " " + place + "\n";
+      out += fmt::format(" {} {}\n", style_.paint(Ink::frame, "-->"), place);
     }
     if (group.findings > group.listed) {
       out += fmt::format("     and {} more\n", group.findings - group.listed);

@@ -63,9 +63,8 @@ void check_expression(const Context& context, const MorphBinds& binds, json::Nod
   const auto list = object_list(context.document, expression, "morphTargetBinds");
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto node = context.asset.index(list[i], "node", model::RootArray::nodes);
-    const auto mesh = node ? context.views.nodes[*node].mesh : std::nullopt;
     const std::string at = fmt::format("{}/morphTargetBinds/{}", place, i);
-    binds.check(list[i], mesh, at);
+    if (node) binds.check(list[i], context.views.nodes[*node].mesh, at);
     const double weight = model::number_member(context.document, list[i], "weight").value_or(0);
     if (weight >= 0 && weight <= 1) continue;
     report_at(context.link_sink, at + "/weight",
