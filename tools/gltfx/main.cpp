@@ -12,6 +12,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "base/temporary_file.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
@@ -25,6 +29,14 @@ void keep_standard_streams() {
   int fd = ::open("/dev/null", O_RDWR);
   while (fd >= 0 && fd <= STDERR_FILENO) fd = ::dup(fd);
   if (fd > STDERR_FILENO) ::close(fd);
+}
+
+// glibc raises its limit with the largest array that is freed; later ones leave holes in the heap
+// then, which double the memory that a verb takes for a large asset.
+void keep_large_arrays_off_the_heap() {
+#ifdef __GLIBC__
+  ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
+#endif
 }
 
 // A mapped file that is cut while it is read is a finding. Any other such error ends the program as
@@ -91,6 +103,7 @@ int main(int argc, char** argv) {
   gltfx::tool::guard_mappings();
   gltfx::tool::clean_up_when_ended();
   gltfx::tool::keep_standard_streams();
+  gltfx::tool::keep_large_arrays_off_the_heap();
   gltfx::tool::usual_end = std::set_terminate(gltfx::tool::explain_and_die);
   ExitCode code = ExitCode::internal;
   try {
