@@ -180,4 +180,11 @@ Result<container::Container> rewritten(const container::Container& container,
   return changed;
 }
 
+bool same_but_for_padding(std::string_view one, std::string_view other) {
+  const auto content = [](std::string_view json) {
+    return json.substr(0, json.find_last_not_of(' ') + 1);
+  };
+  return content(one) == content(other);
+}
+
 }  // namespace gltfx::edit

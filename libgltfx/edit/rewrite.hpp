@@ -67,4 +67,7 @@ Result<container::Container> rewritten(const container::Container& container,
                                        const SharedText& json, const BinChange& bin,
                                        const std::string& path);
 
+/// Whether two JSON texts are the same but for blanks behind them, as a GLB has them.
+bool same_but_for_padding(std::string_view one, std::string_view other);
+
 }  // namespace gltfx::edit

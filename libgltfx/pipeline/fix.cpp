@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,32 +27,47 @@ using model::OpenedAsset;
 using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
 
-edit::NewBytes new_bytes(const std::vector<container::Bytes>& pieces, const FixedAsset& fixed) {
+edit::NewBytes new_bytes(const std::vector<container::Bytes>& pieces, const FixedAsset& fixed,
+                         std::set<std::string> referred) {
   static const std::vector<edit::NewFile> kNone;
-  edit::NewBytes bytes{pieces, kNone, {}};
+  edit::NewBytes bytes{pieces, kNone, {}, std::move(referred)};
   for (const auto& [path, file] : fixed.files) bytes.replaced.push_back(file);
-  bytes.referred = edit::referred_paths(fixed.after.asset().document());
   return bytes;
 }
 
-// What was judged in memory is judged once more as it is on the disk.
-edit::WriteCheck check_of(const FixedAsset& fixed, const SchemaSet& schemas) {
-  return [&fixed, &schemas](container::Container on_disk) -> std::optional<std::string> {
-    const OpenedAsset& asset = fixed.after.asset();
-    const ValidatedAsset written({asset.name(), std::move(on_disk), asset.resolver()},
-                                 fix_judgement(schemas));
-    const auto worse = worse_codes(findings_by_code(fixed.after.report()), written.report());
-    if (worse.empty()) return std::nullopt;
-    return fmt::format("the new file would have the new finding {}", worse.front());
+container::Bytes bin_of(const container::Container& container) {
+  const auto& bin = container.bin;
+  return bin ? container.bytes.part(bin->offset, bin->length) : container::Bytes();
+}
+
+std::set<Code> codes_of(const container::Container& container) {
+  std::set<Code> codes;
+  for (const auto* errors : {&container.errors, &container.late_errors}) {
+    for (const container::ContainerError& error : *errors) codes.insert(error.code);
+  }
+  return codes;
+}
+
+// What was judged in memory is what lies on the disk now.
+edit::WriteCheck check_of(const container::Container& judged) {
+  return [&judged](container::Container on_disk) -> std::optional<std::string> {
+    const std::set<Code> known = codes_of(judged), found = codes_of(on_disk);
+    const bool same = judged.json && on_disk.json &&
+                      edit::same_but_for_padding(*judged.json, *on_disk.json) &&
+                      container::same_bytes(bin_of(judged), bin_of(on_disk)) &&
+                      std::includes(known.begin(), known.end(), found.begin(), found.end());
+    if (same) return std::nullopt;
+    return "the file on the disk is not the one that was validated";
   };
 }
 
 void write_fixed(const OpenedAsset& old, const FileState& state, const FixedAsset& fixed,
-                 const FixOptions& options, const SchemaSet& schemas, FixReport& report) {
+                 std::set<std::string> referred, const FixOptions& options, FixReport& report) {
   const container::Container& container = fixed.after.asset().container();
   const auto pieces = edit::rewrite(container, container.json, {});
   if (!pieces) return note_failure(report, EditProblem::refused, pieces.error().message);
-  write_edited(old, state, new_bytes(*pieces, fixed), options, check_of(fixed, schemas), report);
+  write_edited(old, state, new_bytes(*pieces, fixed, std::move(referred)), options,
+               check_of(container), report);
 }
 
 FixReport fix_opened(EditedAsset opened, const FixOptions& options) {
@@ -63,12 +81,14 @@ FixReport fix_opened(EditedAsset opened, const FixOptions& options) {
   }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const OpenedAsset old(opened.asset.name(), opened.asset.container(), opened.asset.resolver());
-  const FixedAsset fixed =
+  FixedAsset fixed =
       fix_in_rounds({std::move(opened.asset), fix_judgement(schemas)}, options, schemas);
   if (const auto obstacle = find_obstacle(fixed.after.asset())) {
     note_failure(report, EditProblem::unreadable, obstacle->message);
     return report;
   }
+  std::set<std::string> referred = edit::referred_paths(fixed.after.asset().document());
+  fixed.after.forget_large_document();
   report.actions = fixed.actions;
   report.changes = fixed.changes;
   for (const auto& [path, file] : fixed.files) report.changed_files.push_back(path);
@@ -76,7 +96,7 @@ FixReport fix_opened(EditedAsset opened, const FixOptions& options) {
   if (!fixed.changes) {
     copy_unchanged(old, opened.state, options, report);
   } else if (options.in_place || !options.output.empty()) {
-    write_fixed(old, opened.state, fixed, options, schemas, report);
+    write_fixed(old, opened.state, fixed, std::move(referred), options, report);
   }
   if (report.problem != EditProblem::none) {
     for (FixAction& action : report.actions) action.done = false;

@@ -43,30 +43,46 @@ class Remains {
  public:
   Remains(const Sites& after, const std::vector<json::Edit>& edits) : relocation_(edits) {
     for (const validate::Site& site : after) {
-      auto& places = places_[site.code];
       if (site.span.end == 0)
-        ++places.whole;
+        ++places_[site.code].others;
       else
-        places.begins.push_back(site.span.begin);
+        places_[site.code].found.emplace_back(site.span.begin, false);
     }
-    for (auto& [code, places] : places_) std::sort(places.begins.begin(), places.begins.end());
+    for (auto& [code, places] : places_) std::sort(places.found.begin(), places.found.end());
   }
 
-  // Those about the file as a whole are to be asked about one after the other.
+  // Takes what is found where the site was. To be asked once for each site of a place.
   bool has(const validate::Site& site) {
-    const auto found = places_.find(site.code);
-    if (found == places_.end()) return false;
-    Places& places = found->second;
-    if (site.span.end == 0) return places.whole > 0 && places.whole-- > 0;
+    if (site.span.end == 0) return has_elsewhere(site.code);
+    const auto places = places_.find(site.code);
+    if (places == places_.end()) return false;
+    auto& found = places->second.found;
     const Span now = relocation_.of(site.span.begin);
-    const auto at = std::lower_bound(places.begins.begin(), places.begins.end(), now.begin);
-    return at != places.begins.end() && *at < now.end;
+    auto at = std::lower_bound(found.begin(), found.end(), Found{now.begin, false});
+    if (at == found.end() || at->first >= now.end) return false;
+    // All that stands in what an edit put there is marked with the first.
+    for (; at != found.end() && at->first < now.end && !at->second; ++at) at->second = true;
+    return true;
+  }
+
+  // To be asked behind those: the same may be found at another place now, such as in the copy of a
+  // member that stays when the other one is removed.
+  void expect_no_more() {
+    for (auto& [code, places] : places_) {
+      places.others += static_cast<std::uint64_t>(std::count_if(
+          places.found.begin(), places.found.end(), [](const Found& at) { return !at.second; }));
+    }
+  }
+  bool has_elsewhere(Code code) {
+    const auto places = places_.find(code);
+    return places != places_.end() && places->second.others > 0 && places->second.others-- > 0;
   }
 
  private:
+  using Found = std::pair<std::uint32_t, bool>;  ///< begin, and whether a site stood there before
   struct Places {
-    std::vector<std::uint32_t> begins;
-    std::uint64_t whole = 0;
+    std::vector<Found> found;
+    std::uint64_t others = 0;  ///< of the file as a whole; in the end also without a counterpart
   };
   json::Relocation relocation_;
   std::map<Code, Places> places_;
@@ -141,6 +157,10 @@ std::vector<bool> sites_gone(const Sites& sites, const Sites& after,
   Remains remains(after, edits);
   std::vector<bool> gone;
   for (const validate::Site& site : sites) gone.push_back(!remains.has(site));
+  remains.expect_no_more();
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (gone[i] && remains.has_elsewhere(sites[i].code)) gone[i] = false;
+  }
   return gone;
 }
 

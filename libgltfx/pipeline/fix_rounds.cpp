@@ -9,6 +9,7 @@
 
 #include "base/checked.hpp"
 #include "base/codes.hpp"
+#include "base/pages.hpp"
 #include "json/parse.hpp"
 #include "validate/context.hpp"
 
@@ -98,17 +99,29 @@ class Rounds {
         schemas_(schemas),
         text_(asset_.asset().container().json),
         first_sites_(asset_.sites()),
+        dropped_(first_sites_.size()),
         trials_(affordable_trials(asset_.asset(), trial_bytes)) {}
 
   FixedAsset run() {
     for (unsigned rounds = 0; rounds < kMostRounds && advance();) ++rounds;
     std::vector<FixAction> actions;
-    if (changes_) done().move_to(actions);
+    if (changes_) {
+      // One of the two documents at a time.
+      forget_document();
+      done().move_to(actions);
+    }
     left_over().move_to(actions);
     return {std::move(asset_), std::move(actions), std::move(edits_), std::move(files_), changes_};
   }
 
  private:
+  // Until it is asked for again.
+  void forget_document() {
+    if (!asset_.asset().is_large()) return;
+    asset_.forget_large_document();
+    give_back_memory();
+  }
+
   bool is_asked_for(Code code) const {
     const RuleDescription& rule = validate::description(code);
     if (options_.skip.contains(rule.code)) return false;
@@ -129,10 +142,10 @@ class Rounds {
 
   Tally left_over() const {
     Tally left(false);
-    for (const Site& site : asset_.sites()) {
+    for (std::size_t i = 0; i < dropped_.size(); ++i) {
+      const Site& site = asset_.sites()[i];
       if (!is_asked_for(site.code)) continue;
-      const auto why = dropped_.find(place_of(site));
-      left.add(asset_.asset().document(), site, why == dropped_.end() ? "" : why->second);
+      left.add(asset_.asset().document(), site, reasons_[dropped_[i]]);
     }
     return left;
   }
@@ -144,14 +157,14 @@ class Rounds {
   // One more round; whether there may be another one.
   bool advance() {
     std::vector<bool> wanted;
-    for (const Site& site : asset_.sites()) {
-      wanted.push_back(is_asked_for(site.code) && !dropped_.contains(place_of(site)));
+    for (std::size_t i = 0; i < dropped_.size(); ++i) {
+      wanted.push_back(dropped_[i] == 0 && is_asked_for(asset_.sites()[i].code));
     }
     PlannedFixes planned = plan(wanted);
     if (planned.changes.empty() && planned.obstacle.empty()) {
       // What stood against a fix may be gone by another one.
       if (!std::exchange(retries_, false)) return false;
-      dropped_.clear();
+      dropped_.assign(dropped_.size(), 0);
       return true;
     }
     Positions made;
@@ -170,16 +183,16 @@ class Rounds {
   }
 
   // What the changes make of the asset, or why it is not to be taken.
-  Result<Trial> judge(PlannedFixes planned) const {
+  Result<Trial> judge(PlannedFixes planned) {
     if (!planned.obstacle.empty()) return Error{planned.obstacle};
-    const OpenedAsset& old = asset_.asset();
-    auto changed = with_changes(old, planned.changes);
+    auto changed = with_changes(asset_.asset(), planned.changes);
     if (!changed) return changed.error();
+    const bool was_read = !asset_.asset().document().empty();
+    forget_document();
     ValidatedAsset next(*std::move(changed), fix_judgement(schemas_));
     const auto worse = worse_codes(findings_by_code(asset_.report()), next.report());
     // What could not be read could not be found.
-    const bool first_read = old.document().empty() && !next.asset().document().empty();
-    if (!worse.empty() && !first_read) {
+    if (!worse.empty() && (was_read || next.asset().document().empty())) {
       return Error{fmt::format("the new file would have the new finding {}", worse.front())};
     }
     return Trial{std::move(planned), std::move(next)};
@@ -214,11 +227,12 @@ class Rounds {
   }
 
   void drop(const Positions& group, const std::string& why) {
-    for (const std::size_t i : group) dropped_.emplace(place_of(asset_.sites()[i]), why);
+    if (reasons_.back() != why) reasons_.push_back(why);
+    for (const std::size_t i : group) dropped_[i] = static_cast<std::uint32_t>(reasons_.size() - 1);
   }
 
   void accept(Trial trial) {
-    move_dropped(trial.planned.changes.edits);
+    move_dropped(trial.planned.changes.edits, trial.after.sites());
     if (text_) edits_ = json::chain_edits(*text_, edits_, trial.planned.changes.edits);
     for (edit::ReplacedFile& file : trial.planned.changes.buffers.files) {
       const auto [known, is_new] = files_.try_emplace(file.path, file);
@@ -226,20 +240,28 @@ class Rounds {
     }
     asset_ = std::move(trial.after);
     changes_ = true;
-    retries_ = !dropped_.empty();
   }
 
   // What stood in a text that is gone is judged anew.
-  void move_dropped(const std::vector<json::Edit>& edits) {
+  void move_dropped(const std::vector<json::Edit>& edits, const Sites& sites) {
     const json::Relocation relocation(edits);
-    std::map<SitePlace, std::string> moved;
-    for (auto& [place, why] : dropped_) {
+    std::vector<std::pair<SitePlace, std::uint32_t>> moved;
+    for (std::size_t i = 0; i < dropped_.size(); ++i) {
+      if (dropped_[i] == 0) continue;
+      const SitePlace place = place_of(asset_.sites()[i]);
       const bool whole = place.second == UINT32_MAX;
       const Span now = whole ? Span{place.second, place.second} : relocation.of(place.second);
       if (whole || now.size() == 1)
-        moved.emplace(SitePlace{place.first, now.begin}, std::move(why));
+        moved.emplace_back(SitePlace{place.first, now.begin}, dropped_[i]);
     }
-    dropped_ = std::move(moved);
+    retries_ = !moved.empty();
+    std::sort(moved.begin(), moved.end());
+    dropped_.assign(sites.size(), 0);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      const SitePlace place = place_of(sites[i]);
+      const auto at = std::lower_bound(moved.begin(), moved.end(), std::pair(place, 0U));
+      if (at != moved.end() && at->first == place) dropped_[i] = at->second;
+    }
   }
 
   ValidatedAsset asset_;
@@ -249,7 +271,9 @@ class Rounds {
   const Sites first_sites_;  // of that
   std::vector<json::Edit> edits_;
   std::map<std::string, edit::ReplacedFile> files_;
-  std::map<SitePlace, std::string> dropped_;  // why
+  // Sites, by position, that are left out: the number of the reason; 0 for others.
+  std::vector<std::uint32_t> dropped_;
+  std::vector<std::string> reasons_{""};
   bool changes_ = false;
   bool retries_ = false;  // something was accepted after something was dropped
   std::uint64_t trials_;  // left, for what stands against others

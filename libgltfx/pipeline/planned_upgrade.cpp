@@ -16,6 +16,7 @@
 #include "edit/orphans.hpp"
 #include "edit/prune.hpp"
 #include "edit/references.hpp"
+#include "edit/rewrite.hpp"
 #include "edit/write_asset.hpp"
 #include "pipeline/edit_asset.hpp"
 #include "upgrade/ambiguity.hpp"
@@ -155,12 +156,6 @@ void note_targets(const std::vector<TargetChoice>& targets, std::vector<UpgradeA
   }
 }
 
-// In a GLB the new text has blanks behind it.
-bool same_but_for_padding(std::string_view with, std::string_view without) {
-  return with.starts_with(without) &&
-         with.find_first_not_of(' ', without.size()) == std::string_view::npos;
-}
-
 }  // namespace
 
 UpgradeReport failed(UpgradeReport report, EditProblem problem, std::string error) {
@@ -230,7 +225,7 @@ OpenedAsset upgraded(const OpenedAsset& before, PlannedUpgrade& plan,
                      container::Container changed) {
   container::Resolver resolver = before.resolver();
   for (const edit::NewFile& file : plan.files) resolver.add(file.path, file.content());
-  if (!plan.text || !changed.json || !same_but_for_padding(*changed.json, *plan.text)) {
+  if (!plan.text || !changed.json || !edit::same_but_for_padding(*changed.json, *plan.text)) {
     return {before.name(), std::move(changed), std::move(resolver)};
   }
   // The same text is not to be held twice.

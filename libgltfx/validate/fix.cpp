@@ -129,6 +129,13 @@ std::uint32_t Fixing::index_of(json::NodeId object) {
   return found == positions.end() ? UINT32_MAX : found->second;
 }
 
+bool Fixing::claim(json::NodeId node) {
+  if (is_claimed(node)) return false;
+  claimed_.resize(document_.node_count());
+  claimed_[node] = true;
+  return true;
+}
+
 bool Fixing::remove_member(json::NodeId value) {
   const json::NodeId object = value == json::kNoNode ? json::kNoNode : parent(value);
   if (object == json::kNoNode || !document_.is_object(object) || !claim(value)) return false;

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <typeindex>
 #include <typeinfo>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -58,8 +57,8 @@ class Fixing {
   /// The object or array that holds a value or key; json::kNoNode for the root.
   json::NodeId parent(json::NodeId node);
   /// Whether nobody has changed the value in this run; from now on somebody has.
-  bool claim(json::NodeId node) { return claimed_.insert(node).second; }
-  bool is_claimed(json::NodeId node) const { return claimed_.contains(node); }
+  bool claim(json::NodeId node);
+  bool is_claimed(json::NodeId node) const { return node < claimed_.size() && claimed_[node]; }
   /// The position of an object in the root array that it is an element of, or UINT32_MAX.
   std::uint32_t index_of(json::NodeId object);
 
@@ -107,8 +106,8 @@ class Fixing {
   } names_;
   edit::BufferContents contents_;
   std::vector<json::NodeId> parents_;  ///< empty until somebody asks
-  std::unordered_set<json::NodeId> claimed_;
-  std::set<std::string> deleted_;  ///< JSON pointers
+  std::vector<bool> claimed_;          ///< by node; empty until somebody claims one
+  std::set<std::string> deleted_;      ///< JSON pointers
   std::map<std::type_index, std::shared_ptr<void>> tables_;
   bool rewrites_container_ = false;
 };

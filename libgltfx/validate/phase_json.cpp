@@ -166,14 +166,14 @@ struct TextErrors {
     constexpr std::uint32_t kMost = 1U << 20U;
     json::Limits limits;
     limits.recorded_errors = kMost;
-    parsed = json::parse(fixing.opened().container().json, limits);
-    for (const json::ParseError& error : parsed.errors) {
+    errors = json::parse(fixing.opened().container().json, limits).errors;
+    for (const json::ParseError& error : errors) {
       if (error.error == json::SyntaxError::duplicate_key) {
         firsts.emplace(error.span.begin, error.other);
       }
     }
   }
-  json::Parsed parsed;
+  std::vector<json::ParseError> errors;
   std::set<json::SyntaxError> done;
   std::unordered_map<std::uint32_t, Span>
       firsts;  ///< of repeated keys, by the begin of a later one
@@ -181,10 +181,10 @@ struct TextErrors {
 
 template <class Fix>
 bool fix_each(Fixing& fixing, json::SyntaxError kind, const Fix& fix) {
-  TextErrors& errors = fixing.table<TextErrors>();
-  if (!errors.done.insert(kind).second) return true;
+  TextErrors& all = fixing.table<TextErrors>();
+  if (!all.done.insert(kind).second) return true;
   bool any = false;
-  for (const json::ParseError& error : errors.parsed.errors) {
+  for (const json::ParseError& error : all.errors) {
     if (error.error == kind) any = fix(error) || any;
   }
   return any;

@@ -104,6 +104,34 @@ TEST(FixDocument, DeletesReferencesToNothingWithWhatNeedsThem) {
   EXPECT_NE(text.find(R"("sampler":0)"), std::string::npos) << text;
 }
 
+// The order of joints counts, so that they stay; of the two members with them the first one does.
+TEST(FixDocument, WhatIsFoundInTheOtherCopyOfAMemberIsLeft) {
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", R"({"asset":{"version":"2.0"},"nodes":[{}],
+"skins":[{"joints":[0,0]}],"skins":[{"joints":[0,0]}]})");
+  const FixReport report = fix_file(path.native(), written_back());
+  EXPECT_EQ(content_of(path), R"({"asset":{"version":"2.0"},"nodes":[{}],
+"skins":[{"joints":[0,0]}]})");
+  ASSERT_EQ(report.actions.size(), 2U);
+  EXPECT_EQ(report.actions[0].code, "JSON_DUPLICATE_KEY");
+  EXPECT_TRUE(report.actions[0].done);
+  EXPECT_EQ(report.actions[1].code, "DUPLICATE_ELEMENTS");
+  EXPECT_FALSE(report.actions[1].done);
+}
+
+TEST(FixDocument, RemovesAllRepeatedNamesOfAList) {
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", R"({"asset":{"version":"2.0"},
+"extensionsUsed":["KHR_materials_unlit", "KHR_materials_unlit", "KHR_texture_transform",
+  "KHR_materials_unlit", "KHR_texture_transform"],
+"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":{}}}},
+"extensions":{"KHR_materials_unlit":{}}}],"textures":[{}]})");
+  EXPECT_EQ(fix_file(path.native(), written_back()).fixed(), 3U);
+  EXPECT_NE(content_of(path).find(R"(["KHR_materials_unlit", "KHR_texture_transform"],)"),
+            std::string::npos)
+      << content_of(path);
+}
+
 TEST(FixDocument, DeletesNothingWhereAnUnknownExtensionMayHoldIndices) {
   const TempFolder folder;
   const auto path = folder.write("a.gltf", R"({"asset":{"version":"2.0"},"scene":4,

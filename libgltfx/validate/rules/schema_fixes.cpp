@@ -73,6 +73,18 @@ bool remove_empty(Fixing& fixing, Span place) {
   return fixing.remove_member(value);
 }
 
+// At once: there may be more of them than a report has findings.
+bool remove_repeated_names(Fixing& fixing, json::NodeId list) {
+  if (!fixing.claim(list)) return true;
+  const json::Document& document = fixing.document();
+  json::KeyTable names;
+  for (const json::NodeId element : document.elements(list)) {
+    if (!document.is_string(element) || document.insert_string(element, names)) continue;
+    if (fixing.claim(element)) fixing.editor().remove(list, element);
+  }
+  return true;
+}
+
 // Only in lists whose order and length nobody counts on, as they do with the joints of a skin.
 bool remove_repeat(Fixing& fixing, Span place) {
   static const std::set<std::string_view> kSets{"nodes", "children", "extensionsUsed",
@@ -86,6 +98,7 @@ bool remove_repeat(Fixing& fixing, Span place) {
   }
   const json::NodeId list = fixing.parent(node);
   if (list == json::kNoNode || !kSets.contains(member_name(fixing, list))) return false;
+  if (document.is_string(node)) return remove_repeated_names(fixing, list);
   if (!fixing.claim(node)) return false;
   fixing.editor().remove(list, node);
   return true;
