@@ -81,14 +81,6 @@ std::string from_root(int root, const std::string& base, std::string_view path) 
   return path.ends_with('/') ? inside + '/' : inside;
 }
 
-Result<Bytes> decode(std::string_view uri) {
-  const auto split = split_data_uri(uri);
-  if (!split) return split.error();
-  auto decoded = decode_payload(*split);
-  if (!decoded) return decoded.error();
-  return Bytes::from_string(*std::move(decoded));
-}
-
 }  // namespace
 
 Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
@@ -170,21 +162,6 @@ ResolveError Resolver::stat(std::string_view path, std::uint64_t& size) const {
   const ResolveError error = open_at(path, file);
   size = file.size;
   return error;
-}
-
-Result<Bytes> fetch(const Resolver& resolver, std::string_view uri, ResolveError* error) {
-  const Uri reference = classify_uri(uri);
-  if (reference.kind == UriKind::data) return decode(uri);
-  if (reference.kind != UriKind::relative_path) return Error{"its URI is not a relative path"};
-  Resolved file = resolver.open(reference);
-  if (error != nullptr) *error = file.error;
-  if (file.error != ResolveError::none) {
-    return Error{describe(file.error, reference.normalized, file.problem)};
-  }
-  if (file.git_lfs_pointer) {
-    return Error{fmt::format("{} is a Git LFS pointer; run 'git lfs pull'", reference.normalized)};
-  }
-  return std::move(file.bytes);
 }
 
 }  // namespace gltfx::container

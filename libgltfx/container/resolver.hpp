@@ -97,8 +97,4 @@ class Resolver {
   Origin origin_ = new_origin();
 };
 
-/// Decodes a data URI or opens the file of a relative path inside of the resolver's root. The Error
-/// is one sentence, with or without its full stop; `error` gets what the resolver says of a file.
-Result<Bytes> fetch(const Resolver& resolver, std::string_view uri, ResolveError* error = nullptr);
-
 }  // namespace gltfx::container

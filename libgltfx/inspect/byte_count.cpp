@@ -30,11 +30,11 @@ struct Store {
 
 class Counter {
  public:
-  Counter(const container::Container& container, const container::Resolver& resolver,
+  Counter(const container::Container& container, container::OpenedFiles& files,
           const model::Asset& asset, const model::Views& views,
           const model::ResourceData& resources, const Uses& uses)
       : container_(container),
-        resolver_(resolver),
+        files_(files),
         asset_(asset),
         views_(views),
         resources_(resources),
@@ -98,8 +98,9 @@ class Counter {
   std::optional<std::size_t> file_store(const container::Uri& uri) {
     const auto [entry, fresh] = by_path_.try_emplace(uri.path);
     if (!fresh) return entry->second;
-    std::uint64_t size = 0;
-    if (resolver_.stat(uri.path, size) != container::ResolveError::none) return std::nullopt;
+    const container::Resolved& file = files_.open(uri);
+    if (file.error != container::ResolveError::none) return std::nullopt;
+    const std::uint64_t size = file.bytes.size();
     count_.files.push_back({uri.normalized, size});
     stores_.push_back({size, {}});
     entry->second = stores_.size() - 1;
@@ -195,7 +196,7 @@ class Counter {
   }
 
   const container::Container& container_;
-  const container::Resolver& resolver_;
+  container::OpenedFiles& files_;
   const model::Asset& asset_;
   const model::Views& views_;
   const model::ResourceData& resources_;
@@ -209,10 +210,10 @@ class Counter {
 
 }  // namespace
 
-ByteCount count_bytes(const container::Container& container, const container::Resolver& resolver,
+ByteCount count_bytes(const container::Container& container, container::OpenedFiles& files,
                       const model::Asset& asset, const model::Views& views,
                       const model::ResourceData& resources, const Uses& uses) {
-  return Counter(container, resolver, asset, views, resources, uses).run();
+  return Counter(container, files, asset, views, resources, uses).run();
 }
 
 }  // namespace gltfx::inspect

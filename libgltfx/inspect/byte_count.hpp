@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "container/container.hpp"
-#include "container/resolver.hpp"
+#include "container/opened_files.hpp"
 #include "inspect/uses.hpp"
 #include "model/resource_data.hpp"
 #include "model/views.hpp"
@@ -23,7 +23,7 @@ struct ByteCount {
 };
 
 /// Files that are not there, and references that lead nowhere, count nothing. Takes time n log n.
-ByteCount count_bytes(const container::Container& container, const container::Resolver& resolver,
+ByteCount count_bytes(const container::Container& container, container::OpenedFiles& files,
                       const model::Asset& asset, const model::Views& views,
                       const model::ResourceData& resources, const Uses& uses);
 

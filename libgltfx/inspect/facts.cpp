@@ -32,6 +32,7 @@ struct Source {
   const model::Views& views;
   const schema::Set& schemas;
   const Uses uses;
+  container::OpenedFiles files;
   const model::LoadedResources loaded;
   const ByteCount bytes;
 
@@ -40,9 +41,9 @@ struct Source {
         views(opened.views()),
         schemas(known),
         uses(find_uses(asset, known)),
-        loaded(model::load_resources(opened.container(), opened.resolver(), asset, views, jobs)),
-        bytes(count_bytes(opened.container(), opened.resolver(), asset, views, loaded.data, uses)) {
-  }
+        files(opened.resolver()),
+        loaded(model::load_resources(opened.container(), files, asset, views, jobs)),
+        bytes(count_bytes(opened.container(), files, asset, views, loaded.data, uses)) {}
 
   const json::Document& document() const { return asset.document(); }
 };

@@ -61,8 +61,9 @@ class Conversion {
     interop::read_model(opened.document(), model, notes_);
     const model::Asset asset(opened.document());
     const model::Views& views = opened.views();
+    container::OpenedFiles files(opened.resolver());
     const auto loaded =
-        model::load_resources(opened.container(), opened.resolver(), asset, views, options_.jobs);
+        model::load_resources(opened.container(), files, asset, views, options_.jobs);
     if (!loaded.notes.empty()) {
       std::string why = loaded.notes.front();
       if (why.ends_with('.')) why.pop_back();

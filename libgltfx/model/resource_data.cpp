@@ -22,12 +22,12 @@ std::string_view without_stop(std::string_view sentence) {
 
 class Loader {
  public:
-  Loader(const container::Container& container, const container::Resolver& resolver,
-         const Asset& asset, const Views& views)
-      : container_(container), resolver_(resolver), asset_(asset), views_(views) {}
+  Loader(const container::Container& container, container::OpenedFiles& files, const Asset& asset,
+         const Views& views)
+      : container_(container), files_(files), asset_(asset), views_(views) {}
 
   LoadedResources run(unsigned jobs) {
-    loaded_.data.origin = resolver_.origin();
+    loaded_.data.origin = files_.resolver().origin();
     const auto& buffers = asset_.elements(RootArray::buffers);
     for (std::size_t i = 0; i < buffers.size(); ++i) {
       loaded_.data.buffers.push_back(load_buffer(buffers[i], i));
@@ -66,7 +66,7 @@ class Loader {
     const json::NodeId member = document().find(object, "uri");
     if (member == json::kNoNode || !document().is_string(member)) return std::nullopt;
     std::string buffer;
-    auto bytes = container::fetch(resolver_, document().string(member, buffer));
+    auto bytes = container::fetch(files_, document().string(member, buffer));
     if (bytes) return *std::move(bytes);
     loaded_.notes.push_back(fmt::format("{} {} cannot be loaded: {}.", what, index,
                                         without_stop(bytes.error().message)));
@@ -109,7 +109,7 @@ class Loader {
   }
 
   const container::Container& container_;
-  const container::Resolver& resolver_;
+  container::OpenedFiles& files_;
   const Asset& asset_;
   const Views& views_;
   LoadedResources loaded_;
@@ -147,9 +147,9 @@ const DecodedView* ResourceData::decoded(const BufferView& view) const {
 }
 
 LoadedResources load_resources(const container::Container& container,
-                               const container::Resolver& resolver, const Asset& asset,
+                               container::OpenedFiles& files, const Asset& asset,
                                const Views& views, unsigned jobs) {
-  return Loader(container, resolver, asset, views).run(jobs);
+  return Loader(container, files, asset, views).run(jobs);
 }
 
 }  // namespace gltfx::model

@@ -11,7 +11,7 @@
 #include "base/origin.hpp"
 #include "container/bytes.hpp"
 #include "container/container.hpp"
-#include "container/resolver.hpp"
+#include "container/opened_files.hpp"
 #include "image/header.hpp"
 #include "image/ktx2.hpp"
 #include "model/accessor.hpp"
@@ -68,7 +68,7 @@ struct LoadedResources {
 /// views that come as streams of meshoptimizer, on up to `jobs` threads. Nothing outside of the
 /// resolver's root is opened.
 LoadedResources load_resources(const container::Container& container,
-                               const container::Resolver& resolver, const Asset& asset,
+                               container::OpenedFiles& files, const Asset& asset,
                                const Views& views, unsigned jobs);
 
 }  // namespace gltfx::model

@@ -287,8 +287,9 @@ bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema:
   const model::OpenedAsset& opened = validated.asset();
   const model::Asset asset(opened.document());
   const model::Views& views = opened.views();
+  container::OpenedFiles files(opened.resolver());
   model::LoadedResources loaded =
-      model::load_resources(opened.container(), opened.resolver(), asset, views, options.jobs);
+      model::load_resources(opened.container(), files, asset, views, options.jobs);
   for (std::string& note : loaded.notes) notes.add(std::move(note));
   bake::Scene scene = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run();
   scene.notes = notes.take();

@@ -2,7 +2,7 @@
 #include "upgrade/asset_bytes.hpp"
 
 #include "base/checked.hpp"
-#include "container/resolver.hpp"
+#include "container/opened_files.hpp"
 #include "container/uri.hpp"
 #include "model/accessor.hpp"
 #include "model/fields.hpp"

@@ -12,7 +12,7 @@
 #include "base/json_pointer.hpp"
 #include "base/sink.hpp"
 #include "container/container.hpp"
-#include "container/resolver.hpp"
+#include "container/opened_files.hpp"
 #include "json/document.hpp"
 #include "model/asset.hpp"
 #include "model/scene_graph.hpp"
@@ -29,7 +29,7 @@ namespace gltfx::validate {
 /// Everything a rule may look at. Lives for one asset; rules do not keep it.
 struct Context {
   const container::Container& container;
-  const container::Resolver& resolver;
+  container::OpenedFiles& files;
   const json::Document& document;
   const schema::Set& schemas;
   const model::Asset& asset;

@@ -49,10 +49,12 @@ Fixing::Fixing(const model::OpenedAsset& opened, const schema::Set& schemas)
 namespace {
 
 struct Loaded {
-  explicit Loaded(const Fixing& fixing)
-      : data(model::load_resources(fixing.opened().container(), fixing.opened().resolver(),
-                                   fixing.elements(), fixing.views(), 1)
-                 .data) {}
+  explicit Loaded(const Fixing& fixing) {
+    container::OpenedFiles files(fixing.opened().resolver());
+    data = model::load_resources(fixing.opened().container(), files, fixing.elements(),
+                                 fixing.views(), 1)
+               .data;
+  }
   model::ResourceData data;
 };
 

@@ -11,7 +11,7 @@
 #include "base/codes.hpp"
 #include "container/content.hpp"
 #include "container/mapping.hpp"
-#include "container/resolver.hpp"
+#include "container/opened_files.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
 #include "validate/fix.hpp"
@@ -212,7 +212,7 @@ void check_torn(const Context& context, const model::ResourceData& resources, Si
 
 Resources load_resources(const Context& context, Sink& sink, FileReport& report) {
   Resources resources;
-  resources.data.origin = context.resolver.origin();
+  resources.data.origin = context.files.resolver().origin();
   load_buffers(context, sink, report, resources);
   load_images(context, sink, report, resources);
   return resources;

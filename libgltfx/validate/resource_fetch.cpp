@@ -41,7 +41,7 @@ void report_lfs_pointer(const Resource& resource, const container::Uri& uri) {
 std::optional<container::Bytes> open_file(const Resource& resource, const container::Uri& uri) {
   resource.info.storage = "external";
   resource.info.uri = uri.normalized;
-  container::Resolved resolved = resource.context.resolver.open(uri);
+  const container::Resolved& resolved = resource.context.files.open(uri);
   if (resolved.error != ResolveError::none) {
     const bool same = resource.context.deviations.refused_files_have_no_code;
     resource.find(same ? Code::IO_ERROR : code_of(resolved.error), resource.uri_member,
@@ -53,7 +53,7 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
     report_lfs_pointer(resource, uri);
     return std::nullopt;
   }
-  return std::move(resolved.bytes);
+  return resolved.bytes;
 }
 
 // Whether the data of a URI is kept: a wrong media type has been reported.
@@ -105,7 +105,7 @@ std::optional<container::Bytes> fetch_uri(const Resource& resource) {
     resource.info.storage = "external";
     resource.info.uri = uri.normalized;
   }
-  const bool readable = non_relative ? resource.context.resolver.reads_any_uri()
+  const bool readable = non_relative ? resource.context.files.resolver().reads_any_uri()
                                      : uri.kind == container::UriKind::relative_path;
   return readable ? open_file(resource, uri) : std::nullopt;
 }

@@ -144,8 +144,9 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     Sink& heard_links = earlier ? static_cast<Sink&>(outside_links) : links;
     std::optional<LinkOrder> order;
     if (deviations.reading_order) order.emplace(links);
+    container::OpenedFiles files(opened.resolver());
     Context context{container,
-                    opened.resolver(),
+                    files,
                     document,
                     *set,
                     asset,

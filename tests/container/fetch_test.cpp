@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "container/resolver.hpp"
+#include "container/opened_files.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx::container {
@@ -44,6 +44,20 @@ TEST(Fetch, WhatCannotBeHadIsNamed) {
   EXPECT_THAT(why("https://example.com/a.bin"), HasSubstr("not a relative path"));
   EXPECT_NE(why("data:;base64,!"), "it is there");
   EXPECT_NE(why("data:no comma"), "it is there");
+}
+
+TEST(OpenedFiles, OneFileIsOpenedOnceHoweverOftenItIsNamed) {
+  const test::TempFolder folder;
+  folder.write("a.bin", "bytes");
+  Resolver resolver(folder.path(), folder.path());
+  const auto log = std::make_shared<LookupLog>();
+  resolver.record(log);
+  OpenedFiles files(resolver);
+  for (const std::string_view uri : {"a.bin", "away.bin", "./a.bin", "%61.bin", "away.bin"}) {
+    const auto bytes = fetch(files, uri);
+    EXPECT_EQ(bytes ? bytes->text() : "nothing", uri == "away.bin" ? "nothing" : "bytes") << uri;
+  }
+  EXPECT_EQ(log->lookups().size(), 2U);
 }
 
 }  // namespace
