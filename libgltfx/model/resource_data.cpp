@@ -146,9 +146,8 @@ const DecodedView* ResourceData::decoded(const BufferView& view) const {
   return found == decoded_views.end() ? nullptr : &found->second;
 }
 
-LoadedResources load_resources(const container::Container& container,
-                               container::OpenedFiles& files, const Asset& asset,
-                               const Views& views, unsigned jobs) {
+LoadedResources load_resources(const container::Container& container, container::OpenedFiles& files,
+                               const Asset& asset, const Views& views, unsigned jobs) {
   return Loader(container, files, asset, views).run(jobs);
 }
 

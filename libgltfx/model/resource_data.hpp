@@ -67,8 +67,7 @@ struct LoadedResources {
 /// Opens or decodes all buffers and images, maps files, reads headers of images, and decodes buffer
 /// views that come as streams of meshoptimizer, on up to `jobs` threads. Nothing outside of the
 /// resolver's root is opened.
-LoadedResources load_resources(const container::Container& container,
-                               container::OpenedFiles& files, const Asset& asset,
-                               const Views& views, unsigned jobs);
+LoadedResources load_resources(const container::Container& container, container::OpenedFiles& files,
+                               const Asset& asset, const Views& views, unsigned jobs);
 
 }  // namespace gltfx::model
