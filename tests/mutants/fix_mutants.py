@@ -535,7 +535,7 @@ def main():
 
 
 def tell(totals, safe):
-    for name, done, fixes, wrong in totals.failures[:100]:
+    for name, done, fixes, wrong in totals.failures:
         print(f"{name} ({', '.join(done)}; fixed {', '.join(fixes)}): {'; '.join(wrong)}")
     codes = sorted(totals.had.keys() | totals.left_out.keys())
     for code in codes:
