@@ -26,7 +26,7 @@ class Loader {
          const Views& views)
       : container_(container), files_(files), asset_(asset), views_(views) {}
 
-  LoadedResources run(unsigned jobs) {
+  LoadedResources run(unsigned jobs, const std::vector<bool>* wanted) {
     loaded_.data.origin = files_.resolver().origin();
     const auto& buffers = asset_.elements(RootArray::buffers);
     for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -35,7 +35,8 @@ class Loader {
     decode_views(jobs);
     const auto& images = asset_.elements(RootArray::images);
     for (std::size_t i = 0; i < images.size(); ++i) {
-      loaded_.data.images.push_back(load_image(images[i], i));
+      const bool left_out = wanted != nullptr && !(*wanted)[i];
+      loaded_.data.images.push_back(left_out ? ImageData() : load_image(images[i], i));
     }
     return std::move(loaded_);
   }
@@ -147,8 +148,9 @@ const DecodedView* ResourceData::decoded(const BufferView& view) const {
 }
 
 LoadedResources load_resources(const container::Container& container, container::OpenedFiles& files,
-                               const Asset& asset, const Views& views, unsigned jobs) {
-  return Loader(container, files, asset, views).run(jobs);
+                               const Asset& asset, const Views& views, unsigned jobs,
+                               const std::vector<bool>* images) {
+  return Loader(container, files, asset, views).run(jobs, images);
 }
 
 }  // namespace gltfx::model

@@ -66,8 +66,9 @@ struct LoadedResources {
 
 /// Opens or decodes all buffers and images, maps files, reads headers of images, and decodes buffer
 /// views that come as streams of meshoptimizer, on up to `jobs` threads. Nothing outside of the
-/// resolver's root is opened.
+/// resolver's root is opened. With `images`, by index, others than those are left out.
 LoadedResources load_resources(const container::Container& container, container::OpenedFiles& files,
-                               const Asset& asset, const Views& views, unsigned jobs);
+                               const Asset& asset, const Views& views, unsigned jobs,
+                               const std::vector<bool>* images = nullptr);
 
 }  // namespace gltfx::model

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,7 @@
 #include "model/light.hpp"
 #include "model/meshopt_view.hpp"
 #include "model/resource_data.hpp"
+#include "model/texture.hpp"
 #include "pipeline/scene_environment.hpp"
 #include "pipeline/scene_meshes.hpp"
 
@@ -279,6 +282,18 @@ class SceneBuilder {
   bake::Scene scene_;
 };
 
+// By index: those of textures, and of the light from all around.
+std::vector<bool> images_in_use(const model::Asset& asset, std::optional<std::uint32_t> scene) {
+  std::vector<bool> used(asset.count(RootArray::images));
+  for (const json::NodeId texture : asset.elements(RootArray::textures)) {
+    if (texture == json::kNoNode) continue;
+    for (const std::uint32_t image : model::read_texture(asset, texture).images) used[image] = true;
+  }
+  const auto light = scene ? model::environment_light_of(asset, *scene) : std::nullopt;
+  for (std::size_t i = 0; light && i < light->faces.size(); ++i) used[light->faces[i]] = true;
+  return used;
+}
+
 }  // namespace
 
 bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
@@ -288,8 +303,10 @@ bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema:
   const model::Asset asset(opened.document());
   const model::Views& views = opened.views();
   container::OpenedFiles files(opened.resolver());
+  const std::vector<bool> images =
+      images_in_use(asset, model::choose_scene(asset, views, options.scene).scene);
   model::LoadedResources loaded =
-      model::load_resources(opened.container(), files, asset, views, options.jobs);
+      model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
   for (std::string& note : loaded.notes) notes.add(std::move(note));
   bake::Scene scene = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run();
   scene.notes = notes.take();
