@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "edit/companions.hpp"
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 
@@ -80,7 +81,10 @@ std::set<std::string> referred_paths(const json::Document& document) {
       continue;
     }
     if (node.kind == json::Kind::key && node.next == uri && document.is_string(id + 1)) {
-      container::Uri reference = container::classify_uri(document.string(id + 1));
+      // Some readers take a backslash for a slash: what they find goes with the asset.
+      std::string text = document.string(id + 1);
+      std::replace(text.begin(), text.end(), '\\', '/');
+      container::Uri reference = container::classify_uri(text);
       if (reference.kind == container::UriKind::relative_path) {
         paths.insert(std::move(reference.path));
       }

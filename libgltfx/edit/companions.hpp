@@ -14,7 +14,8 @@
 namespace gltfx::edit {
 
 /// The files that a document refers to, relative to its folder, as container::Uri::path has them:
-/// members called "uri", wherever extensions put them; extras are nobody's business.
+/// members called "uri", wherever extensions put them, with backslashes turned into slashes. Extras
+/// are left out.
 std::set<std::string> referred_paths(const json::Document& document);
 
 /// Makes a folder and those above it, as far as they are not there.

@@ -273,6 +273,20 @@ TEST(FixFile, UrisThatNameNoFileAreNotTakenAlong) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "other" / "folder"));
 }
 
+TEST(FixFile, WhatABackslashLeadsToIsTakenAlong) {
+  const TempFolder folder;
+  folder.write("folder/a.png", *container::decode_base64(kPixel));
+  // The URI stays: the image is no WebP, which a reader of the new URI would find.
+  const auto path = folder.write("a.gltf", R"({"asset": {"version": "2.0"},
+    "extensionsRequired": ["ACME_a"],
+    "images": [{"uri": ".\\folder\\a.png", "mimeType": "image/webp"}]})");
+  FixOptions options;
+  options.output = (folder.path() / "other" / "a.gltf").native();
+  EXPECT_EQ(fix_file(path.native(), options).error, "");
+  EXPECT_EQ(text_of(folder.path() / "other" / "folder" / "a.png"),
+            *container::decode_base64(kPixel));
+}
+
 TEST(FixFile, DoesNothingUnsafeUnasked) {
   const TempFolder folder;
   const RuleDescription& rule = *find_rule("EXTENSION_NAME_MISSPELT");
