@@ -2,6 +2,8 @@
 #include "pipeline/fix_rounds.hpp"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -81,6 +83,25 @@ std::vector<Positions> parts_of(const Positions& group, const Sites& sites) {
     parts = {{group.begin(), middle}, {middle, group.end()}};
   }
   return parts;
+}
+
+using Names = std::set<std::string, std::less<>>;
+
+// The extensions whose objects have errors.
+Names unsound_extensions(const FileReport& report) {
+  constexpr std::string_view kHolder = "/extensions/";
+  Names names;
+  for (const Diagnostic& finding : report.diagnostics) {
+    if (finding.severity != Severity::error) continue;
+    const std::string_view pointer = finding.pointer;
+    for (std::size_t at = pointer.find(kHolder); at != pointer.npos;) {
+      const std::size_t begin = at + kHolder.size();
+      const std::size_t end = std::min(pointer.find('/', begin), pointer.size());
+      names.emplace(pointer.substr(begin, end - begin));
+      at = pointer.find(kHolder, begin);
+    }
+  }
+  return names;
 }
 
 /// What some fixes make of the asset.
@@ -182,18 +203,39 @@ class Rounds {
     return true;
   }
 
+  // The extensions that the plan declares.
+  Names declared(const PlannedFixes& planned) const {
+    const json::Document& document = asset_.asset().document();
+    Names names;
+    for (std::size_t i = 0; i < planned.fixed.size(); ++i) {
+      const Site& site = asset_.sites()[i];
+      if (!planned.fixed[i] || site.code != Code::UNDECLARED_EXTENSION) continue;
+      const json::NodeId key = validate::node_at(document, site.span);
+      if (key != json::kNoNode) names.emplace(document.key(document.node(key).next));
+    }
+    return names;
+  }
+
   // What the changes make of the asset, or why it is not to be taken.
   Result<Trial> judge(PlannedFixes planned) {
     if (!planned.obstacle.empty()) return Error{planned.obstacle};
     auto changed = with_changes(asset_.asset(), planned.changes);
     if (!changed) return changed.error();
     const bool was_read = !asset_.asset().document().empty();
+    const Names names = declared(planned);
     forget_document();
     ValidatedAsset next(*std::move(changed), fix_judgement(schemas_));
     const auto worse = worse_codes(findings_by_code(asset_.report()), next.report());
     // What could not be read could not be found.
     if (!worse.empty() && (was_read || next.asset().document().empty())) {
       return Error{fmt::format("the new file would have the new finding {}", worse.front())};
+    }
+    if (!names.empty()) {
+      // A reader that passed over the extension would look into it.
+      const Names unsound = unsound_extensions(next.report());
+      for (const std::string& name : names) {
+        if (unsound.contains(name)) return Error{fmt::format("objects of {} have errors", name)};
+      }
     }
     return Trial{std::move(planned), std::move(next)};
   }

@@ -2,6 +2,7 @@
 // Fixes from outside: a file in, the fixed file and what is said of it out.
 #include <gltfx/pipeline.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -271,6 +272,21 @@ TEST(FixFile, UrisThatNameNoFileAreNotTakenAlong) {
   EXPECT_EQ(report.error, "");
   EXPECT_TRUE(report.changes);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "other" / "folder"));
+}
+
+TEST(FixFile, DeclaresNoExtensionWhoseObjectsHaveErrors) {
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", R"({"asset": {"version": "2.0"}, "materials": [
+    {"extensions": {"KHR_materials_ior": {"ior": 1.4}}},
+    {"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 7}}},
+    {"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.7}}}]})");
+  const FixReport report = fix_file(path.native(), in_place());
+  EXPECT_EQ(report.error, "");
+  EXPECT_NE(text_of(path).find(R"("extensionsUsed": ["KHR_materials_ior"])"), std::string::npos);
+  const auto left = std::find_if(report.actions.begin(), report.actions.end(),
+                                 [](const FixAction& action) { return !action.done; });
+  ASSERT_NE(left, report.actions.end());
+  EXPECT_EQ(left->why_not, "objects of KHR_materials_clearcoat have errors");
 }
 
 TEST(FixFile, WhatABackslashLeadsToIsTakenAlong) {
