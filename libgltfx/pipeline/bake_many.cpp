@@ -49,14 +49,14 @@ class Comparison {
   void compare() {
     const BakeSize size = options_.sizes.front();
     const double aspect = static_cast<double>(size.width) / size.height;
-    const auto views = choose_views(*first_.scene, *first_.subject, options_, aspect);
+    const auto views = choose_views(first_, options_, aspect);
     if (!views) {
       first_.report.problem = BakeProblem::refused;
       first_.report.error = views.error().message;
       return;
     }
     const bake::Framebuffer a = draw(first_, views->front(), 0);
-    first_.subject->forget_faces();
+    first_.forget_faces();
     second_.subject = first_.subject;  // lit and framed alike
     const bake::Framebuffer b = draw(second_, views->front(), 0.5);
     const bake::Picture left = to_picture(a, first_.report);

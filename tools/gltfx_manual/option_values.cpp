@@ -110,6 +110,7 @@ Table common_values() {
       {"--sheet", picture()},
       {"--layer", comma_list(set_of(kLayerWords))},
       {"--compare", file({"gltf", "glb"})},
+      {"--projection", choice(set_of(kProjectionWords))},
       {"--lights", choice(set_of(kLightWords))},
       {"--environment", file({"hdr", "exr"})},
       {"--quality", choice(set_of(kQualityWords))},

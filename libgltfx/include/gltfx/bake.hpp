@@ -36,6 +36,12 @@ enum class BakeQuality : std::uint8_t {
   final,     ///< 256 samples and 12 bounces
 };
 
+/// How a camera that stands around the asset projects it.
+enum class BakeProjection : std::uint8_t {
+  perspective,
+  orthographic,  ///< parallel edges stay parallel, and sizes do not depend on the distance
+};
+
 /// Pictures of something else than light, each in a file of its own.
 enum class BakeLayer : std::uint8_t {
   albedo,    ///< base colour of what is seen first
@@ -91,6 +97,10 @@ struct BakeOptions {
   /// "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" before its front; empty:
   /// three quarters from the front.
   std::string camera;
+  BakeProjection projection = BakeProjection::perspective;  ///< not of a camera of the asset
+  /// Node by name, index or pointer ("/nodes/3") that the picture is of, with its subtree; all else
+  /// is drawn where it is. Not with a camera of the asset. Empty: everything.
+  std::string frame;
   std::string scene;      ///< name or index; empty: the default one
   std::string animation;  ///< name or index; empty: everything as it is written
   double time = 0;        ///< of the animation, seconds
