@@ -112,19 +112,6 @@ double fronts_seen(const Subject& subject, const Direction& direction) {
   return all > 0 ? seen / all : 0.0;
 }
 
-// A camera on that side, upright.
-View turned(const Direction& direction) {
-  View view;
-  view.backward = backward_of(direction);
-  const Vec3d over(0, 1, 0);
-  const bool steep = std::fabs(view.backward.y) > 0.9999;
-  const double turn = direction.azimuth * std::numbers::pi / 180;
-  view.right =
-      steep ? Vec3d(std::cos(turn), 0, -std::sin(turn)) : normalize(cross(over, view.backward));
-  view.up = cross(view.backward, view.right);
-  return view;
-}
-
 // Bounds of points along the planes of a camera's frustum: they decide where a perspective camera
 // has to stand to see all points. With `wide` and `high` 0, those of the picture of an
 // orthographic one.
@@ -194,8 +181,20 @@ Direction usual_direction(const Subject& subject) {
   return best;
 }
 
+View view_from(const Direction& direction) {
+  View view;
+  view.backward = backward_of(direction);
+  const Vec3d over(0, 1, 0);
+  const bool steep = std::fabs(view.backward.y) > 0.9999;
+  const double turn = direction.azimuth * std::numbers::pi / 180;
+  view.right =
+      steep ? Vec3d(std::cos(turn), 0, -std::sin(turn)) : normalize(cross(over, view.backward));
+  view.up = cross(view.backward, view.right);
+  return view;
+}
+
 View frame(const Subject& subject, const Direction& direction, double aspect) {
-  View view = turned(direction);
+  View view = view_from(direction);
   view.half_height = std::tan(kYfov / 2) * (aspect < 1 ? 1 / aspect : 1);
   view.half_width = view.half_height * aspect;
 
@@ -213,7 +212,7 @@ View frame(const Subject& subject, const Direction& direction, double aspect) {
 
 View frame_orthographic(const Subject& subject, const Direction& direction, double aspect,
                         const Subject& scene) {
-  View view = turned(direction);
+  View view = view_from(direction);
   view.perspective = false;
   const Vec3d middle = subject.middle();
   const Slanted s = slant(subject.points, view, middle, 0, 0);

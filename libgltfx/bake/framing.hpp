@@ -49,6 +49,9 @@ struct Direction {
 /// behind or below if the subject is visible from there only.
 Direction usual_direction(const Subject& subject);
 
+/// A camera on that side of the origin, upright.
+View view_from(const Direction& direction);
+
 /// The view that has the subject in its middle, as large as it goes with a margin. `aspect`: width
 /// by height.
 View frame(const Subject& subject, const Direction& direction, double aspect);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "bake/directions.hpp"
 #include "bake/environment.hpp"
+#include "bake/interior.hpp"
 #include "bake/light.hpp"
 #include "bake/storage.hpp"
 
@@ -174,6 +176,7 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
   world.emitters = Emitters(scene, studio && !options.enclosed ? kDim * exposure : 0);
   world.lights = brought_to_studio(scene, subject, options.lamps);
   for (Light& light : world.lights) scale(light.intensity, exposure);
+  if (view.inside) world.sky_occlusion = shadow_reach(subject);
   if (own) world.background = Background::environment;
   if (options.transparent) world.background = Background::transparent;
   return world;
@@ -182,13 +185,9 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
 std::optional<Eye> eye_of(const View& view, const Bvh& bvh) {
   constexpr int kProbes = 256;
   constexpr int kWaysOut = kProbes / 16;
-  constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749979);
   int ways_out = 0;
   for (int i = 0; i < kProbes && ways_out <= kWaysOut; ++i) {
-    const double y = 1 - (2 * i + 1.0) / kProbes;
-    const double ring = std::sqrt(1 - y * y);
-    const double turn = i * kGoldenAngle;
-    const Ray look{view.origin, {ring * std::cos(turn), y, ring * std::sin(turn)}};
+    const Ray look{view.origin, even_direction(i, kProbes)};
     ways_out += bvh.intersect(look, 0) ? 0 : 1;
   }
   return ways_out > kWaysOut ? std::optional(Eye(view)) : std::nullopt;

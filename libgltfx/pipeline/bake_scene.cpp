@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "bake/interior.hpp"
 #include "bake/markers.hpp"
 #include "base/pages.hpp"
 #include "base/text.hpp"
@@ -48,6 +49,12 @@ std::optional<std::string> find_refusal(const BakeOptions& options) {
   if (options.samples && (*options.samples == 0 || *options.samples > kMostBakeSamples)) {
     return fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples);
   }
+  if (options.interior == BakeInterior::on && !options.frame.empty()) {
+    return "a camera inside shows a room; it frames no node";
+  }
+  if (options.interior == BakeInterior::on && options.projection != BakeProjection::perspective) {
+    return "a camera inside is no orthographic one";
+  }
   if (!(std::fabs(options.exposure) <= kMostStops)) {
     return fmt::format("exposure: not from -{0} to {0} stops", kMostStops);
   }
@@ -75,7 +82,7 @@ FileReport errors_of(FileReport report) {
 
 // The longer side of pictures that have the whole scene in them; 0: the camera may be nearer.
 std::uint32_t side_of_whole(const BakeOptions& options) {
-  if (!options.frame.empty()) return 0;
+  if (!options.frame.empty() || options.interior == BakeInterior::on) return 0;
   if (!options.camera.empty() && !parse_angles(options.camera)) return 0;
   std::uint32_t side = 0;
   for (const BakeSize& size : options.sizes) side = std::max({side, size.width, size.height});
@@ -196,7 +203,7 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
 }
 
 // A side of the asset, or a camera of its own.
-using Standpoint = std::variant<bake::Direction, const bake::Camera*>;
+using CameraChoice = std::variant<bake::Direction, const bake::Camera*>;
 
 std::vector<std::string> camera_names(const bake::Scene& scene) {
   std::vector<std::string> names;
@@ -204,16 +211,16 @@ std::vector<std::string> camera_names(const bake::Scene& scene) {
   return names;
 }
 
-Result<Standpoint> choose_direction(const bake::Scene& scene, const bake::Subject& subject,
-                                    const BakeOptions& options) {
+Result<CameraChoice> choose_camera(const bake::Scene& scene, const bake::Subject& subject,
+                                   const BakeOptions& options) {
   if (const auto angles = parse_angles(options.camera)) {
-    return Standpoint(bake::Direction{angles->first, angles->second});
+    return CameraChoice(bake::Direction{angles->first, angles->second});
   }
   const auto named = find_named("camera", options.camera, camera_names(scene));
-  if (named && *named) return Standpoint(&scene.cameras[**named]);
-  if (named) return Standpoint(bake::usual_direction(subject));
+  if (named && *named) return CameraChoice(&scene.cameras[**named]);
+  if (named) return CameraChoice(bake::usual_direction(subject));
   if (const auto preset = find_preset(options.camera)) {
-    return Standpoint(bake::Direction{preset->first, preset->second});
+    return CameraChoice(bake::Direction{preset->first, preset->second});
   }
   return Error{named.error().message +
                "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees go "
@@ -232,6 +239,28 @@ std::optional<Error> find_conflict(const bake::Camera& camera, const BakeOptions
     return Error{"a camera of the asset has its own projection"};
   }
   return std::nullopt;
+}
+
+bool stands_inside(const BakeScene& loaded, const BakeOptions& options) {
+  if (options.interior != BakeInterior::automatic) return options.interior == BakeInterior::on;
+  const bool usual = options.camera.empty() && options.turntable == 0 && options.frame.empty() &&
+                     options.projection == BakeProjection::perspective;
+  return usual && bake::is_closed_room(*loaded.scene, *loaded.subject, *loaded.bvh);
+}
+
+// A turntable turns the camera in its place.
+std::vector<bake::View> views_inside(const BakeScene& loaded, const BakeOptions& options,
+                                     const bake::Direction& side, double aspect) {
+  const auto wanted = options.camera.empty() ? std::nullopt : std::optional(side);
+  bake::Standpoint from =
+      bake::find_standpoint(*loaded.scene, *loaded.subject, *loaded.bvh, wanted, aspect);
+  std::vector<bake::View> views;
+  const std::uint32_t count = std::max(options.turntable, 1U);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    views.push_back(bake::look_around(from, aspect));
+    from.direction.azimuth += 360.0 / count;
+  }
+  return views;
 }
 
 }  // namespace
@@ -273,17 +302,20 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
 Result<std::vector<bake::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
                                              double aspect) {
   const bake::Subject& subject = loaded.framed ? *loaded.framed : *loaded.subject;
-  const auto direction = choose_direction(*loaded.scene, subject, options);
-  if (!direction) return direction.error();
-  if (const auto* camera = std::get_if<const bake::Camera*>(&*direction)) {
+  const auto choice = choose_camera(*loaded.scene, subject, options);
+  if (!choice) return choice.error();
+  if (const auto* camera = std::get_if<const bake::Camera*>(&*choice)) {
     if (auto trouble = find_conflict(**camera, options)) return *std::move(trouble);
-    return std::vector<bake::View>{bake::view_of(**camera, aspect)};
+    bake::View view = bake::view_of(**camera, aspect);
+    view.inside = options.interior == BakeInterior::on;
+    return std::vector<bake::View>{view};
   }
-  const auto& [azimuth, elevation] = std::get<bake::Direction>(*direction);
+  const auto& side = std::get<bake::Direction>(*choice);
+  if (stands_inside(loaded, options)) return views_inside(loaded, options, side, aspect);
   std::vector<bake::View> views;
   const std::uint32_t count = std::max(options.turntable, 1U);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const bake::Direction turned{azimuth + 360.0 * i / count, elevation};
+    const bake::Direction turned{side.azimuth + 360.0 * i / count, side.elevation};
     views.push_back(options.projection == BakeProjection::perspective
                         ? bake::frame(subject, turned, aspect)
                         : bake::frame_orthographic(subject, turned, aspect, *loaded.subject));

@@ -88,8 +88,8 @@ bool can_be_kept(const BakeOptions& options) {
 Hash128 key_of(const BakeOptions& options) {
   const auto& [sizes, turntable, layers, quality, samples, bounces, seed, denoise, seconds, noise,
                literal_shader, lights, environment, exposure, transparent, camera, projection,
-               frame, scene, animation, time, variant, strict, output, embed, root, jobs, schemas,
-               cache, progress] = options;
+               frame, interior, scene, animation, time, variant, strict, output, embed, root, jobs,
+               schemas, cache, progress] = options;
   // Where pictures lie is no part of them; the same come of any number of threads.
   static_cast<void>(output);
   static_cast<void>(jobs);
@@ -107,7 +107,7 @@ Hash128 key_of(const BakeOptions& options) {
         std::uint64_t{samples.value_or(0)}, std::uint64_t{bounces ? *bounces + 1ULL : 0},
         std::uint64_t{seed}, std::uint64_t{denoise}, std::uint64_t{literal_shader},
         static_cast<std::uint64_t>(lights), static_cast<std::uint64_t>(projection),
-        std::uint64_t{transparent}, std::uint64_t{strict}}) {
+        static_cast<std::uint64_t>(interior), std::uint64_t{transparent}, std::uint64_t{strict}}) {
     parts.add(number);
   }
   parts.add(std::uint64_t{sizes.size()});

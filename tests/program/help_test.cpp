@@ -58,7 +58,8 @@ const std::vector<Verb>& verbs() {
       {"hook", words("VERB")},
       {"bake",
        words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "
-             "--compare --camera --projection --frame --lights --environment --exposure --scene "
+             "--compare --camera --projection --interior --frame --lights --environment --exposure "
+             "--scene "
              "--animation --time "
              "--variant --strict --quality --samples --bounces --seed --denoise --noise "
              "--time-budget "

@@ -190,6 +190,7 @@ void Configuration::apply(RawBakeOptions& words) const {
   fill("quality", words.quality);
   fill("projection", words.projection);
   fill("frame", words.frame);
+  fill("interior", words.interior);
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }

@@ -97,6 +97,10 @@ void read_scene(Reading& reading, const RawBakeOptions& words, BakeOptions& bake
                 parse_word<BakeProjection>("--projection", words.projection, kProjectionWords));
   }
   bake.frame = words.frame;
+  if (!words.interior.empty()) {
+    reading.set(bake.interior,
+                parse_word<BakeInterior>("--interior", words.interior, kInteriorWords));
+  }
   bake.scene = words.scene;
   bake.animation = words.animation;
   bake.variant = words.variant;

@@ -42,6 +42,14 @@ enum class BakeProjection : std::uint8_t {
   orthographic,  ///< parallel edges stay parallel, and sizes do not depend on the distance
 };
 
+/// Whether the camera stands inside: in a place from which much of a room is seen, with a wide
+/// angle and light that comes in through walls.
+enum class BakeInterior : std::uint8_t {
+  automatic,  ///< in a closed room of which a camera around it sees walls only
+  on,         ///< a camera of the asset stays in its place
+  off,
+};
+
 /// Pictures of something else than light, each in a file of its own.
 enum class BakeLayer : std::uint8_t {
   albedo,    ///< base colour of what is seen first
@@ -101,6 +109,9 @@ struct BakeOptions {
   /// Node by name, index or pointer ("/nodes/3") that the picture is of, with its subtree; all else
   /// is drawn where it is. Not with a camera of the asset. Empty: everything.
   std::string frame;
+  /// `automatic` holds for a perspective camera where `camera`, `turntable` and `frame` are not
+  /// set.
+  BakeInterior interior = BakeInterior::automatic;
   std::string scene;      ///< name or index; empty: the default one
   std::string animation;  ///< name or index; empty: everything as it is written
   double time = 0;        ///< of the animation, seconds
