@@ -99,6 +99,24 @@ Vec3d area_of(const Subject& subject, std::size_t face) {
   return subject.faces[face].mirrored ? -area : area;
 }
 
+bool is_flat(const Subject& subject) {
+  constexpr double kAlmost = 0.999;  // of all area
+  Vec3d largest;
+  double all = 0;
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    const Vec3d area = area_of(subject, i);
+    all += length(area);
+    if (length(area) > length(largest)) largest = area;
+  }
+  if (!(length(largest) > 0)) return false;
+  const Vec3d normal = normalize(largest);
+  double along = 0;
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    along += std::fabs(dot(area_of(subject, i), normal));
+  }
+  return along >= kAlmost * all;
+}
+
 // The part of the projected area that is visible: back faces of culled surfaces are not.
 double fronts_seen(const Subject& subject, const Direction& direction) {
   const Vec3d backward = backward_of(direction);
@@ -158,6 +176,7 @@ std::optional<Subject> find_subject(const Scene& scene, Which which) {
     subject.greatest = {std::max(subject.greatest.x, p.x), std::max(subject.greatest.y, p.y),
                         std::max(subject.greatest.z, p.z)};
   }
+  subject.flat = is_flat(subject);
   return subject;
 }
 

@@ -24,6 +24,7 @@ struct Subject {
   std::vector<Float3> points;  ///< corners, three for each face
   std::vector<Face> faces;
   Vec3d least, greatest;
+  bool flat = false;  ///< all faces are parallel
 
   /// Frees the triangles, but not the box, after framing.
   void forget_faces();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bake/sampler.hpp"
+#include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 
 namespace gltfx::bake {
@@ -81,6 +82,12 @@ Float3 layer_color(const Framebuffer& buffer, std::size_t i, Layer layer, PixelT
   return type == PixelType::floats ? grey(static_cast<float>(material)) : material_color(material);
 }
 
+// CIE L* of a pixel of the finished picture.
+double lightness(const Float3& radiance) {
+  const double y = std::clamp(luminance(to_vec(tone_map(radiance))), 0.0, 1.0);
+  return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389.0 / 27;
+}
+
 }  // namespace
 
 Picture tone_mapped_picture(const Framebuffer& buffer, bool alpha, PixelType type) {
@@ -109,6 +116,27 @@ Picture layer_picture(const Framebuffer& buffer, Layer layer, PixelType type) {
     add_color(picture, color, layer != Layer::albedo, type);
   }
   return picture;
+}
+
+double edge_contrast(const Framebuffer& buffer) {
+  double sum = 0;
+  std::size_t count = 0;
+  // Pixels on the edge itself are mixed: their neighbours on either side are compared.
+  const auto compare = [&](std::size_t i, std::size_t step) {
+    const float before = buffer.alpha[i - step];
+    const float after = buffer.alpha[i + step];
+    if (std::min(before, after) > 0.01F || std::max(before, after) < 0.99F) return;
+    sum += std::fabs(lightness(buffer.radiance[i - step]) - lightness(buffer.radiance[i + step]));
+    ++count;
+  };
+  for (std::size_t y = 0; y < buffer.height; ++y) {
+    for (std::size_t x = 0; x < buffer.width; ++x) {
+      const std::size_t i = y * buffer.width + x;
+      if (x > 0 && x + 1 < buffer.width) compare(i, 1);
+      if (y > 0 && y + 1 < buffer.height) compare(i, buffer.width);
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 100.0;
 }
 
 double mean_square_difference(const Picture& a, const Picture& b, const Framebuffer& buffer_a,

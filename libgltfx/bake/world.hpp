@@ -33,6 +33,7 @@ struct World {
   std::vector<Light> lights;
   Emitters emitters;  ///< of the scene; BSDF sampling finds the others
   Background background = Background::backdrop;
+  double backdrop = 1;                          ///< factor of the radiance of the backdrop
   std::optional<ShadowCatcher> shadow_catcher;  ///< only with a backdrop
   /// Decides which walls let light in. Nothing: all that turn their backs to the light.
   std::optional<Eye> eye;

@@ -65,6 +65,7 @@ class Baker {
       pictures_ += views->size();
       views_.push_back(*std::move(views));
     }
+    choose_backdrop(loaded_, views_.front().front(), options_);
     loaded_.forget_faces();
     give_back_memory();
     return true;

@@ -55,9 +55,11 @@ class Comparison {
       first_.report.error = views.error().message;
       return;
     }
+    choose_backdrop(first_, views->front(), options_);
     const bake::Framebuffer a = draw(first_, views->front(), 0);
     first_.forget_faces();
     second_.subject = first_.subject;  // lit and framed alike
+    second_.dim_backdrop = first_.dim_backdrop;
     const bake::Framebuffer b = draw(second_, views->front(), 0.5);
     const bake::Picture left = to_picture(a, first_.report);
     const bake::Picture right = to_picture(b, second_.report);

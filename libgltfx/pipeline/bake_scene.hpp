@@ -25,6 +25,7 @@ struct BakeScene {
   std::optional<bake::Bvh> bvh;
   std::optional<bake::Subject> subject;  ///< all that is drawn
   std::optional<bake::Subject> framed;   ///< what the picture is of; nothing: the subject
+  bool dim_backdrop = false;             ///< see choose_backdrop()
 
   /// What framing needs of the subjects, after it.
   void forget_faces() {
