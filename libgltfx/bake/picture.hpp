@@ -38,6 +38,14 @@ double edge_contrast(const Framebuffer& buffer);
 double mean_square_difference(const Picture& a, const Picture& b, const Framebuffer& buffer_a,
                               const Framebuffer& buffer_b);
 
+/// The mean structural similarity of the same pixels, at most 1, which the same pictures have: of
+/// luma, in Gaussian windows of 11 by 11 pixels that end with the picture (Z. Wang, A. Bovik,
+/// H. Sheikh and E. Simoncelli, Image Quality Assessment: From Error Visibility to Structural
+/// Similarity, IEEE Transactions on Image Processing 13, 2004). 1 where neither shows anything.
+/// Precondition: as above.
+double structural_similarity(const Picture& a, const Picture& b, const Framebuffer& buffer_a,
+                             const Framebuffer& buffer_b);
+
 /// The difference by pixel: grey, plus four times the difference.
 Picture difference(const Picture& a, const Picture& b);
 

@@ -42,7 +42,7 @@ class Comparison {
 
   BakeComparison run() {
     if (first_.ready() && second_.ready()) compare();
-    return {std::move(first_.report), std::move(second_.report), psnr_, std::move(error_)};
+    return {std::move(first_.report), std::move(second_.report), psnr_, ssim_, std::move(error_)};
   }
 
  private:
@@ -66,6 +66,7 @@ class Comparison {
     const double difference = bake::mean_square_difference(left, right, a, b);
     psnr_ = difference > 0 ? 10 * std::log10(255.0 * 255.0 / difference)
                            : std::numeric_limits<double>::infinity();
+    ssim_ = bake::structural_similarity(left, right, a, b);
     if (options_.output.empty()) return;
     auto trouble = write_picture(bake::difference(left, right), options_.output);
     if (trouble) error_ = std::move(trouble->message);
@@ -88,7 +89,7 @@ class Comparison {
 
   const BakeOptions& options_;
   BakeScene first_, second_;
-  double psnr_ = 0;
+  double psnr_ = 0, ssim_ = 0;
   std::string error_;
 };
 

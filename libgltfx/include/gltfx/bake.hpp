@@ -170,6 +170,9 @@ struct BakeComparison {
   /// Decibels, of the range of 8 bits, over pixels that show either asset; infinite when they are
   /// the same. Not set when either has a problem.
   double psnr = 0;
+  /// Mean structural similarity of the luma of the same pixels (Wang et al. 2004), 1 when they are
+  /// the same. Not set when either has a problem.
+  double ssim = 0;
   std::string error;  ///< why the picture of the difference could not be written; else empty
 };
 
