@@ -12,7 +12,7 @@ Rgb background(const TraceContext& context, const Vec3d& direction, const Float2
     return world.environment->radiance(direction);
   }
   if (world.background != Background::backdrop) return {};
-  return backdrop(static_cast<double>(point[0]), static_cast<double>(point[1]));
+  return backdrop(static_cast<double>(point[0]), static_cast<double>(point[1])) * world.backdrop;
 }
 
 double catcher_shadow(const TraceContext& context, const Ray& ray, const Float2& random,

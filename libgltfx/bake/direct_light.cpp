@@ -44,8 +44,8 @@ Candidate DirectLight::sample_environment(const Float2& random) const {
   const Evaluation bsdf = bsdf_.evaluate(l);
   const double weight = power_heuristic(light.pdf, bsdf.pdf);
   const double scale = std::fabs(l.z) * weight * light.scale;
-  const Ray shadow_ray{start(l), light.direction};
-  const Rgb contribution = bsdf.f * light.radiance * transmittance(l, shadow_ray.far) * scale;
+  const Ray shadow_ray{start(l), light.direction, context_.world.sky_occlusion};
+  const Rgb contribution = bsdf.f * light.radiance * transmittance(l, Ray().far) * scale;
   return {shadow_ray, bsdf, contribution, luminance(contribution)};
 }
 

@@ -117,4 +117,13 @@ inline Vec3d uniform_hemisphere(double u, double v) {
   return {radius * turn.cosine, radius * turn.sine, u};
 }
 
+/// One of `count` directions that are spread evenly.
+inline Vec3d even_direction(int index, int count) {
+  constexpr double kGoldenAngle = pi * (3 - 2.23606797749979);
+  const double y = 1 - (2 * index + 1.0) / count;
+  const double ring = std::sqrt(1 - y * y);
+  const double turn = index * kGoldenAngle;
+  return {ring * std::cos(turn), y, ring * std::sin(turn)};
+}
+
 }  // namespace gltfx::bake

@@ -44,18 +44,24 @@ std::vector<std::size_t> visible_triangles(const Scene& scene) {
 
 // Corners of triangles, three by three, evenly chosen over all instances. Vertices that no triangle
 // uses do not count.
-Subject surfaces_of(const Scene& scene) {
+Subject surfaces_of(const Scene& scene, Which which) {
   const std::vector<std::size_t> sums = visible_triangles(scene);
+  const bool some = which == Which::framed && !scene.framed.empty();
+  const std::size_t count = some ? scene.framed.size() : scene.instances.size();
+  const auto instance = [&](std::size_t i) -> const Instance& {
+    return scene.instances[some ? scene.framed[i] : i];
+  };
   std::size_t triangles = 0;
-  for (const Instance& each : scene.instances) {
-    triangles += sums[each.mesh + each.count] - sums[each.mesh];
+  for (std::size_t i = 0; i < count; ++i) {
+    triangles += sums[instance(i).mesh + instance(i).count] - sums[instance(i).mesh];
   }
   const std::size_t step = triangles * 3 / kMostPoints + 1;
   Subject subject;
   subject.points.reserve(3 * (triangles / step + 1));
   subject.faces.reserve(triangles / step + 1);
   std::size_t next = 0;  // index of the next triangle
-  for (const Instance& each : scene.instances) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Instance& each = instance(i);
     const bool mirrored = determinant(each.to_world) < 0;
     const std::size_t before = sums[each.mesh];
     const std::size_t own = sums[each.mesh + each.count] - before;
@@ -67,8 +73,8 @@ Subject surfaces_of(const Scene& scene) {
       const Mesh& mesh = scene.meshes[static_cast<std::size_t>(mesh_end - sums.begin()) - 1];
       const auto& triangle = mesh.triangles[before + next - *(mesh_end - 1)];
       std::array<Vec3d, 3> p;
-      for (std::size_t i = 0; i < 3; ++i) {
-        p[i] = transform_point(each.to_world, to_vec(mesh.positions[triangle[i]]));
+      for (std::size_t k = 0; k < 3; ++k) {
+        p[k] = transform_point(each.to_world, to_vec(mesh.positions[triangle[k]]));
       }
       if (!std::all_of(p.begin(), p.end(), is_sane)) continue;
       for (const Vec3d& corner : p) subject.points.push_back(to_float3(corner));
@@ -93,6 +99,24 @@ Vec3d area_of(const Subject& subject, std::size_t face) {
   return subject.faces[face].mirrored ? -area : area;
 }
 
+bool is_flat(const Subject& subject) {
+  constexpr double kAlmost = 0.999;  // of all area
+  Vec3d largest;
+  double all = 0;
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    const Vec3d area = area_of(subject, i);
+    all += length(area);
+    if (length(area) > length(largest)) largest = area;
+  }
+  if (!(length(largest) > 0)) return false;
+  const Vec3d normal = normalize(largest);
+  double along = 0;
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    along += std::fabs(dot(area_of(subject, i), normal));
+  }
+  return along >= kAlmost * all;
+}
+
 // The part of the projected area that is visible: back faces of culled surfaces are not.
 double fronts_seen(const Subject& subject, const Direction& direction) {
   const Vec3d backward = backward_of(direction);
@@ -107,7 +131,8 @@ double fronts_seen(const Subject& subject, const Direction& direction) {
 }
 
 // Bounds of points along the planes of a camera's frustum: they decide where a perspective camera
-// has to stand to see all points.
+// has to stand to see all points. With `wide` and `high` 0, those of the picture of an
+// orthographic one.
 struct Slanted {
   double left = -std::numeric_limits<double>::infinity(), right = left, lower = left, upper = left;
   double nearest = left;
@@ -139,8 +164,8 @@ void Subject::forget_faces() {
   faces = std::vector<Face>();
 }
 
-std::optional<Subject> find_subject(const Scene& scene) {
-  Subject subject = surfaces_of(scene);
+std::optional<Subject> find_subject(const Scene& scene, Which which) {
+  Subject subject = surfaces_of(scene, which);
   if (subject.points.empty()) return std::nullopt;
   drop_strays(subject);
   subject.least = subject.greatest = to_vec(subject.points.front());
@@ -151,6 +176,7 @@ std::optional<Subject> find_subject(const Scene& scene) {
     subject.greatest = {std::max(subject.greatest.x, p.x), std::max(subject.greatest.y, p.y),
                         std::max(subject.greatest.z, p.z)};
   }
+  subject.flat = is_flat(subject);
   return subject;
 }
 
@@ -174,7 +200,7 @@ Direction usual_direction(const Subject& subject) {
   return best;
 }
 
-View frame(const Subject& subject, const Direction& direction, double aspect) {
+View view_from(const Direction& direction) {
   View view;
   view.backward = backward_of(direction);
   const Vec3d over(0, 1, 0);
@@ -183,6 +209,11 @@ View frame(const Subject& subject, const Direction& direction, double aspect) {
   view.right =
       steep ? Vec3d(std::cos(turn), 0, -std::sin(turn)) : normalize(cross(over, view.backward));
   view.up = cross(view.backward, view.right);
+  return view;
+}
+
+View frame(const Subject& subject, const Direction& direction, double aspect) {
+  View view = view_from(direction);
   view.half_height = std::tan(kYfov / 2) * (aspect < 1 ? 1 / aspect : 1);
   view.half_width = view.half_height * aspect;
 
@@ -195,6 +226,21 @@ View frame(const Subject& subject, const Direction& direction, double aspect) {
   const double x = (s.right - s.left) / 2;
   const double y = (s.upper - s.lower) / 2;
   view.origin = middle + view.right * x + view.up * y + view.backward * distance;
+  return view;
+}
+
+View frame_orthographic(const Subject& subject, const Direction& direction, double aspect,
+                        const Subject& scene) {
+  View view = view_from(direction);
+  view.perspective = false;
+  const Vec3d middle = subject.middle();
+  const Slanted s = slant(subject.points, view, middle, 0, 0);
+  view.half_height = std::max((s.upper + s.lower) / 2, (s.right + s.left) / 2 / aspect) / kMargin;
+  view.half_height = std::max(view.half_height, subject.size() * 1e-3);  // a line from its end
+  view.half_width = view.half_height * aspect;
+  const double before = dot(scene.middle() - middle, view.backward) + scene.size();
+  view.origin = middle + view.right * ((s.right - s.left) / 2) +
+                view.up * ((s.upper - s.lower) / 2) + view.backward * before;
   return view;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gltfx/vec3.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Subject {
   std::vector<Float3> points;  ///< corners, three for each face
   std::vector<Face> faces;
   Vec3d least, greatest;
+  bool flat = false;  ///< all faces are parallel
 
   /// Frees the triangles, but not the box, after framing.
   void forget_faces();
@@ -31,9 +33,12 @@ struct Subject {
   double size() const;
 };
 
+/// Which instances of a scene.
+enum class Which : std::uint8_t { all, framed };
+
 /// Nothing if no triangle is visible; alpha of the factors counts. For strays see
 /// framing_strays.hpp. Reads a bounded number of triangles.
-std::optional<Subject> find_subject(const Scene& scene);
+std::optional<Subject> find_subject(const Scene& scene, Which which = Which::all);
 
 /// The side that the camera is on, in degrees. Azimuth 0 is the front (+z), 90 is +x; elevation 90
 /// is above.
@@ -45,8 +50,15 @@ struct Direction {
 /// behind or below if the subject is visible from there only.
 Direction usual_direction(const Subject& subject);
 
+/// A camera on that side of the origin, upright.
+View view_from(const Direction& direction);
+
 /// The view that has the subject in its middle, as large as it goes with a margin. `aspect`: width
 /// by height.
 View frame(const Subject& subject, const Direction& direction, double aspect);
+
+/// The same with an orthographic camera, which stands before all of `scene`.
+View frame_orthographic(const Subject& subject, const Direction& direction, double aspect,
+                        const Subject& scene);
 
 }  // namespace gltfx::bake

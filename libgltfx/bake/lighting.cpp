@@ -6,9 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "bake/directions.hpp"
 #include "bake/environment.hpp"
+#include "bake/interior.hpp"
 #include "bake/light.hpp"
 #include "bake/storage.hpp"
+#include "bake/surface.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -31,6 +34,8 @@ constexpr std::array<SoftBox, 4> kBoxes{{
     {-120, 20, 10, 40, {2.4, 2.4, 2.4}},  // edge
 }};
 
+constexpr double kDimBackdrop = 0.4;
+
 double smooth_step(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -52,6 +57,11 @@ double within(const SoftBox& box, double azimuth, double elevation) {
   const double upwards = std::fabs(elevation - box.elevation);
   return smooth_step(box.width + kEdge, box.width, across) *
          smooth_step(box.height + kEdge, box.height, upwards);
+}
+
+// The part that is left of the light from a direction.
+double modelling_share(double azimuth) {
+  return 1 - 0.6 * smooth_step(20, 80, azimuth) * smooth_step(175, 150, azimuth);
 }
 
 // A white surface that faces the camera becomes as bright as this.
@@ -130,7 +140,20 @@ Rgb irradiance(const EnvironmentImage& image, const Vec3d& normal) {
   return sum;
 }
 
-EnvironmentImage studio_environment(const Vec3d& backward) {
+bool is_plain(const Scene& scene) {
+  return std::all_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+    const SceneMaterial& material = material_of(scene, mesh);
+    const Material& m = material.factors;
+    const bool textured = std::any_of(material.textures.begin(), material.textures.end(),
+                                      [](const TextureUse& use) { return use.texture != kNone; });
+    return mesh.colors.empty() && !mesh.unlit && !textured && m.base_color == Rgb(1) &&
+           m.metallic == 1 && m.roughness == 1 && m.emissive == Rgb() && !m.unlit &&
+           m.transmission == 0 && m.diffuse_transmission == 0 && m.clearcoat == 0 &&
+           m.sheen_color == Rgb() && !material.specular_glossiness;
+  });
+}
+
+EnvironmentImage studio_environment(const Vec3d& backward, bool modelling) {
   EnvironmentImage image;
   image.width = kStudioWidth;
   image.height = kStudioHeight;
@@ -145,6 +168,7 @@ EnvironmentImage studio_environment(const Vec3d& backward) {
       for (const SoftBox& box : kBoxes) {
         radiance += box.radiance * within(box, azimuth, elevation);
       }
+      if (modelling) radiance *= modelling_share(azimuth);
       image.radiance.push_back(to_float3(radiance));
     }
   }
@@ -166,7 +190,8 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
   const bool own = scene.environment.has_value();
   const bool studio = !own && (options.lamps != Lamps::asset || !is_emissive(scene));
   if (own || studio) {
-    EnvironmentImage image = own ? *scene.environment : studio_environment(view.backward);
+    EnvironmentImage image =
+        own ? *scene.environment : studio_environment(view.backward, is_plain(scene));
     for (Float3& texel : image.radiance) scale(texel, exposure);
     if (studio) world.shadow_catcher = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
     world.environment.emplace(image);
@@ -174,6 +199,8 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
   world.emitters = Emitters(scene, studio && !options.enclosed ? kDim * exposure : 0);
   world.lights = brought_to_studio(scene, subject, options.lamps);
   for (Light& light : world.lights) scale(light.intensity, exposure);
+  if (view.inside) world.sky_occlusion = shadow_reach(subject);
+  if (options.dim_backdrop) world.backdrop = kDimBackdrop;
   if (own) world.background = Background::environment;
   if (options.transparent) world.background = Background::transparent;
   return world;
@@ -182,13 +209,9 @@ World make_world(const Scene& scene, const Subject& subject, const View& view,
 std::optional<Eye> eye_of(const View& view, const Bvh& bvh) {
   constexpr int kProbes = 256;
   constexpr int kWaysOut = kProbes / 16;
-  constexpr double kGoldenAngle = std::numbers::pi * (3 - 2.23606797749979);
   int ways_out = 0;
   for (int i = 0; i < kProbes && ways_out <= kWaysOut; ++i) {
-    const double y = 1 - (2 * i + 1.0) / kProbes;
-    const double ring = std::sqrt(1 - y * y);
-    const double turn = i * kGoldenAngle;
-    const Ray look{view.origin, {ring * std::cos(turn), y, ring * std::sin(turn)}};
+    const Ray look{view.origin, even_direction(i, kProbes)};
     ways_out += bvh.intersect(look, 0) ? 0 : 1;
   }
   return ways_out > kWaysOut ? std::optional(Eye(view)) : std::nullopt;

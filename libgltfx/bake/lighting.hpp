@@ -16,12 +16,16 @@ namespace gltfx::bake {
 
 /// Soft boxes around a bright room: a key light from the upper left of a camera that looks along
 /// -`backward`, a fill from the right, a rim light from behind. White surfaces come out a little
-/// below white.
-EnvironmentImage studio_environment(const Vec3d& backward);
+/// below white. `modelling`: with less light from the right, so that the sides of a cube differ
+/// that has neither color nor gloss.
+EnvironmentImage studio_environment(const Vec3d& backward, bool modelling = false);
 
 /// The unoccluded irradiance of a surface: the integral of the radiance of the environment times
 /// the cosine to the normal.
 Rgb irradiance(const EnvironmentImage& image, const Vec3d& normal);
+
+/// Whether all that is drawn shows the default material alone: white, rough metal.
+bool is_plain(const Scene& scene);
 
 /// Radiance of the backdrop at a point of the picture, x and y from 0 to 1 from the upper left.
 Rgb backdrop(double x, double y);
@@ -31,7 +35,8 @@ enum class Lamps : std::uint8_t { studio, asset, both };
 struct LightingOptions {
   Lamps lamps = Lamps::both;
   bool transparent = false;
-  double exposure = 0;  ///< stops
+  double exposure = 0;        ///< stops
+  bool dim_backdrop = false;  ///< darker, so that what is as bright as the usual one stands out
   /// The camera stands in a closed room, where all that shines is a lamp.
   bool enclosed = false;
 };

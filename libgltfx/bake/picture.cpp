@@ -2,9 +2,11 @@
 #include "bake/picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bake/sampler.hpp"
+#include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 
 namespace gltfx::bake {
@@ -81,6 +83,66 @@ Float3 layer_color(const Framebuffer& buffer, std::size_t i, Layer layer, PixelT
   return type == PixelType::floats ? grey(static_cast<float>(material)) : material_color(material);
 }
 
+// CIE L* of a pixel of the finished picture.
+double lightness(const Float3& radiance) {
+  const double y = std::clamp(luminance(to_vec(tone_map(radiance))), 0.0, 1.0);
+  return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389.0 / 27;
+}
+
+// Of each pixel, 0 to 255 (Rec. 709).
+std::vector<float> luma_of(const Picture& picture) {
+  std::vector<float> luma;
+  luma.reserve(std::size_t{picture.width} * picture.height);
+  for (std::size_t i = 0; i < picture.bytes.size(); i += picture.channels) {
+    luma.push_back(0.2126F * static_cast<float>(picture.bytes[i]) +
+                   0.7152F * static_cast<float>(picture.bytes[i + 1]) +
+                   0.0722F * static_cast<float>(picture.bytes[i + 2]));
+  }
+  return luma;
+}
+
+// Equation 13 of the paper, in the window around a pixel.
+double similarity_around(const std::vector<float>& a, const std::vector<float>& b,
+                         std::size_t width, std::size_t height, std::size_t pixel) {
+  constexpr std::size_t kReach = 5;
+  constexpr double kDeviation = 1.5;
+  constexpr double kC1 = 0.01 * 255 * 0.01 * 255;
+  constexpr double kC2 = 0.03 * 255 * 0.03 * 255;
+  static const std::array<double, kReach + 1> kWeights = [] {
+    std::array<double, kReach + 1> weights{};
+    for (std::size_t i = 0; i <= kReach; ++i) {
+      const double away = static_cast<double>(i) / kDeviation;
+      weights[i] = std::exp(-away * away / 2);
+    }
+    return weights;
+  }();
+  const std::size_t x = pixel % width;
+  const std::size_t y = pixel / width;
+  const auto first = [](std::size_t at) { return at < kReach ? 0 : at - kReach; };
+  const auto apart = [](std::size_t p, std::size_t q) { return p < q ? q - p : p - q; };
+  double weights = 0, sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
+  for (std::size_t v = first(y); v < std::min(y + kReach + 1, height); ++v) {
+    for (std::size_t u = first(x); u < std::min(x + kReach + 1, width); ++u) {
+      const double weight = kWeights[apart(u, x)] * kWeights[apart(v, y)];
+      const auto p = static_cast<double>(a[v * width + u]);
+      const auto q = static_cast<double>(b[v * width + u]);
+      weights += weight;
+      sum_a += weight * p;
+      sum_b += weight * q;
+      sum_aa += weight * p * p;
+      sum_bb += weight * q * q;
+      sum_ab += weight * p * q;
+    }
+  }
+  const double mean_a = sum_a / weights;
+  const double mean_b = sum_b / weights;
+  const double variance_a = sum_aa / weights - mean_a * mean_a;
+  const double variance_b = sum_bb / weights - mean_b * mean_b;
+  const double covariance = sum_ab / weights - mean_a * mean_b;
+  return (2 * mean_a * mean_b + kC1) * (2 * covariance + kC2) /
+         ((mean_a * mean_a + mean_b * mean_b + kC1) * (variance_a + variance_b + kC2));
+}
+
 }  // namespace
 
 Picture tone_mapped_picture(const Framebuffer& buffer, bool alpha, PixelType type) {
@@ -111,6 +173,27 @@ Picture layer_picture(const Framebuffer& buffer, Layer layer, PixelType type) {
   return picture;
 }
 
+double edge_contrast(const Framebuffer& buffer) {
+  double sum = 0;
+  std::size_t count = 0;
+  // Pixels on the edge itself are mixed: their neighbours on either side are compared.
+  const auto compare = [&](std::size_t i, std::size_t step) {
+    const float before = buffer.alpha[i - step];
+    const float after = buffer.alpha[i + step];
+    if (std::min(before, after) > 0.01F || std::max(before, after) < 0.99F) return;
+    sum += std::fabs(lightness(buffer.radiance[i - step]) - lightness(buffer.radiance[i + step]));
+    ++count;
+  };
+  for (std::size_t y = 0; y < buffer.height; ++y) {
+    for (std::size_t x = 0; x < buffer.width; ++x) {
+      const std::size_t i = y * buffer.width + x;
+      if (x > 0 && x + 1 < buffer.width) compare(i, 1);
+      if (y > 0 && y + 1 < buffer.height) compare(i, buffer.width);
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 100.0;
+}
+
 double mean_square_difference(const Picture& a, const Picture& b, const Framebuffer& buffer_a,
                               const Framebuffer& buffer_b) {
   double sum = 0;
@@ -124,6 +207,20 @@ double mean_square_difference(const Picture& a, const Picture& b, const Framebuf
     }
   }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+double structural_similarity(const Picture& a, const Picture& b, const Framebuffer& buffer_a,
+                             const Framebuffer& buffer_b) {
+  const std::vector<float> first = luma_of(a);
+  const std::vector<float> second = luma_of(b);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (buffer_a.alpha[i] <= 0 && buffer_b.alpha[i] <= 0) continue;
+    sum += similarity_around(first, second, a.width, a.height, i);
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 1.0;
 }
 
 Picture difference(const Picture& a, const Picture& b) {

@@ -68,7 +68,8 @@ void add_infinite_light(const TraceContext& context, const Path& path, const Flo
   }
 }
 
-// A wall that lets light in is a window for the emitters and the environment behind it.
+// A wall that lets light in is a window for the emitters and the environment behind it, one that is
+// too far away to occlude the environment for that.
 void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, Path& path,
                             PathSample& L) {
   if (path.prefix.specular || !path.media.empty()) return;
@@ -79,7 +80,8 @@ void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wa
   };
   const bool open =
       light_through(context, path.ray, wall.hit, wall.surface, path.sampler.key(), add_emitter);
-  if (!open || !sees_environment(context, path)) return;
+  const bool beyond = wall.hit.distance > context.world.sky_occlusion;
+  if (!(open || beyond) || !sees_environment(context, path)) return;
   add_environment(*context.world.environment, path, L);
   path.prefix.environment_in = true;
 }

@@ -163,7 +163,8 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<SceneMaterial> materials;
   std::vector<Texture> textures;
-  std::vector<Instance> instances;  ///< visible ones
+  std::vector<Instance> instances;    ///< visible ones
+  std::vector<std::uint32_t> framed;  ///< indices of those that the picture is of; empty: all
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::optional<EnvironmentImage> environment;

@@ -20,6 +20,8 @@ struct View {
   bool perspective = true;
   /// Half the extent of the picture: at distance 1, or everywhere for an orthographic camera.
   double half_width = 0.5, half_height = 0.5;
+  /// Of a room around the camera: light comes in through its walls.
+  bool inside = false;
 
   /// Through a point of the picture: x and y from 0 to 1, from the upper left.
   Ray ray(double x, double y) const;

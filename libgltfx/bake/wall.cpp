@@ -31,6 +31,8 @@ bool is_wall(const SceneMaterial& material) {
   return is_culled(material) && !transmits;
 }
 
+Vec3d front_normal(const Scene& scene, const Hit& hit) { return plane_of(scene, hit).normal; }
+
 bool turns_back(const Scene& scene, const Hit& hit, const std::optional<Eye>& eye) {
   if (!eye) return true;
   const FacePlane plane = plane_of(scene, hit);

@@ -2,6 +2,7 @@
 /// The world around a scene: lights and background.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,9 +27,13 @@ struct ShadowCatcher {
 struct World {
   std::optional<Environment> environment;
   std::optional<SkySamples> sky;  ///< of the environment; none where many samples need an exact one
+  /// Surfaces that are farther away from what is lit do not occlude the environment: so it shines
+  /// into closed rooms.
+  double sky_occlusion = std::numeric_limits<double>::infinity();
   std::vector<Light> lights;
   Emitters emitters;  ///< of the scene; BSDF sampling finds the others
   Background background = Background::backdrop;
+  double backdrop = 1;                          ///< factor of the radiance of the backdrop
   std::optional<ShadowCatcher> shadow_catcher;  ///< only with a backdrop
   /// Decides which walls let light in. Nothing: all that turn their backs to the light.
   std::optional<Eye> eye;

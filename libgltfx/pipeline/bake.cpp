@@ -60,12 +60,13 @@ class Baker {
   bool choose_all_views() {
     for (const BakeSize& size : options_.sizes) {
       const double aspect = static_cast<double>(size.width) / size.height;
-      auto views = choose_views(*loaded_.scene, *loaded_.subject, options_, aspect);
+      auto views = choose_views(loaded_, options_, aspect);
       if (!views) return fail(BakeProblem::refused, views.error().message);
       pictures_ += views->size();
       views_.push_back(*std::move(views));
     }
-    loaded_.subject->forget_faces();
+    choose_backdrop(loaded_, views_.front().front(), options_);
+    loaded_.forget_faces();
     give_back_memory();
     return true;
   }

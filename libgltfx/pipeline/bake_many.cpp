@@ -42,28 +42,31 @@ class Comparison {
 
   BakeComparison run() {
     if (first_.ready() && second_.ready()) compare();
-    return {std::move(first_.report), std::move(second_.report), psnr_, std::move(error_)};
+    return {std::move(first_.report), std::move(second_.report), psnr_, ssim_, std::move(error_)};
   }
 
  private:
   void compare() {
     const BakeSize size = options_.sizes.front();
     const double aspect = static_cast<double>(size.width) / size.height;
-    const auto views = choose_views(*first_.scene, *first_.subject, options_, aspect);
+    const auto views = choose_views(first_, options_, aspect);
     if (!views) {
       first_.report.problem = BakeProblem::refused;
       first_.report.error = views.error().message;
       return;
     }
+    choose_backdrop(first_, views->front(), options_);
     const bake::Framebuffer a = draw(first_, views->front(), 0);
-    first_.subject->forget_faces();
+    first_.forget_faces();
     second_.subject = first_.subject;  // lit and framed alike
+    second_.dim_backdrop = first_.dim_backdrop;
     const bake::Framebuffer b = draw(second_, views->front(), 0.5);
     const bake::Picture left = to_picture(a, first_.report);
     const bake::Picture right = to_picture(b, second_.report);
     const double difference = bake::mean_square_difference(left, right, a, b);
     psnr_ = difference > 0 ? 10 * std::log10(255.0 * 255.0 / difference)
                            : std::numeric_limits<double>::infinity();
+    ssim_ = bake::structural_similarity(left, right, a, b);
     if (options_.output.empty()) return;
     auto trouble = write_picture(bake::difference(left, right), options_.output);
     if (trouble) error_ = std::move(trouble->message);
@@ -86,7 +89,7 @@ class Comparison {
 
   const BakeOptions& options_;
   BakeScene first_, second_;
-  double psnr_ = 0;
+  double psnr_ = 0, ssim_ = 0;
   std::string error_;
 };
 

@@ -28,6 +28,12 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string like(const std::string& word, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> all(names.begin(), names.end());
+  const std::string_view near = nearest(word, all);
+  return near.empty() ? std::string() : fmt::format(". Did you mean {}?", quoted(near, 60));
+}
+
 std::from_chars_result parse(const char* first, const char* last, double& number) {
   return read_double(first, last, number);
 }
@@ -53,7 +59,19 @@ Result<std::optional<std::uint32_t>> find_named(std::string_view kind, const std
   std::uint32_t index = 0;
   if (parse_all(word, index) && index < names.size()) return Found(index);
   if (names.empty()) return Error{fmt::format("it has no {}", kind)};
-  return Error{fmt::format("it has no {} {}; there is {}", kind, quoted(word, 60), listed(names))};
+  return Error{fmt::format("it has no {} {}; there is {}{}", kind, quoted(word, 60), listed(names),
+                           like(word, names))};
+}
+
+Result<std::optional<std::uint32_t>> find_node(const std::string& word,
+                                               const std::vector<std::string>& names) {
+  constexpr std::string_view kNodes = "/nodes/";
+  std::uint32_t index = 0;
+  if (word.starts_with(kNodes) && parse_all(std::string_view(word).substr(kNodes.size()), index) &&
+      index < names.size()) {
+    return std::optional(index);
+  }
+  return find_named("node", word, names);
 }
 
 std::vector<std::string> names_in(const model::Asset& asset, model::RootArray array) {

@@ -18,6 +18,10 @@ namespace gltfx {
 Result<std::optional<std::uint32_t>> find_named(std::string_view kind, const std::string& word,
                                                 const std::vector<std::string>& names);
 
+/// The same for a node, which a JSON pointer may name too: "/nodes/3".
+Result<std::optional<std::uint32_t>> find_node(const std::string& word,
+                                               const std::vector<std::string>& names);
+
 /// The names of all elements of a root array; of those without one empty.
 std::vector<std::string> names_in(const model::Asset& asset, model::RootArray array);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bake/lighting.hpp"
+#include "bake/picture.hpp"
 #include "bake/render.hpp"
 
 namespace gltfx {
@@ -66,6 +67,26 @@ BakeReport guarded(const std::string& path, const std::function<BakeReport()>& w
   }
 }
 
+void choose_backdrop(BakeScene& loaded, const bake::View& view, const BakeOptions& options) {
+  constexpr double kLeast = 12;
+  constexpr std::uint32_t kSide = 48;
+  if (!loaded.subject->flat || options.transparent || loaded.scene->environment) return;
+  BakeOptions small = options;
+  small.quality = BakeQuality::draft;
+  small.samples.reset();
+  small.bounces.reset();
+  small.seconds = 0;
+  small.noise = 0;
+  small.denoise = false;
+  const double aspect = view.half_width / view.half_height;
+  const auto side = [](double part) {
+    return std::max(4U, static_cast<std::uint32_t>(kSide * std::min(part, 1.0)));
+  };
+  const bake::Framebuffer drawn =
+      draw_picture(loaded, view, {side(aspect), side(1 / aspect)}, small, {.alpha = true}, {});
+  loaded.dim_backdrop = bake::edge_contrast(drawn) < kLeast;
+}
+
 bake::Layers layers_of(const BakeOptions& options) {
   const auto wants = [&options](BakeLayer layer) {
     return std::find(options.layers.begin(), options.layers.end(), layer) != options.layers.end();
@@ -82,6 +103,7 @@ bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
   lighting.lamps = static_cast<bake::Lamps>(options.lights);
   lighting.transparent = options.transparent;
   lighting.exposure = options.exposure;
+  lighting.dim_backdrop = loaded.dim_backdrop;
   const std::optional<bake::Eye> eye = bake::eye_of(view, *loaded.bvh);
   lighting.enclosed = !eye;
   bake::World world = bake::make_world(*loaded.scene, *loaded.subject, view, lighting);

@@ -19,6 +19,10 @@ BakeReport unreadable(const std::string& path, std::string why);
 /// What `work` says of the file; the library does not throw.
 BakeReport guarded(const std::string& path, const std::function<BakeReport()>& work);
 
+/// Dims the backdrop where a flat scene is as bright at its edges: less than 12 steps of lightness
+/// (CIE L*) from it. Precondition: the scene is ready.
+void choose_backdrop(BakeScene& loaded, const bake::View& view, const BakeOptions& options);
+
 /// What the options ask for beside the picture itself.
 bake::Layers layers_of(const BakeOptions& options);
 

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
+#include "bake/interior.hpp"
 #include "bake/markers.hpp"
 #include "base/pages.hpp"
+#include "base/text.hpp"
 #include "codec/client.hpp"
 #include "model/asset.hpp"
 #include "model/variants.hpp"
@@ -46,6 +49,12 @@ std::optional<std::string> find_refusal(const BakeOptions& options) {
   if (options.samples && (*options.samples == 0 || *options.samples > kMostBakeSamples)) {
     return fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples);
   }
+  if (options.interior == BakeInterior::on && !options.frame.empty()) {
+    return "a camera inside shows a room; it frames no node";
+  }
+  if (options.interior == BakeInterior::on && options.projection != BakeProjection::perspective) {
+    return "a camera inside is no orthographic one";
+  }
   if (!(std::fabs(options.exposure) <= kMostStops)) {
     return fmt::format("exposure: not from -{0} to {0} stops", kMostStops);
   }
@@ -71,9 +80,9 @@ FileReport errors_of(FileReport report) {
   return report;
 }
 
-// The longer side of pictures that have the whole scene in them; 0: a camera of the asset may be
-// nearer.
+// The longer side of pictures that have the whole scene in them; 0: the camera may be nearer.
 std::uint32_t side_of_whole(const BakeOptions& options) {
+  if (!options.frame.empty() || options.interior == BakeInterior::on) return 0;
   if (!options.camera.empty() && !parse_angles(options.camera)) return 0;
   std::uint32_t side = 0;
   for (const BakeSize& size : options.sizes) side = std::max({side, size.width, size.height});
@@ -92,6 +101,9 @@ Result<SceneOptions> scene_options(const model::Asset& asset, const BakeOptions&
   if (!animation) return animation.error();
   const auto variant = find_named("variant", options.variant, model::variant_names(asset));
   if (!variant) return variant.error();
+  const auto frame = find_node(options.frame, names_in(asset, model::RootArray::nodes));
+  if (!frame) return frame.error();
+  wanted.frame = *frame;
   wanted.scene = *scene;
   wanted.animation = *animation;
   wanted.variant = *variant;
@@ -125,17 +137,27 @@ void give_markers_size(bake::Scene& scene, const BakeSize& size) {
   const bool any = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                [](const auto& mesh) { return !mesh.marker_directions.empty(); });
   if (!any) return;
-  const auto subject = bake::find_subject(scene);
+  const auto subject = bake::find_subject(scene, bake::Which::framed);
   if (subject)
     bake::give_markers_size(scene,
                             bake::marker_radius(*subject, std::max(size.width, size.height)));
 }
 
-BakeScene prepared(BakeScene result) {
+BakeScene prepared(BakeScene result, const BakeOptions& options) {
   if (!result.scene) return result;
   auto subject = bake::find_subject(*result.scene);
   if (!subject) {
     return failed(std::move(result), BakeProblem::nothing_to_see, "nothing in it is visible");
+  }
+  if (!options.frame.empty()) {
+    if (!result.scene->framed.empty()) {
+      result.framed = bake::find_subject(*result.scene, bake::Which::framed);
+    }
+    if (!result.framed) {
+      return failed(std::move(result), BakeProblem::nothing_to_see,
+                    fmt::format("nothing of node {} and its children is visible in the scene",
+                                quoted(options.frame, 60)));
+    }
   }
   auto bvh = bake::Bvh::build(*result.scene);
   // What a machine with more memory draws is not refused.
@@ -180,10 +202,65 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
   return result;
 }
 
+// A side of the asset, or a camera of its own.
+using CameraChoice = std::variant<bake::Direction, const bake::Camera*>;
+
 std::vector<std::string> camera_names(const bake::Scene& scene) {
   std::vector<std::string> names;
   for (const bake::Camera& camera : scene.cameras) names.push_back(camera.name);
   return names;
+}
+
+Result<CameraChoice> choose_camera(const bake::Scene& scene, const bake::Subject& subject,
+                                   const BakeOptions& options) {
+  if (const auto angles = parse_angles(options.camera)) {
+    return CameraChoice(bake::Direction{angles->first, angles->second});
+  }
+  const auto named = find_named("camera", options.camera, camera_names(scene));
+  if (named && *named) return CameraChoice(&scene.cameras[**named]);
+  if (named) return CameraChoice(bake::usual_direction(subject));
+  if (const auto preset = find_preset(options.camera)) {
+    return CameraChoice(bake::Direction{preset->first, preset->second});
+  }
+  return Error{named.error().message +
+               "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees go "
+               "for any asset"};
+}
+
+// What a camera of the asset cannot do.
+std::optional<Error> find_conflict(const bake::Camera& camera, const BakeOptions& options) {
+  if (options.turntable > 0) {
+    return Error{"a turntable goes around the asset, not through a camera of its own"};
+  }
+  if (!options.frame.empty()) {
+    return Error{"a camera of the asset stands where it is; only others frame a node"};
+  }
+  if (camera.perspective && options.projection != BakeProjection::perspective) {
+    return Error{"a camera of the asset has its own projection"};
+  }
+  return std::nullopt;
+}
+
+bool stands_inside(const BakeScene& loaded, const BakeOptions& options) {
+  if (options.interior != BakeInterior::automatic) return options.interior == BakeInterior::on;
+  const bool usual = options.camera.empty() && options.turntable == 0 && options.frame.empty() &&
+                     options.projection == BakeProjection::perspective;
+  return usual && bake::is_closed_room(*loaded.scene, *loaded.subject, *loaded.bvh);
+}
+
+// A turntable turns the camera in its place.
+std::vector<bake::View> views_inside(const BakeScene& loaded, const BakeOptions& options,
+                                     const bake::Direction& side, double aspect) {
+  const auto wanted = options.camera.empty() ? std::nullopt : std::optional(side);
+  bake::Standpoint from =
+      bake::find_standpoint(*loaded.scene, *loaded.subject, *loaded.bvh, wanted, aspect);
+  std::vector<bake::View> views;
+  const std::uint32_t count = std::max(options.turntable, 1U);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    views.push_back(bake::look_around(from, aspect));
+    from.direction.azimuth += 360.0 / count;
+  }
+  return views;
 }
 
 }  // namespace
@@ -205,12 +282,11 @@ BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& opt
     result = built(closing, std::move(report), options);
   }
   give_back_memory();
-  return prepared(std::move(result));
+  return prepared(std::move(result), options);
 }
 
 BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOptions& options) {
-  BakeScene result = built(asset, asset.report(), options);
-  return prepared(std::move(result));
+  return prepared(built(asset, asset.report(), options), options);
 }
 
 BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
@@ -223,32 +299,26 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
   return load_bake_scene(validate_to_bake(*std::move(asset), options), options);
 }
 
-Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bake::Subject& subject,
-                                             const BakeOptions& options, double aspect) {
-  bake::Direction direction = bake::usual_direction(subject);
-  if (const auto angles = parse_angles(options.camera)) {
-    direction = {angles->first, angles->second};
-  } else {
-    const auto named = find_named("camera", options.camera, camera_names(scene));
-    const auto preset = find_preset(options.camera);
-    if (!named && !preset) {
-      return Error{named.error().message +
-                   "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees "
-                   "go for any asset"};
-    }
-    if (named && *named && options.turntable > 0) {
-      return Error{"a turntable goes around the asset, not through a camera of its own"};
-    }
-    if (named && *named) {
-      return std::vector<bake::View>{bake::view_of(scene.cameras[**named], aspect)};
-    }
-    if (preset) direction = {preset->first, preset->second};
+Result<std::vector<bake::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
+                                             double aspect) {
+  const bake::Subject& subject = loaded.framed ? *loaded.framed : *loaded.subject;
+  const auto choice = choose_camera(*loaded.scene, subject, options);
+  if (!choice) return choice.error();
+  if (const auto* camera = std::get_if<const bake::Camera*>(&*choice)) {
+    if (auto trouble = find_conflict(**camera, options)) return *std::move(trouble);
+    bake::View view = bake::view_of(**camera, aspect);
+    view.inside = options.interior == BakeInterior::on;
+    return std::vector<bake::View>{view};
   }
+  const auto& side = std::get<bake::Direction>(*choice);
+  if (stands_inside(loaded, options)) return views_inside(loaded, options, side, aspect);
   std::vector<bake::View> views;
   const std::uint32_t count = std::max(options.turntable, 1U);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const bake::Direction turned{direction.azimuth + 360.0 * i / count, direction.elevation};
-    views.push_back(bake::frame(subject, turned, aspect));
+    const bake::Direction turned{side.azimuth + 360.0 * i / count, side.elevation};
+    views.push_back(options.projection == BakeProjection::perspective
+                        ? bake::frame(subject, turned, aspect)
+                        : bake::frame_orthographic(subject, turned, aspect, *loaded.subject));
   }
   return views;
 }

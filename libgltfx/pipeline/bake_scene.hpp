@@ -23,8 +23,15 @@ struct BakeScene {
   BakeReport report;  ///< with notes of the scene
   std::unique_ptr<const bake::Scene> scene;
   std::optional<bake::Bvh> bvh;
-  std::optional<bake::Subject> subject;
+  std::optional<bake::Subject> subject;  ///< all that is drawn
+  std::optional<bake::Subject> framed;   ///< what the picture is of; nothing: the subject
+  bool dim_backdrop = false;             ///< see choose_backdrop()
 
+  /// What framing needs of the subjects, after it.
+  void forget_faces() {
+    if (subject) subject->forget_faces();
+    framed.reset();
+  }
   bool ready() const { return subject.has_value(); }
 };
 
@@ -40,8 +47,8 @@ BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOp
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options);
 
 /// The views that the options ask for: one, or all of a turntable. An Error when there is no such
-/// camera.
-Result<std::vector<bake::View>> choose_views(const bake::Scene& scene, const bake::Subject& subject,
-                                             const BakeOptions& options, double aspect);
+/// camera, or it cannot do what is asked for. Precondition: the scene is ready.
+Result<std::vector<bake::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
+                                             double aspect);
 
 }  // namespace gltfx

@@ -87,9 +87,9 @@ bool can_be_kept(const BakeOptions& options) {
 // decided upon here.
 Hash128 key_of(const BakeOptions& options) {
   const auto& [sizes, turntable, layers, quality, samples, bounces, seed, denoise, seconds, noise,
-               literal_shader, lights, environment, exposure, transparent, camera, scene, animation,
-               time, variant, strict, output, embed, root, jobs, schemas, cache, progress] =
-      options;
+               literal_shader, lights, environment, exposure, transparent, camera, projection,
+               frame, interior, scene, animation, time, variant, strict, output, embed, root, jobs,
+               schemas, cache, progress] = options;
   // Where pictures lie is no part of them; the same come of any number of threads.
   static_cast<void>(output);
   static_cast<void>(jobs);
@@ -98,7 +98,7 @@ Hash128 key_of(const BakeOptions& options) {
   static_cast<void>(seconds);
   HashParts parts;
   for (const std::string& text : {std::string("bake"), std::string(version()), build_id(), camera,
-                                  scene, animation, variant}) {
+                                  frame, scene, animation, variant}) {
     parts.add(text);
   }
   for (const double number : {noise, exposure, time}) add(parts, number);
@@ -106,7 +106,8 @@ Hash128 key_of(const BakeOptions& options) {
        {std::uint64_t{turntable}, static_cast<std::uint64_t>(quality),
         std::uint64_t{samples.value_or(0)}, std::uint64_t{bounces ? *bounces + 1ULL : 0},
         std::uint64_t{seed}, std::uint64_t{denoise}, std::uint64_t{literal_shader},
-        static_cast<std::uint64_t>(lights), std::uint64_t{transparent}, std::uint64_t{strict}}) {
+        static_cast<std::uint64_t>(lights), static_cast<std::uint64_t>(projection),
+        static_cast<std::uint64_t>(interior), std::uint64_t{transparent}, std::uint64_t{strict}}) {
     parts.add(number);
   }
   parts.add(std::uint64_t{sizes.size()});

@@ -38,7 +38,7 @@ std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions&,
 
 BakeComparison bake_comparison(const std::string& first, const std::string& second,
                                const BakeOptions&) {
-  return {refusal(first), refusal(second), 0, {}};
+  return {refusal(first), refusal(second), 0, 0, {}};
 }
 
 PictureCheck::PictureCheck(const validate::ValidatedAsset&, const std::string&,

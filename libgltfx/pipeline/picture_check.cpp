@@ -63,7 +63,7 @@ PictureCheck::PictureCheck(const validate::ValidatedAsset& before, const std::st
     obstacle_ = scene.report.error;
     return;
   }
-  views_ = *choose_views(*scene.scene, *scene.subject, options_, 1);
+  views_ = *choose_views(scene, options_, 1);
   double noise = 0;
   for (const bake::View& view : views_) {
     pictures_.push_back(draw(scene, view, 0));

@@ -14,6 +14,7 @@
 #include "bake/bvh_groups.hpp"
 #include "codec/client.hpp"
 #include "model/camera.hpp"
+#include "model/elements.hpp"
 #include "model/instancing.hpp"
 #include "model/keyframes.hpp"
 #include "model/light.hpp"
@@ -192,6 +193,7 @@ class SceneBuilder {
 
   void place_all(const model::Pose& pose, SceneMeshes& meshes) {
     const auto lights = model::read_lights(asset_, &animated_);
+    const std::vector<std::uint8_t> framed = framed_nodes();
     for (NodeIndex node = 0; node < views_.nodes.size(); ++node) {
       if (pose.in_scene[node] != 0) place_camera(node, pose.world[node]);
       if (pose.visible[node] == 0) continue;
@@ -199,9 +201,35 @@ class SceneBuilder {
       if (light && *light < lights.size() && lights[*light]) {
         scene_.lights.push_back(to_light(*lights[*light], pose.world[node]));
       }
+      const std::size_t before = scene_.instances.size();
       if (views_.nodes[node].mesh) place_mesh(node, pose.world[node], meshes);
+      if (!framed.empty() && framed[node] != 0) frame_from(before);
     }
     if (views_.nodes.empty()) place_library(meshes);
+  }
+
+  // By node; empty: the picture is of all.
+  std::vector<std::uint8_t> framed_nodes() const {
+    if (!options_.frame || *options_.frame >= views_.nodes.size()) return {};
+    std::vector<std::uint8_t> framed(views_.nodes.size(), 0);
+    std::vector<NodeIndex> open{*options_.frame};
+    while (!open.empty()) {
+      const NodeIndex node = open.back();
+      open.pop_back();
+      if (framed[node] != 0) continue;
+      framed[node] = 1;
+      model::for_each_index(asset_, views_.nodes[node].children, RootArray::nodes,
+                            [&](std::uint64_t, std::optional<std::uint32_t> child, Span) {
+                              if (child) open.push_back(*child);
+                            });
+    }
+    return framed;
+  }
+
+  void frame_from(std::size_t first) {
+    for (std::size_t i = first; i < scene_.instances.size(); ++i) {
+      scene_.framed.push_back(static_cast<std::uint32_t>(i));
+    }
   }
 
   // A file that only brings meshes for others to use shows all of them, in one place.

@@ -275,6 +275,7 @@ TEST(BakeComparison, SameAssetsMakeTheSamePicture) {
   options.output = (folder.path() / "difference.png").native();
   const BakeComparison same = bake_comparison(fixture("bowl.glb"), fixture("bowl.glb"), options);
   EXPECT_TRUE(std::isinf(same.psnr));
+  EXPECT_DOUBLE_EQ(same.ssim, 1);
   const codec::Image image = decoded(content(options.output), codec::ImageFormat::png);
   EXPECT_TRUE(image.statistics[0].constant());
   EXPECT_EQ(image.statistics[0].least, 128U);
@@ -282,6 +283,8 @@ TEST(BakeComparison, SameAssetsMakeTheSamePicture) {
   const BakeComparison other = bake_comparison(fixture("bowl.glb"), fixture("lamp.gltf"), options);
   EXPECT_GT(other.psnr, 5);
   EXPECT_LT(other.psnr, 60);
+  EXPECT_GT(other.ssim, 0);
+  EXPECT_LT(other.ssim, 0.8);
 }
 
 TEST(EnvironmentFile, RadianceAndOpenExrAreRead) {

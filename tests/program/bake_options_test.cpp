@@ -71,6 +71,10 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
   const std::vector<std::vector<std::string>> changes{
       {"--camera", "front"},
       {"--camera", "80,10"},
+      {"--camera", "top", "--projection", "orthographic"},
+      {"--projection", "orthographic"},
+      {"--frame", "0"},
+      {"--interior", "on"},
       {"--lights", "asset"},
       {"--lights", "studio"},
       {"--environment", "sky.exr"},
@@ -91,10 +95,14 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
   }
   // A name and its index are the same, and so are what is left away and what is usual.
   EXPECT_EQ(picture({"--camera", "0"}), picture({"--camera", "front"}));
+  EXPECT_EQ(picture({"--frame", "/nodes/3"}), picture({"--frame", "3"}));
   EXPECT_EQ(picture({"--scene", "1"}), picture({"--scene", "two"}));
   EXPECT_EQ(picture({"--variant", "1"}), picture({"--variant", "blue"}));
   EXPECT_EQ(picture({"--animation", "0"}), picture({"--animation", "slide", "--time", "0"}));
   for (const auto& words : std::vector<std::vector<std::string>>{{"--lights", "both"},
+                                                                 {"--projection", "perspective"},
+                                                                 {"--interior", "auto"},
+                                                                 {"--interior", "off"},
                                                                  {"--exposure", "0"},
                                                                  {"--scene", "one"},
                                                                  {"--quality", "standard"},
@@ -132,6 +140,11 @@ TEST_F(BakeOptionsTest, FilesThatAreWritten) {
 TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
   EXPECT_THAT(complaint({"-o", "a.png", "--camera", "side"}, 1),
               HasSubstr("no camera 'side'; there is 'front'; front, back, left"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--frame", "eyes"}, 1), HasSubstr("Did you mean 'eye'?"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--frame", "4"}, 1),
+              HasSubstr("nothing of node '4' and its children is visible"));
+  EXPECT_THAT(complaint({"-o", "a.png", "--frame", "0", "--camera", "0"}, 1),
+              HasSubstr("only others frame a node"));
   EXPECT_THAT(complaint({"-o", "a.png", "--variant", "green"}, 1),
               HasSubstr("no variant 'green'; there is 'red', 'blue'"));
   EXPECT_THAT(complaint({"-o", "a.png", "--scene", "2"}, 1),
@@ -169,6 +182,8 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
       {{"-o", "a.png", "--bounces", "many"}, "--bounces: 'many' is not a whole number"},
       {{"-o", "a.png", "--turntable", "1e3"}, "--turntable: '1e3' is not a whole number"},
       {{"-o", "a.png", "--time-budget", "-1"}, "--time-budget: '-1' is not a number from 0"},
+      {{"-o", "a.png", "--projection", "iso"}, "none of perspective, orthographic"},
+      {{"-o", "a.png", "--interior", "yes"}, "--interior: 'yes' is none of auto, on, off"},
       {{"-o", "a.png", "--quality", "best"}, "--quality: 'best' is none of draft, standard, final"},
       {{"-o", "a.png", "--shader", "toon"}, "--shader: 'toon' is none of spec, conserving"},
       {{"-o", "a.png", "--root", "gone"}, "--root: 'gone' is not a folder"},
@@ -196,6 +211,11 @@ TEST_F(BakeOptionsTest, SchemasOfOnesOwnAndTheConfigurationHold) {
   folder_.write("own.toml", "environment = \"gone.hdr\"\n");
   EXPECT_EQ(drawn({"--config", "own.toml"}), 3);
   EXPECT_EQ(drawn({"--config", "gone.toml"}), 2);
+  folder_.write("own.toml", "frame = \"gone\"\n");
+  EXPECT_EQ(drawn({"--config", "own.toml"}), 1);
+  EXPECT_EQ(drawn({"--config", "own.toml", "--frame", "0"}), 0);
+  folder_.write("own.toml", "projection = \"flat\"\n");
+  EXPECT_EQ(drawn({"--config", "own.toml"}), 2);
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ TEST_F(BakeTest, CompareSaysHowMuchDiffers) {
   EXPECT_EQ(same.out, "the same picture\n");
   EXPECT_TRUE(fs::exists(folder_.path() / "d.png"));
   const Outcome other = bake({fixture("good/bowl.glb"), "--compare", fixture("good/leaf.gltf")});
-  EXPECT_THAT(other.out, testing::ContainsRegex("^PSNR [0-9]+\\.[0-9][0-9] dB\n$"));
+  EXPECT_THAT(other.out,
+              testing::ContainsRegex("^PSNR [0-9]+\\.[0-9][0-9] dB, SSIM 0\\.[0-9]{4}\n$"));
 }
 
 TEST_F(BakeTest, WrongWordsAreNamed) {

@@ -58,7 +58,9 @@ const std::vector<Verb>& verbs() {
       {"hook", words("VERB")},
       {"bake",
        words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "
-             "--compare --camera --lights --environment --exposure --scene --animation --time "
+             "--compare --camera --projection --interior --frame --lights --environment --exposure "
+             "--scene "
+             "--animation --time "
              "--variant --strict --quality --samples --bounces --seed --denoise --noise "
              "--time-budget "
              "--shader --root --schema --schema-dir --quiet --config --isolated "

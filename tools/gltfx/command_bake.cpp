@@ -131,9 +131,10 @@ class BakeRun {
       complain(fmt::format("{}: {}", printable(options_.output), compared.error));
       return ExitCode::internal;
     }
-    const std::string figure = std::isinf(compared.psnr)
-                                   ? std::string("the same picture")
-                                   : fmt::format("PSNR {:.2f} dB", compared.psnr);
+    const std::string figure =
+        std::isinf(compared.psnr)
+            ? std::string("the same picture")
+            : fmt::format("PSNR {:.2f} dB, SSIM {:.4f}", compared.psnr, compared.ssim);
     code_ = worse(code_, print(figure + "\n"));
     return code_;
   }

@@ -25,6 +25,9 @@ void declare_outputs(CLI::App& app, RawBakeOptions& words) {
 void declare_scene(CLI::App& app, RawBakeOptions& words) {
   add_word(app, "--camera", words.camera, "NAME|N|AZ,EL",
            "Asset camera, front, top, iso or azimuth,elevation");
+  add_word(app, "--projection", words.projection, "NAME", "perspective (default) or orthographic");
+  add_word(app, "--interior", words.interior, "WHEN", "View from inside: auto (default), on, off");
+  add_word(app, "--frame", words.frame, "NODE", "Frame this node: name, index or /nodes/N");
   add_word(app, "--lights", words.lights, "WHICH", "Lights: asset, studio or both (default)");
   add_word(app, "--environment", words.environment, "FILE",
            "Equirectangular environment map, .hdr or .exr");

@@ -11,7 +11,7 @@ using Words = RawValidateOptions;
 constexpr ConfigMerge kLast = ConfigMerge::last;
 constexpr ConfigMerge kAll = ConfigMerge::all;
 
-constexpr std::array<ConfigKey, 21> kKeys{{
+constexpr std::array<ConfigKey, 24> kKeys{{
     {"profile", Form::word, kLast, false, "default", &Words::profile},
     {"pixels", Form::word, kLast, false, "headers; needed in the strict profile", &Words::pixels},
     {"fail-on", Form::word, kLast, false, "error", &Words::fail_on},
@@ -28,6 +28,9 @@ constexpr std::array<ConfigKey, 21> kKeys{{
     {"baseline", Form::path, kLast, false, "none", &Words::baseline},
     {"environment", Form::path, kLast, false, "a studio"},
     {"quality", Form::word, kLast, false, "standard"},
+    {"projection", Form::word, kLast, false, "perspective"},
+    {"frame", Form::word, kLast, false, "everything"},
+    {"interior", Form::word, kLast, false, "auto"},
     {"budgets.texture-size", Form::number, kLast, true, "0, no limit", &Words::max_texture_size},
     {"budgets.total-pixels", Form::number, kLast, true, "0, no limit", &Words::max_total_pixels},
     {"budgets.triangles", Form::number, kLast, true, "0, no limit", &Words::max_triangles},

@@ -188,6 +188,9 @@ void Configuration::apply(RawBakeOptions& words) const {
   fill("root", words.root);
   fill("environment", words.environment);
   fill("quality", words.quality);
+  fill("projection", words.projection);
+  fill("frame", words.frame);
+  fill("interior", words.interior);
   add_excludes(words.inputs.exclude);
   add_schemas(words.schema_files, words.schema_folders);
 }

@@ -92,6 +92,15 @@ void read_scene(Reading& reading, const RawBakeOptions& words, BakeOptions& bake
   reading.set(bake.time, parse_decimal("--time", words.time, -1e9, 1e9));
   bake.environment = words.environment;
   bake.camera = words.camera;
+  if (!words.projection.empty()) {
+    reading.set(bake.projection,
+                parse_word<BakeProjection>("--projection", words.projection, kProjectionWords));
+  }
+  bake.frame = words.frame;
+  if (!words.interior.empty()) {
+    reading.set(bake.interior,
+                parse_word<BakeInterior>("--interior", words.interior, kInteriorWords));
+  }
   bake.scene = words.scene;
   bake.animation = words.animation;
   bake.variant = words.variant;

@@ -95,7 +95,7 @@ struct RawBakeOptions {
   std::vector<std::string> sizes, layers, schema_files, schema_folders;
   std::string output, format = "png", sheet, compare, root, cache, cache_key;
   std::string turntable = "0", quality, samples, bounces, seed = "0";
-  std::string camera, lights = "both", environment, exposure = "0";
+  std::string camera, projection, frame, interior, lights = "both", environment, exposure = "0";
   std::string scene, animation, time = "0", variant;
   std::string denoise = "on", noise = "0", time_budget = "0", shader = "conserving";
   bool transparent = false, embed = false, strict = false, quiet = false;

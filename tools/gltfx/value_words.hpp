@@ -64,6 +64,10 @@ inline constexpr std::array<Word<BakeQuality>, 3> kQualityWords{
     {{"draft", BakeQuality::draft},
      {"standard", BakeQuality::standard},
      {"final", BakeQuality::final}}};
+inline constexpr std::array<Word<BakeProjection>, 2> kProjectionWords{
+    {{"perspective", BakeProjection::perspective}, {"orthographic", BakeProjection::orthographic}}};
+inline constexpr std::array<Word<BakeInterior>, 3> kInteriorWords{
+    {{"auto", BakeInterior::automatic}, {"on", BakeInterior::on}, {"off", BakeInterior::off}}};
 inline constexpr std::array<Word<bool>, 2> kDenoiseWords{{{"on", true}, {"off", false}}};
 /// Whether the shader is the literal one.
 inline constexpr std::array<Word<bool>, 2> kShaderWords{{{"spec", true}, {"conserving", false}}};

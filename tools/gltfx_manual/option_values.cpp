@@ -110,6 +110,8 @@ Table common_values() {
       {"--sheet", picture()},
       {"--layer", comma_list(set_of(kLayerWords))},
       {"--compare", file({"gltf", "glb"})},
+      {"--projection", choice(set_of(kProjectionWords))},
+      {"--interior", choice(set_of(kInteriorWords))},
       {"--lights", choice(set_of(kLightWords))},
       {"--environment", file({"hdr", "exr"})},
       {"--quality", choice(set_of(kQualityWords))},

@@ -36,6 +36,20 @@ enum class BakeQuality : std::uint8_t {
   final,     ///< 256 samples and 12 bounces
 };
 
+/// How a camera that stands around the asset projects it.
+enum class BakeProjection : std::uint8_t {
+  perspective,
+  orthographic,  ///< parallel edges stay parallel, and sizes do not depend on the distance
+};
+
+/// Whether the camera stands inside: in a place from which much of a room is seen, with a wide
+/// angle and light that comes in through walls.
+enum class BakeInterior : std::uint8_t {
+  automatic,  ///< in a closed room of which a camera around it sees walls only
+  on,         ///< a camera of the asset stays in its place
+  off,
+};
+
 /// Pictures of something else than light, each in a file of its own.
 enum class BakeLayer : std::uint8_t {
   albedo,    ///< base colour of what is seen first
@@ -91,6 +105,13 @@ struct BakeOptions {
   /// "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" before its front; empty:
   /// three quarters from the front.
   std::string camera;
+  BakeProjection projection = BakeProjection::perspective;  ///< not of a camera of the asset
+  /// Node by name, index or pointer ("/nodes/3") that the picture is of, with its subtree; all else
+  /// is drawn where it is. Not with a camera of the asset. Empty: everything.
+  std::string frame;
+  /// `automatic` holds for a perspective camera where `camera`, `turntable` and `frame` are not
+  /// set.
+  BakeInterior interior = BakeInterior::automatic;
   std::string scene;      ///< name or index; empty: the default one
   std::string animation;  ///< name or index; empty: everything as it is written
   double time = 0;        ///< of the animation, seconds
@@ -149,6 +170,9 @@ struct BakeComparison {
   /// Decibels, of the range of 8 bits, over pixels that show either asset; infinite when they are
   /// the same. Not set when either has a problem.
   double psnr = 0;
+  /// Mean structural similarity of the luma of the same pixels (Wang et al. 2004), 1 when they are
+  /// the same. Not set when either has a problem.
+  double ssim = 0;
   std::string error;  ///< why the picture of the difference could not be written; else empty
 };
 
