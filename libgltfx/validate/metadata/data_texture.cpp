@@ -20,7 +20,8 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;        // of all images
+constexpr std::uint64_t kMostImageBytes = std::uint64_t{240} << 20U;  // decoded, of one at a time
 
 unsigned stored_channels(image::Channels channels) {
   switch (channels) {
@@ -231,8 +232,10 @@ void read_texels(MetadataPhase& phase, std::vector<TexelRequest> requests) {
       result.reset();
       const auto& header = phase.data.resources.images[index].header;
       const bool sound = header && header->doubt.empty();
-      if (!sound || image::texels_of(*header) > left) continue;
-      left -= image::texels_of(*header);
+      const std::uint64_t texels = sound ? image::texels_of(*header) : 0;
+      if (!sound || texels > left) continue;
+      if (texels * stored_channels(header->channels) > kMostImageBytes) continue;
+      left -= texels;
       result = decode(phase, index);
     }
     if (!result) continue;
