@@ -106,6 +106,7 @@ void Walker::look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t
 // A part of an extension's object at the root that is missing may stand in a file of its own.
 bool Walker::is_elsewhere(const Target& target) const {
   if (target.base != Target::Base::root_path || target.steps.front() != "extensions") return false;
+  if (std::find(target.steps.begin(), target.steps.end(), "*") != target.steps.end()) return false;
   json::NodeId node = document_.root();
   for (std::size_t i = 0; i + 1 < target.steps.size(); ++i) {
     node = document_.find(node, target.steps[i]);

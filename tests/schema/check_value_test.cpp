@@ -19,7 +19,7 @@ Found pbr(const std::string& members) {
 }
 
 std::vector<Found> leaf_findings(const schema::Set& set, const std::string& members) {
-  return find(
+  return test::find(
       asset_using("ACME_x", R"("materials": [{"extensions": {"ACME_x": {)" + members + "}}}]"), {},
       set);
 }
@@ -54,7 +54,7 @@ TEST(Text, ThatShouldHaveAForm) {
   const auto found = leaf_findings(*set, R"("version": "one")");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "PATTERN_MISMATCH");
-  EXPECT_EQ(found[0].message, "'version' is 'one'; it should match ^[0-9]+$.");
+  EXPECT_EQ(found[0].message, "'version' is the string 'one'; it should match ^[0-9]+$.");
   EXPECT_FALSE(found[0].is_error);
 }
 
