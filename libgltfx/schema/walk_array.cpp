@@ -101,11 +101,12 @@ void Walker::unit_length(const Shape& shape, json::NodeId node, const Path& path
     length = std::hypot(length, at.number().value);
   }
   if (!std::isfinite(length) || std::abs(length - 1) <= kTolerance) return;
-  report(
-      path, Code::VECTOR_NON_UNIT, opening(node),
-      name_of(path) + " has length " + number_text(length) + "; it must be 1.",
-      length > 0 ? "divide the numbers by the length" : "",
-      shape.unit_length == UnitLength::warning ? std::optional(Severity::warning) : std::nullopt);
+  const bool must = shape.unit_length == UnitLength::error;
+  report(path, Code::VECTOR_NON_UNIT, opening(node),
+         name_of(path) + " has length " + number_text(length) +
+             (must ? "; it must be 1." : "; it should be 1."),
+         length > 0 ? "divide the numbers by the length" : "",
+         must ? std::nullopt : std::optional(Severity::warning));
 }
 
 // A fixed number of plain numbers, which mean something together. Of too few or too many the first

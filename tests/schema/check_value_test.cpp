@@ -39,6 +39,7 @@ TEST(Vector, OfUnitLength) {
   EXPECT_TRUE(up[0].is_error);
   const auto pull = said(R"("pull": [0, 0, 0])");
   ASSERT_EQ(pull.size(), 1U);
+  EXPECT_EQ(pull[0].message, "'pull' has length 0; it should be 1.");
   EXPECT_EQ(pull[0].help, "") << "no direction, no help";
   EXPECT_FALSE(pull[0].is_error);
   EXPECT_EQ(said(R"("up": [0, 3])")[0].code, "ARRAY_LENGTH_NOT_IN_LIST")

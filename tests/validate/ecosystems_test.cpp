@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "validate/part.hpp"
+#include "validate/textured.hpp"
 
 namespace gltfx::test {
 namespace {
@@ -375,6 +376,19 @@ TEST(Pose, BonesOfVrm0HaveNoTransformOfTheirOwn) {
   EXPECT_EQ(pose("VRM", {.side = -1, .more = R"(, "rotation": [0, 1, 0, 0])"}), wrong);
   EXPECT_EQ(pose("VRM", {.side = -1, .more = R"(, "scale": [2, 2, 2])"}), wrong);
   EXPECT_EQ(pose("VRMC_vrm", {.more = R"(, "rotation": [0, 1, 0, 0])"}), Lines{});
+}
+
+TEST(Thumbnail, IsPngOrJpeg) {
+  const auto shown = [](const std::string& type, const std::string& image) {
+    return findings(
+        R"("extensionsUsed": ["VRMC_vrm", "EXT_texture_webp"], "images": [{"uri": "data:)" + type +
+            ";base64," + base64(image) + R"("}], "extensions": {"VRMC_vrm":
+                        {"specVersion": "1.0", "meta": {"thumbnailImage": 0}}})",
+        {"THUMBNAIL"});
+  };
+  EXPECT_EQ(shown("image/png", grey_png()), Lines{});
+  EXPECT_EQ(shown("image/webp", webp_header(false)),
+            Lines{"THUMBNAIL_NOT_SQUARE /extensions/VRMC_vrm/meta/thumbnailImage"});
 }
 
 }  // namespace
