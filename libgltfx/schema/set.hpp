@@ -99,6 +99,9 @@ struct Condition {
   ShapeId else_shape = kNone;
 };
 
+/// Whether the numbers of an array are a vector of unit length, and what another one is.
+enum class UnitLength : std::uint8_t { free, warning, error };
+
 /// One schema or subschema. Limits that are absent hold their neutral value.
 struct Shape {
   std::string label;  ///< where it stands: "material.KHR_x", "KHR_x.light/color"
@@ -129,6 +132,8 @@ struct Shape {
   std::optional<Target> ref;
   std::vector<std::string> ref_has;  ///< path of members that the element `ref` means has to have
   std::optional<Target> ref_name;
+  UnitLength unit_length = UnitLength::free;
+  std::uint32_t should_match = kNone;  ///< index into Set::patterns(): else a warning
   std::optional<Target> may_refer;  ///< of a list: what integers in it index, if anything is there
   bool may_point = false;   ///< of a list: strings in it that begin with '/' are JSON pointers
   bool essential = false;   ///< without it, an object that no extension completes is of no use

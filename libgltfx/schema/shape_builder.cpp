@@ -111,7 +111,8 @@ bool ShapeBuilder::is_bare_reference(Site schema) const {
   if (!build_.member(schema, "$ref").exists() || has_constraints(schema)) return false;
   const Site annotation = build_.member(schema, "x-gltfx");
   for (const std::string_view word :
-       {"slot", "ref", "refHas", "refName", "mayRefer", "mayPoint", "essential", "byPosition"}) {
+       {"slot", "ref", "refHas", "refName", "unitLength", "shouldMatch", "mayRefer", "mayPoint",
+        "essential", "byPosition"}) {
     if (document.find(annotation.node, word) != json::kNoNode) return false;
   }
   return true;

@@ -181,6 +181,12 @@ void ShapeBuilder::read_annotation(Site annotation, Shape& shape) {
   if (const Site ref = word("ref"); ref.exists()) shape.ref = read_target(build_, ref);
   if (const Site has = word("refHas"); has.exists()) shape.ref_has = split_steps(build_.text(has));
   if (const Site name = word("refName"); name.exists()) shape.ref_name = read_target(build_, name);
+  if (const Site unit = word("unitLength"); unit.exists()) {
+    shape.unit_length = build_.text(unit) == "error" ? UnitLength::error : UnitLength::warning;
+  }
+  if (const Site text = word("shouldMatch"); text.exists()) {
+    shape.should_match = pattern(build_.text(text));
+  }
   if (const Site ref = word("mayRefer"); ref.exists()) shape.may_refer = read_target(build_, ref);
   const auto is_set = [&](std::string_view name) {
     const Site flag = word(name);

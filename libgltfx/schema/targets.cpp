@@ -109,6 +109,10 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
     for (const json::NodeId place :
          places(document_.root(), tables_.targets[target].target.steps)) {
       if (document_.is_string(place)) known->second.insert(document_.string(place));
+      if (!document_.is_object(place)) continue;
+      for (const auto member : document_.members(place)) {
+        known->second.emplace(document_.key(member.key_id));
+      }
     }
   }
   return known->second.count(std::string(name)) != 0;

@@ -70,6 +70,8 @@ constexpr std::array kWord{
     Word{"ref", F::target},
     Word{"refHas", F::member_path},
     Word{"refName", F::name_target},
+    Word{"unitLength", F::severity},
+    Word{"shouldMatch", F::pattern},
     Word{"mayRefer", F::target},
     Word{"mayPoint", F::flag},
     Word{"essential", F::flag},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
 
@@ -89,7 +90,23 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
   } else if (shape.unique_items) {
     numbers(kNone, node, shape, step);
   }
+  if (shape.unit_length != UnitLength::free) unit_length(shape, node, path_of(node, step));
   if (tables_.shapes[id].combined) combine(id, {node}, path_of(node, step), false);
+}
+
+void Walker::unit_length(const Shape& shape, json::NodeId node, const Path& path) {
+  constexpr double kTolerance = 0.005;  // of programs that write three digits
+  double length = 0;
+  for (json::NumberCursor at(document_, node); at.valid(); at.advance()) {
+    length = std::hypot(length, at.number().value);
+  }
+  if (!std::isfinite(length) || std::abs(length - 1) <= kTolerance) return;
+  const bool must = shape.unit_length == UnitLength::error;
+  report(path, Code::VECTOR_NON_UNIT, opening(node),
+         name_of(path) + " has length " + number_text(length) +
+             (must ? "; it must be 1." : "; it should be 1."),
+         length > 0 ? "divide the numbers by the length" : "",
+         must ? std::nullopt : std::optional(Severity::warning));
 }
 
 // A fixed number of plain numbers, which mean something together. Of too few or too many the first

@@ -103,9 +103,21 @@ void Walker::look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t
                           std::nullopt});
 }
 
+// A part of an extension's object at the root that is missing may stand in a file of its own.
+bool Walker::is_elsewhere(const Target& target) const {
+  if (target.base != Target::Base::root_path || target.steps.front() != "extensions") return false;
+  if (std::find(target.steps.begin(), target.steps.end(), "*") != target.steps.end()) return false;
+  json::NodeId node = document_.root();
+  for (std::size_t i = 0; i + 1 < target.steps.size(); ++i) {
+    node = document_.find(node, target.steps[i]);
+    if (node == json::kNoNode) return i > 1;
+  }
+  return false;
+}
+
 void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const Path& path) {
   const std::uint32_t target = tables_.name_target_of[shape];
-  if (targets_.has_name(target, name)) return;
+  if (targets_.has_name(target, name) || is_elsewhere(*set_.shape(shape).ref_name)) return;
   reference_sink_.report(path,
                          {Code::UNRESOLVED_NAME,
                           name_of(path) + " is " + shown(values_, value) + ", but no object at " +

@@ -102,7 +102,8 @@ class Maker {
     if (shape.types == kNumber) return Plan::number;
     if (shape.types == kBoolean) return Plan::boolean;
     const bool any_text = shape.pattern == kNone && shape.min_length == 0 &&
-                          shape.max_length == UINT64_MAX && shape.format != "json-pointer";
+                          shape.max_length == UINT64_MAX && shape.should_match == kNone &&
+                          shape.format != "json-pointer";
     if (shape.types == kString) return any_text ? Plan::text : Plan::full;
     const bool says_something = plan.members || shape.items != kNone || !any_text ||
                                 shape.minimum > -1e300 || shape.maximum < 1e300 ||

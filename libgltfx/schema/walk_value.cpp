@@ -233,6 +233,12 @@ void Walker::judge_text(ShapeId id, Value value, const Path& path) {
            name_of(path) + " is " + shown(values_, value) + "; it must match " +
                std::string(set_.pattern_text(shape.pattern)) + ".");
   }
+  if (shape.should_match != kNone && !set_.matches(shape.should_match, text)) {
+    report(path, Code::PATTERN_MISMATCH, values_.span(value),
+           name_of(path) + " is " + shown(values_, value) + "; it should match " +
+               std::string(set_.pattern_text(shape.should_match)) + ".",
+           {}, Severity::warning);
+  }
   const bool pointer = shape.format == "json-pointer";
   if (pointer && options_.pointers != nullptr) (*options_.pointers)(value.node);
   if (pointer && !is_json_pointer(text)) {

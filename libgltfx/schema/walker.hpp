@@ -110,6 +110,7 @@ class Walker {
   // walk_array.cpp
   bool array(ShapeId shape, json::NodeId node, Step step);
   void number_array(ShapeId shape, json::NodeId node, Step step);
+  void unit_length(const Shape& shape, json::NodeId node, const Path& path);
   bool is_vector(const Shape& shape) const;
   void numbers(ShapeId items, json::NodeId node, const Shape& shape, Step step);
   std::uint64_t count_numbers(const Shape& shape, json::NodeId node) const;
@@ -129,6 +130,7 @@ class Walker {
   void refer(ShapeId shape, std::uint64_t index, Value value, const Path& path);
   void look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t index, Value value,
                        const Path& path);
+  bool is_elsewhere(const Target& target) const;
   void refer_name(ShapeId shape, std::string_view name, Value value, const Path& path);
   Targets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
   bool lacks_root_extension(const Target& target) const;

@@ -219,7 +219,10 @@ void CaseGenerator::satisfy(Json& document, std::vector<Need> needs) {
         }
       }
     }
-    if (need.is_name) document[Pointer(need.at)] = document[Pointer(pointer)];
+    if (need.is_name) {
+      const Json place = document[Pointer(pointer)];
+      document[Pointer(need.at)] = place.is_object() ? Json(place.begin().key()) : place;
+    }
     if (!need.has.empty()) grow(document, pointer + "/0", set_.shape(shape).items, need.has, needs);
   }
 }

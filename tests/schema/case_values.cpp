@@ -15,9 +15,10 @@ using schema::kNone;
 using schema::Shape;
 using schema::ShapeId;
 
-constexpr std::array<const char*, 13> kWords{"POSITION",  "a",    "TRANSLATION", "2.0", "_A",
-                                             "KHR_x",     "/a",   "a/b",         "ab",  "1",
-                                             "video/mp4", "GEOD", "https://a"};
+constexpr std::array<const char*, 15> kWords{
+    "POSITION", "a",  "TRANSLATION", "2.0",       "_A",   "KHR_x",     "/a",
+    "a/b",      "ab", "1",           "video/mp4", "GEOD", "https://a", "https://vrm.dev/a",
+    "1.0.0"};
 
 Json from_literal(const schema::Literal& literal) {
   switch (literal.kind) {
@@ -88,7 +89,10 @@ Json ValueMaker::make_string(const Shape& shape, const std::string& pointer,
   for (const char* word : kWords) {
     std::string text(word);
     while (text.size() < shape.min_length) text += 'a';
-    const bool matches = shape.pattern == kNone || set_.matches(shape.pattern, text);
+    const auto fits = [&](std::uint32_t pattern) {
+      return pattern == kNone || set_.matches(pattern, text);
+    };
+    const bool matches = fits(shape.pattern) && fits(shape.should_match);
     if (matches && text.size() <= shape.max_length) return text;
   }
   return "no word fits";
@@ -101,6 +105,7 @@ Json ValueMaker::make_array(const Shape& shape, const std::string& pointer,
   for (std::uint64_t i = 0; i < size; ++i) {
     array.push_back(make(shape.items, pointer + "/" + std::to_string(i), needs));
     if (shape.unique_items && i > 0 && array[i].is_number()) array[i] = i;
+    if (shape.unit_length != schema::UnitLength::free) array[i] = i == 0 ? 1 : 0;
   }
   return array;
 }

@@ -141,6 +141,32 @@ TEST(Reference, ToWhatLacksTheMember) {
   EXPECT_THAT(said("3"), ElementsAre("UNRESOLVED_REFERENCE" + place + "0"));
 }
 
+TEST(Name, OfAMemberOfAnObject) {
+  const auto set = set_with(R"({
+    "$schema": "https://json-schema.org/draft/2020-12/schema", "$id": "gltfx:ext/ACME_x", "title": "x",
+    "description": "x", "x-gltfx": {"extension": "ACME_x", "on": {"glTF": "#/$defs/root",
+    "material": "#/$defs/user"}, "status": "vendor"}, "$defs": {
+    "root": {"type": "object", "properties": {"kinds": {"type": "object", "additionalProperties": true},
+      "list": {"type": "object", "properties": {"kinds": {"type": "object", "additionalProperties": true}}}}},
+    "user": {"type": "object", "properties": {
+      "kind": {"type": "string", "x-gltfx": {"refName": "/extensions/ACME_x/kinds"}},
+      "listed": {"type": "string", "x-gltfx": {"refName": "/extensions/ACME_x/list/kinds"}}}}}})");
+  ASSERT_NE(set, nullptr);
+  const auto said = [&](const std::string& root, const std::string& user) {
+    return verdict(asset_using("ACME_x", R"("extensions": {"ACME_x": {)" + root +
+                                             R"(}}, "materials": [{"extensions": {"ACME_x": {)" +
+                                             user + "}}}]"),
+                   {}, *set);
+  };
+  const std::string place = "UNRESOLVED_NAME /materials/0/extensions/ACME_x/";
+  EXPECT_THAT(said(R"("kinds": {"oak": {}})", R"("kind": "oak")"), IsEmpty());
+  EXPECT_THAT(said(R"("kinds": {"oak": {}})", R"("kind": "elm")"), ElementsAre(place + "kind"));
+  EXPECT_THAT(said("", R"("kind": "elm")"), ElementsAre(place + "kind"));
+  EXPECT_THAT(said(R"("list": {"kinds": {}})", R"("listed": "elm")"),
+              ElementsAre(place + "listed"));
+  EXPECT_THAT(said("", R"("listed": "elm")"), IsEmpty()) << "the list may be a file of its own";
+}
+
 TEST(Reference, ToAHoleIsBrokenForKhronosOnly) {
   const std::string json = asset(R"("scenes": [{"nodes": [1]}], "nodes": [{}, 3])");
   EXPECT_THAT(verdict(json), ElementsAre("TYPE_MISMATCH /nodes/1")) << "one cause, one finding";

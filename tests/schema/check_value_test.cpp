@@ -18,6 +18,47 @@ Found pbr(const std::string& members) {
   return only(material("\"pbrMetallicRoughness\": {" + members + "}"));
 }
 
+std::vector<Found> leaf_findings(const schema::Set& set, const std::string& members) {
+  return test::find(
+      asset_using("ACME_x", R"("materials": [{"extensions": {"ACME_x": {)" + members + "}}}]"), {},
+      set);
+}
+
+TEST(Vector, OfUnitLength) {
+  const auto set = set_with(acme(R"("type": "object", "properties": {
+    "up": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3, "x-gltfx": {"unitLength": "error"}},
+    "pull": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3, "x-gltfx": {"unitLength": "warning"}}})"));
+  ASSERT_NE(set, nullptr);
+  const auto said = [&](const std::string& members) { return leaf_findings(*set, members); };
+  EXPECT_THAT(said(R"("up": [0, 0.6, -0.8], "pull": [0.577, 0.577, 0.577])"), IsEmpty());
+  const auto up = said(R"("up": [0, 3, 4])");
+  ASSERT_EQ(up.size(), 1U);
+  EXPECT_EQ(up[0].code, "VECTOR_NON_UNIT");
+  EXPECT_EQ(up[0].message, "'up' has length 5; it must be 1.");
+  EXPECT_EQ(up[0].help, "divide the numbers by the length");
+  EXPECT_TRUE(up[0].is_error);
+  const auto pull = said(R"("pull": [0, 0, 0])");
+  ASSERT_EQ(pull.size(), 1U);
+  EXPECT_EQ(pull[0].message, "'pull' has length 0; it should be 1.");
+  EXPECT_EQ(pull[0].help, "") << "no direction, no help";
+  EXPECT_FALSE(pull[0].is_error);
+  EXPECT_EQ(said(R"("up": [0, 3])")[0].code, "ARRAY_LENGTH_NOT_IN_LIST")
+      << "one cause, one finding";
+  EXPECT_THAT(said(R"("up": [1e308, 1e308, 1e308])"), testing::SizeIs(1));
+}
+
+TEST(Text, ThatShouldHaveAForm) {
+  const auto set = set_with(acme(R"("type": "object", "properties": {
+    "version": {"type": "string", "x-gltfx": {"shouldMatch": "^[0-9]+$"}}})"));
+  ASSERT_NE(set, nullptr);
+  EXPECT_THAT(leaf_findings(*set, R"("version": "12")"), IsEmpty());
+  const auto found = leaf_findings(*set, R"("version": "one")");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "PATTERN_MISMATCH");
+  EXPECT_EQ(found[0].message, "'version' is the string 'one'; it should match ^[0-9]+$.");
+  EXPECT_FALSE(found[0].is_error);
+}
+
 TEST(Number, OutOfRangeSaysWhatIsThereAndWhatIsExpected) {
   const Found found = pbr(R"("metallicFactor": 1.5)");
   EXPECT_EQ(found.code, "VALUE_NOT_IN_RANGE");

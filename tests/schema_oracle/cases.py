@@ -2,15 +2,26 @@
 """Valid values and faults, made from the schema file of an extension; jsonschema says which is which."""
 import copy
 import json
+import re
 
 import jsonschema
 
 NUMBERS = [0, 1, 2, 0.5, 3, 4, 16, 100, -1]
 STRINGS = ["x", "x1", "A", "_FEATURE_ID_0", "r", "rgba", "image/png", "1.0", "2020-01-01", "x/y", "/nodes/0/rotation",
-           "https://example.org/x", "0"]
+           "https://example.org/x", "https://vrm.dev/x", "video/mp4", "GEOD", "0"]
 ODD = [None, True, False, -1, 0, 0.5, 1, 2, 1e9, "", "x", "?", [], [1], [-1], [0.5], ["x"], [[1]], [{}], {},
        {"x": 1}]
+FREE_NAMES = ["x", "POSITION"]  # of members that a schema does not list; the second one is asked for elsewhere
 MOST_REPEATS = 40  # elements that an array is made too long with
+
+
+# Of all formats this one alone is checked.
+FORMATS = jsonschema.FormatChecker(formats=[])
+
+
+@FORMATS.checks("json-pointer")
+def is_json_pointer(text):
+    return not isinstance(text, str) or re.fullmatch(r"(/([^~/]|~[01])*)*", text) is not None
 
 
 class Oracle:
@@ -45,7 +56,7 @@ class Oracle:
         mark = (id(schema), name)
         if mark not in self.validators:
             whole = {"allOf": [self.plain(schema, name)], "$defs": self.definitions}
-            self.validators[mark] = (schema, jsonschema.Draft202012Validator(whole))
+            self.validators[mark] = (schema, jsonschema.Draft202012Validator(whole, format_checker=FORMATS))
         return self.validators[mark][1].is_valid(value)
 
 
@@ -92,7 +103,8 @@ class Examples:
         free = flat.get("additionalProperties")
         if isinstance(free, dict) and depth < 12:
             for each in self.of(free, owner, depth + 1)[:1]:
-                members.setdefault("x", [each])
+                for name in FREE_NAMES:
+                    members.setdefault(name, [each])
         for pattern, member in flat.get("patternProperties", {}).items():
             for each in self.of(member, owner, depth + 1)[:1]:
                 for name in STRINGS:
@@ -106,12 +118,12 @@ class Examples:
             start = self.started(flat, members, first, fits)
             if start is None:
                 continue
+            small = copy.deepcopy(start)
             for name, values in members.items():
                 for value in values[:1]:
                     if name not in start and fits({**start, name: value}):
                         start[name] = copy.deepcopy(value)
-            if start not in found:
-                found.append(start)
+            found += [each for each in (start, small) if each not in found]
             # Other forms of one member of it.
             for name, values in members.items():
                 for value in values[1:20]:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "validate/part.hpp"
+#include "validate/textured.hpp"
 
 namespace gltfx::test {
 namespace {
@@ -299,6 +300,95 @@ TEST(HostileEcosystems, EndWithFindings) {
   for (const std::string& asset : all) {
     EXPECT_FALSE(verdict(asset).empty()) << asset.substr(0, 300);
   }
+}
+
+// --- Poses ---
+
+struct PoseOf {
+  double side = 1;                     ///< of the left half, along X
+  std::string hand = "[0.3, 0, 0]";    ///< from the lower arm, on the left
+  std::string leg = "[0.1, -0.1, 0]";  ///< from the hips, on the left
+  std::string more = {};               ///< members of the head
+};
+
+std::string mirrored(const std::string& place, double side) {
+  return place.starts_with("[0") && side < 0 ? "[-" + place.substr(1) : place;
+}
+
+Lines pose(const std::string& extension, const PoseOf& of) {
+  const auto at = [](const std::string& place, const std::string& more = {}) {
+    return R"({"translation": )" + place + more + "}";
+  };
+  const auto below = [](const std::string& list) { return R"(, "children": [)" + list + "]"; };
+  const auto half = [&](double side, const std::string& a, const std::string& b) {
+    return std::pair{at(mirrored(of.leg, side), below(a)), at("[0, -0.4, 0]", below(b))};
+  };
+  std::string nodes = at("[0, 1, 0]", below("1, 3, 6")) + "," +
+                      at("[0, 0.2, 0]", below("2, 9, 12")) + "," + at("[0, 0.4, 0]", of.more);
+  for (const double side : {of.side, -of.side}) {
+    const int first = side == of.side ? 3 : 6;
+    const auto [upper, lower] = half(side, std::to_string(first + 1), std::to_string(first + 2));
+    nodes.append(",").append(upper).append(",").append(lower).append(",") += at("[0, -0.4, 0]");
+  }
+  for (const double side : {of.side, -of.side}) {
+    const int first = side == of.side ? 9 : 12;
+    nodes += "," + at(mirrored("[0.1, 0.3, 0]", side), below(std::to_string(first + 1))) + "," +
+             at(mirrored("[0.3, 0, 0]", side), below(std::to_string(first + 2))) + "," +
+             at(mirrored(side == of.side ? of.hand : "[0.3, 0, 0]", side));
+  }
+  std::string bones;
+  for (std::size_t i = 0; i < kBones.size(); ++i) {
+    bones.append(i == 0 ? "" : ",");
+    const std::string node = R"("node": )" + std::to_string(i) + "}";
+    bones += extension == "VRM" ? R"({"bone": ")" + kBones[i] + "\", " + node
+                                : "\"" + kBones[i] + "\": {" + node;
+  }
+  bones = extension == "VRM" ? "[" + bones + "]" : "{" + bones + "}";
+  return findings(used(extension) + R"("extensions": {")" + extension +
+                      R"(": {"specVersion": "1.0", "humanoid": {"humanBones": )" + bones +
+                      R"(}}}, "nodes": [)" + nodes + "]",
+                  {"HUMANOID_POSE"});
+}
+
+TEST(Pose, AnAvatarFacesItsDirection) {
+  const auto wrong = [](const std::string& extension) {
+    return Lines{"HUMANOID_POSE /extensions/" + extension + "/humanoid/humanBones"};
+  };
+  EXPECT_EQ(pose("VRMC_vrm", {}), Lines{});
+  EXPECT_EQ(pose("VRMC_vrm", {.side = -1}), wrong("VRMC_vrm"));
+  EXPECT_EQ(pose("VRMC_vrm_animation", {.side = -1}), wrong("VRMC_vrm_animation"));
+  EXPECT_EQ(pose("VRM", {}), wrong("VRM"));
+  EXPECT_EQ(pose("VRM", {.side = -1}), Lines{});
+}
+
+TEST(Pose, TheArmsAreStretchedOut) {
+  const Lines wrong{"HUMANOID_POSE /extensions/VRMC_vrm/humanoid/humanBones"};
+  EXPECT_EQ(pose("VRMC_vrm", {.hand = "[0.3, -0.1, 0]"}), Lines{}) << "about straight";
+  EXPECT_EQ(pose("VRMC_vrm", {.hand = "[0.01, -0.6, 0]"}), wrong);
+  EXPECT_EQ(pose("VRMC_vrm", {.hand = "[0.01, -0.6, 0]", .leg = "[0, 0, 0]"}), Lines{})
+      << "what has no legs beside each other is not judged";
+}
+
+TEST(Pose, BonesOfVrm0HaveNoTransformOfTheirOwn) {
+  const Lines wrong{"HUMANOID_POSE /extensions/VRM/humanoid/humanBones/2/node"};
+  EXPECT_EQ(pose("VRM", {.side = -1, .more = R"(, "rotation": [0, 0, 0, 1], "scale": [1, 1, 1])"}),
+            Lines{});
+  EXPECT_EQ(pose("VRM", {.side = -1, .more = R"(, "rotation": [0, 1, 0, 0])"}), wrong);
+  EXPECT_EQ(pose("VRM", {.side = -1, .more = R"(, "scale": [2, 2, 2])"}), wrong);
+  EXPECT_EQ(pose("VRMC_vrm", {.more = R"(, "rotation": [0, 1, 0, 0])"}), Lines{});
+}
+
+TEST(Thumbnail, IsPngOrJpeg) {
+  const auto shown = [](const std::string& type, const std::string& image) {
+    return findings(
+        R"("extensionsUsed": ["VRMC_vrm", "EXT_texture_webp"], "images": [{"uri": "data:)" + type +
+            ";base64," + base64(image) + R"("}], "extensions": {"VRMC_vrm":
+                        {"specVersion": "1.0", "meta": {"thumbnailImage": 0}}})",
+        {"THUMBNAIL"});
+  };
+  EXPECT_EQ(shown("image/png", grey_png()), Lines{});
+  EXPECT_EQ(shown("image/webp", webp_header(false)),
+            Lines{"THUMBNAIL_NOT_SQUARE /extensions/VRMC_vrm/meta/thumbnailImage"});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structural metadata: schemas in the asset and in files, what refers to them, feature ids.
+// Structural metadata: schemas in the asset and in files, what refers to them.
 #include <filesystem>
 #include <fstream>
 
@@ -7,27 +7,15 @@
 #include <gtest/gtest.h>
 
 #include "validate/data_asset.hpp"
-#include "validate/part.hpp"
-#include "validate/textured.hpp"
+#include "validate/metadata_findings.hpp"
 
 namespace gltfx::test {
 namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::SizeIs;
 
 const std::string kMetadataRoot = "/extensions/EXT_structural_metadata";
-
-Lines metadata_findings(const std::string& text, PixelLevel pixels = PixelLevel::headers) {
-  ValidateOptions options;
-  options.pixels = pixels;
-  Lines lines;
-  for (const std::string& line : verdict(text, options)) {
-    if (line.find("UNUSED") == std::string::npos) lines.push_back(line);
-  }
-  return lines;
-}
 
 std::string metadata_asset(const std::string& members, const std::string& more = {}) {
   return asset_with(
@@ -82,7 +70,11 @@ TEST(MetadataSchema, NumbersFitTheComponentType) {
   EXPECT_EQ(value("INT8", "-129"), wrong);
   EXPECT_EQ(value("UINT8", "1.5"), wrong);
   EXPECT_EQ(value("UINT64", "18446744073709551615"), Lines{});
+  EXPECT_EQ(value("UINT64", "18446744073709551616"), wrong) << "the same as a double";
   EXPECT_EQ(value("UINT64", "-1"), wrong);
+  EXPECT_EQ(value("INT64", "9223372036854775807"), Lines{});
+  EXPECT_EQ(value("INT64", "9223372036854775808"), wrong);
+  EXPECT_EQ(value("INT64", "1e3"), Lines{});
   EXPECT_EQ(value("FLOAT32", "1e39"), wrong);
   EXPECT_EQ(value("FLOAT64", "1e39"), Lines{});
   EXPECT_EQ(value("UINT8\", \"normalized\": true, \"semantic\": \"x", "0.5"), Lines{});
@@ -141,6 +133,32 @@ TEST(MetadataSchema, EnumsHaveDifferentValuesInTheirRange) {
   EXPECT_EQ(largest("9223372036854775807"), Lines{});
   EXPECT_EQ(largest("9223372036854775808"),
             Lines{"METADATA_ENUM_OUT_OF_RANGE " + place + "0/value"});
+}
+
+TEST(MetadataSchema, EnumValuesRepeatHoweverTheyAreWritten) {
+  const auto repeated = [](const std::string& one, const std::string& other) {
+    return metadata_findings(metadata_asset(metadata_schema(
+        R"("c": {})", R"("e": {"valueType": "INT8", "values": [{"name": "a", "value": )" + one +
+                          R"(}, {"name": "b", "value": )" + other + "}]}")));
+  };
+  const Lines wrong{"METADATA_REPEATED " + kMetadataRoot + "/schema/enums/e/values/1/value"};
+  EXPECT_EQ(repeated("1", "1.0"), wrong);
+  EXPECT_EQ(repeated("-0", "0"), wrong);
+  EXPECT_EQ(repeated("-1e0", "-1"), wrong);
+  EXPECT_EQ(repeated("1", "10"), Lines{});
+}
+
+TEST(MetadataSchema, VersionsAreSemantic) {
+  const auto version = [](const std::string& text) {
+    return metadata_findings(metadata_asset(R"("schema": {"id": "s", "version": ")" + text +
+                                            R"(", "classes": {"c": {}}})"));
+  };
+  const Lines wrong{"PATTERN_MISMATCH " + kMetadataRoot + "/schema/version"};
+  EXPECT_EQ(version("1.0.0"), Lines{});
+  EXPECT_EQ(version("0.12.3-rc.1+build.5"), Lines{});
+  EXPECT_EQ(version("1.0"), wrong);
+  EXPECT_EQ(version("01.0.0"), wrong);
+  EXPECT_EQ(version("v1.0.0"), wrong);
 }
 
 TEST(MetadataSchema, IdsLeadSomewhere) {
@@ -249,108 +267,6 @@ TEST_F(SchemaFile, IsJson) {
   }
   write("asset/s.json", std::string(5000, '[') + std::string(5000, ']'));
   EXPECT_EQ(codes(validate("s.json")), Lines{"METADATA_SCHEMA_UNREADABLE" + member}) << "deep";
-}
-
-// --- Feature ids ---
-
-/// A triangle with a set of feature ids.
-std::string id_features(const std::string& set, const std::string& ids = floats({0, 1, 1}),
-                        const std::string& table = {}, const std::string& format = {}) {
-  DataAsset data;
-  data.accessor("VEC3", kFloat, 3, floats({0, 0, 0, 1, 0, 0, 0, 1, 0}),
-                R"(, "min": [0, 0, 0], "max": [1, 1, 0])");
-  data.accessor("SCALAR", kFloat, 3, ids, format);
-  const std::string tables =
-      table.empty() ? ""
-                    : R"(, "extensions": {"EXT_structural_metadata": {"schema": {"id": "s",
-                      "classes": {"c": {}}}, "propertyTables": [{"class": "c", "count": )" +
-                          table + "}]}}";
-  return data.text(
-      R"("extensionsUsed": ["EXT_mesh_features", "EXT_structural_metadata"],
-    "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], )" +
-      mesh(R"("POSITION": 0, "_FEATURE_ID_0": 1)",
-           R"(, "extensions": {"EXT_mesh_features": {"featureIds": [{)" + set + "}]}}") +
-      tables);
-}
-const std::string kIdSet = "/meshes/0/primitives/0/extensions/EXT_mesh_features/featureIds/0";
-
-TEST(FeatureIds, AreCounted) {
-  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 2, "attribute": 0)")), Lines{});
-  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 9, "attribute": 0)")), Lines{});
-  const Lines wrong{"FEATURE_ID_COUNT_MISMATCH " + kIdSet + "/featureCount"};
-  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 1, "attribute": 0)")), wrong);
-  EXPECT_EQ(
-      metadata_findings(id_features(R"("featureCount": 1, "attribute": 0, "nullFeatureId": 0)")),
-      Lines{});
-  EXPECT_EQ(
-      metadata_findings(id_features(R"("featureCount": 1, "attribute": 0, "nullFeatureId": 7)")),
-      wrong);
-  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 3)")), Lines{}) << "by vertex";
-  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 2)")), wrong);
-}
-
-TEST(FeatureIds, AreRowsOfTheTable) {
-  const std::string set = R"("featureCount": 3, "attribute": 0, "propertyTable": 0)";
-  const Lines wrong{"FEATURE_ID_OOB " + kIdSet + "/propertyTable"};
-  EXPECT_EQ(metadata_findings(id_features(set, floats({0, 1, 2}), "3")), Lines{});
-  EXPECT_EQ(metadata_findings(id_features(set, floats({0, 1, 2}), "2")), wrong);
-  EXPECT_EQ(metadata_findings(id_features(set + R"(, "nullFeatureId": 2)", floats({0, 1, 2}), "2")),
-            Lines{});
-  EXPECT_EQ(metadata_findings(
-                id_features(R"("featureCount": 3, "propertyTable": 0)", floats({0, 1, 2}), "2")),
-            wrong);
-}
-
-TEST(FeatureIds, AreWholeNumbers) {
-  const Lines wrong{"FEATURE_ID_NOT_INTEGER " + kIdSet + "/attribute"};
-  const std::string set = R"("featureCount": 3, "attribute": 0)";
-  EXPECT_EQ(metadata_findings(id_features(set, floats({0, 0.5, 1}))), wrong);
-  EXPECT_EQ(metadata_findings(id_features(set, floats({0, -1, 1}))), wrong);
-}
-
-TEST(FeatureIds, AttributesExist) {
-  EXPECT_EQ(metadata_findings(id_features(R"("featureCount": 3, "attribute": 1)")),
-            Lines{"FEATURE_ID_ATTRIBUTE_MISSING " + kIdSet + "/attribute"});
-  EXPECT_EQ(metadata_findings(
-                id_features(R"("featureCount": 3, "attribute": 0, "texture": {"index": 0})"))
-                .front(),
-            "ONE_OF_MISMATCH " + kIdSet);
-}
-
-std::string id_texture(const std::string& set, const std::string& image,
-                       const std::string& sampler = "{}", const std::string& uv = "TEXCOORD_0") {
-  DataAsset data;
-  data.accessor("VEC3", kFloat, 3, floats({0, 0, 0, 1, 0, 0, 0, 1, 0}),
-                R"(, "min": [0, 0, 0], "max": [1, 1, 0])");
-  data.accessor("VEC2", kFloat, 3, floats({0, 0, 1, 0, 0, 1}));
-  return data.text(
-      R"("extensionsUsed": ["EXT_mesh_features"], "scene": 0, "scenes": [{"nodes":
-    [0]}], "nodes": [{"mesh": 0}], "textures": [{"source": 0, "sampler": 0}], "samplers": [)" +
-      sampler + R"(], "images": [{"uri": "data:image/png;base64,)" + base64(image) + R"("}], )" +
-      mesh(R"("POSITION": 0, ")" + uv + R"(": 1)",
-           R"(, "extensions": {"EXT_mesh_features": {"featureIds": [{)" + set + "}]}}"));
-}
-
-TEST(FeatureIds, TexturesHaveTheirChannels) {
-  const std::string set = R"("featureCount": 9, "texture": {"index": 0, "channels": )";
-  EXPECT_EQ(metadata_findings(id_texture(set + "[0, 1]}", rgb_png())), Lines{});
-  EXPECT_EQ(metadata_findings(id_texture(set + "[3]}", rgb_png())),
-            Lines{"DATA_TEXTURE_CHANNEL_MISSING " + kIdSet + "/texture/channels"});
-  EXPECT_EQ(metadata_findings(id_texture(set + "[0]}", rgb_png(), R"({"magFilter": 9729})")),
-            Lines{"DATA_TEXTURE_FILTER_INVALID " + kIdSet + "/texture/index"});
-  const Lines lines = metadata_findings(id_texture(set + R"([0], "texCoord": 1})", rgb_png()));
-  EXPECT_EQ(lines, Lines{"DATA_TEXTURE_TEXCOORD_MISSING " + kIdSet + "/texture"});
-}
-
-TEST(FeatureIds, TexelsAreLookedAtWhenAskedFor) {
-  const std::string set = R"("featureCount": 1, "texture": {"index": 0, "channels": [1]})";
-  const std::string image = rgb_png("\1\2\3\1\4\3");
-  EXPECT_EQ(metadata_findings(id_texture(set, image)), Lines{});
-  EXPECT_EQ(metadata_findings(id_texture(set, image), PixelLevel::needed),
-            Lines{"FEATURE_ID_COUNT_MISMATCH " + kIdSet + "/featureCount"});
-  EXPECT_EQ(
-      metadata_findings(id_texture(set + R"(, "nullFeatureId": 4)", image), PixelLevel::needed),
-      Lines{});
 }
 
 }  // namespace

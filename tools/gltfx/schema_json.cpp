@@ -84,6 +84,13 @@ void write_limits(Writer& writer, const Set& set, const Shape& shape) {
     writer.member("refHas", fmt::format("{}", fmt::join(shape.ref_has, "/")));
   }
   if (shape.ref_name) writer.member("refName", shape.ref_name->text);
+  if (shape.unit_length != schema::UnitLength::free) {
+    writer.member("unitLength",
+                  shape.unit_length == schema::UnitLength::error ? "error" : "warning");
+  }
+  if (shape.should_match != schema::kNone) {
+    writer.member("shouldMatch", set.pattern_text(shape.should_match));
+  }
 }
 
 void write_slot(Writer& writer, const schema::Slot& slot) {

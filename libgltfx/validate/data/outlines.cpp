@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// CESIUM_primitive_outline: pairs of vertices that an edge joins. Only the indices tell, so this
-// file names the extension.
+// CESIUM_primitive_outline: pairs of vertices that an edge joins. CESIUM_tile_edges: vertices along
+// the edges of a tile. Only the indices tell, so this file names the extensions.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -14,6 +14,7 @@ namespace gltfx::validate {
 namespace {
 
 constexpr std::string_view kOutlinesExtension = "CESIUM_primitive_outline";
+constexpr std::string_view kTileEdgesExtension = "CESIUM_tile_edges";
 
 void check_pairs(DataPhase& phase, json::NodeId object, const Indices& pairs,
                  const std::vector<std::uint64_t>& edges, const Path& path) {
@@ -52,12 +53,35 @@ void check_outline(DataPhase& phase, const ExtensionPlace& place, const Path& pa
   if (pairs && triangles) check_pairs(phase, place.object, *pairs, edges_of(*triangles), path);
 }
 
+void check_tile_edges(DataPhase& phase, const ExtensionPlace& place, const Path& path) {
+  const Context& context = phase.context;
+  const model::Primitive primitive = model::read_primitive(context.asset, place.host);
+  const model::Attribute* position = primitive.find(model::SemanticKind::position);
+  const auto count = position != nullptr && position->accessor
+                         ? context.views.accessors[*position->accessor].count
+                         : std::nullopt;
+  if (!count) return;
+  for (const std::string_view edge : {"left", "bottom", "right", "top"}) {
+    const auto accessor = context.asset.index(place.object, edge, model::RootArray::accessors);
+    const auto vertices = accessor ? read_indices(phase, *accessor) : std::nullopt;
+    if (!vertices || vertices->empty()) continue;
+    const std::uint32_t greatest = *std::max_element(vertices->begin(), vertices->end());
+    if (greatest < *count) continue;
+    report_member(phase.sink, context, path, place.object, edge, Code::TILE_EDGE_VERTEX_OOB,
+                  fmt::format("The edge has vertex {}, but the primitive has {} vertices.",
+                              greatest, *count));
+  }
+}
+
 }  // namespace
 
 void check_outlines(DataPhase& phase) {
   for_each_primitive_extension(
       phase.context, kOutlinesExtension,
       [&](const ExtensionPlace& place, const Path& path) { check_outline(phase, place, path); });
+  for_each_primitive_extension(
+      phase.context, kTileEdgesExtension,
+      [&](const ExtensionPlace& place, const Path& path) { check_tile_edges(phase, place, path); });
 }
 
 }  // namespace gltfx::validate

@@ -59,6 +59,8 @@ void check_elements(DataPhase& phase);
 /// Structural metadata and feature ids: what JSON says of them, and the values in buffers and
 /// images. Files and images that are read for it are counted in `report`.
 void check_metadata(DataPhase& phase, FileReport& report);
+/// VRMC_vrm_animation: what animations write as weights of expressions.
+void check_expression_weights(DataPhase& phase);
 /// Joints and weights of skinned meshes.
 void check_influences(DataPhase& phase);
 

@@ -326,6 +326,7 @@ void check_data(const Context& context, const model::ResourceData& resources, Si
   check_elements(phase);
   check_influences(phase);
   check_mesh_edges(phase);
+  check_expression_weights(phase);
   check_metadata(phase, report);
   check_textures(context, resources, sink);
   check_texture_slots(context, resources, sink, report);

@@ -46,7 +46,7 @@ std::optional<Indices> first_near_position(DataPhase& phase, std::uint32_t acces
 
 /// EXT_mesh_primitive_edge_visibility: how edges are coded, lines along them, normals beside them.
 void check_edge_visibility(DataPhase& phase);
-/// CESIUM_primitive_outline: outlines follow edges.
+/// CESIUM_primitive_outline: outlines follow edges. CESIUM_tile_edges: the vertices are there.
 void check_outlines(DataPhase& phase);
 /// EXT_mesh_manifold: the surface is closed, and merged vertices lie where they were.
 void check_manifolds(DataPhase& phase);

@@ -20,7 +20,8 @@ struct DataTexture {
   std::uint64_t channel_count = 1;     ///< as listed
 };
 
-/// Reads and checks one: channels that the image does not have, and filters of the sampler.
+/// Reads and checks one: whether there is an image that can be read, channels that it does not
+/// have, and filters of the sampler.
 /// `nearest`: no filter may mix texels.
 DataTexture check_data_texture(MetadataPhase& phase, json::NodeId object, const Path& path,
                                bool nearest);
@@ -44,9 +45,11 @@ void report_missing_texcoord(MetadataPhase& phase, std::uint64_t set, json::Node
 struct TexelRequest {
   std::uint32_t image = 0;
   std::function<void(const codec::Image&)> use;
+  json::NodeId object = json::kNoNode;  ///< the texture info, and its place
+  std::string pointer;
 };
 /// Decodes each image once and hands it to all that asked, as far as pixels are asked for. Images
-/// with other than 8 bits a channel, and those that cannot be decoded, are left out.
+/// with other than 8 bits a channel are left out; those that cannot be decoded are reported.
 void read_texels(MetadataPhase& phase, std::vector<TexelRequest> requests);
 
 /// Calls `use(bytes, texels)` with blocks of texels of which only some channels are kept, in that

@@ -45,6 +45,10 @@ class IdCount {
     if (id >= 0 && id <= kMost && id == std::floor(id)) return add(static_cast<std::uint32_t>(id));
     if (invalid_++ == 0) first_invalid_ = id;
   }
+  void add_float(float id) {
+    if (id > kExact && inexact_++ == 0) first_inexact_ = id;
+    add_number(static_cast<double>(id));
+  }
   // Call behind the last id.
   void finish() { sort_large(); }
 
@@ -53,10 +57,14 @@ class IdCount {
   std::uint64_t distinct() const { return small_ + large_.size(); }
   std::uint64_t invalid() const { return invalid_; }
   double first_invalid() const { return first_invalid_; }
+  /// Those of floats beside which there are integers that no float is.
+  std::uint64_t inexact() const { return inexact_; }
+  double first_inexact() const { return first_inexact_; }
 
  private:
   static constexpr std::uint32_t kSmall = 1U << 26U;
   static constexpr double kMost = 4294967295.0;
+  static constexpr float kExact = 16777216.0F;
 
   void add_large(std::uint32_t id) {
     if (small_ + sorted_ > most_) return;
@@ -73,8 +81,8 @@ class IdCount {
   std::uint64_t most_;
   bool any_ = false;
   std::uint32_t greatest_ = 0;
-  std::uint64_t small_ = 0, invalid_ = 0;
-  double first_invalid_ = 0;
+  std::uint64_t small_ = 0, invalid_ = 0, inexact_ = 0;
+  double first_invalid_ = 0, first_inexact_ = 0;
   std::vector<bool> seen_;            // below kSmall
   std::vector<std::uint32_t> large_;  // the others; no repeats among the first `sorted_`
   std::size_t sorted_ = 0;
@@ -231,6 +239,8 @@ class FeatureCheck {
         for (std::size_t i = 0; i < elements; ++i) {
           if constexpr (std::is_unsigned_v<T>) {
             ids.add(values[i]);
+          } else if constexpr (std::is_floating_point_v<T>) {
+            ids.add_float(static_cast<float>(values[i]));
           } else {
             ids.add_number(static_cast<double>(values[i]));
           }
@@ -250,10 +260,11 @@ class FeatureCheck {
       report_missing_texcoord(phase_, *coordinates, object, at);
     }
     if (!texture.image || texture.channels.empty() || texture.channels.size() > 4) return;
-    requests_.push_back({*texture.image, [this, set, channels = texture.channels,
-                                          pointer = path.pointer()](const codec::Image& image) {
-                           scan_texture(set, channels, pointer, image);
-                         }});
+    requests_.push_back(
+        {*texture.image,
+         [this, set, channels = texture.channels, pointer = path.pointer()](
+             const codec::Image& image) { scan_texture(set, channels, pointer, image); },
+         object, at.pointer()});
   }
 
   void scan_texture(const FeatureSet& set, const std::vector<unsigned>& channels,
@@ -301,6 +312,13 @@ class FeatureCheck {
       report(set, path, member, Code::FEATURE_ID_NOT_INTEGER,
              fmt::format("The feature id {} is no non-negative integer.",
                          number_text(ids.first_invalid())));
+    } else if (ids.inexact() != 0) {
+      Finding finding = finding_on(
+          context_, document_.find(set.object, member), Code::FEATURE_ID_NOT_INTEGER,
+          fmt::format("The feature id {} is above 2^24, where FLOAT does not hold every integer.",
+                      number_text(ids.first_inexact())));
+      finding.severity = Severity::warning;
+      phase_.sink().report(Path(path, member), std::move(finding));
     }
     if (set.feature_count && ids.distinct() > *set.feature_count) {
       report(set, path, "featureCount", Code::FEATURE_ID_COUNT_MISMATCH,

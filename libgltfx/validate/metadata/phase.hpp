@@ -4,8 +4,10 @@
 
 #include <gltfx/report.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "model/metadata.hpp"
@@ -21,6 +23,8 @@ struct MetadataPhase {
   FileReport& report;
   json::NodeId root = json::kNoNode;  ///< the extension's object on the root object, if any
   model::MetadataSchema schema = {};  ///< without a node where there is none, or none to be read
+  /// By image that is shown as a colour, the slot that does; made when it is first asked for.
+  std::optional<std::unordered_map<std::uint32_t, std::string>> color_slots = {};
 
   const Context& context() const { return data.context; }
   const json::Document& document() const { return data.context.document; }

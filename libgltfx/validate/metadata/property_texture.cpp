@@ -62,10 +62,11 @@ class PropertyTextureCheck {
       return;
     const ValueLimits limits = value_limits(phase_, use);
     if (make_value_scan(property, limits, property.width()) == nullptr) return;
-    requests_.push_back({*texture.image, [this, index, limits, &property, node = use.value,
-                                          channels = texture.channels](const codec::Image& image) {
-                           scan(index, property, limits, node, channels, image);
-                         }});
+    requests_.push_back(
+        {*texture.image,
+         [this, index, limits, &property, node = use.value, channels = texture.channels](
+             const codec::Image& image) { scan(index, property, limits, node, channels, image); },
+         use.value, use.path.pointer()});
   }
 
   void scan(std::size_t index, const MetadataProperty& property, const ValueLimits& limits,

@@ -40,6 +40,12 @@ class Repeats {
   json::KeyTable seen_;
 };
 
+// As model::integer_bits(), of a number in the range of 64 bits.
+std::uint64_t integer_of(double number) {
+  return number < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number))
+                    : static_cast<std::uint64_t>(number);
+}
+
 void check_enum_value(const json::Document& document, json::NodeId object, const Path& path,
                       const MetadataEnum& owner, json::KeyTable& seen, Sink& sink) {
   const json::NodeId value = document.find(object, "value");
@@ -57,7 +63,10 @@ void check_enum_value(const json::Document& document, json::NodeId object, const
         fmt::format("{} cannot be stored as {}, the valueType of the enum.",
                     printable(document.raw(value)), metadata_component_name(owner.component)));
   }
-  if (seen.insert(document.raw(value))) return;
+  const std::string known = has_digits_alone
+                                ? std::to_string(*model::integer_bits(text, owner.component))
+                                : std::to_string(integer_of(number.value));
+  if (seen.insert_copy(known)) return;
   report_in(sink, member, document, value, Code::METADATA_REPEATED,
             fmt::format("The value {} is already taken.", printable(document.raw(value))));
 }

@@ -97,23 +97,30 @@ void for_each_number(const json::Document& document, json::NodeId value,
   });
 }
 
-bool is_representable(double number, const MetadataProperty& property) {
+// The greatest numbers of 64 bits are no doubles: what is written as an integer is read as one.
+bool is_representable(const json::Document& document, const json::Number& number,
+                      const MetadataProperty& property) {
   const model::MetadataRange range = metadata_range(property.component);
-  if (number < range.least || number > range.most) return false;
-  return !is_integer(property.component) || number == std::floor(number);
+  if (number.value < range.least || number.value > range.most) return false;
+  if (!is_integer(property.component)) return true;
+  const std::string_view text = number.span.in(document.text());
+  if (text.find_first_of(".eE") == std::string_view::npos) {
+    return model::integer_bits(text, property.component).has_value();
+  }
+  return number.value == std::floor(number.value);
 }
 
 void check_numbers(const MetadataObject& owner, const Path& path, json::NodeId value,
                    const MetadataProperty& property, MetadataNumber number) {
   if (number == MetadataNumber::factor) return;
   if (number == MetadataNumber::transformed && property.normalized) return;
-  std::optional<double> wrong;
+  std::optional<json::Number> wrong;
   for_each_number(owner.document, value, property, [&](const json::Number& each) {
-    if (!wrong && !is_representable(each.value, property)) wrong = each.value;
+    if (!wrong && !is_representable(owner.document, each, property)) wrong = each;
   });
   if (!wrong) return;
   report_in(owner.sink, path, owner.document, value, Code::METADATA_VALUE_OUT_OF_RANGE,
-            fmt::format("{} cannot be stored as {}.", number_text(*wrong),
+            fmt::format("{} cannot be stored as {}.", number_text(wrong->value),
                         metadata_component_name(property.component)));
 }
 

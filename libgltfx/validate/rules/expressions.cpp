@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::string_view kExpressionsOf = "VRMC_vrm";
 constexpr std::string_view kFirstExpressionsOf = "VRM";
+constexpr std::string_view kToonMaterial = "VRMC_materials_mtoon";
 
 // How many morph targets each primitive of a mesh has, by mesh; nothing: unknown.
 std::vector<std::optional<std::uint64_t>> target_counts(const Context& context) {
@@ -58,8 +59,50 @@ class MorphBinds {
   std::vector<std::optional<std::uint64_t>> counts_;
 };
 
+// Weights that are none: a program that counts to 100 writes many, so that one is named.
+struct BadWeights {
+  std::size_t count = 0;
+  double weight = 0;
+  std::string place;
+  json::NodeId value = json::kNoNode;
+
+  void add(double number, json::NodeId node, std::string at) {
+    if (count++ != 0) return;
+    weight = number;
+    value = node;
+    place = std::move(at);
+  }
+  void report(const Context& context) const {
+    if (count == 0) return;
+    std::string message =
+        fmt::format("The weight is {}; it must be between 0 and 1.", number_text(weight));
+    if (count > 1) message += fmt::format(" It is the first of {}.", count);
+    report_at(context.link_sink, place,
+              finding_on(context, value, Code::EXPRESSION_WEIGHT, std::move(message)));
+  }
+};
+
+// Only toon materials have the other colours.
+void check_colors(const Context& context, json::NodeId expression, const std::string& place) {
+  const json::Document& document = context.document;
+  const auto list = object_list(document, expression, "materialColorBinds");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto material = context.asset.index(list[i], "material", model::RootArray::materials);
+    const std::string type = model::string_member(document, list[i], "type");
+    if (!material || type.empty() || type == "color" || type == "emissionColor") continue;
+    const json::NodeId object = context.asset.elements(model::RootArray::materials)[*material];
+    if (model::extension_object(document, object, kToonMaterial) != json::kNoNode) continue;
+    report_at(context.link_sink, fmt::format("{}/materialColorBinds/{}/type", place, i),
+              finding_on(context, document.find(list[i], "type"), Code::EXPRESSION_COLOR_UNUSED,
+                         fmt::format("{} has no effect: {} does not have {}.", type,
+                                     object_label(context, model::RootArray::materials, *material),
+                                     kToonMaterial)));
+  }
+}
+
 void check_expression(const Context& context, const MorphBinds& binds, json::NodeId expression,
-                      const std::string& place) {
+                      const std::string& place, BadWeights& bad) {
+  check_colors(context, expression, place);
   const auto list = object_list(context.document, expression, "morphTargetBinds");
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto node = context.asset.index(list[i], "node", model::RootArray::nodes);
@@ -67,10 +110,7 @@ void check_expression(const Context& context, const MorphBinds& binds, json::Nod
     if (node) binds.check(list[i], context.views.nodes[*node].mesh, at);
     const double weight = model::number_member(context.document, list[i], "weight").value_or(0);
     if (weight >= 0 && weight <= 1) continue;
-    report_at(context.link_sink, at + "/weight",
-              finding_on(context, context.document.find(list[i], "weight"), Code::EXPRESSION_WEIGHT,
-                         fmt::format("The weight is {}; it must be between 0 and 1.",
-                                     number_text(weight))));
+    bad.add(weight, context.document.find(list[i], "weight"), at + "/weight");
   }
 }
 
@@ -80,15 +120,17 @@ void check_expressions(const Context& context) {
   const json::NodeId expressions = model::object_member(document, object, "expressions");
   if (expressions == json::kNoNode) return;
   const MorphBinds binds(context);
+  BadWeights bad;
   for (const std::string_view group : {"preset", "custom"}) {
     const json::NodeId list = model::object_member(document, expressions, group);
     if (list == json::kNoNode) continue;
     for (const auto member : document.members(list)) {
       std::string place = fmt::format("/extensions/{}/expressions/{}", kExpressionsOf, group);
       append_pointer_step(place, document.key(member.key_id));
-      check_expression(context, binds, member.value, place);
+      check_expression(context, binds, member.value, place, bad);
     }
   }
+  bad.report(context);
 }
 
 // Programs look for the preset or, where there is none, the name, both in capitals.
@@ -129,9 +171,17 @@ void check_material_properties(const Context& context) {
   const json::NodeId object = root_extension(context, kFirstExpressionsOf);
   const json::Document& document = context.document;
   const json::NodeId list = document.find(object, "materialProperties");
-  if (list == json::kNoNode || !document.is_array(list)) return;
   const std::string place = fmt::format("/extensions/{}/materialProperties", kFirstExpressionsOf);
   const auto& materials = context.asset.elements(model::RootArray::materials);
+  if (object != json::kNoNode && list == json::kNoNode && !materials.empty()) {
+    Finding finding = finding_on(context, object, Code::VRM_MATERIAL_MISMATCH,
+                                 fmt::format("materialProperties is missing, but the asset has {} "
+                                             "materials.",
+                                             materials.size()));
+    finding.severity = Severity::warning;
+    report_at(context.link_sink, place, std::move(finding));
+  }
+  if (list == json::kNoNode || !document.is_array(list)) return;
   const auto properties = object_list(document, object, "materialProperties");
   if (properties.size() != materials.size()) {
     report_at(context.link_sink, place,

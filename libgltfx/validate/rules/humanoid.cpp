@@ -186,7 +186,14 @@ class Humanoid {
 void check_humanoids(const Context& context) {
   for (const std::string_view extension : {kAvatar, kAvatarAnimation, kFirstAvatar}) {
     const json::NodeId object = root_extension(context, extension);
-    if (model::object_member(context.document, object, "humanoid") == json::kNoNode) continue;
+    if (model::object_member(context.document, object, "humanoid") == json::kNoNode) {
+      // The others require it by their schemas, where they need it.
+      if (extension != kFirstAvatar || object == json::kNoNode) continue;
+      report_at(context.link_sink, fmt::format("/extensions/{}", extension),
+                finding_on(context, object, Code::HUMANOID_BONE_MISSING,
+                           "The avatar has no humanoid, and so no bones."));
+      continue;
+    }
     const Humanoid humanoid(context, object, extension);
     humanoid.check_repeated();
     if (extension == kFirstAvatar) {

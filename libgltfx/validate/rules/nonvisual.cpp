@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extensions on primitives that depend on the primitive itself (MAXAR_nonvisual_geometry,
 // NGA_gpm_local), and a matrix whose size is told by the length of its list.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -68,8 +69,31 @@ void check_path(const Context& context, const ExtensionPlace& place, const Path&
               fmt::format("The path has {} vertices in the mode LINES; it must have 2.", *count));
 }
 
+constexpr std::string_view kNonvisual = "MAXAR_nonvisual_geometry";
+
+// The mesh that a node names has to say of what kind its geometry is.
+void check_nonvisual_mesh(const Context& context, const ExtensionPlace& place, const Path& path) {
+  const auto mesh = context.asset.index(place.object, "mesh", model::RootArray::meshes);
+  if (!mesh) return;
+  const auto& primitives = context.views.meshes[*mesh].primitives;
+  const auto lacks =
+      std::find_if(primitives.begin(), primitives.end(), [&](const model::Primitive& primitive) {
+        return model::extension_object(context.document, primitive.node, kNonvisual) ==
+               json::kNoNode;
+      });
+  if (lacks == primitives.end()) return;
+  report_member(context.link_sink, context, path, place.object, "mesh",
+                Code::NONVISUAL_GEOMETRY_UNTOLD,
+                fmt::format("Primitive {} of {} does not have {}.", lacks - primitives.begin(),
+                            object_label(context, model::RootArray::meshes, *mesh), kNonvisual));
+}
+
 void check_nonvisual(const Context& context) {
-  for_each_primitive_extension(context, "MAXAR_nonvisual_geometry",
+  for_each_extension(context, model::RootArray::nodes, kNonvisual,
+                     [&](const ExtensionPlace& place, const Path& path) {
+                       check_nonvisual_mesh(context, place, path);
+                     });
+  for_each_primitive_extension(context, kNonvisual,
                                [&](const ExtensionPlace& place, const Path& path) {
                                  check_shape_mode(context, place, path);
                                  check_path(context, place, path);

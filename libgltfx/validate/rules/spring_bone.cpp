@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // VRMC_springBone: chains of nodes that swing. Whether joints lie below each other, and which
 // spring a node between two joints belongs to, only the scene graph tells.
-#include <cmath>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/number.hpp"
 #include "base/text.hpp"
 #include "model/node.hpp"
 #include "model/scene_graph.hpp"
 #include "validate/context.hpp"
 #include "validate/rules/extension_walk.hpp"
 #include "validate/rules/finding.hpp"
+#include "validate/rules/humanoid.hpp"
 
 namespace gltfx::validate {
 namespace {
 
 constexpr std::string_view kSpringBone = "VRMC_springBone";
-constexpr std::string_view kExtendedCollider = "VRMC_springBone_extended_collider";
+constexpr std::string_view kAvatarOf = "VRMC_vrm";
 constexpr std::uint32_t kNoSpring = UINT32_MAX;
 
 // The springs that nodes belong to.
@@ -27,7 +27,11 @@ class Springs {
   Springs(const Context& context, json::NodeId object)
       : context_(context),
         springs_(object_list(context.document, object, "springs")),
-        owner_(context.graph.size(), kNoSpring) {}
+        owner_(context.graph.size(), kNoSpring) {
+    for (const HumanBone& bone : read_human_bones(context, root_extension(context, kAvatarOf))) {
+      bones_.emplace(bone.node, bone.name);
+    }
+  }
 
   void run() {
     const model::Ancestry ancestry(context_.graph);
@@ -56,10 +60,24 @@ class Springs {
       }
       last = node;
     }
+    check_bones(spring, joints);
     if (joints.size() != 1) return;
     report(fmt::format("/extensions/{}/springs/{}/joints", kSpringBone, spring),
            context_.document.find(springs_[spring], "joints"), Code::SPRING_TOO_SHORT,
            "The spring has one joint; the last one only ends a chain, so that nothing swings.");
+  }
+
+  // Bones are moved by the pose; what swings as well moves twice.
+  void check_bones(std::uint32_t spring, const std::vector<json::NodeId>& joints) {
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const auto node = context_.asset.index(joints[j], "node", model::RootArray::nodes);
+      const auto bone = node ? bones_.find(*node) : bones_.end();
+      if (bone == bones_.end()) continue;
+      return report(fmt::format("/extensions/{}/springs/{}/joints/{}/node", kSpringBone, spring, j),
+                    context_.document.find(joints[j], "node"), Code::SPRING_ON_BONE,
+                    fmt::format("{} swings, and is the bone {} of the avatar.", label(*node),
+                                gltfx::quoted(bone->second)));
+    }
   }
 
   // The node and those between it and the joint before it. Ends where a node belongs to a spring
@@ -134,6 +152,7 @@ class Springs {
   const Context& context_;
   std::vector<json::NodeId> springs_;
   std::vector<std::uint32_t> owner_;
+  std::unordered_map<model::NodeIndex, std::string> bones_;  // of the avatar
   std::vector<std::pair<std::uint32_t, std::uint32_t>> above_;
 };
 
@@ -142,33 +161,10 @@ void check_springs(const Context& context) {
   if (object != json::kNoNode) Springs(context, object).run();
 }
 
-void check_plane_colliders(const Context& context) {
-  if (!has_objects_of(context, kExtendedCollider)) return;
-  constexpr double kTolerance = 0.005;  // of programs that write three digits
-  const json::Document& document = context.document;
-  const auto colliders = object_list(document, root_extension(context, kSpringBone), "colliders");
-  for (std::size_t i = 0; i < colliders.size(); ++i) {
-    const json::NodeId object = model::extension_object(document, colliders[i], kExtendedCollider);
-    const json::NodeId shape = model::object_member(document, object, "shape");
-    const json::NodeId plane = model::object_member(document, shape, "plane");
-    const json::NodeId value = document.find(plane, "normal");
-    const auto normal = model::float_array<3>(document, value);
-    if (!normal) continue;
-    const double length = std::hypot((*normal)[0], (*normal)[1], (*normal)[2]);
-    if (std::abs(length - 1) <= kTolerance) continue;
-    report_at(context.link_sink,
-              fmt::format("/extensions/{}/colliders/{}/extensions/{}/shape/plane/normal",
-                          kSpringBone, i, kExtendedCollider),
-              finding_on(
-                  context, value, Code::COLLIDER_NORMAL_NON_UNIT,
-                  fmt::format("The normal has the length {}; it must be 1.", number_text(length))));
-  }
-}
-
 }  // namespace
 
 const Family& spring_bone_family() {
-  static constexpr LinkRule kLinkRules[] = {check_springs, check_plane_colliders};
+  static constexpr LinkRule kLinkRules[] = {check_springs};
   static constexpr Family family{.order = 610, .additional = true, .link_rules = kLinkRules};
   return family;
 }

@@ -20,11 +20,16 @@ void check_thumbnails(const Context& context, const model::ResourceData& resourc
   const auto image = context.asset.index(meta, "thumbnailImage", model::RootArray::images);
   if (!image) return;
   const auto& header = resources.images[*image].header;
-  if (!header || !header->doubt.empty() || header->width == header->height) return;
+  if (!header || !header->doubt.empty()) return;
+  const bool core = header->format == image::Format::png || header->format == image::Format::jpeg;
+  if (core && header->width == header->height) return;
+  const std::string label = image_label(context, *image);
   report_at(sink, fmt::format("/extensions/{}/meta/thumbnailImage", kAvatar),
             finding_on(context, document.find(meta, "thumbnailImage"), Code::THUMBNAIL_NOT_SQUARE,
-                       fmt::format("The size of {} is {}x{}; it must be square.",
-                                   image_label(context, *image), header->width, header->height)));
+                       core ? fmt::format("The size of {} is {}x{}; it must be square.", label,
+                                          header->width, header->height)
+                            : fmt::format("The type of {} is {}; it must be PNG or JPEG.", label,
+                                          image::media_type(header->format))));
 }
 
 }  // namespace gltfx::validate
