@@ -95,7 +95,7 @@ bool is_missing(const Context& context, json::NodeId image) {
   const container::Uri uri =
       container::classify_uri(model::string_member(context.document, image, "uri"));
   if (uri.kind != container::UriKind::relative_path) return false;
-  const container::ResolveError error = context.resolver.open(uri).error;
+  const container::ResolveError error = context.files.open(uri).error;
   return error != container::ResolveError::none && error != container::ResolveError::no_root;
 }
 
