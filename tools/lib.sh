@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-dev libtbb-dev
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libzstd-dev libopenexr-dev
   libembree-dev libxxhash-dev libsodium-dev libstb-dev fonts-dejavu-core)
-test_packages=(libtinygltf-dev libavif-dev clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
+test_packages=(libtinygltf-dev libavif-dev lld clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
   pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc)
 package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
 
