@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Structural metadata: schemas in the asset and in files, what refers to them.
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "container/temp_folder.hpp"
 #include "validate/data_asset.hpp"
 #include "validate/metadata_findings.hpp"
 
@@ -211,18 +211,10 @@ TEST(MetadataOfObjects, StaysWithinTheBoundsOfItsClass) {
 
 class SchemaFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "gltfx_schema_file";
-    std::filesystem::create_directories(folder_ / "asset");
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
+  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
   FileReport validate(const std::string& uri) const {
     write("asset/a.gltf", metadata_asset(R"("schemaUri": ")" + uri + "\""));
-    return validate_file((folder_ / "asset/a.gltf").string(), {});
+    return validate_file((folder_.path() / "asset/a.gltf").string(), {});
   }
   static Lines codes(const FileReport& report) {
     Lines lines;
@@ -232,7 +224,7 @@ class SchemaFile : public testing::Test {
     }
     return lines;
   }
-  std::filesystem::path folder_;
+  test::TempFolder folder_;
 };
 
 TEST_F(SchemaFile, IsCheckedAsOneInTheAsset) {
@@ -255,7 +247,7 @@ TEST_F(SchemaFile, IsReadInsideTheRootOnly) {
   const std::string member = " " + kMetadataRoot + "/schemaUri";
   EXPECT_EQ(codes(validate("../s.json")), Lines{"URI_OUTSIDE_ROOT" + member});
   EXPECT_EQ(codes(validate("missing.json")), Lines{"IO_ERROR" + member});
-  std::filesystem::create_symlink(folder_ / "s.json", folder_ / "asset/link.json");
+  std::filesystem::create_symlink(folder_.path() / "s.json", folder_.path() / "asset/link.json");
   EXPECT_EQ(codes(validate("link.json")), Lines{"URI_OUTSIDE_ROOT" + member});
 }
 
