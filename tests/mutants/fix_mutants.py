@@ -7,10 +7,10 @@
 Of each mutant is asked: the fixed file has no finding, by gltfx or by npm's gltf-validator, that the broken one has
 not; a second run changes nothing; findings that `gltfx validate` marks as fixable are gone. Mutants whose text cannot
 be read are counted, but new findings of theirs are not: what could not be read could not be found. gltf-validator
-leaves out values of a wrong type and counts what stands behind them anew: what it finds there is not new. It
-does not look into an extension that is not declared, and does not know each extension: a finding of its is not new if
-it has the same against the valid asset that was broken, or if gltfx has it against the broken one; that it does not
-know an extension, or a value that one adds, is none about the asset.
+leaves out values of a wrong type, counts what stands behind them anew, and goes on without what is required: what it
+finds there is not new. It does not look into an extension that is not declared, and does not know each extension: a
+finding of its is not new if it has the same against the valid asset that was broken, or if gltfx has it against the
+broken one; that it does not know an extension, or a value that one adds, is none about the asset.
 
 A finding declares a safe fix if it meets the condition that the page of its rule states, so that the fix proposes a
 change. Of these, 99 % must be gone from the fixed file. Those that are not are left out because the change would bring
