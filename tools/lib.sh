@@ -23,7 +23,7 @@ as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
-# Node.js from elsewhere has its own npm, and Debian's does not go with it.
+# Node.js from another source brings its own npm, which conflicts with Debian's package.
 is_installed() {
   [ "$1" = npm ] && command -v npm >/dev/null && return 0
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]

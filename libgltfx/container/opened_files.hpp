@@ -2,9 +2,8 @@
 /// Files of an asset, each opened once however many objects name it.
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 

@@ -149,8 +149,7 @@ class SceneBuilder {
     animate(schemas);
   }
 
-  bake::Scene run() {
-    const model::SceneRoots roots = model::choose_scene(asset_, views_, options_.scene);
+  bake::Scene run(const model::SceneRoots& roots) {
     if (!roots.note.empty() && !views_.nodes.empty()) notes_.add(roots.note);
     const model::Pose pose = model::compute_pose(asset_, views_, roots, animated_);
     model::DracoMeshes draco;
@@ -331,12 +330,12 @@ bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema:
   const model::Asset asset(opened.document());
   const model::Views& views = opened.views();
   container::OpenedFiles files(opened.resolver());
-  const std::vector<bool> images =
-      images_in_use(asset, model::choose_scene(asset, views, options.scene).scene);
+  const model::SceneRoots roots = model::choose_scene(asset, views, options.scene);
+  const std::vector<bool> images = images_in_use(asset, roots.scene);
   model::LoadedResources loaded =
       model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
   for (std::string& note : loaded.notes) notes.add(std::move(note));
-  bake::Scene scene = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run();
+  bake::Scene scene = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run(roots);
   scene.notes = notes.take();
   return scene;
 }
