@@ -29,6 +29,9 @@ namespace {
 // Loading libraries takes a second at most: a program that takes longer is in an endless loop.
 constexpr std::chrono::minutes kStartTime{2};
 
+// An asset may have a hundred thousand images, each of which would start a program in vain.
+constexpr int kMostFailures = 3;
+
 constexpr const char* kWrongGreeting = "it has a different protocol version";
 constexpr const char* kSilent = "it does not respond";
 constexpr const char* kUnfiltered =
@@ -50,7 +53,7 @@ DecodeError Launcher::not_started(const std::string& why) const {
 
 void Launcher::prepare() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (!lock || process_ || silent_) return;
+  if (!lock || process_ || final_) return;
   process_ = std::make_unique<Process>(program_);
   ready_ = false;
   if (!process_->started()) process_.reset();
@@ -58,19 +61,23 @@ void Launcher::prepare() {
 
 // Sees to it that there is a launcher that has greeted.
 Launcher::Trouble Launcher::launch() {
-  if (silent_) return kSilent;
+  if (final_) return final_;
   if (process_ && ready_) return std::nullopt;
   if (!process_) process_ = std::make_unique<Process>(program_);
   Trouble trouble = process_->started() ? greet() : Trouble(process_->start_error());
   ready_ = !trouble;
+  if (ready_) {
+    failures_ = 0;
+  } else if (!process_->lacked_resources() && ++failures_ == kMostFailures) {
+    final_ = trouble;
+  }
   if (trouble) process_.reset();
   return trouble;
 }
 
 Launcher::Trouble Launcher::greet() {
   const Watch watched = watch(process_->socket(), process_->id(), {kStartTime, standstill_});
-  silent_ = watched != Watch::ready;
-  if (silent_) return kSilent;
+  if (watched != Watch::ready) return final_ = kSilent;
   const auto packet = receive_packet(process_->socket());
   if (!packet) return process_->end();
   return read_control(packet->bytes) == Control{} ? Trouble() : Trouble(kWrongGreeting);
@@ -82,6 +89,7 @@ Launcher::Trouble Launcher::greet(Worker& worker) {
   const auto packet = receive_packet(worker.socket());
   const auto hello = packet ? read_hello(packet->bytes) : std::nullopt;
   if (!hello) return kWrongGreeting;
+  if (!hello->filtered) unfiltered_ = true;
   return hello->filtered || unfiltered_permitted ? Trouble() : Trouble(kUnfiltered);
 }
 
@@ -99,6 +107,7 @@ std::optional<Control> Launcher::ask(const Control& control, std::span<const int
 }
 
 std::variant<std::unique_ptr<Worker>, DecodeError> Launcher::start(std::uint64_t memory_bytes) {
+  if (unfiltered_ && !unfiltered_permitted) return not_started(kUnfiltered);
   Ends ends = Ends::create();
   if (!ends.complete()) return not_started("no file descriptors left");
   const std::array<int, 2> descriptors{ends.worker_socket.get(), ends.worker_lifeline.get()};

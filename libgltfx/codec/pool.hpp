@@ -3,6 +3,7 @@
 /// decoders, and each worker is a fork of it, which takes a hundredth of the time.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -31,7 +32,8 @@ class Worker;
 /// Thread-safe. Workers must not outlive it.
 class Launcher {
  public:
-  /// A program that uses no processor time for `standstill` before it greets is not started again.
+  /// A program that uses no processor time for `standstill` before it greets is not started again,
+  /// nor is one that did not get as far as that three times in a row.
   Launcher(std::string program, std::chrono::milliseconds standstill)
       : program_(std::move(program)), standstill_(standstill) {}
 
@@ -54,9 +56,11 @@ class Launcher {
   const std::string program_;
   const std::chrono::milliseconds standstill_;
   std::mutex mutex_;
-  std::unique_ptr<Process> process_;  ///< null: not started, or it has failed
-  bool ready_ = false;                ///< the process has greeted
-  bool silent_ = false;               ///< it did not respond; it is not started again
+  std::unique_ptr<Process> process_;      ///< null: not started, or it has failed
+  bool ready_ = false;                    ///< the process has greeted
+  int failures_ = 0;                      ///< starts in a row that came to nothing
+  Trouble final_;                         ///< why it is not started again
+  std::atomic<bool> unfiltered_ = false;  ///< its workers have no filter
 };
 
 /// A worker process; its end ends the process.

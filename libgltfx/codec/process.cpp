@@ -128,6 +128,11 @@ std::string Process::start_error() const {
   return std::error_code(start_error_, std::generic_category()).message();
 }
 
+bool Process::lacked_resources() const {
+  return start_error_ == EAGAIN || start_error_ == ENOMEM || start_error_ == EMFILE ||
+         start_error_ == ENFILE;
+}
+
 // The signal changes nothing for a process that is about to end.
 std::string Process::end() {
   if (id_ <= 0) return "it exited";

@@ -58,6 +58,9 @@ class Process {
   bool started() const { return id_ > 0; }
   /// Why it was not started. Precondition: !started().
   std::string start_error() const;
+  /// Whether it was not started since the system had no process, memory or descriptor left, which
+  /// may change.
+  bool lacked_resources() const;
   pid_t id() const { return id_; }
   int socket() const { return socket_.get(); }
   /// Ends the process if it has not ended, and says how it did: half a sentence.

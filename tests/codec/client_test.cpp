@@ -297,7 +297,7 @@ class Decoders : public ::testing::Test {
     settings.folder = folder.native();
     settings.standstill_seconds = kind == "mute" ? 1 : 30;
     Client client(settings);
-    for (int i = 0; i < 2; ++i) static_cast<void>(client.decode_draco(request_bytes("triangle")));
+    for (int i = 0; i < 5; ++i) static_cast<void>(client.decode_draco(request_bytes("triangle")));
     const DracoResult result = client.decode_draco(request_bytes("triangle"));
     const auto* error = std::get_if<DecodeError>(&result);
     return error != nullptr ? *error : DecodeError{ErrorKind::malformed, "decoded"};
@@ -323,6 +323,25 @@ TEST_F(Decoders, SilenceIsWaitedForOnce) {
   EXPECT_EQ(error.kind, ErrorKind::unavailable);
   EXPECT_THAT(error.message, HasSubstr("does not respond"));
   EXPECT_EQ(std::filesystem::file_size(folder_.path() / "mute/starts"), 1U);
+}
+
+// A decoder that is broken is not started for each of a hundred thousand images.
+TEST_F(Decoders, OneThatDoesNotGetToGreetIsStartedThreeTimes) {
+  ask("gone");
+  EXPECT_EQ(std::filesystem::file_size(folder_.path() / "gone/starts"), 3U);
+  ask("rude");
+  EXPECT_EQ(std::filesystem::file_size(folder_.path() / "rude/starts"), 3U);
+}
+
+TEST_F(Decoders, OneThatIsNotThereIsLookedForThreeTimes) {
+  Settings settings = test_settings();
+  settings.folder = folder_.path().native();
+  Client client(settings);
+  for (int i = 0; i < 3; ++i) static_cast<void>(client.decode_draco(request_bytes("triangle")));
+  folder_.link("gltfx-codec-draco", GLTFX_TEST_WORKERS "/gltfx-codec-draco");
+  const DracoResult late = client.decode_draco(request_bytes("triangle"));
+  ASSERT_TRUE(std::holds_alternative<DecodeError>(late));
+  EXPECT_THAT(std::get<DecodeError>(late).message, HasSubstr("No such file"));
 }
 
 TEST_F(Decoders, OneWithoutAFilterIsRefusedUnlessPermitted) {

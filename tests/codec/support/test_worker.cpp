@@ -170,8 +170,8 @@ void refuse_filters() {
 int main(int, char** arguments) {
   const std::filesystem::path folder = std::filesystem::path(arguments[0]).parent_path();
   const std::string kind = folder.filename();
+  std::ofstream(folder / "starts", std::ios::app) << 'x';
   if (kind == "mute") {
-    std::ofstream(folder / "starts", std::ios::app) << 'x';
     while (true) ::pause();
   }
   if (kind == "rude") {
