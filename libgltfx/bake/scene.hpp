@@ -67,6 +67,8 @@ struct TextureUse {
   std::uint32_t channel = kNone;
 };
 
+inline const TextureUse kNoTexture{};
+
 /// A material of the asset: its factors, and the textures that scale them. It has many members, as
 /// they are the properties of glTF that are not in Material.
 struct SceneMaterial {
@@ -96,10 +98,28 @@ struct SceneMaterial {
   /// factor, and transmitted light is tinted by the base colour.
   bool tinted_by_base_color = false;
 
-  std::array<TextureUse, kMaterialSlots> textures{};
-  TextureUse& use(Slot slot) { return textures[static_cast<std::size_t>(slot)]; }
-  const TextureUse& use(Slot slot) const { return textures[static_cast<std::size_t>(slot)]; }
+  /// Few slots have a texture, and an asset may have a hundred thousand materials: those in use, in
+  /// any order, and by slot the place of its use plus 1, or 0.
+  std::vector<TextureUse> textures;
+  std::array<std::uint8_t, kMaterialSlots> places{};
+
+  /// To be set: the use of a slot is added when it is asked for.
+  TextureUse& use(Slot slot);
+  /// Of a slot without a texture: a use of kNone.
+  const TextureUse& use(Slot slot) const {
+    const std::uint8_t place = places[static_cast<std::size_t>(slot)];
+    return place == 0 ? kNoTexture : textures[place - 1];
+  }
 };
+
+inline TextureUse& SceneMaterial::use(Slot slot) {
+  std::uint8_t& place = places[static_cast<std::size_t>(slot)];
+  if (place == 0) {
+    textures.emplace_back();
+    place = static_cast<std::uint8_t>(textures.size());
+  }
+  return textures[place - 1U];
+}
 
 /// The member that holds a parameter, by name.
 using ParameterMember = std::variant<double Material::*, Rgb Material::*, float SceneMaterial::*,

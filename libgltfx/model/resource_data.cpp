@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/resource_data.hpp"
 
+#include <memory>
 #include <utility>
 #include <variant>
 
@@ -101,7 +102,7 @@ class Loader {
     const image::Sniffed sniffed = image::sniff(image.bytes->view());
     if (sniffed.known) image.format = sniffed.format;
     if (image.format == image::Format::ktx2) {
-      image.ktx2 = image::read_ktx2(image.bytes->view());
+      image.ktx2 = std::make_shared<const image::Ktx2>(image::read_ktx2(image.bytes->view()));
       if (image.ktx2->is_sound()) image.header = image::header_of(*image.ktx2);
       return;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -24,7 +25,8 @@ struct ImageData {
   std::optional<container::Bytes> bytes;  ///< the encoded image
   std::optional<image::Format> format;    ///< by its first bytes
   std::optional<image::Header> header;    ///< where it could be read
-  std::optional<image::Ktx2> ktx2;        ///< of a KTX2 image, sound or not
+  /// Of a KTX2 image, sound or not; null: another format. Apart, since most images have none.
+  std::shared_ptr<const image::Ktx2> ktx2;
 };
 
 /// The elements of a buffer view that came compressed.

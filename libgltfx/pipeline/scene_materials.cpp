@@ -122,8 +122,9 @@ class Translation {
 
   void choose_tangents() {
     for (const Slot slot : {Slot::normal, Slot::clearcoat_normal, Slot::anisotropy}) {
-      if (to_.use(slot).texture == bake::kNone || needs_.tangents) continue;
-      needs_.tangents = to_.use(slot);
+      const bake::TextureUse& use = std::as_const(to_).use(slot);
+      if (use.texture == bake::kNone || needs_.tangents) continue;
+      needs_.tangents = use;
     }
     if (!needs_.tangents && to_.factors.anisotropy > 0) needs_.tangents = bake::TextureUse();
   }

@@ -2,7 +2,10 @@
 #include "schema/holds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory_resource>
 #include <vector>
 
 #include "base/text.hpp"
@@ -125,7 +128,11 @@ bool Holds::object(const Shape& shape, json::NodeId node, int depth) {
 bool Holds::members(const Shape& shape, json::NodeId node, int depth) {
   const json::Document& document = values_.document;
   const ObjectType* type = shape.type == kNone ? nullptr : &set_.type(shape.type);
-  std::vector<json::NodeId> values(type == nullptr ? 0 : type->properties.size(), json::kNoNode);
+  // Most types have a few dozen properties at most: no allocation for each object.
+  std::array<std::byte, 256> room;
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+  std::pmr::vector<json::NodeId> values(type == nullptr ? 0 : type->properties.size(),
+                                        json::kNoNode, &memory);
   const bool others = shape.values != kNone || !shape.pattern_properties.empty() ||
                       (type != nullptr && type->strict);
   if (type == nullptr && !others) return true;

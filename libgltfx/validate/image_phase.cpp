@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 #include <variant>
 
@@ -113,7 +114,7 @@ class ImageCheck {
 
   // The one format that read_header() leaves to a reader of its own.
   void check_ktx2(model::ImageData& data) const {
-    data.ktx2 = image::read_ktx2(data.bytes->view());
+    data.ktx2 = std::make_shared<const image::Ktx2>(image::read_ktx2(data.bytes->view()));
     for (const image::Ktx2Error& error : data.ktx2->errors) {
       resource_.find(error.code, "", error.problem, {},
                      error.tolerated ? std::optional(Severity::warning) : std::nullopt);

@@ -113,21 +113,23 @@ codec::ImageResult PixelSource::decoded(const Request& request) const {
 void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
   std::vector<Request> requests;
   for (const Request& each : wanted) {
-    if (take(each.image)) requests.push_back(each);
+    if (!take(each.image)) continue;
+    requests.push_back(each);
+    results_.try_emplace(each.image);  // threads only fill what is there
   }
   std::atomic<bool> stopped = false;
   int costly = 0;
   const auto decode_one = [&](std::size_t i) {
-    if (!stopped) results_[requests[i].image] = decoded(requests[i]);
+    if (!stopped) results_.at(requests[i].image) = decoded(requests[i]);
   };
   // Which ones are left over does not depend on the number of threads.
   parallel_ordered(requests.size(), jobs, decode_one, [&](std::size_t i) {
-    auto& result = results_[requests[i].image];
+    codec::ImageResult& result = results_.at(requests[i].image);
     if (stopped) {
       result = codec::DecodeError{codec::ErrorKind::unavailable,
                                   "Other images of the asset reached the limit on decoding."};
     }
-    const auto* error = result ? std::get_if<codec::DecodeError>(&*result) : nullptr;
+    const auto* error = std::get_if<codec::DecodeError>(&result);
     if (error != nullptr && codec::is_costly(*error) && ++costly == kMostCostly) stopped = true;
   });
 }

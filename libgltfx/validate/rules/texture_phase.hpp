@@ -6,7 +6,7 @@
 #include <gltfx/report.hpp>
 
 #include <cstdint>
-#include <optional>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -23,7 +23,7 @@ class PixelSource {
   /// `texels` is how many may be decoded, all images together.
   explicit PixelSource(const model::ResourceData& resources,
                        std::uint64_t texels = std::uint64_t{1} << 30U)
-      : resources_(resources), texels_left_(texels), results_(resources.images.size()) {}
+      : resources_(resources), texels_left_(texels) {}
 
   struct Request {
     std::uint32_t image = 0;
@@ -36,21 +36,27 @@ class PixelSource {
 
   /// What was found, or null where nothing was decoded.
   const codec::Image* of(std::uint32_t image) const {
-    return results_[image] ? std::get_if<codec::Image>(&*results_[image]) : nullptr;
+    const codec::ImageResult* result = result_of(image);
+    return result == nullptr ? nullptr : std::get_if<codec::Image>(result);
   }
   /// Why an image that was asked for could not be decoded, or null.
   const codec::DecodeError* error(std::uint32_t image) const {
-    return results_[image] ? std::get_if<codec::DecodeError>(&*results_[image]) : nullptr;
+    const codec::ImageResult* result = result_of(image);
+    return result == nullptr ? nullptr : std::get_if<codec::DecodeError>(result);
   }
 
  private:
   /// Takes the texels of an image from what may be decoded.
   bool take(std::uint32_t index);
   codec::ImageResult decoded(const Request& request) const;
+  const codec::ImageResult* result_of(std::uint32_t image) const {
+    const auto found = results_.find(image);
+    return found == results_.end() ? nullptr : &found->second;
+  }
 
   const model::ResourceData& resources_;
   std::uint64_t texels_left_;
-  std::vector<std::optional<codec::ImageResult>> results_;
+  std::unordered_map<std::uint32_t, codec::ImageResult> results_;  ///< by image
 };
 
 /// What the rules of this phase are given. They report to `sink`.
