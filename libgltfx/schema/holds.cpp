@@ -21,8 +21,11 @@ bool is_multiple(double number, double of) {
 bool Holds::holds(ShapeId id, Value value, int depth) {
   if (id == kNone || depth > kDepth) return true;
   const json::Kind kind = values_.kind(value);
-  if (kind != json::Kind::object && kind != json::Kind::array)
+  const bool container = kind == json::Kind::object || kind == json::Kind::array;
+  // What is soon judged again is not worth being remembered.
+  if (!container || set_.walk_tables().shapes[id].shallow) {
     return judge(set_.shape(id), value, depth);
+  }
   const std::uint64_t key = (std::uint64_t{id} << 32) | value.node;
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;

@@ -111,9 +111,9 @@ void exchange(Archive& archive, Extension& extension) {
 
 template <class Archive>
 void exchange(Archive& archive, ShapePlan& plan) {
-  archive(plan.plan, plan.combined, plan.members, plan.slot, plan.every_value, plan.every_fraction,
-          plan.every_negative_fraction, plan.of_extension, plan.target, plan.type, plan.items,
-          plan.values, plan.low, plan.high);
+  archive(plan.plan, plan.combined, plan.members, plan.shallow, plan.slot, plan.every_value,
+          plan.every_fraction, plan.every_negative_fraction, plan.of_extension, plan.target,
+          plan.type, plan.items, plan.values, plan.low, plan.high);
 }
 
 template <class Archive>

@@ -13,6 +13,17 @@ bool is_combined(const Shape& shape) {
          shape.not_shape != kNone || !shape.conditions.empty();
 }
 
+bool is_shallow(const Set& set, const Shape& shape) {
+  if (is_combined(shape) || shape.items != kNone || shape.values != kNone ||
+      !shape.pattern_properties.empty()) {
+    return false;
+  }
+  if (shape.type == kNone) return true;
+  const auto& properties = set.type(shape.type).properties;
+  return std::all_of(properties.begin(), properties.end(),
+                     [](const Property& property) { return property.shape == kNone; });
+}
+
 class Maker {
  public:
   explicit Maker(const Set& set) : set_(set), tables_(std::make_shared<Set::WalkTables>()) {}
@@ -61,6 +72,7 @@ class Maker {
     const Shape& shape = set_.shape(id);
     ShapePlan plan;
     plan.combined = is_combined(shape);
+    plan.shallow = is_shallow(set_, shape);
     plan.slot = shape.slot.has_value();
     plan.type = shape.type;
     plan.items = shape.items;

@@ -35,6 +35,7 @@ struct ShapePlan {
   Plan plan = Plan::any;
   bool combined = false;                 ///< has combinators or conditions
   bool members = false;                  ///< objects of it have to be entered
+  bool shallow = false;                  ///< asks nothing of the parts of a container
   bool slot = false;                     ///< a texture slot
   bool every_value = false;              ///< a number without limits: nothing to look at
   bool every_fraction = false;           ///< a number, and all of [0, 1] is allowed

@@ -32,10 +32,12 @@ void keep_standard_streams() {
 }
 
 // glibc raises its limit with the largest array that is freed; later ones leave holes in the heap
-// then, which double the memory that a verb takes for a large asset.
-void keep_large_arrays_off_the_heap() {
+// then, which double the memory that a verb takes for a large asset. Its "fast bins" are merged
+// whenever something large is freed, which is a tenth of the time that a verb takes for one.
+void tune_the_heap() {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  ::mallopt(M_MXFAST, 0);
 #endif
 }
 
@@ -103,7 +105,7 @@ int main(int argc, char** argv) {
   gltfx::tool::guard_mappings();
   gltfx::tool::clean_up_when_ended();
   gltfx::tool::keep_standard_streams();
-  gltfx::tool::keep_large_arrays_off_the_heap();
+  gltfx::tool::tune_the_heap();
   gltfx::tool::usual_end = std::set_terminate(gltfx::tool::explain_and_die);
   ExitCode code = ExitCode::internal;
   try {
