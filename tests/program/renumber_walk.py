@@ -14,6 +14,7 @@ whether all is well.
 import argparse
 import concurrent.futures
 import copy
+import functools
 import json
 import pathlib
 import random
@@ -221,34 +222,56 @@ def deletable(document):
     return sorted(found, key=lambda p: (p.count("/"), p))
 
 
-def content(value):
-    """What of an object is its own: without references, and without objects that have a mark."""
-    if isinstance(value, dict):
-        return {k: content(v) for k, v in value.items() if not isinstance(v, (dict, list)) or k == "extras"}
-    return value
+class Walked:
+    """What a walk over a document finds, once for all questions about it."""
+
+    def __init__(self, document):
+        self.document = document
+        marks = [(mark_of(v), v, p) for v, p in objects(document) if not is_map(p)]
+        marks = [each for each in marks if each[0] is not None]
+        self.marked = {mark: (value, path) for mark, value, path in marks}
+        self.repeated = len(marks) != len(self.marked)
+        self.references = [(place(document, path[:-1]), path, leads_to(document, holder, key, kind))
+                           for holder, key, path, kind in references(document)]
+        self.single, lists = {}, {}  # references by place; those in lists of indices by the list, in order
+        for around, path, target in self.references:
+            if isinstance(path[-1], int):
+                lists.setdefault(around, {})[path[-1]] = target
+            else:
+                self.single[around + (path[-1],)] = target
+        self.lists = {k: [v[i] for i in sorted(v)] for k, v in lists.items()}
+        self.dangling = sum(1 for h, k, p, kind in references(document)
+                            if kind != "pointer" and (kind is None or int(h[k]) >= len(kind)))
+
+    @functools.cached_property
+    def places(self):
+        return {mark: place(self.document, path) for mark, (_, path) in self.marked.items()}
+
+    @functools.cached_property
+    def users(self):
+        """By object, the marks that it refers to, itself or below."""
+        users = {mark: set() for mark in self.marked}
+        for _, path, target in self.references:
+            marks = {t for t in target if t in self.marked} if isinstance(target, tuple) else {target}
+            for owner in owners(self.document, path):
+                users[owner] |= marks
+        return users
 
 
 def check(before, after, pointer):
-    """What is wrong after the deletion of `pointer`; empty: nothing."""
+    """What is wrong after the deletion of `pointer`, of what was walked; empty: nothing."""
     wrong = []
-    old = {mark_of(v): (v, p) for v, p in objects(before) if not is_map(p) and mark_of(v) is not None}
-    new = {mark_of(v): (v, p) for v, p in objects(after) if not is_map(p) and mark_of(v) is not None}
-    if set(new) - set(old) or len(new) != sum(1 for v, p in objects(after) if not is_map(p) and mark_of(v) is not None):
+    old, new = before.marked, after.marked
+    if new.keys() - old.keys() or after.repeated:
         wrong.append("objects came from nowhere")
     steps = tuple(int(s) if s.isdigit() else s.replace("~1", "/").replace("~0", "~") for s in pointer.split("/")[1:])
-    gone = set(old) - set(new)
+    gone = old.keys() - new.keys()
     asked = {m for m, (v, p) in old.items() if p[:len(steps)] == steps}
     wrong += [f"{old[m][1]} is still there" for m in asked - gone]
     wrong += dangling(before, after)
-    wrong += unlike(before, after, old, new, gone)
-    users = {m: set() for m in old}  # marks that an object refers to, itself or below
-    for holder, key, path, kind in references(before):
-        target = leads_to(before, holder, key, kind)
-        marks = {t for t in target if t in old} if isinstance(target, tuple) else {target}
-        for owner in owners(before, path):
-            users[owner] |= marks
-    wrong += [f"{old[m][1]} is gone without a reason" for m in gone - with_reason(before, old, gone, asked, users)]
-    return wrong
+    wrong += unlike(before, after)
+    reason = with_reason(before.document, old, gone, asked, before.users)
+    return wrong + [f"{old[m][1]} is gone without a reason" for m in gone - reason]
 
 
 def is_within(value, marks):
@@ -290,38 +313,25 @@ def place(document, path):
     return tuple(steps)
 
 
-def entries(document):
-    """References by place; those in lists of indices by the list, in order."""
-    single, lists = {}, {}
-    for holder, key, path, kind in references(document):
-        target = leads_to(document, holder, key, kind)
-        if isinstance(key, int):
-            lists.setdefault(place(document, path[:-1]), {})[key] = target
-        else:
-            single[place(document, path)] = target
-    return single, {k: [v[i] for i in sorted(v)] for k, v in lists.items()}
-
-
-def unlike(before, after, old, new, gone):
+def unlike(before, after):
     wrong = []
-    old_single, old_lists = entries(before)
-    new_single, new_lists = entries(after)
-    for where, target in new_single.items():
-        if where not in old_single:
+    gone = before.marked.keys() - after.marked.keys()
+    for where, target in after.single.items():
+        if where not in before.single:
             wrong.append(f"{where} refers to something new")
-        elif old_single[where] != target:
-            wrong.append(f"{where} referred to {old_single[where]}, now to {target}")
-    for where, targets in new_lists.items():
-        if targets != [t for t in old_lists.get(where, []) if t not in gone or t is None]:
-            wrong.append(f"{where} referred to {old_lists.get(where)}, now to {targets}")
-    keys = {place(before, p[:-1]) + (p[-1],) for _, k, p, _ in references(before) if not isinstance(k, int)}
-    for mark, (value, path) in new.items():
-        was, at = old[mark]
+        elif before.single[where] != target:
+            wrong.append(f"{where} referred to {before.single[where]}, now to {target}")
+    for where, targets in after.lists.items():
+        if targets != [t for t in before.lists.get(where, []) if t not in gone or t is None]:
+            wrong.append(f"{where} referred to {before.lists.get(where)}, now to {targets}")
+    for mark, (value, path) in after.marked.items():
+        was, at = before.marked[mark]
         for key, child in was.items():
             if isinstance(child, (dict, list)) and key != "extras":
                 continue
-            if place(before, at) + (key,) in keys:
-                target = old_single[place(before, at + (key,))]
+            reference = before.places[mark] + (key,)
+            if reference in before.single:
+                target = before.single[reference]
                 lost = key not in value and target not in gone and not (isinstance(target, tuple) and gone & set(target))
                 if lost and (WITH.get(key) not in was or WITH[key] in value):
                     wrong.append(f"{path} has lost {key}")
@@ -340,10 +350,7 @@ def is_size(path, key):
 
 
 def dangling(before, after):
-    def count(document):
-        return sum(1 for h, k, p, kind in references(document)
-                   if kind != "pointer" and (kind is None or int(h[k]) >= len(kind)))
-    return ["a reference leads nowhere"] if count(after) > count(before) else []
+    return ["a reference leads nowhere"] if after.dangling > before.dangling else []
 
 
 def read(path):
@@ -430,6 +437,7 @@ def walk(gltfx, path, most, groups):
     if found is None or not isinstance(found[0], dict) or not is_version_2(found[0]) or has_others(found[0]):
         return result
     before, binary = marked(found[0]), found[1]
+    walked = Walked(before)
     pointers = deletable(before)
     result["objects"] = len(pointers)
     chance = random.Random(str(path))
@@ -451,19 +459,13 @@ def walk(gltfx, path, most, groups):
             else:
                 result["deleted"] += len(run) == 1
                 wrong = check_bytes(before, binary, *after)
+                now = Walked(after[0])
                 if len(run) == 1:
-                    wrong += check(before, after[0], run[0])
-                else:
-                    wrong += dangling(before, after[0]) + [w for w in check_many(before, after[0], run)]
+                    wrong += check(walked, now, run[0])
+                else:  # all but who had a reason to go
+                    wrong += dangling(walked, now) + unlike(walked, now)
                 result["wrong"] += [f"{run}: {w}" for w in wrong]
     return result
-
-
-def check_many(before, after, pointers):
-    """As check(), but for who had a reason to go."""
-    old = {mark_of(v): (v, p) for v, p in objects(before) if not is_map(p) and mark_of(v) is not None}
-    new = {mark_of(v): (v, p) for v, p in objects(after) if not is_map(p) and mark_of(v) is not None}
-    return unlike(before, after, old, new, set(old) - set(new))
 
 
 def main():
@@ -477,8 +479,9 @@ def main():
     assets = sorted(p for folder in words.folders for p in ([folder] if folder.is_file() else folder.rglob("*"))
                     if p.suffix in (".gltf", ".glb"))
     total = {"objects": 0, "deleted": 0, "refused": {}, "wrong": []}
-    with concurrent.futures.ThreadPoolExecutor(words.jobs) as pool:
-        for result in pool.map(lambda p: walk(words.gltfx, p, words.most, words.groups), assets):
+    one = functools.partial(walk, words.gltfx, most=words.most, groups=words.groups)
+    with concurrent.futures.ProcessPoolExecutor(words.jobs) as pool:
+        for result in pool.map(one, assets):
             for name in ("objects", "deleted"):
                 total[name] += result[name]
             for kind, runs in result["refused"].items():
