@@ -16,9 +16,13 @@ std::string first_unknown(const schema::CheckResult& result, const schema::Set& 
 }  // namespace
 
 References::References(const json::Document& document, const schema::Set& set) {
-  const schema::ReferenceVisitor visit = [this](const schema::ReferenceUse& use) {
+  std::string_view array;  // of the reference before
+  std::vector<Reference>* list = nullptr;
+  const schema::ReferenceVisitor visit = [&](const schema::ReferenceUse& use) {
     if (use.array.empty()) return;
-    by_array_[std::string(use.array.substr(1))].push_back({use.index, use.span});
+    if (use.array != array) list = &by_array_[std::string(use.array.substr(1))];
+    array = use.array;
+    list->push_back({use.index, use.span});
   };
   schema::CheckOptions options;
   options.references = &visit;

@@ -128,17 +128,18 @@ Material read_material(const Asset& asset, std::uint32_t index, const AnimatedVa
   material.name = asset.name(properties.node());
   material.alpha_mode = alpha_mode(properties);
   material.double_sided = properties.flag("doubleSided", false);
-  material.toon = properties.extension("VRMC_materials_mtoon").exists();
-  material.unlit = !material.toon && properties.extension("KHR_materials_unlit").exists();
-  material.specular_glossiness =
-      properties.extension("KHR_materials_pbrSpecularGlossiness").exists();
+  const Properties extensions = properties.object("extensions");
+  const auto carries = [&](std::string_view name) { return extensions.object(name).exists(); };
+  material.toon = carries("VRMC_materials_mtoon");
+  material.unlit = !material.toon && carries("KHR_materials_unlit");
+  material.specular_glossiness = carries("KHR_materials_pbrSpecularGlossiness");
   std::for_each(std::rbegin(material_table::kRows), std::rend(material_table::kRows),
                 [&](const ParameterRow& row) { material.of(row.parameter) = row.absent; });
   for (const MaterialText& text : material_table::kTexts) {
     if (text.extension.empty()) {
       read_text(asset, properties, text, material);
     } else {
-      read_extension(asset, properties.extension(text.extension), text, material);
+      read_extension(asset, extensions.object(text.extension), text, material);
     }
   }
   finish(material);

@@ -79,20 +79,26 @@ const std::vector<DrawnMeshes>& SceneMeshes::use(Key key) {
     return nothing_;
   }
   const auto known = known_.try_emplace(std::move(key)).first;
-  draw(known->first, false, known->second);
-  draw(known->first, true, known->second);
+  std::vector<bool> bound;
+  for (const model::Primitive& primitive :
+       source_.views.meshes[std::get<0>(known->first)].primitives) {
+    bound.push_back(model::joint_sets(primitive) > 0);
+  }
+  draw(known->first, bound, false, known->second);
+  draw(known->first, bound, true, known->second);
   return known->second;
 }
 
-// Those that joints move, or all others: each follow each other in the scene.
-void SceneMeshes::draw(const Key& key, bool bound, std::vector<DrawnMeshes>& drawn) {
-  const auto& primitives = source_.views.meshes[std::get<0>(key)].primitives;
+// Of the primitives of a mesh, those that are bound to joints and so moved, or all others: each
+// follow each other in the scene.
+void SceneMeshes::draw(const Key& key, const std::vector<bool>& bound, bool moved,
+                       std::vector<DrawnMeshes>& drawn) {
   const auto first = static_cast<std::uint32_t>(scene_.meshes.size());
   bool skinned = false;
-  for (std::uint32_t i = 0; i < primitives.size(); ++i) {
-    if ((model::joint_sets(primitives[i]) > 0) != bound) continue;
-    skinned = bound && !joints(std::get<1>(key)).empty();
-    draw(primitives[i], key, i);
+  for (std::uint32_t i = 0; i < bound.size(); ++i) {
+    if (bound[i] != moved) continue;
+    skinned = moved && !joints(std::get<1>(key)).empty();
+    draw(key, i, moved);
   }
   const auto count = static_cast<std::uint32_t>(scene_.meshes.size()) - first;
   if (count > 0) drawn.push_back({first, count, skinned});
@@ -115,14 +121,15 @@ const std::vector<model::Affine>& SceneMeshes::joints(std::uint32_t skin) {
   return known->second;
 }
 
-void SceneMeshes::draw(const model::Primitive& primitive, const Key& key, std::uint32_t index) {
+void SceneMeshes::draw(const Key& key, std::uint32_t index, bool moved) {
   const auto& [mesh, skin, weights] = key;
+  const model::Primitive& primitive = source_.views.meshes[mesh].primitives[index];
   const MaterialNeeds& needs =
       materials_.use(model::material_of(source_.asset, primitive, variant_));
   model::GeometryRequest request;
   request.tex_coords = needs.tex_coords;
   request.weights = weights;
-  if (model::joint_sets(primitive) > 0) request.joints = joints(skin);
+  if (moved) request.joints = joints(skin);
   model::Geometry geometry;
   const model::GeometryError error =
       model::read_geometry(source_, primitive, request, budget_, geometry);

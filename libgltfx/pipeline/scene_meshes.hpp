@@ -53,8 +53,9 @@ class SceneMeshes {
   bool has_own_weights(model::NodeIndex node) const;
   const std::vector<DrawnMeshes>& use(Key key);
   const std::vector<model::Affine>& joints(std::uint32_t skin);
-  void draw(const Key& key, bool bound, std::vector<DrawnMeshes>& drawn);
-  void draw(const model::Primitive& primitive, const Key& key, std::uint32_t index);
+  void draw(const Key& key, const std::vector<bool>& bound, bool moved,
+            std::vector<DrawnMeshes>& drawn);
+  void draw(const Key& key, std::uint32_t index, bool moved);
   void add_tangents(const MaterialNeeds& needs, model::Geometry& geometry);
 
   const model::GeometrySource& source_;
