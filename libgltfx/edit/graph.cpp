@@ -63,6 +63,7 @@ void Graph::walk() {
   schema::CheckOptions options;
   options.references = &indices;
   options.pointers = &pointers;
+  options.slots = false;
   schema::NoFindings nobody;
   schema::check(document, set_, options, nobody, nobody,
                 [this](const schema::ObjectType& type, json::NodeId object, const Path&) {

@@ -26,6 +26,7 @@ References::References(const json::Document& document, const schema::Set& set) {
   };
   schema::CheckOptions options;
   options.references = &visit;
+  options.slots = false;
   schema::NoFindings nobody;
   unknown_ = first_unknown(schema::check(document, set, options, nobody, nobody), set);
 }

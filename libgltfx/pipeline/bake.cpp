@@ -11,7 +11,6 @@
 
 #include "bake/lighting.hpp"
 #include "bake/picture.hpp"
-#include "base/pages.hpp"
 #include "codec/client.hpp"
 #include "pipeline/bake_asset.hpp"
 #include "pipeline/bake_picture.hpp"
@@ -67,7 +66,6 @@ class Baker {
     }
     choose_backdrop(loaded_, views_.front().front(), options_);
     loaded_.forget_faces();
-    give_back_memory();
     return true;
   }
 

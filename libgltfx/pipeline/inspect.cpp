@@ -87,6 +87,7 @@ InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& 
 }
 
 void add_upgrade(UpgradeReport upgrade, InspectReport& report) {
+  report.upgrade.reserve(upgrade.actions.size());
   for (UpgradeAction& action : upgrade.actions) {
     report.upgrade.push_back(fact_of(std::move(action)));
   }

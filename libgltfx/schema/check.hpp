@@ -75,6 +75,7 @@ struct CheckOptions {
   MemberVisitor* members = nullptr;              ///< or nobody
   const ReferenceVisitor* references = nullptr;  ///< Part::all
   const PointerVisitor* pointers = nullptr;      ///< or nobody
+  bool slots = true;                             ///< whether CheckResult::slots are wanted
   TypeId root = kNone;  ///< of the document's root object; none: that of glTF
 };
 
@@ -155,6 +156,7 @@ class NoFindings final : public Sink {
     static_cast<void>(path);
     static_cast<void>(finding);
   }
+  bool is_heard() const override { return false; }
 };
 
 }  // namespace gltfx::schema

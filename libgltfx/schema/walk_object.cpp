@@ -223,6 +223,7 @@ bool Walker::follows_earlier_draft(const Frame& frame) const {
 }
 
 void Walker::missing(Frame& frame, std::uint32_t index) {
+  if (!schema_sink_.is_heard()) return;
   const ObjectType& type = set_.type(frame.type);
   const Property& property = type.properties[index];
   // Of a further shape the property may be described by the object's own type.
@@ -351,7 +352,7 @@ void Walker::leave(Frame& frame) {
 
 // A texture slot that is filled, with the channels that this generation of the extension reads.
 void Walker::record_slot(const Frame& frame, std::uint32_t index, json::NodeId node) {
-  if (!document_.is_object(node)) return;
+  if (!options_.slots || !document_.is_object(node)) return;
   const ObjectType& type = set_.type(frame.type);
   const ShapeId shape = type.properties[index].shape;
   SlotUse use{node,

@@ -71,6 +71,8 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
     return;
   }
   if (discard_reference(shape)) return;
+  Sink& sink = options_.part == Part::form ? schema_sink_ : reference_sink_;
+  if (!sink.is_heard()) return;
   const std::string& name = plan.target.steps.back();
   std::string message =
       name_of(path) + " refers to " + printable(name) + "[" + std::to_string(index) + "], but ";
@@ -81,7 +83,6 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   } else {
     message += "the length of " + printable(name) + " is " + std::to_string(array->size) + ".";
   }
-  Sink& sink = options_.part == Part::form ? schema_sink_ : reference_sink_;
   sink.report(
       path,
       {Code::UNRESOLVED_REFERENCE, std::move(message), {}, values_.span(value), std::nullopt});

@@ -68,8 +68,10 @@ void ObjectPlan::judge() {
   note_losses();
 }
 
-bool ObjectPlan::is_pointed_at(const std::vector<std::string>& steps) const {
-  return context_.is_pointed_at(carrier_, steps);
+bool ObjectPlan::is_pointed_at(std::initializer_list<std::string_view> steps) const {
+  if (context_.pointers.all().empty()) return false;  // as in most documents
+  const std::vector<std::string> path(steps.begin(), steps.end());
+  return context_.is_pointed_at(carrier_, path);
 }
 
 bool ObjectPlan::is_own_pointed_at() const {
@@ -112,7 +114,7 @@ ObjectPlan::Problem ObjectPlan::find(const schema::UpgradeStep& step) {
 // A value of the object, or another text, goes to a member of the carrier; what is there goes.
 ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
   const std::vector<std::string> path = split_path(step.to);
-  if (is_pointed_at(path)) {
+  if (context_.is_pointed_at(carrier_, path)) {
     return fmt::format("an animation targets {}, which has no effect before the upgrade", step.to);
   }
   const json::NodeId value =
@@ -192,7 +194,7 @@ ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
     if (!found.json.empty()) found_.push_back(std::move(found));
   }
   const bool copied = origin.value != json::kNoNode || step.take > 0;
-  if (copied && is_pointed_at(origin.path)) follow_animation(step, origin.path);
+  if (copied && context_.is_pointed_at(carrier_, origin.path)) follow_animation(step, origin.path);
   return std::nullopt;
 }
 
@@ -217,7 +219,7 @@ ObjectPlan::Problem ObjectPlan::fill_copy(Found& found, const std::vector<std::s
     if (!context_.holds(items, {found.value, &number})) return problem;
     list.append(1, list.empty() ? '[' : ',').append(number.span.in(document_.text()));
   }
-  const bool animated = is_pointed_at(path);
+  const bool animated = context_.is_pointed_at(carrier_, path);
   if (animated || !is_default(step.to, numbers)) found.json = std::move(list).append(1, ']');
   return std::nullopt;
 }

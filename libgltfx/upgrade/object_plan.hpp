@@ -2,9 +2,11 @@
 /// The fate of one legacy object: judged first, changed only when it is to be done.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "upgrade/animated_copy.hpp"
@@ -46,7 +48,7 @@ class ObjectPlan {
   };
   using Problem = std::optional<std::string>;
 
-  bool is_pointed_at(const std::vector<std::string>& steps) const;
+  bool is_pointed_at(std::initializer_list<std::string_view> steps) const;
   bool is_own_pointed_at() const;
   bool has_beside(const std::string& extension) const;
   ConversionContext bench() {

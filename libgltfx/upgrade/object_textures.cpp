@@ -201,7 +201,7 @@ std::string ObjectPlan::pack(Found& factor, Found& colour) {
   if (context_.find_taken_over(carrier_, colour.step->from)) {
     return "the color comes from another upgraded extension";
   }
-  if (is_pointed_at(split_path(colour.step->from)) ||
+  if (context_.is_pointed_at(carrier_, split_path(colour.step->from)) ||
       is_pointed_at({"extensions", extension_.name, factor.step->from})) {
     return "one of the textures is animated";
   }

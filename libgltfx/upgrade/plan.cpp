@@ -110,6 +110,8 @@ class ExtensionPlan {
 
   // What has no successor, or is not done unless somebody asks for it.
   std::optional<UpgradeAction> action_without_plan(const Carrier& carrier) const {
+    const bool offered = choice_.selection == Selection::offered;
+    if (extension_.upgrade.stays.empty() && !offered) return std::nullopt;
     const Decision decision =
         decide_generation(document_, extension_, carrier.object, context_.options.generation);
     const std::string generation = decision.generation ? decision.generation->name : "";
@@ -127,7 +129,7 @@ class ExtensionPlan {
       action.notes.push_back(stay.because);
       return action;
     }
-    if (choice_.selection != Selection::offered) return std::nullopt;
+    if (!offered) return std::nullopt;
     action.fate = UpgradeFate::on_request;
     action.notes.push_back("--only " + extension_.name + ": " + extension_.upgrade.opt_in);
     return action;
