@@ -69,7 +69,7 @@ Compiled compile_user(std::string text) {
       files.push_back(file);
     }
   }
-  files.push_back({"acme.json", std::move(text), false});
+  files.push_back({"acme.json", std::move(text), true});
   return schema::compile(files);
 }
 
