@@ -3,8 +3,9 @@
 import copy
 import math
 
-from brdf import (Pair, anisotropic_brdf, coated, diffuse_brdf, iridescent_fresnel, metal_brdf,
-                  metallic_roughness, product, scaled, sheen_brdf, specular_brdf, specular_btdf)
+from brdf import (Pair, anisotropic_brdf, coated, diffuse_brdf, distribution, iridescent_fresnel,
+                  metal_brdf, metallic_roughness, product, scaled, sheen_brdf, specular_brdf,
+                  specular_btdf, visibility)
 from case import Case, group
 from cases_lights import lambert_under
 from cases_materials import LUX, NEAR_MIRROR, radiance
@@ -62,7 +63,7 @@ def texels():
         scene = shown_texel(0.5, 0.5, NEAREST, [[(byte, 255 - byte, byte)]])
         yield Case(f"texture: sRGB {byte}", "IEC 61966-2-1", scene, srgb((byte, 255 - byte, byte)))
     scene = shown_texel(0.5, 0.5, NEAREST, [[(99,)]])
-    yield Case("texture: grey PNG", "Images (3.8.4); ISO/IEC 15948", scene, (decoded(99),) * 3)
+    yield Case("texture: grey PNG", "Images (3.8.3); ISO/IEC 15948", scene, (decoded(99),) * 3)
     # Between texels: decoded first, then interpolated.
     for u, v in ((0.5, 0.375), (0.45, 0.625), (0.3, 0.7)):
         x, y = 4 * u - 0.5, 4 * v - 0.5
@@ -265,17 +266,10 @@ def normals():
 
     def coat(p):
         weight = 0.04 + 0.96 * (1 - dot(p.v, nc))**5
-        visible = coat_visibility(dot(p.l, nc), dot(p.v, nc), dot(p.h, nc), 0.36)
-        # The cosine to the light is that of the coat.
-        return LUX * dot(p.l, nc) * weight * visible
+        layer = visibility(0.36, dot(p.l, nc), dot(p.v, nc)) * distribution(0.36, dot(p.h, nc))
+        return LUX * dot(p.l, nc) * weight * layer  # the cosine is that of the coat, too
     yield Case("normal map: of a clearcoat", "KHR_materials_clearcoat, Layering", scene,
                lambda: (coat(pair),) * 3)
-
-
-def coat_visibility(n_l, n_v, n_h, alpha):
-    a2 = alpha * alpha
-    smith = n_v * math.sqrt(a2 + (1 - a2) * n_l**2) + n_l * math.sqrt(a2 + (1 - a2) * n_v**2)
-    return 0.5 / smith * a2 / (math.pi * (n_h**2 * (a2 - 1) + 1)**2)
 
 
 @group

@@ -175,5 +175,5 @@ def sides():
             scene.sun((0, 0.6, lit_from * 0.8), 2)
             lit = lambert_under(2 * 0.8) if lit_from > 0 else (0, 0, 0)
             yield Case(f"sides: back of a {'double' if sided else 'single'}-sided wall, light from "
-                       f"{'here' if lit_from > 0 else 'behind'}", "Double Sided (3.9.6)", scene,
+                       f"{'here' if lit_from > 0 else 'behind'}", "Double Sided (3.9.5)", scene,
                        lit if sided else (0.25, 0.5, 0.75))

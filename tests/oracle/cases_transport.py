@@ -15,7 +15,7 @@ from vectors import direction, dot, facing, normalize, plus, times, turn
 
 COLOR = (0.9, 0.5, 0.1)
 WHITE = (".hdr", hdr([[(1, 1, 1)] * 2]))
-MANY = {"samples": 1024, "size": (8, 8)}
+MANY = {"samples": 1024, "size": (12, 12)}
 
 
 def in_white_light(name, source, made_of, view, expected, **more):
@@ -231,6 +231,24 @@ def shadows():
 
 
 @group
+def single_sided_shadows():
+    """A black sheet whose front faces the sun: whatever else its material can do, its shadow is
+    black."""
+    black_leaf = {"diffuse_transmission": {"diffuseTransmissionFactor": 0.5,
+                                           "diffuseTransmissionColorFactor": [0, 0, 0]}}
+    for name, more in (("opaque", {}), ("a leaf", black_leaf)):
+        for sided in (True, False):
+            scene = Scene()
+            scene.draw(quad(), lambert(COLOR))
+            scene.draw(quad(0.3), lambert((0, 0, 0), more, doubleSided=sided),
+                       translation=[0, 0, 0.5])
+            scene.seen_from(direction(60))
+            scene.sun((0, 0, 1), 2)
+            yield Case(f"shadow: of a {'double' if sided else 'single'}-sided black sheet, {name}",
+                       "docs/bake.md, What is drawn", scene, (0, 0, 0), samples=64)
+
+
+@group
 def mirrors():
     for view, place in ((30, (0.4, 0.2, 1.0)), (60, (-0.5, -0.3, 0.6))):
         scene = Scene()
@@ -291,7 +309,7 @@ def thin_walls():
                tuple(0.04 + 0.96 * c * c for c in COLOR), sky=WHITE, most=1, bounces=32, **MANY)
 
 
-    # From a lamp in parallel light, too, which only a straight line through the glass can meet.
+    # A floor below a pane: parallel light goes straight through a thin wall.
     scene = Scene()
     scene.draw(quad(), lambert(COLOR))
     scene.draw(quad(0.3), glass((0.9, 0.6, 0.3), doubleSided=True, more=NO_SPECULAR),

@@ -17,10 +17,10 @@ def volume(ior, thickness=1.0, distance=None, color=None, more=None, base_color=
     return glass(base_color, more={"ior": {"ior": ior}, "volume": medium, **(more or {})})
 
 
-def slab(made_of, thick, view, **node):
+def slab(made_of, thick, view, wide=40, **node):
     """Its front face is in z = 0, far wider than thick."""
     scene = Scene()
-    scene.draw(box(40, 40, thick / 2), made_of, **{"translation": [0, 0, -thick / 2], **node})
+    scene.draw(box(wide, wide, thick / 2), made_of, **{"translation": [0, 0, -thick / 2], **node})
     scene.seen_from(direction(view))
     return scene
 
@@ -73,30 +73,33 @@ def channel_centroid(channel):
 def refraction():
     """A small lamp behind a slab, seen from aside. Without the weight of the specular layer there
     are no ghosts; rays bend by the index alone."""
-    def seen(ior, view, thick=1.0, depth=1.6, half=1.5):
-        """Column of the middle of a lamp at x = 0."""
-        tangent = math.tan(math.radians(view))
-        inside = refracted(math.cos(math.radians(view)), ior)
-        front = thick * math.sqrt(1 - inside**2) / inside + (depth - thick) * tangent
-        return (front * math.cos(math.radians(view)) / half + 1) * 8, 8.0
+    thick, depth, half = 1.0, 1.6, 0.25
 
-    def case(name, source, ior, view, expected, more=None, channel=1, depth=1.6, half=1.5):
-        scene = slab(volume(ior, more={**NO_SPECULAR, **(more or {})}), 1, view)
+    def shift(ior, view):
+        """From where a ray meets the slab to where it meets the plane of the lamp."""
+        inside = refracted(math.cos(math.radians(view)), ior)
+        return (thick * math.sqrt(1 - inside**2) / inside +
+                (depth - thick) * math.tan(math.radians(view)))
+
+    def case(name, source, ior, view, ior_seen, more=None, channel=1):
+        lamp_x = 0.06 - shift(ior, view)
+        # No wider than need be: rays start off a surface by a part of the size of the scene.
+        scene = slab(volume(ior, more={**NO_SPECULAR, **(more or {})}), thick, view, wide=2)
         scene.json["cameras"] = [orthographic(half, half)]
-        scene.draw(quad(0.15 / math.cos(math.radians(view)), 0.15), lamp(doubleSided=True),
-                   translation=[0, 0, -depth])
-        return Case(f"refraction: {name}", source, scene, expected, size=(16, 16), samples=1024,
-                    near=0.03, measure=channel_centroid(channel))
+        scene.draw(quad(0.05), lamp(doubleSided=True), translation=[lamp_x, 0, -depth])
+        seen = (lamp_x + shift(ior_seen, view)) * math.cos(math.radians(view))
+        return Case(f"refraction: {name}", source, scene, ((seen / half + 1) * 8, 8.0),
+                    size=(16, 16), samples=1024, near=0.03, measure=channel_centroid(channel))
     for ior, view in ((1.0, 40), (1.33, 30), (1.5, 60), (2.4, 50)):
         yield case(f"ior {ior}, view {view}", "KHR_materials_volume, Refraction; Snell", ior, view,
-                   seen(ior, view))
+                   ior)
     for ior, dispersion, view in ((1.5, 1, 60), (1.7, 4, 50)):
         spread = (ior - 1) * 0.025 * dispersion
         for channel, name in enumerate(("red", "green", "blue")):
             yield case(f"dispersion {dispersion}, ior {ior}, {name}",
                        "KHR_materials_dispersion, Implementation", ior, view,
-                       seen(ior + (channel - 1) * spread, view),
-                       {"dispersion": {"dispersion": dispersion}}, channel)
+                       ior + (channel - 1) * spread, {"dispersion": {"dispersion": dispersion}},
+                       channel)
 
 
 def prism():
