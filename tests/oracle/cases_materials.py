@@ -60,8 +60,9 @@ def appendix_b():
                             material(COLOR, metallic, 0.6), PAIRS[place],
                             lambda p, m=metallic: metallic_roughness(p, COLOR, m, 0.6))
     defaults = {"pbrMetallicRoughness": {"baseColorFactor": [0.2, 0.4, 0.8, 1]}}
-    yield brdf_case("brdf: metallic and roughness are 1 by default", "pbrMetallicRoughness (5.22)", defaults,
-                    NEAR_MIRROR, lambda p: metallic_roughness(p, (0.2, 0.4, 0.8), 1, 1))
+    yield brdf_case("brdf: metallic and roughness are 1 by default",
+                    "pbrMetallicRoughness (5.22)", defaults, NEAR_MIRROR,
+                    lambda p: metallic_roughness(p, (0.2, 0.4, 0.8), 1, 1))
     yield brdf_case("brdf: an empty material is a white metal", "Material (5.19)", {}, ACROSS,
                     lambda p: metallic_roughness(p, (1, 1, 1), 1, 1))
 
@@ -307,7 +308,7 @@ def diffuse_transmission():
 
 @group
 def translucency():
-    """Drafts: the first tints both sides by the base color, later ones have a color of their own."""
+    """Drafts: the first tints both sides by the base color, later ones have their own color."""
     own = {"translucencyColorFactor": [0.3, 0.7, 0.2]}
     for draft, more, tint in (("2020-06", {}, COLOR), ("2021-01", own, (0.3, 0.7, 0.2))):
         for light in (30, 140):
