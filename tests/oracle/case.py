@@ -31,13 +31,14 @@ class Case:
     sky       (suffix, bytes) of an environment, black unless given: the studio is left out. Lights
               are as bright as the asset says while the scene has less than pi lux; above that they
               are dimmed (docs/bake.md, What is drawn)
+    limit     which limit of the renderer (docs/bake.md, What is drawn) the case shows: it must not agree
     """
 
     def __init__(self, name, source, scene, expected, *, measure=None, most=None, near=0.0,
-                 samples=4, size=(2, 2), shader="spec", bounces=6, sky=BLACK, options=()):
+                 samples=4, size=(2, 2), shader="spec", bounces=6, sky=BLACK, options=(), limit=""):
         self.name, self.source, self.scene = name, source, scene
         self.expected, self.measure = expected, measure or mean_color
-        self.most, self.near = most, near
+        self.most, self.near, self.limit = most, near, limit
         self.samples, self.size, self.sky = samples, size, sky
         self.options = ["--samples", str(samples), "--size", "{}x{}".format(*size),
                         "--shader", shader, "--bounces", str(bounces), *options]
