@@ -50,10 +50,10 @@ std::optional<std::string> find_refusal(const BakeOptions& options) {
     return fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples);
   }
   if (options.interior == BakeInterior::on && !options.frame.empty()) {
-    return "a camera inside shows a room; it frames no node";
+    return "a view from inside shows the room, so no node can be framed";
   }
   if (options.interior == BakeInterior::on && options.projection != BakeProjection::perspective) {
-    return "a camera inside is no orthographic one";
+    return "a view from inside needs a perspective camera";
   }
   if (!(std::fabs(options.exposure) <= kMostStops)) {
     return fmt::format("exposure: not from -{0} to {0} stops", kMostStops);

@@ -231,10 +231,10 @@ TEST_F(Interior, WhatACameraInsideCannotDoIsSaid) {
   AssetText asset = room(true);
   options.interior = BakeInterior::on;
   options.projection = BakeProjection::orthographic;
-  EXPECT_THAT(report(asset).error, HasSubstr("no orthographic one"));
+  EXPECT_THAT(report(asset).error, HasSubstr("needs a perspective camera"));
   options.projection = BakeProjection::perspective;
   options.frame = "0";
-  EXPECT_THAT(report(asset).error, HasSubstr("frames no node"));
+  EXPECT_THAT(report(asset).error, HasSubstr("no node can be framed"));
 }
 
 }  // namespace
