@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   BakeScene loaded = load_bake_scene(argv[1], options);
   if (!loaded.ready()) return 1;
   const std::size_t loading = peak() - idle;
-  const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
+  const bake::View view = choose_views(loaded, options, 1)->front();
   loaded.subject->forget_faces();
   give_back_memory();
   const bake::Framebuffer drawn =

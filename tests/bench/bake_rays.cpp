@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
   options.denoise = false;
   const BakeScene loaded = load_bake_scene(argv[1], options);
   if (!loaded.ready()) return 1;
-  const bake::View view = choose_views(*loaded.scene, *loaded.subject, options, 1)->front();
+  const bake::View view = choose_views(loaded, options, 1)->front();
   const double begin = seconds();
   const bake::Framebuffer drawn =
       draw_picture(loaded, view, {size, size}, options, layers_of(options), {});
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
             const bake::SampleStream random(0, static_cast<std::uint32_t>(y) * size + x, sample);
             rows[y] +=
                 cast(plain, view.ray((x + 0.5) / size, (static_cast<double>(y) + 0.5) / size),
-                     random, options.bounces);
+                     random, *options.bounces);
           }
         },
         [&](std::size_t y) { cast_rays += rows[y]; });
