@@ -44,8 +44,8 @@ class Sink {
   virtual ~Sink() = default;
   /// Takes a finding about the value at `path`. The path is only used during the call.
   virtual void report(const Path& path, Finding finding) = 0;
-  /// Whether a finding goes anywhere: making one takes longer than finding it.
-  virtual bool is_heard() const { return true; }
+  /// Whether findings are used. Where they are not, callers need not format them.
+  virtual bool is_enabled() const { return true; }
 
  protected:
   Sink() = default;

@@ -156,7 +156,7 @@ class NoFindings final : public Sink {
     static_cast<void>(path);
     static_cast<void>(finding);
   }
-  bool is_heard() const override { return false; }
+  bool is_enabled() const override { return false; }
 };
 
 }  // namespace gltfx::schema

@@ -223,7 +223,7 @@ bool Walker::follows_earlier_draft(const Frame& frame) const {
 }
 
 void Walker::missing(Frame& frame, std::uint32_t index) {
-  if (!schema_sink_.is_heard()) return;
+  if (!schema_sink_.is_enabled()) return;
   const ObjectType& type = set_.type(frame.type);
   const Property& property = type.properties[index];
   // Of a further shape the property may be described by the object's own type.

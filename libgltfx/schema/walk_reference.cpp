@@ -72,7 +72,7 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   }
   if (discard_reference(shape)) return;
   Sink& sink = options_.part == Part::form ? schema_sink_ : reference_sink_;
-  if (!sink.is_heard()) return;
+  if (!sink.is_enabled()) return;
   const std::string& name = plan.target.steps.back();
   std::string message =
       name_of(path) + " refers to " + printable(name) + "[" + std::to_string(index) + "], but ";

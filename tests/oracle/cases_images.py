@@ -340,18 +340,16 @@ def coverage():
         yield Case(f"coverage: {mode}, alpha of a texture is linear", source, scene, seen,
                    most=1, samples=1024, size=(8, 8))
     # Light passes where the surface is not.
-    scene = Scene()
-    scene.draw(quad(), lambert(COLOR))
-    scene.draw(quad(0.2), lambert((0, 0, 0), alpha=0.4, alphaMode="BLEND", doubleSided=True),
-               translation=[0, 0, 0.5])
-    scene.sun((0, 0, 1), LUX)
-    scene.seen_from(direction(60))
-    yield Case("coverage: the shadow of a blended sheet", source, scene, lambert_under(0.6 * LUX),
-               most=LUX / math.pi, samples=1024, size=(8, 8))
-    scene = Scene()
-    scene.draw(quad(), lambert(COLOR))
-    scene.draw(quad(0.2), lambert((0, 0, 0), alpha=0.4, alphaMode="MASK", doubleSided=True),
-               translation=[0, 0, 0.5])
-    scene.sun((0, 0, 1), LUX)
-    scene.seen_from(direction(60))
-    yield Case("coverage: no shadow of what is masked", source, scene, lambert_under(LUX))
+    def under_sheet(mode):
+        scene = Scene()
+        scene.draw(quad(), lambert(COLOR))
+        scene.draw(quad(0.2), lambert((0, 0, 0), alpha=0.4, alphaMode=mode, doubleSided=True),
+                   translation=[0, 0, 0.5])
+        scene.sun((0, 0, 1), LUX)
+        scene.seen_from(direction(60))
+        return scene
+
+    yield Case("coverage: the shadow of a blended sheet", source, under_sheet("BLEND"),
+               lambert_under(0.6 * LUX), most=LUX / math.pi, samples=1024, size=(8, 8))
+    yield Case("coverage: no shadow of what is masked", source, under_sheet("MASK"),
+               lambert_under(LUX))

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Schema files that nobody vouches for: parts that are missing, of a wrong type or empty, and parts
 // that multiply. Each is refused with its place, or is safe to use.
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,16 +60,14 @@ const char* const kDocument =
 {"extensions": {"ACME_x": {"old": 3, "b": [[1], [2, 3]], "c": "", "d": "d", "n": "o", "t": 0, "q": null}}},
 {"extensions": {"ACME_x": {}}}, {"extensions": {"ACME_x": 1}}]})";
 
-// With core and the extensions that the file names: all others say nothing to it.
+// With core and the extensions that kEverything names, which is an eighth of the time.
 Compiled compile_user(std::string text) {
   std::vector<schema::SourceFile> files;
   for (const schema::SourceFile& file : schema::builtin_files()) {
-    const bool core = file.name.rfind("core/", 0) == 0;
-    const auto named = [&](const char* name) { return file.name.find(name) != std::string::npos; };
-    if (core || named("_materials_ior.") || named("_materials_unlit.") ||
-        named("_materials_volume.") || named("_materials_diffuse_transmission.")) {
-      files.push_back(file);
-    }
+    const std::string stem = std::filesystem::path(file.name).stem().stem();
+    const bool core = file.name.starts_with("core/");
+    const bool named = std::string_view(kEverything).find('"' + stem + '"') != std::string::npos;
+    if (core || named) files.push_back(file);
   }
   files.push_back({"acme.json", std::move(text), true});
   return schema::compile(files);
