@@ -100,12 +100,12 @@ ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas)
 }
 
 PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const schema::Set& schemas,
-                        const std::vector<bool>& wanted) {
+                        const std::vector<bool>& wanted, std::uint64_t content_bytes) {
   PlannedFixes planned;
   auto stage = first_stage(sites, wanted, FixStage::container);
   while (stage) {
     planned.fixed.assign(sites.size(), false);
-    Fixing fixing(asset, schemas);
+    Fixing fixing(asset, schemas, content_bytes);
     for (std::size_t i = 0; i < sites.size(); ++i) {
       if (!wanted[i]) continue;
       const validate::FixEntry& entry = *validate::find_fix(sites[i].code);

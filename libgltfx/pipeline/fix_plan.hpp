@@ -28,9 +28,10 @@ struct PlannedFixes {
 };
 
 /// `sites` are those of the asset as it is; those that are `wanted`, by position, are to be fixed.
-/// Only fixes of the first stage that has some are made.
+/// Only fixes of the first stage that has some are made. `content_bytes`: see Fixing.
 PlannedFixes plan_fixes(const model::OpenedAsset& asset, const validate::Sites& sites,
-                        const schema::Set& schemas, const std::vector<bool>& wanted);
+                        const schema::Set& schemas, const std::vector<bool>& wanted,
+                        std::uint64_t content_bytes = UINT64_MAX);
 
 /// The asset with the changes.
 Result<model::OpenedAsset> with_changes(const model::OpenedAsset& asset,

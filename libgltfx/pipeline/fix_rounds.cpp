@@ -114,14 +114,15 @@ struct Trial {
 class Rounds {
  public:
   Rounds(ValidatedAsset before, const FixOptions& options,
-         const std::shared_ptr<const schema::Set>& schemas, std::uint64_t trial_bytes)
+         const std::shared_ptr<const schema::Set>& schemas, const FixEffort& effort)
       : asset_(std::move(before)),
         options_(options),
         schemas_(schemas),
         text_(asset_.asset().container().json),
         first_sites_(asset_.sites()),
         dropped_(first_sites_.size()),
-        trials_(affordable_trials(asset_.asset(), trial_bytes)) {}
+        content_bytes_(effort.content_bytes),
+        trials_(affordable_trials(asset_.asset(), effort.trial_bytes)) {}
 
   FixedAsset run() {
     for (unsigned rounds = 0; rounds < kMostRounds && advance();) ++rounds;
@@ -172,7 +173,7 @@ class Rounds {
   }
 
   PlannedFixes plan(const std::vector<bool>& wanted) const {
-    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted);
+    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted, content_bytes_);
   }
 
   // One more round; whether there may be another one.
@@ -318,6 +319,7 @@ class Rounds {
   std::vector<std::string> reasons_{""};
   bool changes_ = false;
   bool retries_ = false;  // something was accepted after something was dropped
+  const std::uint64_t content_bytes_;
   std::uint64_t trials_;  // left, for what stands against others
 };
 
@@ -325,8 +327,8 @@ class Rounds {
 
 FixedAsset fix_in_rounds(ValidatedAsset before, const FixOptions& options,
                          const std::shared_ptr<const schema::Set>& schemas,
-                         std::uint64_t trial_bytes) {
-  return Rounds(std::move(before), options, schemas, trial_bytes).run();
+                         const FixEffort& effort) {
+  return Rounds(std::move(before), options, schemas, effort).run();
 }
 
 }  // namespace gltfx

@@ -26,13 +26,16 @@ struct FixedAsset {
   bool changes = false;
 };
 
-/// Bytes of assets that trials of a run validate, about.
-inline constexpr std::uint64_t kTrialBytes = 32U << 20U;
+/// What the rounds may cost.
+struct FixEffort {
+  std::uint64_t trial_bytes = 32U << 20U;    ///< of assets that trials validate, about
+  std::uint64_t content_bytes = UINT64_MAX;  ///< of buffers that fixes may change; see Fixing
+};
 
 /// `before` was judged by fix_judgement(). Where all fixes together bring a new finding, those that
-/// do so are looked for by halves and left out, in as many trials as `trial_bytes` allow.
+/// do so are looked for by halves and left out, in as many trials as `effort` allows.
 FixedAsset fix_in_rounds(validate::ValidatedAsset before, const FixOptions& options,
                          const std::shared_ptr<const schema::Set>& schemas,
-                         std::uint64_t trial_bytes = kTrialBytes);
+                         const FixEffort& effort = {});
 
 }  // namespace gltfx

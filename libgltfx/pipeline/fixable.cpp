@@ -26,7 +26,7 @@ using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
 
 // Whoever validates asked for no fix: what a run would do is found out at little cost, or not.
-constexpr std::uint64_t kRehearsalBytes = 4U << 20U;
+constexpr FixEffort kEffort = {.trial_bytes = 4U << 20U, .content_bytes = 16U << 20U};
 constexpr std::size_t kMostNodes = 1U << 20U;  // of the JSON text
 
 bool is_safe(const Site& site) { return validate::description(site.code).fix == Fix::safe; }
@@ -35,7 +35,7 @@ bool is_safe(const Site& site) { return validate::description(site.code).fix == 
 bool is_any_planned(const OpenedAsset& asset, const Sites& sites, const schema::Set& schemas) {
   if (!asset.container().json || edit::find_glb_obstacle(asset.container())) return false;
   if (std::none_of(sites.begin(), sites.end(), is_safe)) return false;
-  validate::Fixing fixing(asset, schemas);
+  validate::Fixing fixing(asset, schemas, kEffort.content_bytes);
   return std::any_of(sites.begin(), sites.end(), [&](const Site& site) {
     return is_safe(site) && validate::find_fix(site.code)->fix(fixing, site.span);
   });
@@ -56,7 +56,7 @@ FixRehearsal rehearse(const ValidatedAsset& validated, const SchemaSet& schemas)
   OpenedAsset again(asset.name(), without_zero_padding(asset.container()), asset.resolver());
   ValidatedAsset before(std::move(again), fix_judgement(schemas));
   rehearsal.before = findings_by_code(before.report());
-  const FixedAsset fixed = fix_in_rounds(std::move(before), FixOptions(), schemas, kRehearsalBytes);
+  const FixedAsset fixed = fix_in_rounds(std::move(before), FixOptions(), schemas, kEffort);
   if (!fixed.changes || find_obstacle(fixed.after.asset())) return rehearsal;
   rehearsal.removed = sites_gone(sites, fixed.after.sites(), fixed.edits);
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -82,7 +82,7 @@ std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& validated,
                                             const std::vector<bool>& wanted, std::string_view does,
                                             const SchemaSet& schemas) {
   const OpenedAsset& asset = validated.asset();
-  const auto planned = plan_fixes(asset, validated.sites(), *schemas, wanted);
+  const auto planned = plan_fixes(asset, validated.sites(), *schemas, wanted, kEffort.content_bytes);
   if (planned.changes.edits.empty()) return nullptr;
   if (planned.changes.container || !planned.changes.buffers.files.empty()) return nullptr;
   auto changed = with_changes(asset, planned.changes);

@@ -38,13 +38,15 @@ const json::Document& document_of(const model::OpenedAsset& opened) {
 
 }  // namespace
 
-Fixing::Fixing(const model::OpenedAsset& opened, const schema::Set& schemas)
+Fixing::Fixing(const model::OpenedAsset& opened, const schema::Set& schemas,
+               std::uint64_t content_bytes)
     : opened_(opened),
       document_(document_of(opened)),
       schemas_(schemas),
       elements_(document_),
       editor_(document_),
-      names_{{document_, "extensionsUsed"}, {document_, "extensionsRequired"}} {}
+      names_{{document_, "extensionsUsed"}, {document_, "extensionsRequired"}},
+      content_bytes_(content_bytes) {}
 
 namespace {
 
@@ -67,6 +69,8 @@ std::string* Fixing::content(std::uint32_t buffer) {
   if (known != contents_.end()) return &known->second;
   const auto& buffers = resources().buffers;
   if (buffer >= buffers.size() || !buffers[buffer]) return nullptr;
+  if (buffers[buffer]->size() > content_bytes_) return nullptr;
+  content_bytes_ -= buffers[buffer]->size();
   return &contents_.emplace(buffer, std::string(buffers[buffer]->text())).first->second;
 }
 

@@ -34,7 +34,9 @@ json::NodeId node_at(const json::Document& document, Span place);
 /// changed leaves it to the next run over the new asset.
 class Fixing {
  public:
-  Fixing(const model::OpenedAsset& opened, const schema::Set& schemas);
+  /// Fixes may change as many bytes of buffers as `content_bytes`, whole buffers counted.
+  Fixing(const model::OpenedAsset& opened, const schema::Set& schemas,
+         std::uint64_t content_bytes = UINT64_MAX);
 
   const json::Document& document() const { return document_; }
   const schema::Set& schemas() const { return schemas_; }
@@ -73,7 +75,8 @@ class Fixing {
   json::Editor& editor() { return editor_; }
   edit::NameList& extensions_used() { return names_.used; }
   edit::NameList& extensions_required() { return names_.required; }
-  /// What a buffer holds from now on, to be changed in place; null where its bytes are missing.
+  /// What a buffer holds from now on, to be changed in place; null where its bytes are missing
+  /// or too many.
   std::string* content(std::uint32_t buffer);
   /// Takes out the value of a JSON pointer, in a stage where nothing else is changed.
   void delete_value(std::string pointer) { deleted_.insert(std::move(pointer)); }
@@ -105,6 +108,7 @@ class Fixing {
     edit::NameList used, required;
   } names_;
   edit::BufferContents contents_;
+  std::uint64_t content_bytes_;        ///< left for more of them
   std::vector<json::NodeId> parents_;  ///< empty until somebody asks
   std::vector<bool> claimed_;          ///< by node; empty until somebody claims one
   std::set<std::string> deleted_;      ///< JSON pointers

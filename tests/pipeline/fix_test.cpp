@@ -346,6 +346,25 @@ std::map<std::string, std::uint64_t> counts_of(const FileReport& report) {
   return counts;
 }
 
+// Whether the normals of a triangle count, in a buffer that is padded to a size.
+std::uint64_t fixable_in_buffer(std::size_t size) {
+  const TempFolder folder;
+  std::string bytes = triangle_bytes(0.5F);
+  bytes.resize(size);
+  folder.write("a.bin", bytes);
+  std::string text = triangle("a.bin");
+  const std::string length = R"("byteLength":72)";
+  text.replace(text.find(length), length.size(), fmt::format(R"("byteLength":{})", size));
+  const auto path = folder.write("a.gltf", text);
+  EXPECT_TRUE(fix_file(path.native()).changes);
+  return validate_file(path.native()).fixable;
+}
+
+TEST(Fixable, ChangesOfLargeBuffersAreNotCounted) {
+  EXPECT_EQ(fixable_in_buffer(16U << 20U), 1U);
+  EXPECT_EQ(fixable_in_buffer((16U << 20U) + 4), 0U);
+}
+
 TEST(Fixable, IsWhatOneRunRemoves) {
   ValidateOptions strict;
   strict.profile = Profile::strict;
