@@ -91,11 +91,6 @@ Members::Iterator Members::end() const {
   return {*document_, last, last};
 }
 
-Elements::Iterator& Elements::Iterator::operator++() {
-  at_ = document_->next(at_);
-  return *this;
-}
-
 Elements::Iterator Elements::begin() const { return {*document_, array_ + 1}; }
 
 Elements::Iterator Elements::end() const {
@@ -119,18 +114,24 @@ void NumberCursor::read() {
   while (at_ < end_ && separates_numbers(text_[at_])) ++at_;
   valid_ = at_ < end_;
   if (!valid_) return;
-  std::uint32_t behind = at_;
-  while (behind < end_ && is_a(kWord, text_[behind])) ++behind;
-  number_.span = {at_, behind};
-  number_.value = number_value(number_.span.in(text_));
+  const LeadingNumber number = read_leading_number(text_.substr(at_, end_ - at_));
+  number_.span = {at_, at_ + static_cast<std::uint32_t>(number.size)};
+  number_.value = number.value;
 }
 
 std::size_t Document::array_size(NodeId array) const {
   std::size_t size = 0;
   if (kind(array) != Kind::number_array) {
+    if (next(array) - array > kManyElements) {
+      const auto large = std::lower_bound(
+          large_arrays_.begin(), large_arrays_.end(), array,
+          [](const LargeArray& each, NodeId wanted) { return each.array < wanted; });
+      if (large != large_arrays_.end() && large->array == array) return large->size;
+    }
     for ([[maybe_unused]] const NodeId element : elements(array)) ++size;
     return size;
   }
+  if (node(array).numbers < kManyNumbers) return node(array).numbers;
   bool in_number = false;
   for (const char c : raw(array)) {
     const bool word = is_a(kWord, c);
@@ -216,8 +217,10 @@ void Document::sort_members(NodeId object) {
   large_objects_.push_back({object, begin, static_cast<std::uint32_t>(sorted_values_.size())});
 }
 
-void Document::sort_large_objects() {
+void Document::sort_large() {
   // They come in the order in which they end.
+  std::sort(large_arrays_.begin(), large_arrays_.end(),
+            [](const LargeArray& a, const LargeArray& b) { return a.array < b.array; });
   std::sort(large_objects_.begin(), large_objects_.end(),
             [](const LargeObject& a, const LargeObject& b) { return a.object < b.object; });
 }
@@ -225,6 +228,26 @@ void Document::sort_large_objects() {
 bool Document::has_value(NodeId object, std::string_view name) const {
   const NodeId value = find_in_text(object, name);
   return value != kNoNode && !(is_hidden(value) && kind(value) == Kind::null);
+}
+
+bool Document::read_numbers(NodeId number_array, std::span<double> values) const {
+  const std::uint8_t numbers = node(number_array).numbers;
+  if (numbers < kManyNumbers && numbers != values.size()) return false;
+  const char* p = text().data() + node(number_array).begin + 1;
+  const char* const end = text().data() + node(number_array).end - 1;
+  std::size_t count = 0;
+  for (;; ++count) {
+    while (p < end && separates_numbers(*p)) ++p;
+    if (p == end || count == values.size()) return p == end && count == values.size();
+    const char* const behind = scan_short_decimal(p, end, values[count]);
+    if (behind != nullptr) {
+      p = behind;
+      continue;
+    }
+    const LeadingNumber number = read_leading_number({p, static_cast<std::size_t>(end - p)});
+    values[count] = number.value;
+    p += number.size;
+  }
 }
 
 Number Document::number(NodeId id) const { return {span(id), number_value(raw(id))}; }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,9 +46,10 @@ struct Node {
   Kind kind = Kind::null;
   bool escaped = false;  ///< string or key with a backslash in it
   bool hidden = false;   ///< a key whose member is out of sight, or an object whose members are
-  std::uint8_t reserved = 0;
+  std::uint8_t numbers = 0;  ///< elements of a number_array; kManyNumbers: so many or more
 };
 static_assert(sizeof(Node) == 16);
+inline constexpr std::uint8_t kManyNumbers = UINT8_MAX;
 using NodeArray = std::vector<Node, PageAllocator<Node>>;
 
 /// A number as it stands in the text.
@@ -100,7 +102,7 @@ class Elements {
    public:
     Iterator(const Document& document, NodeId at) : document_(&document), at_(at) {}
     NodeId operator*() const { return at_; }
-    Iterator& operator++();
+    inline Iterator& operator++();
     bool operator!=(const Iterator& other) const { return at_ != other.at_; }
 
    private:
@@ -167,7 +169,7 @@ class Document {
   Members members(NodeId object) const { return {*this, object}; }
   Elements elements(NodeId array) const { return {*this, array}; }
 
-  /// Number of elements of any array; linear in it.
+  /// Number of elements of any array; linear in a number_array of many.
   std::size_t array_size(NodeId array) const;
   /// Number of members of an object, repeats included; linear in it.
   std::size_t object_size(NodeId object) const;
@@ -196,6 +198,8 @@ class Document {
 
   /// Precondition: kind(id) == Kind::number.
   Number number(NodeId id) const;
+  /// Fills `values` from a number_array. False: it has another number of elements.
+  bool read_numbers(NodeId number_array, std::span<double> values) const;
   /// The number at `id` if it is a number with zero fraction, at least 0 and at most 2^53.
   std::optional<std::uint64_t> unsigned_integer(NodeId id) const;
   /// The unescaped content of a string or key. A lone surrogate becomes U+FFFD.
@@ -230,16 +234,28 @@ class Document {
     std::uint32_t begin;
     std::uint32_t end;
   };
+  /// An array of values from this many elements on has its size written down.
+  static constexpr std::uint32_t kManyElements = 64;
+  struct LargeArray {
+    NodeId array;
+    std::uint32_t size;
+  };
   void sort_members(NodeId object);
-  void sort_large_objects();
+  void sort_large();
   NodeId last_member(NodeId object, KeyId name) const;
   KeyId key_of(NodeId value) const { return nodes_[value - 1].next; }
 
   SharedText text_;
   NodeArray nodes_;
   KeyTable keys_;
+  std::vector<LargeArray> large_arrays_;    ///< by node
   std::vector<LargeObject> large_objects_;  ///< by node
   std::vector<NodeId> sorted_values_;       ///< by key; those of a repeated name as in the text
 };
+
+inline Elements::Iterator& Elements::Iterator::operator++() {
+  at_ = document_->next(at_);
+  return *this;
+}
 
 }  // namespace gltfx::json

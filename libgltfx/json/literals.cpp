@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json/literals.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <limits>
@@ -14,19 +15,6 @@
 
 namespace gltfx::json {
 namespace {
-
-// Integers of up to 15 digits are exact in a double and need no rounding.
-std::optional<double> small_integer(std::string_view literal) {
-  const bool negative = literal.front() == '-';
-  if (negative) literal.remove_prefix(1);
-  if (literal.size() > 15) return std::nullopt;
-  std::int64_t value = 0;
-  for (const char c : literal) {
-    if (!is_a(kDigit, c)) return std::nullopt;
-    value = value * 10 + (c - '0');
-  }
-  return negative ? -static_cast<double>(value) : static_cast<double>(value);
-}
 
 // Decides for a literal that no double is near to: is it too large (or too small)? True when the
 // first digit that is not zero has a weight of one or more. Precondition: there is one, since zero
@@ -79,10 +67,21 @@ Escape read_unicode_escape(std::string_view text) {
 
 }  // namespace
 
-double number_value(std::string_view literal) {
-  if (const auto small = small_integer(literal)) return *small;
+LeadingNumber read_leading_number(std::string_view text) {
   double value = 0;
-  const auto read = read_double(literal.data(), literal.data() + literal.size(), value);
+  const char* const end = text.data() + text.size();
+  const char* const behind = scan_short_decimal(text.data(), end, value);
+  if (behind != nullptr) return {value, static_cast<std::size_t>(behind - text.data())};
+  std::size_t size = 1;
+  while (size < text.size() && is_a(kWord, text[size])) ++size;
+  return {number_value(text.substr(0, size)), size};
+}
+
+double number_value(std::string_view literal) {
+  double value = 0;
+  const char* const end = literal.data() + literal.size();
+  if (scan_short_decimal(literal.data(), end, value) != nullptr) return value;
+  const auto read = read_double(literal.data(), end, value);
   if (read.ec != std::errc::result_out_of_range) return value;
   value = is_large(literal) ? std::numeric_limits<double>::infinity() : 0.0;
   return literal.front() == '-' ? -value : value;

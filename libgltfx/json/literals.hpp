@@ -14,6 +14,15 @@ namespace gltfx::json {
 /// a double's range, a (signed) zero when it is too small for one.
 double number_value(std::string_view literal);
 
+/// A number at the head of a text.
+struct LeadingNumber {
+  double value = 0;      ///< as of number_value()
+  std::size_t size = 0;  ///< bytes of the literal
+};
+
+/// Reads the number literal with which `text` begins. Precondition: there is one.
+LeadingNumber read_leading_number(std::string_view text);
+
 /// One escape sequence of a string.
 struct Escape {
   char32_t value = 0;    ///< U+FFFD for half of a surrogate pair

@@ -41,7 +41,7 @@ Parsed Parser::run() {
   std::stable_sort(errors_.begin(), errors_.end(), [](const ParseError& a, const ParseError& b) {
     return a.span.begin < b.span.begin;
   });
-  document_.sort_large_objects();
+  document_.sort_large();
   parsed.document = std::move(document_);
   parsed.errors = std::move(errors_);
   parsed.unrecorded_errors = unrecorded_;

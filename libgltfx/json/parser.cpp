@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json/parser.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -81,7 +82,9 @@ const char* Parser::member(const char* p) {
 const char* Parser::element(const char* p) {
   p = separator(skip_space(p, end_), ']');
   if (p == nullptr) return nullptr;
-  return *p == ']' ? close(p) : value(p);
+  if (*p == ']') return close(p);
+  ++frames_.back().elements;
+  return value(p);
 }
 
 // From behind an item to the next one or to the closing bracket.
@@ -201,7 +204,7 @@ const char* Parser::array(const char* p) {
 // An array is taken for one of numbers until something else turns up; the numbers before it are
 // then read once more, to become nodes.
 const char* Parser::number_array(NodeId array, const char* p) {
-  for (;;) {
+  for (unsigned numbers = 1;; ++numbers) {
     p = checked_number(p);
     if (p == nullptr) return nullptr;
     p = skip_space(p, end_);
@@ -221,6 +224,8 @@ const char* Parser::number_array(NodeId array, const char* p) {
     }
     if (*p != ']') break;
     nodes_[array].kind = Kind::number_array;
+    nodes_[array].numbers =
+        static_cast<std::uint8_t>(std::min<unsigned>(numbers, kManyNumbers));
     return close(p);
   }
   expand_number_array(array, p);
@@ -234,6 +239,7 @@ void Parser::expand_number_array(NodeId array, const char* end) {
     if (p >= end) return;
     const char* const behind = scan_number(p, end_).end;
     add(Kind::number, p, behind);
+    ++frames_.back().elements;
     p = behind;
   }
 }
@@ -248,7 +254,11 @@ const char* Parser::close(const char* p) {
   frames_.pop_back();
   nodes_[frame.node].end = offset(p + 1);
   nodes_[frame.node].next = static_cast<NodeId>(nodes_.size());
-  if (frame.is_object) end_members(frame.node);
+  if (frame.is_object) {
+    end_members(frame.node);
+  } else if (frame.elements >= Document::kManyElements) {
+    document_.large_arrays_.push_back({frame.node, frame.elements});
+  }
   return p + 1;
 }
 

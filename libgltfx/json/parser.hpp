@@ -24,6 +24,7 @@ class Parser {
     KeyId key;           ///< of the member being read; in an array that of the array
     std::uint32_t slot;  ///< index into next_keys_ for the name that comes next
     bool is_object;
+    std::uint32_t elements = 0;  ///< of an array that is not one of numbers
   };
   /// Where a name was seen last, to find repeats.
   struct Stamp {

@@ -101,6 +101,34 @@ inline const char* skip_digits(const char* p, const char* end) {
   return p;
 }
 
+inline constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+/// Reads the number literal at `p` if it has up to 15 digits and no exponent, and returns its end;
+/// null for others. Precondition: one begins there. So many digits are exact in a double, and so is
+/// the power of ten that a fraction divides them by: one division rounds once (Clinger, "How to
+/// read floating point numbers accurately", 1990).
+inline const char* scan_short_decimal(const char* p, const char* end, double& value) {
+  constexpr std::ptrdiff_t kMostDigits = 15;
+  const bool negative = *p == '-';
+  if (negative) ++p;
+  const char* const first = p;
+  std::uint64_t digits = 0;  // may overflow if there are too many
+  for (; p < end && is_a(kDigit, *p); ++p) digits = digits * 10 + static_cast<unsigned>(*p - '0');
+  std::ptrdiff_t decimals = 0;
+  if (p < end && *p == '.') {
+    const char* const point = p;
+    for (++p; p < end && is_a(kDigit, *p); ++p) {
+      digits = digits * 10 + static_cast<unsigned>(*p - '0');
+    }
+    decimals = p - point - 1;
+  }
+  if (p - first > kMostDigits || (p < end && is_a(kWord, *p))) return nullptr;
+  value = static_cast<double>(static_cast<std::int64_t>(digits)) / kPowersOfTen[decimals];
+  if (negative) value = -value;
+  return p;
+}
+
 struct NumberScan {
   const char* end = nullptr;  ///< null: not a number of RFC 8259 section 6
   bool may_overflow = false;  ///< long enough, or with an exponent, to exceed a double's range

@@ -30,6 +30,7 @@ std::vector<json::NodeId> collect(const json::Document& document, json::NodeId a
     return std::vector<json::NodeId>(document.array_size(array), json::kNoNode);
   }
   std::vector<json::NodeId> objects;
+  objects.reserve(document.array_size(array));
   for (const json::NodeId element : document.elements(array)) {
     objects.push_back(document.is_object(element) ? element : json::kNoNode);
   }

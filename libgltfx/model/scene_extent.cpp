@@ -31,17 +31,25 @@ class ExtentBox {
       bounds_.greatest[i] = std::max(bounds_.greatest[i], point[i]);
     }
   }
-  /// The corners of another box, moved.
+  /// The corners of another box, moved (Arvo, "Transforming axis-aligned bounding boxes", 1990).
   void include(const ExtentBox& other, const Affine& transform) {
     if (other.empty_) return;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      Vector3 point{};
+    Vector3 least{};
+    Vector3 greatest{};
+    for (std::size_t column = 0; column < 3; ++column) {
       for (std::size_t i = 0; i < 3; ++i) {
-        const bool far = (corner >> i & 1U) != 0;
-        point[i] = far ? other.bounds_.greatest[i] : other.bounds_.least[i];
+        const double a = transform.columns[column][i] * other.bounds_.least[column];
+        const double b = transform.columns[column][i] * other.bounds_.greatest[column];
+        least[i] += std::min(a, b);
+        greatest[i] += std::max(a, b);
       }
-      include(transform.point(point));
     }
+    for (std::size_t i = 0; i < 3; ++i) {
+      least[i] += transform.columns[3][i];
+      greatest[i] += transform.columns[3][i];
+    }
+    include(least);
+    include(greatest);
   }
   const SceneBounds& bounds() const { return bounds_; }
   /// The greatest coordinate, of whatever sign.

@@ -118,9 +118,8 @@ class Rounds {
       : asset_(std::move(before)),
         options_(options),
         schemas_(schemas),
-        text_(asset_.asset().container().json),
-        first_sites_(asset_.sites()),
-        dropped_(first_sites_.size()),
+        first_{asset_.asset().container().json, asset_.sites()},
+        dropped_(first_.sites.size()),
         content_bytes_(effort.content_bytes),
         trials_(affordable_trials(asset_.asset(), effort.trial_bytes)) {}
 
@@ -153,10 +152,10 @@ class Rounds {
 
   Tally done() const {
     Tally done(true);
-    const json::Parsed first = json::parse(text_);
-    const std::vector<bool> gone = sites_gone(first_sites_, asset_.sites(), edits_);
+    const json::Parsed first = json::parse(first_.text);
+    const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), edits_);
     for (std::size_t i = 0; i < gone.size(); ++i) {
-      const Site& site = first_sites_[i];
+      const Site& site = first_.sites[i];
       if (gone[i] && is_asked_for(site.code)) done.add(first.document, site);
     }
     return done;
@@ -276,7 +275,7 @@ class Rounds {
 
   void accept(Trial trial) {
     move_dropped(trial.planned.changes.edits, trial.after.sites());
-    if (text_) edits_ = json::chain_edits(*text_, edits_, trial.planned.changes.edits);
+    if (first_.text) edits_ = json::chain_edits(*first_.text, edits_, trial.planned.changes.edits);
     for (edit::ReplacedFile& file : trial.planned.changes.buffers.files) {
       const auto [known, is_new] = files_.try_emplace(file.path, file);
       if (!is_new) known->second.after = file.after;
@@ -310,8 +309,10 @@ class Rounds {
   ValidatedAsset asset_;
   const FixOptions& options_;
   const std::shared_ptr<const schema::Set>& schemas_;
-  const SharedText text_;    // the old one
-  const Sites first_sites_;  // of that
+  const struct {
+    SharedText text;
+    Sites sites;
+  } first_;
   std::vector<json::Edit> edits_;
   std::map<std::string, edit::ReplacedFile> files_;
   // Sites, by position, that are left out: the number of the reason; 0 for others.

@@ -72,7 +72,7 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
   const Shape& shape = set_.shape(id);
   bool wrong_length = false;
   if (counts(shape)) {
-    const std::uint64_t size = count_numbers(shape, node);
+    const std::uint64_t size = document_.array_size(node);
     wrong_length = size < shape.min_items || size > shape.max_items;
     if (wrong_length) count_items(shape, size, {node}, path_of(node, step));
   }
@@ -141,15 +141,6 @@ class Walker::Repeats {
   std::uint64_t few_[kFew + 1];
   std::size_t count_ = 0;
 };
-
-// The number of elements. Commas are counted first, which is fast; they mislead only where some are
-// missing, and then the count does not fit.
-std::uint64_t Walker::count_numbers(const Shape& shape, json::NodeId node) const {
-  const std::string_view raw = document_.raw(node);
-  const auto commas = static_cast<std::uint64_t>(std::count(raw.begin(), raw.end(), ','));
-  const bool fits = commas + 1 >= shape.min_items && commas + 1 <= shape.max_items;
-  return fits ? commas + 1 : document_.array_size(node);
-}
 
 // Indices that are all in order, without a look back: marks them as used. False leaves the array to
 // be judged in full.

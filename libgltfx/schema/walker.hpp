@@ -113,7 +113,6 @@ class Walker {
   void unit_length(const Shape& shape, json::NodeId node, const Path& path);
   bool is_vector(const Shape& shape) const;
   void numbers(ShapeId items, json::NodeId node, const Shape& shape, Step step);
-  std::uint64_t count_numbers(const Shape& shape, json::NodeId node) const;
   class Repeats;
   std::uint64_t count_elements(const Shape& shape, json::NodeId node) const;
   bool plain_indices(ShapeId items, json::NodeId node, bool unique);

@@ -46,7 +46,7 @@ Fixing::Fixing(const model::OpenedAsset& opened, const schema::Set& schemas,
       elements_(document_),
       editor_(document_),
       names_{{document_, "extensionsUsed"}, {document_, "extensionsRequired"}},
-      content_bytes_(content_bytes) {}
+      contents_{{}, content_bytes} {}
 
 namespace {
 
@@ -65,13 +65,13 @@ struct Loaded {
 const model::ResourceData& Fixing::resources() { return table<Loaded>().data; }
 
 std::string* Fixing::content(std::uint32_t buffer) {
-  const auto known = contents_.find(buffer);
-  if (known != contents_.end()) return &known->second;
+  const auto known = contents_.changed.find(buffer);
+  if (known != contents_.changed.end()) return &known->second;
   const auto& buffers = resources().buffers;
   if (buffer >= buffers.size() || !buffers[buffer]) return nullptr;
-  if (buffers[buffer]->size() > content_bytes_) return nullptr;
-  content_bytes_ -= buffers[buffer]->size();
-  return &contents_.emplace(buffer, std::string(buffers[buffer]->text())).first->second;
+  if (buffers[buffer]->size() > contents_.bytes_left) return nullptr;
+  contents_.bytes_left -= buffers[buffer]->size();
+  return &contents_.changed.emplace(buffer, std::string(buffers[buffer]->text())).first->second;
 }
 
 // Nodes stand in the order of the text, and no two of them begin at one byte.
@@ -199,11 +199,11 @@ Result<Fixing::Changes> Fixing::take_deletion() {
 Result<Fixing::Changes> Fixing::take() {
   if (!deleted_.empty()) return take_deletion();
   Changes changes;
-  std::erase_if(contents_, [&](const auto& content) {
+  std::erase_if(contents_.changed, [&](const auto& content) {
     return content.second == resources().buffers[content.first]->text();
   });
   auto buffers = edit::change_buffers(document_, opened_.container(), opened_.resolver(),
-                                      std::move(contents_), editor_);
+                                      std::move(contents_.changed), editor_);
   if (!buffers) return buffers.error();
   changes.buffers = *std::move(buffers);
   names_.used.apply(editor_);

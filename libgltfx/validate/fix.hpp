@@ -107,8 +107,10 @@ class Fixing {
   struct {
     edit::NameList used, required;
   } names_;
-  edit::BufferContents contents_;
-  std::uint64_t content_bytes_;        ///< left for more of them
+  struct {
+    edit::BufferContents changed;
+    std::uint64_t bytes_left;  ///< for more of them
+  } contents_;
   std::vector<json::NodeId> parents_;  ///< empty until somebody asks
   std::vector<bool> claimed_;          ///< by node; empty until somebody claims one
   std::set<std::string> deleted_;      ///< JSON pointers

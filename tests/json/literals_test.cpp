@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json/literals.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,6 +23,27 @@ TEST(NumberValue, BeyondTheRangeOfADoubleIsAnInfinityOrZero) {
   EXPECT_EQ(number_value("1e-99999999999999999999"), 0);
   EXPECT_EQ(number_value("1e-400"), 0);
   EXPECT_TRUE(std::signbit(number_value("-1e-400")));
+}
+
+TEST(NumberValue, DecimalsAreTheNearestDoubles) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 200'000; ++i) {
+    std::string digits = std::to_string(random() % 10'000'000'000'000'000'000U);
+    digits.resize(std::min<std::size_t>(digits.size(), 1 + random() % 19));
+    const std::size_t point = 1 + random() % digits.size();
+    std::string literal = digits.substr(0, point);
+    if (point < digits.size()) literal += "." + digits.substr(point);
+    if (random() % 2 == 0) literal = "0." + digits;
+    if (random() % 8 == 0) literal += "e-3";
+    if (random() % 2 == 0) literal = "-" + literal;
+    const double nearest = std::strtod(literal.c_str(), nullptr);
+    EXPECT_EQ(number_value(literal), nearest) << literal;
+    const LeadingNumber leading = read_leading_number(literal + ", 1]");
+    EXPECT_EQ(leading.value, nearest) << literal;
+    EXPECT_EQ(leading.size, literal.size()) << literal;
+  }
+  EXPECT_TRUE(std::signbit(number_value("-0")));
+  EXPECT_TRUE(std::signbit(number_value("-0.000")));
 }
 
 TEST(NumberValue, AZeroIsOneWhateverItsExponent) {

@@ -17,43 +17,11 @@
 
 #include "container/base64.hpp"
 #include "container/temp_folder.hpp"
-#include "validate/fix_entry.hpp"
 
 namespace gltfx {
 namespace {
 
 using container::test::TempFolder;
-
-bool raises(const FileReport& report, std::string_view code) {
-  for (const Diagnostic& finding : report.diagnostics) {
-    if (finding.code == code) return true;
-  }
-  return false;
-}
-
-class RuleFix : public testing::TestWithParam<RuleDescription> {};
-
-TEST_P(RuleFix, IsThereWhereThePageSaysSo) {
-  const RuleDescription& rule = GetParam();
-  const auto code = static_cast<Code>(&*find_rule(rule.code) - rules().data());
-  const bool promised = rule.fix == Fix::safe || rule.fix == Fix::unsafe;
-  EXPECT_EQ(validate::find_fix(code) != nullptr, promised);
-  EXPECT_EQ(!rule.fix_does.empty(), promised);
-  EXPECT_EQ(!rule.fixed.empty(), promised);
-}
-
-TEST_P(RuleFix, MakesTheFixedExampleOfTheBadOneAndNothingOfThat) {
-  const RuleDescription& rule = GetParam();
-  if (rule.fixed.empty()) return;
-  const std::string fixed = example_bytes(rule.fixed);
-  EXPECT_EQ(fix_example(rule, rule.bad), fixed);
-  EXPECT_EQ(fix_example(rule, rule.fixed), fixed);
-  EXPECT_EQ(fix_example(rule, rule.good), example_bytes(rule.good));
-  EXPECT_FALSE(raises(validate_example(rule, rule.fixed), rule.code));
-}
-
-INSTANTIATE_TEST_SUITE_P(All, RuleFix, testing::ValuesIn(rules().begin(), rules().end()),
-                         [](const auto& rule) { return std::string(rule.param.code); });
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
