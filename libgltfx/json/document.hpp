@@ -44,8 +44,8 @@ struct Node {
   std::uint32_t end = 0;    ///< one past the last byte, closing bracket or quote
   std::uint32_t next = 0;   ///< node after this one's content; of a key: its KeyId
   Kind kind = Kind::null;
-  bool escaped = false;  ///< string or key with a backslash in it
-  bool hidden = false;   ///< a key whose member is out of sight, or an object whose members are
+  bool escaped = false;      ///< string or key with a backslash in it
+  bool hidden = false;       ///< a key whose member is out of sight, or an object whose members are
   std::uint8_t numbers = 0;  ///< elements of a number_array; kManyNumbers: so many or more
 };
 static_assert(sizeof(Node) == 16);

@@ -224,8 +224,7 @@ const char* Parser::number_array(NodeId array, const char* p) {
     }
     if (*p != ']') break;
     nodes_[array].kind = Kind::number_array;
-    nodes_[array].numbers =
-        static_cast<std::uint8_t>(std::min<unsigned>(numbers, kManyNumbers));
+    nodes_[array].numbers = static_cast<std::uint8_t>(std::min<unsigned>(numbers, kManyNumbers));
     return close(p);
   }
   expand_number_array(array, p);

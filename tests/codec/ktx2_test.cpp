@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "codec/client.hpp"
-#include "program/sanitized.hpp"
+#include "sanitized.hpp"
 
 namespace gltfx::codec {
 namespace {

@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "sanitized.hpp"
 
 namespace gltfx {
 namespace {
@@ -16,7 +19,7 @@ const std::string kBowl = std::string(GLTFX_SOURCE_DIR) + "/fixtures/good/bowl.g
 
 BakeReport with_quality(BakeQuality quality) {
   BakeOptions options;
-  options.sizes = {{24, 24}};
+  options.sizes = kSanitized ? std::vector<BakeSize>{{16, 16}} : std::vector<BakeSize>{{24, 24}};
   options.quality = quality;
   return bake_file(kBowl, options);
 }

@@ -22,7 +22,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int kMany = 100000;
+constexpr int kMany = kSanitized ? 20'000 : 100'000;
 constexpr std::size_t kMostOutput = std::size_t{1} << 20U;
 
 std::string times(std::size_t count, const std::string& text) {
@@ -138,10 +138,11 @@ TEST_F(Hostile, DepthIsRefusedAndNotRecursedInto) {
 TEST_F(Hostile, ManyDifferentErrorsAreFoldedInTheEnd) {
   const auto member = [](int i) { return "\"k" + std::to_string(i) + "\": 1"; };
   const Outcome in_one = check(asset(list(kMany, member)));
-  EXPECT_THAT(in_one.out, HasSubstr("100000 warnings"));
+  const std::string warnings = std::to_string(kMany) + " warnings";
+  EXPECT_THAT(in_one.out, HasSubstr(warnings));
   const Outcome in_each = check(
       asset(R"("nodes": [)" + list(kMany, [&](int i) { return "{" + member(i) + "}"; }) + "]"));
-  EXPECT_THAT(in_each.out, HasSubstr("100000 warnings"));
+  EXPECT_THAT(in_each.out, HasSubstr(warnings));
   check(asset(R"("extras": {)" + list(kMany, [](int) { return R"("k": 1)"; }) + "}"));
   check(asset(R"("nodes": [)" + list(kMany, [](int) { return "{,}"; }) + "]"));
 }

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <sys/xattr.h>
 
-#include "program/sanitized.hpp"
 #include "program/upgrade_support.hpp"
+#include "sanitized.hpp"
 
 namespace gltfx::program {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "sanitized.hpp"
 #include "support.hpp"
 #include "upgrade/choice.hpp"
 
@@ -142,7 +143,8 @@ TEST(Random, OneRunIsEnough) {
   UpgradeOptions scatter = all_unsafe;
   scatter.only.clear();
   scatter.to = {"KHR_materials_scatter"};
-  for (std::uint32_t seed = 0; seed < 1000 && !testing::Test::HasFatalFailure(); ++seed) {
+  constexpr std::uint32_t kSeeds = kSanitized ? 250 : 1000;
+  for (std::uint32_t seed = 0; seed < kSeeds && !testing::Test::HasFatalFailure(); ++seed) {
     const std::string text = RandomFactory(seed).document();
     for (const UpgradeOptions& options : {plain, unsafe, all, all_unsafe, scatter}) {
       expect_settled(text, options);

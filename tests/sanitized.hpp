@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Whether the tests are built with AddressSanitizer. It keeps what was freed, so that the memory
-/// of a process says nothing, and a process takes ten times as long to start.
+/// of a process says nothing, and all takes several times as long: tests of large input take less.
 #pragma once
 
-namespace gltfx::program {
+namespace gltfx {
 
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool kSanitized = true;
@@ -13,4 +13,4 @@ inline constexpr bool kSanitized = __has_feature(address_sanitizer);
 inline constexpr bool kSanitized = false;
 #endif
 
-}  // namespace gltfx::program
+}  // namespace gltfx
