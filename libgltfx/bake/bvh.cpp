@@ -6,6 +6,7 @@
 
 #include "bake/bvh_state.hpp"
 #include "bake/embree.hpp"
+#include "bake/material.hpp"
 #include "bake/sampler.hpp"
 #include "bake/surface.hpp"
 
@@ -20,10 +21,13 @@ struct Bvh::Tracing {
   bool every_layer = false;  // any coverage above 0 is a hit
   Backs backs = Backs::culled;
   const std::optional<Eye>* eye = nullptr;  // of a ray towards light
+  const Ray* to_lamp = nullptr;             // that ray, where no path meets the light
   float visibility = 1;
+  Rgb tint{1};  // of panes
 
   std::optional<Hit> intersect(const Ray& ray);
   float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
+  float find_visibility(const Ray& ray);
   bool is_passed(const RTCFilterFunctionNArguments* args, const Hit& hit,
                  const SceneMaterial& material) const;
 
@@ -60,6 +64,13 @@ Vec3d point_of(const RTCFilterFunctionNArguments* args) {
   return origin + direction * t;
 }
 
+// Of the surface that the ray meets.
+Rgb straight_transmittance(const Scene& scene, const Hit& hit, const Ray& ray) {
+  if (!is_pane(material_of(scene, scene.meshes[hit.mesh]))) return Rgb(0);
+  const Surface surface = surface_at(scene, hit, ray);
+  return Bsdf(surface.material, surface.frame.to_local(-ray.direction)).straight_transmittance();
+}
+
 }  // namespace
 
 // Whether the ray passes the side that it comes from. A shared mesh is met in its own
@@ -70,7 +81,10 @@ bool Bvh::Tracing::is_passed(const RTCFilterFunctionNArguments* args, const Hit&
   const float along = along_normal(args);
   const bool shared = RTCHitN_instID(args->hit, 1, 0, 0) != RTC_INVALID_GEOMETRY_ID;
   const bool front = (shared || state->groups.facing[hit.instance] > 0 ? along : -along) < 0;
-  if (!front) return backs == Backs::culled || !is_wall(material);
+  if (!front) {
+    const bool tints = to_lamp != nullptr && is_pane(material);
+    return backs == Backs::culled || !(is_wall(material) || tints);
+  }
   return eye != nullptr && is_wall(material) && turns_back(state->scene, hit, *eye);
 }
 
@@ -116,7 +130,17 @@ void Bvh::Tracing::filter_any(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   Tracing& tracing = Tracing::of(args);
   Hit hit;
-  tracing.visibility *= 1 - tracing.coverage(args, hit);
+  const float coverage = tracing.coverage(args, hit);
+  Rgb through(0);
+  if (tracing.to_lamp != nullptr && coverage > 0) {
+    through = straight_transmittance(tracing.state->scene, hit, *tracing.to_lamp);
+  }
+  if (max_value(through) > 0) {
+    const auto covered = static_cast<double>(coverage);
+    tracing.tint *= Rgb(1 - covered) + through * covered;
+  } else {
+    tracing.visibility *= 1 - coverage;
+  }
   if (tracing.visibility > 0) args->valid[0] = 0;
 }
 
@@ -127,7 +151,7 @@ void Bvh::State::set_filters(RTCGeometry geometry, Treatment treatment, bool in_
   const bool body = treatment == Treatment::body;
   RTCFilterFunctionN closest = Tracing::filter_closest;
   RTCFilterFunctionN any = body ? nullptr : Tracing::filter_any;
-  if (treatment != Treatment::holed && !mirrored) {
+  if (treatment != Treatment::holed && treatment != Treatment::pane && !mirrored) {
     closest = wall || body ? Tracing::filter_wall : Tracing::filter_backs;
     if (treatment == Treatment::culled) any = Tracing::filter_backs;
     if (wall && in_world) any = Tracing::filter_light_on_wall;
@@ -194,6 +218,14 @@ std::optional<Hit> Bvh::Tracing::intersect(const Ray& ray) {
   return hit;
 }
 
+float Bvh::Tracing::find_visibility(const Ray& ray) {
+  backs = Backs::solid;
+  RTCRay query;
+  start(query, ray);
+  find_occluder(state->top, embree, query);
+  return query.tfar < 0 ? 0.0F : visibility;
+}
+
 std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key, Backs backs) const {
   Tracing tracing(*state_, key);
   tracing.backs = backs;
@@ -215,12 +247,17 @@ float Bvh::coverage(const Hit& hit) const {
 float Bvh::visibility(const Ray& ray, const std::optional<Eye>& eye) const {
   if (!is_traceable(ray, state_->groups.farthest)) return 1;
   Tracing tracing(*state_, 0);
-  tracing.backs = Backs::solid;
   tracing.eye = &eye;
-  RTCRay query;
-  start(query, ray);
-  find_occluder(state_->top, tracing.embree, query);
-  return query.tfar < 0 ? 0.0F : tracing.visibility;
+  return tracing.find_visibility(ray);
+}
+
+Rgb Bvh::transmittance(const Ray& ray, const std::optional<Eye>& eye) const {
+  if (!is_traceable(ray, state_->groups.farthest)) return Rgb(1);
+  Tracing tracing(*state_, 0);
+  tracing.eye = &eye;
+  tracing.to_lamp = &ray;
+  const auto visible = static_cast<double>(tracing.find_visibility(ray));
+  return tracing.tint * visible;
 }
 
 bool Bvh::lets_light_in(const Hit& hit, const Vec3d& direction,

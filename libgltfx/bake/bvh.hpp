@@ -40,6 +40,9 @@ class Bvh {
   /// The part of light from the end of the ray that gets to its start: 0 behind a surface. See
   /// lets_light_in() for `eye`.
   float visibility(const Ray& ray, const std::optional<Eye>& eye = std::nullopt) const;
+  /// The same, by colour, of a lamp that no path meets: what comes straight through thin smooth
+  /// walls counts, whatever their sides.
+  Rgb transmittance(const Ray& ray, const std::optional<Eye>& eye) const;
 
   /// As the function lets_light_in() in wall.hpp, but never for the surface of a closed body.
   bool lets_light_in(const Hit& hit, const Vec3d& direction, const std::optional<Eye>& eye) const;

@@ -80,6 +80,7 @@ class Grouping {
     const Mesh& mesh = scene_.meshes[number];
     const SceneMaterial& material = material_of(scene_, mesh);
     if (has_holes(material)) return Treatment::holed;
+    if (is_pane(material)) return Treatment::pane;
     if (!is_culled(material)) return Treatment::solid;
     if (!is_wall(material)) return Treatment::culled;
     groups_.closed[number] = is_closed(mesh);

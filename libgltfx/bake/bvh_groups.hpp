@@ -23,9 +23,10 @@ enum class Treatment : std::uint8_t {
   body,    ///< a closed surface of what would be a wall: solid, but for cameras inside of it
   wall,    ///< single-sided and opaque: see wall.hpp
   culled,  ///< single-sided and clear: not there from behind
+  pane,    ///< lets light straight through, whatever its sides
   holed    ///< with an alpha mode, whatever its sides
 };
-constexpr std::size_t kTreatments = 5;
+constexpr std::size_t kTreatments = 6;
 
 /// Triangles of meshes that are one geometry, and whose they are.
 struct Group {

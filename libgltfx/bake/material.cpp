@@ -58,6 +58,11 @@ Evaluation Bsdf::evaluate(const Vec3d& l) const {
   return core_ ? in_one_piece(*core_, d) : in_one_piece(*full_, d);
 }
 
+Rgb Bsdf::straight_transmittance() const {
+  const Directions d(seen_.v, -seen_.v, Measure::delta);
+  return (core_ ? in_one_piece(*core_, d) : in_one_piece(*full_, d)).f * d.l.z;
+}
+
 double Bsdf::reflection_chance() const {
   const auto rest_of = [](const auto& material) {
     return (1 - material.chance) * (1 - material.bsdf0.chance);

@@ -124,6 +124,8 @@ class Bsdf {
   /// The value without delta lobes.
   Evaluation evaluate(const Vec3d& l) const;
   std::optional<BsdfSample> sample(const Random3& random) const;
+  /// The part of light from the opposite side that comes straight through: of thin smooth walls.
+  Rgb straight_transmittance() const;
   /// Below this, Random3::lobe leads to mirrors, gloss and sheen; from it on, to the rest.
   double reflection_chance() const;
   /// Whether all lobes are mirrors or ideal refractions, so that evaluate() gives 0 everywhere.

@@ -121,7 +121,7 @@ double sharpest(const Material& m) {
 
 bool is_glossy(const Material& m) { return sharpest(m) < kSharp || m.metallic > 0.5; }
 
-// Traces the shadow ray of a candidate.
+// Traces the shadow ray of a candidate whose light paths find, too.
 void add_unoccluded(const TraceContext& context, const Path& path, const Reservoir& chosen,
                     const Rgb& reflected_share, PathSample& L) {
   const auto& [candidate, scale] = chosen;
@@ -131,6 +131,15 @@ void add_unoccluded(const TraceContext& context, const Path& path, const Reservo
       static_cast<double>(context.bvh.visibility(candidate.shadow_ray, context.world.eye));
   if (visible <= 0) return;
   L.add_light(path.throughput * candidate.contribution * (scale * visible), reflected_share);
+}
+
+// Traces the shadow ray towards a point or a direction, which no path meets.
+void add_punctual(const TraceContext& context, const Path& path, const Candidate& light,
+                  const Rgb& reflected_share, PathSample& L) {
+  if (!(max_value(light.contribution) > 0)) return;
+  ++L.rays;
+  const Rgb visible = context.bvh.transmittance(light.shadow_ray, context.world.eye);
+  L.add_light(path.throughput * light.contribution * visible, reflected_share);
 }
 
 // A dispersive volume refracts each colour differently: from there on a path carries one of them.
@@ -176,7 +185,7 @@ bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, P
   if (lamps_reach(context.world.lights, path.media.top())) {
     const Candidate light = sample_punctual(context, path.media.top(), path.ray,
                                             path.sampler.pair(Dimension::punctual));
-    if (light.weight > 0) add_unoccluded(context, path, {light, 1}, path.reflected_share, L);
+    add_punctual(context, path, light, path.reflected_share, L);
   }
   const Float2 u = path.sampler.pair(Dimension::phase);
   path.ray.direction = sample_phase(path.media.top(), path.ray.direction, static_cast<double>(u[0]),
@@ -202,10 +211,11 @@ void sample_direct_light(const TraceContext& context, const Path& path, const Su
     return resample(count, count > 1 ? sampler.single(choice) : 0,
                     [&](std::uint32_t i) { return propose(sampler.split(i, count).pair(point)); });
   };
+  const auto reflected_share = [&](const Evaluation& value) {
+    return first ? share_of(value.reflected, value.f) : path.reflected_share;
+  };
   const auto add = [&](const Reservoir& chosen) {
-    const Evaluation& bsdf_value = chosen.candidate.bsdf;
-    add_unoccluded(context, path, chosen,
-                   first ? share_of(bsdf_value.reflected, bsdf_value.f) : path.reflected_share, L);
+    add_unoccluded(context, path, chosen, reflected_share(chosen.candidate.bsdf), L);
   };
   for (std::uint32_t i = 0; i < samples; ++i) {
     const PathSampler sampler = path.sampler.split(i, samples);
@@ -221,8 +231,9 @@ void sample_direct_light(const TraceContext& context, const Path& path, const Su
                [&](const Float2& u) { return light.sample_emitter(u); });
     add({chosen.candidate, chosen.scale / samples});
   }
-  if (!context.world.lights.empty())
-    add({light.sample_punctual(path.sampler.pair(Dimension::punctual)), 1});
+  if (context.world.lights.empty()) return;
+  const Candidate lamp = light.sample_punctual(path.sampler.pair(Dimension::punctual));
+  add_punctual(context, path, lamp, reflected_share(lamp.bsdf), L);
 }
 
 Random3 bsdf_random(const PathSampler& sampler) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bake/material_at.hpp"
+#include "bake/microfacet.hpp"
 #include "bake/storage.hpp"
 #include "bake/texture.hpp"
 
@@ -196,6 +197,13 @@ bool has_holes(const SceneMaterial& material) { return material.alpha_mode != Al
 
 bool is_culled(const SceneMaterial& material) {
   return !material.double_sided && !material.factors.volumetric();
+}
+
+bool is_pane(const SceneMaterial& material) {
+  const Material& m = material.factors;
+  const bool smooth = square(m.roughness) <= kSmoothAlpha;
+  const bool may_be_smooth = smooth || material.use(Slot::metallic_roughness).texture != kNone;
+  return !m.unlit && m.transmission > 0 && !m.volumetric() && may_be_smooth;
 }
 
 Float2 uv_at(const Mesh& mesh, std::uint32_t set, const Hit& hit) {

@@ -53,6 +53,10 @@ inline Rgb scattering_color(const Material& m) {
 /// Whether a ray met the back of a single-sided surface, which sends no light.
 bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface);
 
+/// Whether light may come straight through surfaces of the material: thin walls that are smooth
+/// somewhere.
+bool is_pane(const SceneMaterial& material);
+
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray);
 
 /// The material of a mesh, or the default one.

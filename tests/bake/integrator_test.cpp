@@ -47,6 +47,34 @@ TEST(Integrator, ADirectionalLightOnAPlane) {
   expect_near(stage.path(kDown, 10), Rgb(0.6, 0.4, 0.2) * (3 * 0.8 / kPi), 1e-5);
 }
 
+// What reflects nothing at all lets its base colour through; a half that is cut out, everything.
+TEST(Integrator, ALampShinesThroughAPane) {
+  SceneMaterial pane = matte({0.9, 0.5, 0.1});
+  pane.factors.roughness = 0;
+  pane.factors.specular = 0;
+  pane.factors.transmission = 1;
+  pane.double_sided = true;
+  for (const bool blended : {false, true}) {
+    pane.alpha_mode = blended ? AlphaMode::blend : AlphaMode::opaque;
+    pane.alpha = blended ? 0.5F : 1;
+    Scene scene = scene_of(quad(), matte({0.6, 0.4, 0.2}));
+    scene.materials.push_back(pane);
+    Mesh mesh = quad();
+    mesh.material = 1;
+    scene.meshes.push_back(mesh);
+    scene.instances.push_back({1, moved(0, 0, 1)});
+    Stage stage(std::move(scene));
+    Light light;
+    light.kind = Light::Kind::directional;
+    light.intensity = {3, 3, 3};
+    light.direction = {0, 0, -1};
+    stage.world.lights = {light};
+    const Rgb passed = blended ? Rgb(0.95, 0.75, 0.55) : Rgb(0.9, 0.5, 0.1);
+    expect_near(stage.path({{0.1, 0.2, 0.5}, {0, 0, -1}}, 10),
+                Rgb(0.6, 0.4, 0.2) * passed * (3 / kPi), 1e-5);
+  }
+}
+
 TEST(Integrator, APointLightFallsOffWithTheSquare) {
   Stage stage(scene_of(quad(), matte(Rgb(0.5))));
   Light light;

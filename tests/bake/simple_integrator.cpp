@@ -144,8 +144,7 @@ class SimplePath {
   Rgb from_lamp(const Illumination& lamp, const Ray& towards, const Medium* medium) const {
     if (max_value(lamp.irradiance) <= 0) return {};
     const Rgb through = medium != nullptr ? medium->transmittance(lamp.distance) : Rgb(1);
-    return through * lamp.irradiance *
-           static_cast<double>(context_.bvh.visibility(towards, context_.world.eye));
+    return through * lamp.irradiance * context_.bvh.transmittance(towards, context_.world.eye);
   }
 
   Rgb from_lamps(const Hit& hit, const Surface& surface, const Vec3d& v) const {

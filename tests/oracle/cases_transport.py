@@ -310,14 +310,18 @@ def thin_walls():
     yield Case("thin wall: a hollow cube in white light", "geometric series", scene,
                tuple(0.04 + 0.96 * c * c for c in COLOR), sky=WHITE, most=1, bounces=32, **MANY)
 
-
-    # A floor below a pane: parallel light goes straight through a thin wall.
-    scene = Scene()
-    scene.draw(quad(), lambert(COLOR))
-    scene.draw(quad(0.3), glass((0.9, 0.6, 0.3), doubleSided=True, more=NO_SPECULAR),
-               translation=[0, 0, 0.5])
-    scene.seen_from(direction(60))
-    scene.sun((0, 0, 1), 2)
-    yield Case("thin wall: the sun through a pane, on a wall", source, scene, scaled(
-        2, diffuse_brdf(product(COLOR, (0.9, 0.6, 0.3)))), most=1,
-        limit="punctual lights do not shine through smooth glass", **MANY)
+    # A floor below panes: parallel light goes straight through a thin wall.
+    tint = (0.9, 0.6, 0.3)
+    for name, angle, factor, more in (("without specular weight", 0, 1, NO_SPECULAR), ("", 0, 1, {}),
+                                      ("from aside", 50, 1, {}), ("half transmissive", 20, 0.5, {})):
+        scene = Scene()
+        scene.draw(quad(), lambert(COLOR))
+        scene.draw(quad(5), glass(tint, factor=factor, doubleSided=True, more=more),
+                   translation=[0, 0, 0.5])
+        scene.seen_from(direction(60), distance=0.4)
+        scene.sun(direction(angle, 180), 2)
+        mu = math.cos(math.radians(angle))
+        passed = factor * (1 if more else 1 - dielectric_fresnel(mu)[0])
+        yield Case(f"thin wall: the sun through a pane, on a wall {name}".rstrip(), source, scene,
+                   scaled(2 * mu * passed, diffuse_brdf(product(COLOR, tint))), most=1,
+                   **{**MANY, "bounces": 1})
