@@ -70,14 +70,14 @@ void PixelSums::add_features(const PathSample& sample) {
 }
 
 bool PixelSums::is_mixed() const {
-  constexpr double kColors = 3e-4;  // variances
-  constexpr double kNormals = 1e-2;
+  constexpr double kColors = 2e-5;  // variances of the mean of all samples
+  constexpr double kNormals = 6e-4;
   if (clear || features.alpha <= 0) return false;
   const double count = features.count;
   if (static_cast<double>(features.alpha) < count * (1 - 1e-4)) return true;
   const auto spread = [count](float squares, const Float3& sum) {
     const Vec3d mean = to_vec(sum) / count;
-    return static_cast<double>(squares) / count - dot(mean, mean);
+    return (static_cast<double>(squares) / count - dot(mean, mean)) / count;
   };
   return spread(albedo_square, features.albedo) > kColors ||
          spread(normal_square, features.normal) > kNormals;

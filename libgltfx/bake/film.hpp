@@ -44,7 +44,7 @@ struct PixelSums {
 
   /// Adds the features of a sample only.
   void add_features(const PathSample& sample);
-  /// Whether the features of the samples differ, so that more samples of them tell more.
+  /// Whether the features of the samples differ so much that their means are uncertain.
   bool is_mixed() const;
 };
 
