@@ -2,11 +2,9 @@
 #include "schema/holds.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <memory_resource>
-#include <vector>
+
+#include <fmt/format.h>
 
 #include "base/text.hpp"
 
@@ -132,10 +130,9 @@ bool Holds::members(const Shape& shape, json::NodeId node, int depth) {
   const json::Document& document = values_.document;
   const ObjectType* type = shape.type == kNone ? nullptr : &set_.type(shape.type);
   // Most types have a few dozen properties at most: no allocation for each object.
-  std::array<std::byte, 256> room;
-  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
-  std::pmr::vector<json::NodeId> values(type == nullptr ? 0 : type->properties.size(),
-                                        json::kNoNode, &memory);
+  fmt::basic_memory_buffer<json::NodeId, 64> values;
+  values.resize(type == nullptr ? 0 : type->properties.size());
+  std::fill(values.begin(), values.end(), json::kNoNode);
   const bool others = shape.values != kNone || !shape.pattern_properties.empty() ||
                       (type != nullptr && type->strict);
   if (type == nullptr && !others) return true;
