@@ -114,9 +114,14 @@ void NumberCursor::read() {
   while (at_ < end_ && separates_numbers(text_[at_])) ++at_;
   valid_ = at_ < end_;
   if (!valid_) return;
-  const LeadingNumber number = read_leading_number(text_.substr(at_, end_ - at_));
-  number_.span = {at_, at_ + static_cast<std::uint32_t>(number.size)};
-  number_.value = number.value;
+  const char* const p = text_.data() + at_;
+  const char* behind = scan_short_decimal(p, text_.data() + end_, number_.value);
+  if (behind == nullptr) {
+    const LeadingNumber number = read_leading_number(text_.substr(at_, end_ - at_));
+    number_.value = number.value;
+    behind = p + number.size;
+  }
+  number_.span = {at_, at_ + static_cast<std::uint32_t>(behind - p)};
 }
 
 std::size_t Document::array_size(NodeId array) const {

@@ -149,6 +149,15 @@ Severity Collector::severity_of(const Finding& finding) const {
   return finding.severity.value_or(rule.severity);
 }
 
+// What nobody will see, where nothing folds into it, is counted alone.
+bool Collector::leave_out(Phase phase, Severity severity, const Finding& finding) {
+  PhaseFindings& findings = phases_[static_cast<std::size_t>(phase)];
+  if (!deviations_.each_finding_is_listed || options_.max_issues == 0) return false;
+  if (findings.entries.size() < options_.max_issues) return false;
+  findings.left_out.add(severity, finding.count);
+  return true;
+}
+
 // Takes the text of the finding when it returns true.
 bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& finding) {
   if (deviations_.each_finding_is_listed) return false;
@@ -197,7 +206,7 @@ void Collector::add(Phase phase, const Path& path, Finding finding) {
     return;
   }
   keep_site(phase, finding);
-  if (fold(phase, severity, path, finding)) return;
+  if (leave_out(phase, severity, finding) || fold(phase, severity, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
 
@@ -265,11 +274,13 @@ void Collector::finish(FileReport& report, const json::Document& document,
     for (const Entry& entry : entries) {
       report.counts.add(entry.diagnostic.severity, entry.diagnostic.count);
     }
+    report.counts += findings.left_out;
     const std::size_t room = options_.max_issues - report.diagnostics.size();
     if (options_.max_issues != 0 && entries.size() > room) {
       entries.resize(room);
       report.truncated = true;
     }
+    if (findings.left_out.at_least(Severity::hint) > 0) report.truncated = true;
     // Do not look a million lines and names up.
     if (!deviations_.each_finding_is_listed && !entries.empty()) {
       locate(entries, document, json_offset);

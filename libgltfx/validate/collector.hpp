@@ -112,6 +112,7 @@ class Collector {
     PhaseSink sink;
     Sites sites;
     std::vector<Entry> entries;
+    Counts left_out;                                        ///< by max_issues
     std::unordered_map<std::uint64_t, std::size_t> listed;  ///< positions in entries by fold key
     std::unordered_map<std::uint64_t, Places> places;       ///< by code and severity
   };
@@ -119,6 +120,7 @@ class Collector {
   void add(Phase phase, const Path& path, Finding finding);
   bool wants(const Finding& finding, Severity severity);
   void keep_site(Phase phase, const Finding& finding);
+  bool leave_out(Phase phase, Severity severity, const Finding& finding);
   bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);
   Severity severity_of(const Finding& finding) const;
   Entry entry_of(Phase phase, Severity severity, Finding finding, std::string pointer) const;

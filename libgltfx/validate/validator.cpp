@@ -14,12 +14,13 @@
 #include "validate/context.hpp"
 #include "validate/phases.hpp"
 #include "validate/rules/interactivity_draft.hpp"
+#include "validate/rules_of_types.hpp"
 
 namespace gltfx::validate {
 namespace {
 
 // Object rules by type, so that the walk asks once per object.
-using ObjectRules = std::unordered_map<std::string_view, std::vector<ObjectRuleEntry>>;
+using ObjectRules = RulesOfTypes<ObjectRuleEntry>::Table;
 
 ObjectRules make_object_rules(bool reading_order) {
   const Runs never = reading_order ? Runs::otherwise : Runs::in_reading_order;
@@ -69,11 +70,9 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
 // Phase 3: the schema walk with object rules at its heels. `own` is the document of a profile that
 // hides broken members.
 schema::CheckResult check_objects(Context& context, json::Document& own) {
-  const ObjectRules& rules = object_rules(context.deviations.reading_order);
+  RulesOfTypes<ObjectRuleEntry> rules(object_rules(context.deviations.reading_order));
   const auto visit = [&](const schema::ObjectType& type, json::NodeId object, const Path& path) {
-    const auto found = rules.find(type.name);
-    if (found == rules.end()) return;
-    for (const ObjectRuleEntry& entry : found->second) entry.rule(context, object, path);
+    for (const ObjectRuleEntry& entry : rules.of(type)) entry.rule(context, object, path);
   };
   if (context.order != nullptr) return check_as_khronos(context, own, *context.order, visit);
   return schema::check(context.document, context.schemas, {}, context.schema_sink,

@@ -2,6 +2,8 @@
 // How findings become a report: severities, filters, folding, order, places and names.
 #include <gltfx/pipeline.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -107,6 +109,23 @@ TEST(Collector, MaxIssuesEndsTheListButNotTheCount) {
   EXPECT_EQ(report.diagnostics.size(), 1U);
   EXPECT_TRUE(report.truncated);
   EXPECT_EQ(report.counts.warnings, 2U);
+}
+
+TEST(Collector, MaxIssuesOfTheKhronosProfileCountsAllRepeats) {
+  ValidateOptions options;
+  options.profile = Profile::khronos;
+  const FileReport all = validate_bytes(misspelt_nodes(100), "test", options);
+  EXPECT_FALSE(all.truncated);
+  for (const std::uint64_t most : {1U, 99U, 100U, 101U}) {
+    options.max_issues = most;
+    const FileReport report = validate_bytes(misspelt_nodes(100), "test", options);
+    ASSERT_EQ(report.diagnostics.size(), std::min<std::uint64_t>(most, 100));
+    EXPECT_EQ(report.diagnostics.back().pointer,
+              all.diagnostics[report.diagnostics.size() - 1].pointer);
+    EXPECT_EQ(report.truncated, most < 100);
+    EXPECT_EQ(report.counts.warnings, all.counts.warnings);
+    EXPECT_EQ(report.counts.infos, all.counts.infos);
+  }
 }
 
 TEST(Collector, SelectAndIgnoreChooseCodes) {

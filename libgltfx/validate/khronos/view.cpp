@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <initializer_list>
-#include <unordered_map>
 #include <vector>
 
 #include "model/accessor.hpp"
@@ -9,6 +8,7 @@
 #include "schema/check.hpp"
 #include "validate/phases.hpp"
 #include "validate/rules/variants.hpp"
+#include "validate/rules_of_types.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -17,8 +17,8 @@ using model::RootArray;
 
 // The rules of members, by the name of their object's type.
 struct Rules {
-  std::unordered_map<std::string_view, std::vector<MemberRuleEntry>> before;
-  std::unordered_map<std::string_view, std::vector<ObjectRuleEntry>> behind;
+  RulesOfTypes<MemberRuleEntry>::Table before;
+  RulesOfTypes<ObjectRuleEntry>::Table behind;
   std::vector<MapRule> entries;
 };
 
@@ -46,9 +46,7 @@ class Reader final : public schema::MemberVisitor {
 
   schema::Reading before(const schema::ObjectType& type, std::string_view member,
                          json::NodeId object, json::NodeId value, const Path& path) override {
-    const auto found = rules().before.find(type.name);
-    if (found == rules().before.end()) return schema::Reading::judge;
-    for (const MemberRuleEntry& entry : found->second) {
+    for (const MemberRuleEntry& entry : before_.of(type)) {
       if (entry.member == member) return entry.rule(context_, object, value, path);
     }
     return schema::Reading::judge;
@@ -56,9 +54,7 @@ class Reader final : public schema::MemberVisitor {
 
   void behind(const schema::ObjectType& type, std::string_view member, json::NodeId object,
               const Path& path) override {
-    const auto found = rules().behind.find(type.name);
-    if (found == rules().behind.end()) return;
-    for (const ObjectRuleEntry& entry : found->second) {
+    for (const ObjectRuleEntry& entry : behind_.of(type)) {
       if (entry.behind == member) entry.rule(context_, object, path);
     }
   }
@@ -69,6 +65,8 @@ class Reader final : public schema::MemberVisitor {
 
  private:
   const Context& context_;
+  RulesOfTypes<MemberRuleEntry> before_{rules().before};
+  RulesOfTypes<ObjectRuleEntry> behind_{rules().behind};
 };
 
 // --- What is not linked ---
