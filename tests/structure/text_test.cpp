@@ -168,6 +168,19 @@ Problems check_directories(const Source& source) {
   return problems;
 }
 
+// The library for WebAssembly is built every night only, with the libc++ of LLVM 14.
+Problems check_headers(const Source& source) {
+  Problems problems;
+  const bool is_native = source.path.starts_with("libgltfx/bake/");
+  if (!source.path.starts_with("libgltfx/") || is_native) return problems;
+  for (const std::string_view name :
+       {"execution", "memory_resource", "source_location", "stop_token"}) {
+    find_all(source, "#include <" + std::string(name) + ">",
+             "includes <" + std::string(name) + ">, which WebAssembly's library lacks", problems);
+  }
+  return problems;
+}
+
 template <class Check>
 Problems over_everything(const Check& check) {
   Problems problems;
@@ -188,6 +201,16 @@ TEST(Text, TheLibraryNeverPrintsOrEndsTheProgram) {
 }
 TEST(Text, DirectoriesAreReadInOneWay) {
   EXPECT_THAT(over_everything(check_directories), IsEmpty());
+}
+
+TEST(Text, HeadersAreThereForWebAssembly) {
+  EXPECT_THAT(over_everything(check_headers), IsEmpty());
+}
+
+TEST(Text, AHeaderThatWebAssemblyLacksIsFound) {
+  EXPECT_THAT(check_headers({"libgltfx/json/a.cpp", "#include <memory_resource>\n"}),
+              ElementsAre(HasSubstr("<memory_resource>")));
+  EXPECT_THAT(check_headers({"libgltfx/json/a.cpp", "#include <memory>\n"}), IsEmpty());
 }
 
 TEST(Text, AMissingLicenceIsFound) {
