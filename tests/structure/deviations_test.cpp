@@ -57,7 +57,7 @@ std::vector<std::size_t> find_words(std::string_view code, std::string_view word
 
 Problems check_places(const Source& source) {
   if (source.path.starts_with(kModule)) return {};
-  const std::string code = lex(source.text).code;
+  const std::string& code = lex(source.text).code;
   std::vector<std::size_t> places;
   for (const std::string_view word : {"Profile::", "deviations_of(", "khronos("}) {
     for (const std::size_t at : find_words(code, word)) places.push_back(at);
@@ -71,7 +71,7 @@ Problems check_places(const Source& source) {
 
 // Members of the structs in a header.
 std::vector<std::string> deviations_in(const Source& source) {
-  const std::string code = lex(source.text).code;
+  const std::string& code = lex(source.text).code;
   std::vector<std::string> names;
   for (const std::size_t at : find_words(code, "bool")) {
     const std::size_t begin = at + 5;

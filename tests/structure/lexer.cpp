@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
+#include <string>
+#include <unordered_map>
 
 #include "source.hpp"
 
@@ -165,7 +167,12 @@ void blank_directives(std::string& code) {
 
 }  // namespace
 
-Lexed lex(std::string_view text) { return Lexer(text).run(); }
+const Lexed& lex(std::string_view text) {
+  static std::unordered_map<std::string, Lexed> known;
+  const auto [place, is_new] = known.try_emplace(std::string(text));
+  if (is_new) place->second = Lexer(text).run();
+  return place->second;
+}
 
 std::vector<Function> functions_of(std::string_view text) {
   Lexed lexed = lex(text);

@@ -77,7 +77,7 @@ std::map<std::string, std::set<std::string>> files_by_code() {
   std::map<std::string, std::set<std::string>> files;
   for (const Source& source : cpp_below({"libgltfx"})) {
     if (source.path.find("/compiler/") != std::string::npos) continue;
-    const std::string code = lex(source.text).code;
+    const std::string& code = lex(source.text).code;
     for (std::size_t at = code.find(kPrefix); at != std::string::npos;
          at = code.find(kPrefix, at + 1)) {
       const auto begin = code.begin() + static_cast<std::ptrdiff_t>(at + kPrefix.size());

@@ -47,7 +47,8 @@ struct Lexed {
   std::string code;
   std::vector<Literal> literals;
 };
-Lexed lex(std::string_view text);
+/// Each text is taken apart once, and kept.
+const Lexed& lex(std::string_view text);
 
 /// A function definition with a body.
 struct Function {

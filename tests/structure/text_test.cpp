@@ -141,7 +141,7 @@ Problems check_quiet(const Source& source) {
       source.path.starts_with("libgltfx/schema/compiler/")) {
     return problems;
   }
-  const std::string code = lex(source.text).code;
+  const std::string& code = lex(source.text).code;
   for (const std::string_view name : {"std::cout", "std::cerr", "std::clog", "throw "}) {
     find_all({source.path, code}, name, "uses " + std::string(name), problems);
   }
