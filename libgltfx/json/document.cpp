@@ -114,14 +114,8 @@ void NumberCursor::read() {
   while (at_ < end_ && separates_numbers(text_[at_])) ++at_;
   valid_ = at_ < end_;
   if (!valid_) return;
-  const char* const p = text_.data() + at_;
-  const char* behind = scan_short_decimal(p, text_.data() + end_, number_.value);
-  if (behind == nullptr) {
-    const LeadingNumber number = read_leading_number(text_.substr(at_, end_ - at_));
-    number_.value = number.value;
-    behind = p + number.size;
-  }
-  number_.span = {at_, at_ + static_cast<std::uint32_t>(behind - p)};
+  const LeadingNumber number = read_leading_number(text_.substr(at_, end_ - at_));
+  number_ = {{at_, at_ + static_cast<std::uint32_t>(number.size)}, number.value};
 }
 
 std::size_t Document::array_size(NodeId array) const {
@@ -233,26 +227,6 @@ void Document::sort_large() {
 bool Document::has_value(NodeId object, std::string_view name) const {
   const NodeId value = find_in_text(object, name);
   return value != kNoNode && !(is_hidden(value) && kind(value) == Kind::null);
-}
-
-bool Document::read_numbers(NodeId number_array, std::span<double> values) const {
-  const std::uint8_t numbers = node(number_array).numbers;
-  if (numbers < kManyNumbers && numbers != values.size()) return false;
-  const char* p = text().data() + node(number_array).begin + 1;
-  const char* const end = text().data() + node(number_array).end - 1;
-  std::size_t count = 0;
-  for (;; ++count) {
-    while (p < end && separates_numbers(*p)) ++p;
-    if (p == end || count == values.size()) return p == end && count == values.size();
-    const char* const behind = scan_short_decimal(p, end, values[count]);
-    if (behind != nullptr) {
-      p = behind;
-      continue;
-    }
-    const LeadingNumber number = read_leading_number({p, static_cast<std::size_t>(end - p)});
-    values[count] = number.value;
-    p += number.size;
-  }
 }
 
 Number Document::number(NodeId id) const { return {span(id), number_value(raw(id))}; }

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -198,8 +197,6 @@ class Document {
 
   /// Precondition: kind(id) == Kind::number.
   Number number(NodeId id) const;
-  /// Fills `values` from a number_array. False: it has another number of elements.
-  bool read_numbers(NodeId number_array, std::span<double> values) const;
   /// The number at `id` if it is a number with zero fraction, at least 0 and at most 2^53.
   std::optional<std::uint64_t> unsigned_integer(NodeId id) const;
   /// The unescaped content of a string or key. A lone surrogate becomes U+FFFD.

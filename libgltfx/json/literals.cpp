@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json/literals.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <limits>
@@ -67,24 +66,17 @@ Escape read_unicode_escape(std::string_view text) {
 
 }  // namespace
 
-LeadingNumber read_leading_number(std::string_view text) {
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const char* const behind = scan_short_decimal(text.data(), end, value);
-  if (behind != nullptr) return {value, static_cast<std::size_t>(behind - text.data())};
+LeadingNumber read_long_number(std::string_view text) {
   std::size_t size = 1;
   while (size < text.size() && is_a(kWord, text[size])) ++size;
-  return {number_value(text.substr(0, size)), size};
-}
-
-double number_value(std::string_view literal) {
+  const std::string_view literal = text.substr(0, size);
   double value = 0;
-  const char* const end = literal.data() + literal.size();
-  if (scan_short_decimal(literal.data(), end, value) != nullptr) return value;
-  const auto read = read_double(literal.data(), end, value);
-  if (read.ec != std::errc::result_out_of_range) return value;
-  value = is_large(literal) ? std::numeric_limits<double>::infinity() : 0.0;
-  return literal.front() == '-' ? -value : value;
+  const auto read = read_double(literal.data(), literal.data() + size, value);
+  if (read.ec == std::errc::result_out_of_range) {
+    value = is_large(literal) ? std::numeric_limits<double>::infinity() : 0.0;
+    if (literal.front() == '-') value = -value;
+  }
+  return {value, size};
 }
 
 Escape read_escape(std::string_view text) {

@@ -7,12 +7,9 @@
 #include <string_view>
 
 #include "base/span.hpp"
+#include "json/scan.hpp"
 
 namespace gltfx::json {
-
-/// The nearest double of a number literal that obeys the grammar; an infinity when it lies beyond
-/// a double's range, a (signed) zero when it is too small for one.
-double number_value(std::string_view literal);
 
 /// A number at the head of a text.
 struct LeadingNumber {
@@ -20,8 +17,21 @@ struct LeadingNumber {
   std::size_t size = 0;  ///< bytes of the literal
 };
 
-/// Reads the number literal with which `text` begins. Precondition: there is one.
-LeadingNumber read_leading_number(std::string_view text);
+/// read_leading_number() without the short way.
+LeadingNumber read_long_number(std::string_view text);
+
+/// Reads the number literal with which `text` begins. Precondition: there is one, which obeys the
+/// grammar.
+inline LeadingNumber read_leading_number(std::string_view text) {
+  double value = 0;
+  const char* const behind = scan_short_decimal(text.data(), text.data() + text.size(), value);
+  if (behind == nullptr) return read_long_number(text);
+  return {value, static_cast<std::size_t>(behind - text.data())};
+}
+
+/// The nearest double of a number literal that obeys the grammar; an infinity when it lies beyond
+/// a double's range, a (signed) zero when it is too small for one.
+inline double number_value(std::string_view literal) { return read_leading_number(literal).value; }
 
 /// One escape sequence of a string.
 struct Escape {

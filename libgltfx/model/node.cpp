@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -184,14 +183,11 @@ std::vector<Node> read_nodes(const Asset& asset) {
 bool read_floats(const json::Document& document, json::NodeId array, std::size_t count,
                  float* values, double least, double most) {
   if (array == json::kNoNode || document.kind(array) != json::Kind::number_array) return false;
-  constexpr std::size_t kMostAtOnce = 16;
-  std::array<double, kMostAtOnce> few;
-  std::vector<double> many(count > kMostAtOnce ? count : 0);
-  const std::span<double> numbers = many.empty() ? std::span(few).first(count) : std::span(many);
-  if (!document.read_numbers(array, numbers)) return false;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(numbers[i]) || numbers[i] < least || numbers[i] > most) return false;
-    values[i] = static_cast<float>(numbers[i]);
+  if (document.array_size(array) != count) return false;
+  for (json::NumberCursor at(document, array); at.valid(); at.advance()) {
+    const double value = at.number().value;
+    if (!std::isfinite(value) || value < least || value > most) return false;
+    *values++ = static_cast<float>(value);
   }
   return true;
 }
