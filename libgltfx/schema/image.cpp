@@ -143,12 +143,18 @@ void exchange(Archive& archive, TargetPlan& plan) {
 }
 
 template <class Archive>
+void exchange(Archive& archive, TargetLookup& lookup) {
+  archive(lookup.target, lookup.shared);
+}
+
+template <class Archive>
 void exchange(Archive& archive, WalkPlans& plans) {
-  archive(plans.names, plans.shapes, plans.types, plans.targets, plans.name_target_of);
+  archive(plans.names, plans.shapes, plans.types, plans.targets, plans.name_target_of,
+          plans.lookups);
 }
 
 constexpr std::uint64_t kMagic =
-    0x6778'5363'6865'0006;  // its last digits count the format's versions
+    0x6778'5363'6865'0007;  // its last digits count the format's versions
 
 class Writer {
  public:

@@ -5,19 +5,31 @@
 
 namespace gltfx::schema {
 
+// Each asset asks for all targets, of which it has a few: what a missing object would hold is not
+// looked up.
 Targets::Targets(const json::Document& document, const Set& set)
-    : document_(document), tables_(set.walk_tables()) {
-  from_root_.reserve(tables_.targets.size());
-  for (const TargetPlan& plan : tables_.targets) {
-    Array array;
-    if (plan.steps_over) {
-      array.size = largest(document.root(), plan.target.steps);
-      array.is_array = array.size != 0;
-    } else if (plan.target.base != Target::Base::enclosing) {
-      const json::NodeId node = value_at(document.root(), plan.target.steps);
-      if (node != json::kNoNode) array = read(node);
+    : document_(document),
+      tables_(set.walk_tables()),
+      from_root_(tables_.targets.size(), &absent_) {
+  std::vector<json::NodeId> values{document.root()};  // behind so many steps; kNoNode is the last
+  for (const auto& [target, shared] : tables_.lookups) {
+    const TargetPlan& plan = tables_.targets[target];
+    const std::vector<std::string>& steps = plan.target.steps;
+    values.resize(std::min<std::size_t>(values.size(), shared + 1));
+    while (values.back() != json::kNoNode && values.size() <= steps.size() &&
+           steps[values.size() - 1] != "*") {
+      values.push_back(document.find(values.back(), steps[values.size() - 1]));
     }
-    from_root_.push_back(std::move(array));
+    if (values.back() == json::kNoNode) continue;
+    if (plan.steps_over) {
+      const std::uint64_t size = largest(document.root(), steps);
+      if (size == 0) continue;
+      from_root_[target] = &arrays_.emplace_back();
+      from_root_[target]->size = size;
+      from_root_[target]->is_array = true;
+    } else {
+      from_root_[target] = &arrays_.emplace_back(read(values.back()));
+    }
   }
 }
 
@@ -43,7 +55,7 @@ Targets::Array Targets::read(json::NodeId node) const {
   return array;
 }
 
-// The value that steps without '*' lead to, without memory: each asset asks for all targets.
+// The value that steps without '*' lead to.
 json::NodeId Targets::value_at(json::NodeId from, const std::vector<std::string>& steps) const {
   for (const std::string& step : steps) from = document_.find(from, step);
   return from;
@@ -120,7 +132,7 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
 
 void Targets::move_to(CheckResult& result) {
   for (std::size_t i = 0; i < from_root_.size(); ++i) {
-    Array& array = from_root_[i];
+    Array& array = *from_root_[i];
     if (!array.is_array || tables_.targets[i].steps_over || array.node == json::kNoNode) continue;
     result.targets.push_back({tables_.targets[i].pointer, array.node, std::move(array.used)});
   }

@@ -2,6 +2,7 @@
 /// The arrays of one document that references point into, and which of their elements are used.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -17,6 +18,8 @@ namespace gltfx::schema {
 class Targets {
  public:
   Targets(const json::Document& document, const Set& set);
+  Targets(const Targets&) = delete;
+  Targets& operator=(const Targets&) = delete;
 
   /// One array; `size` is 0 when the document does not have it.
   struct Array {
@@ -31,7 +34,7 @@ class Targets {
   };
 
   /// The array a target from the root names.
-  Array& from_root(std::uint32_t target) { return from_root_[target]; }
+  Array& from_root(std::uint32_t target) { return *from_root_[target]; }
   /// The array a target names below an object, found once per array; null when it is not there.
   Array* below(const Target& target, json::NodeId object, const Path& path);
   /// Whether the element of that index, which is below the size, has what `refHas` asks for.
@@ -55,7 +58,9 @@ class Targets {
   };
   const json::Document& document_;
   const Set::WalkTables& tables_;
-  std::vector<Array> from_root_;  ///< by index of WalkTables::targets
+  Array absent_;
+  std::deque<Array> arrays_;
+  std::vector<Array*> from_root_;  ///< by index of WalkTables::targets
   std::vector<Local> local_;
   std::unordered_map<json::NodeId, std::size_t> local_at_;
   std::unordered_map<std::uint32_t, std::unordered_set<std::string>> names_;

@@ -39,6 +39,7 @@ class Maker {
       tables_->types.push_back(object_type(type));
       if (type.extension != kNone) mark_references(type);
     }
+    lookups();
   }
 
   void take_plans(WalkPlans plans) {
@@ -233,6 +234,25 @@ class Maker {
     auto attachment_points = extension.attachment_points;
     for (auto& home : attachment_points) home.first = tables_->types[home.first].origin;
     return attachment_points;
+  }
+
+  void lookups() {
+    const auto& targets = tables_->targets;
+    auto& all = tables_->lookups;
+    for (std::uint32_t id = 0; id < targets.size(); ++id) {
+      if (targets[id].target.base != Target::Base::enclosing) all.push_back({id, 0});
+    }
+    const auto steps = [&](const TargetLookup& lookup) -> const auto& {
+      return targets[lookup.target].target.steps;
+    };
+    std::sort(all.begin(), all.end(),
+              [&](const auto& a, const auto& b) { return steps(a) < steps(b); });
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      const std::vector<std::string>& before = steps(all[i - 1]);
+      const std::vector<std::string>& now = steps(all[i]);
+      const auto apart = std::mismatch(before.begin(), before.end(), now.begin(), now.end()).first;
+      all[i].shared = static_cast<std::uint32_t>(apart - before.begin());
+    }
   }
 
   // A value as the list that it is added to has them: numbers are kept as their text.

@@ -113,6 +113,12 @@ struct TargetPlan {
   bool steps_over = false;  ///< has a '*'
 };
 
+/// A target from the root, and how many of its first steps the lookup before it takes too.
+struct TargetLookup {
+  std::uint32_t target = kNone;
+  std::uint32_t shared = 0;
+};
+
 /// What is known of shapes and types alone: an image has it.
 struct WalkPlans {
   std::vector<std::string_view> names;  ///< by Symbol; they live in the Set or in its image
@@ -120,7 +126,8 @@ struct WalkPlans {
   std::vector<TypePlan> types;
   std::vector<TargetPlan> targets;
   std::vector<std::uint32_t>
-      name_target_of;  ///< by ShapeId: index into targets for refName, or kNone
+      name_target_of;                 ///< by ShapeId: index into targets for refName, or kNone
+  std::vector<TargetLookup> lookups;  ///< in the order of their steps
 };
 
 struct Set::WalkTables : WalkPlans {
