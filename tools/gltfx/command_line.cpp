@@ -2,8 +2,11 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
+#include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,49 +28,87 @@ namespace gltfx::tool {
 
 namespace {
 
-// Everything CLI11 is told; the words live as long as the parse.
+void declare_explain(CLI::App& app, RawExplainOptions& words) {
+  describe_positional(app, "CODE", "Codes of rules, in any case");
+  add_common(app, words.common);
+}
+
+void declare_rules(CLI::App& app, RawRulesOptions& words) {
+  add_word(app, "-f,--format", words.format, "NAME", "Output format: text (default) or json");
+  add_common(app, words.common);
+}
+
+void declare_targets(CLI::App& app, RawTargetsOptions& words) {
+  describe_positional(app, "NAME[@VERSION]", "Engines and versions (default: the newest of each)");
+  add_word(app, "-f,--format", words.format, "NAME",
+           "Output format: text (default), json or markdown");
+  add_target_files(app, words.target_files);
+  add_common(app, words.common);
+}
+
+void declare_schema(CLI::App& app, RawSchemaOptions& words) {
+  describe_positional(app, "NAME", "Extension or core type (default: list them)");
+  add_word(app, "-f,--format", words.format, "NAME", "Output format: text (default) or json");
+  add_list(app, "--status", words.statuses, "NAME", "Extensions of this status only (repeatable)");
+  add_word(app, "--new", words.new_name, "NAME", "Print a schema to start with");
+  add_list(app, "--check", words.check_files, "FILE", "Check a schema file (repeatable)");
+  add_list(app, "--test", words.test_files, "FILE", "Run the tests of a schema file (repeatable)");
+  add_schema_sources(app, words.schema_files, words.schema_folders);
+  add_configuration(app, words.configuration);
+  add_common(app, words.common);
+}
+
+// Everything CLI11 is told. Only verbs that are among the words get their options, for all of them
+// take longer than the rest of a short run; without words, all do.
 class Declaration {
  public:
-  Declaration() {
+  explicit Declaration(std::span<const char* const> words) : words_(words) {
     app_.allow_extras();
     // With one verb at most, a path that is called like a verb stays a path.
     app_.require_subcommand(0, 1);
     app_.get_formatter()->column_width(28);
     app_.footer([] { return help_footer(""); });
     app_.add_flag("-V,--version", version_, "Print the versions of gltfx and its libraries");
-    declare_validate(verb("validate", "Validate .gltf and .glb files"), validate_);
-    declare_fix(verb("fix", "Fix what a program can fix with certainty"), fix_);
-    declare_upgrade(verb("upgrade", "Upgrade legacy extensions to their successors"), upgrade_);
-    declare_edit(verb("edit", "Delete objects and renumber what refers to others"), edit_);
-    declare_hook();
-    declare_bake(verb("bake", "Render previews of assets"), bake_);
-    declare_report(verb("report", "Write an HTML page: findings, previews, sizes"), report_);
-    declare_inspect(verb("inspect", "Show the content of assets and its size"), inspect_);
-    declare_merge(verb("merge", "Merge the reports of several runs"), merge_);
-    declare_explain();
-    declare_rules();
-    declare_targets();
-    declare_schema();
-    declare_config(verb("config", "Show the configuration of a path and its source"), config_);
+    verb("validate", "Validate .gltf and .glb files", declare_validate, validate_);
+    verb("fix", "Fix what a program can fix with certainty", declare_fix, fix_);
+    verb("upgrade", "Upgrade legacy extensions to their successors", declare_upgrade, upgrade_);
+    verb("edit", "Delete objects and renumber what refers to others", declare_edit, edit_);
+    // For the help: read() takes the word away, so that the verb behind it has its own options.
+    verb("hook", "Run a command on the assets of a commit", describe_positional, "VERB",
+         "Command to run, with its options");
+    verb("bake", "Render previews of assets", declare_bake, bake_);
+    verb("report", "Write an HTML page: findings, previews, sizes", declare_report, report_);
+    verb("inspect", "Show the content of assets and its size", declare_inspect, inspect_);
+    verb("merge", "Merge the reports of several runs", declare_merge, merge_);
+    verb("explain", "Explain a rule, with a bad and a good example", declare_explain, explain_);
+    verb("rules", "List all rules", declare_rules, rules_);
+    verb("targets", "Show what engines do with features of glTF", declare_targets, targets_);
+    verb("schema", "Show the schemas of extensions and core types", declare_schema, schema_);
+    verb("config", "Show the configuration of a path and its source", declare_config, config_);
   }
 
   CommandLine read(int argc, const char* const* argv);
   const CLI::App& app() const { return app_; }
 
  private:
-  CLI::App& verb(const char* name, const char* text);
+  template <class... Options>
+  void verb(const char* name, const char* text, void (*declare)(CLI::App&, Options...),
+            std::type_identity_t<Options>... options) {
+    CLI::App& app = *app_.add_subcommand(name, text);
+    app.allow_extras();
+    app.footer([name] { return help_footer(name); });
+    const bool among_words =
+        std::find(words_.begin(), words_.end(), std::string_view(name)) != words_.end();
+    if (among_words || words_.empty()) declare(app, options...);
+  }
   std::string help() const;
-  void declare_hook();
-  void declare_explain();
-  void declare_rules();
-  void declare_targets();
-  void declare_schema();
   std::string take_positionals();
   std::vector<std::string>* positionals(std::string_view verb);
   std::string unknown_verb(const std::string& word) const;
   std::string verb_among(const std::vector<std::string>& words) const;
   CommandLine request(std::string_view verb) const;
 
+  std::span<const char* const> words_;
   CLI::App app_{
       "Validates and fixes glTF 2.0 assets, upgrades legacy extensions and renders previews.",
       "gltfx"};
@@ -87,55 +128,6 @@ class Declaration {
   RawSchemaOptions schema_;
   RawConfigOptions config_;
 };
-
-CLI::App& Declaration::verb(const char* name, const char* text) {
-  CLI::App& app = *app_.add_subcommand(name, text);
-  app.allow_extras();
-  app.footer([name] { return help_footer(name); });
-  return app;
-}
-
-// For the help: read() takes the word away, so that the verb behind it has its own options.
-void Declaration::declare_hook() {
-  CLI::App& app = verb("hook", "Run a command on the assets of a commit");
-  describe_positional(app, "VERB", "Command to run, with its options");
-}
-
-void Declaration::declare_explain() {
-  CLI::App& app = verb("explain", "Explain a rule, with a bad and a good example");
-  describe_positional(app, "CODE", "Codes of rules, in any case");
-  add_common(app, explain_.common);
-}
-
-void Declaration::declare_rules() {
-  CLI::App& app = verb("rules", "List all rules");
-  add_word(app, "-f,--format", rules_.format, "NAME", "Output format: text (default) or json");
-  add_common(app, rules_.common);
-}
-
-void Declaration::declare_targets() {
-  CLI::App& app = verb("targets", "Show what engines do with features of glTF");
-  describe_positional(app, "NAME[@VERSION]", "Engines and versions (default: the newest of each)");
-  add_word(app, "-f,--format", targets_.format, "NAME",
-           "Output format: text (default), json or markdown");
-  add_target_files(app, targets_.target_files);
-  add_common(app, targets_.common);
-}
-
-void Declaration::declare_schema() {
-  CLI::App& app = verb("schema", "Show the schemas of extensions and core types");
-  describe_positional(app, "NAME", "Extension or core type (default: list them)");
-  add_word(app, "-f,--format", schema_.format, "NAME", "Output format: text (default) or json");
-  add_list(app, "--status", schema_.statuses, "NAME",
-           "Extensions of this status only (repeatable)");
-  add_word(app, "--new", schema_.new_name, "NAME", "Print a schema to start with");
-  add_list(app, "--check", schema_.check_files, "FILE", "Check a schema file (repeatable)");
-  add_list(app, "--test", schema_.test_files, "FILE",
-           "Run the tests of a schema file (repeatable)");
-  add_schema_sources(app, schema_.schema_files, schema_.schema_folders);
-  add_configuration(app, schema_.configuration);
-  add_common(app, schema_.common);
-}
 
 std::string unknown_option(const CLI::App& app, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
@@ -304,11 +296,11 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
 
 }  // namespace
 
-std::vector<CommandEntry> command_table() { return table_of(Declaration().app()); }
+std::vector<CommandEntry> command_table() { return table_of(Declaration({}).app()); }
 
 CommandLine read_command_line(int argc, const char* const* argv) {
   try {
-    return Declaration().read(argc, argv);
+    return Declaration({argv, static_cast<std::size_t>(argc)}).read(argc, argv);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
