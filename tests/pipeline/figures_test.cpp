@@ -14,6 +14,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sanitized.hpp"
+
 namespace gltfx {
 namespace {
 
@@ -25,7 +27,7 @@ const fs::path kFixtures = fs::path(GLTFX_SOURCE_DIR) / "fixtures";
 BakeOptions small() {
   BakeOptions options;
   options.sizes = {{72, 48}};
-  options.samples = 16;
+  options.samples = kSanitized ? 6 : 16;
   options.denoise = false;
   options.lights = BakeLights::asset;
   options.camera.assign(1, '0');
