@@ -121,7 +121,7 @@ TEST_F(HostileInput, SchemasOfAnyFormAreShown) {
 
 // Names and keys of megabytes are cut; only the form of the Khronos validator has pointers whole.
 TEST_F(HostileInput, ReportsDoNotRepeatTextsOfMegabytes) {
-  const std::string text(2'000'000, 'x');
+  const std::string text(kSanitized ? 200'000 : 2'000'000, 'x');
   folder_.write("long.gltf", R"({"asset": {"version": "2.0"}, "materials": [{"name": ")" + text +
                                  R"(", "emissiveFactor": [2, 2, 2], ")" + text +
                                  R"(": 1}], "extensionsUsed": [")" + text + R"("]})");
