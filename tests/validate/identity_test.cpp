@@ -55,11 +55,10 @@ TEST(Identity, MoreObjectsThanTextForThemAreOneFinding) {
   };
   EXPECT_EQ(test::verdict(nodes(1'200'000, "{}")), Lines{"TOO_MANY_OBJECTS "});
   EXPECT_EQ(test::verdict(nodes(1'200'000, "0")), Lines{"TOO_MANY_OBJECTS "});
+  if (kSanitized) return;  // what follows takes ten times as long there
   EXPECT_NE(test::verdict(nodes(900'000, "0")), Lines{"TOO_MANY_OBJECTS "});
-  if (!kSanitized) {
-    const std::string real = R"({"extras":"0123456789012345678901"})";
-    EXPECT_NE(test::verdict(nodes(1'200'000, real)), Lines{"TOO_MANY_OBJECTS "});
-  }
+  const std::string real = R"({"extras":"0123456789012345678901"})";
+  EXPECT_NE(test::verdict(nodes(1'200'000, real)), Lines{"TOO_MANY_OBJECTS "});
   // The Khronos validator has no such limit: nothing is passed over in silence.
   ValidateOptions options;
   options.profile = Profile::khronos;
