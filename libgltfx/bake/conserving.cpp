@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bake/albedo.hpp"
+#include "bake/albedo_inside.hpp"
 #include "bake/integration.hpp"
 
 namespace gltfx::bake {
@@ -17,58 +18,6 @@ double table_margin(double cosine) { return 3e-5 / (cosine + 0.001); }
 double f0_through(double reflectance, double f90, double cosine) {
   const double w = pow5(1 - cosine);
   return (reflectance - f90 * w) / (1 - w);
-}
-
-struct Shares {
-  double layer = 0;  // reflected by the layer
-  double base = 0;   // transmitted to diffuse lobes, by 1 - F
-};
-
-// Inside a volume, total reflection makes a curve that no table has: the reflectance of the layer
-// is summed over a lattice of visible normals.
-double layer_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
-  if (facets.smooth()) return max_value(fresnel.at(v.z));
-  constexpr int kPoints = 144;  // Fibonacci numbers: the lattice follows no edge
-  constexpr int kTurn = 89;
-  const double stretched = facets.stretched(v);
-  double sum = 0;
-  for (int i = 0; i < kPoints; ++i) {
-    const Vec3d h =
-        facets.sample_normal(v, (i + 0.5) / kPoints, (i * kTurn % kPoints + 0.5) / kPoints);
-    const double v_h = dot(v, h);
-    const Vec3d l = 2 * v_h * h - v;
-    if (l.z <= 0) continue;
-    sum += facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched) *
-           max_value(fresnel.at(v_h));
-  }
-  return sum / kPoints;
-}
-
-// The integral of max(l.z, 0) over a turn of l around v.
-double cosines_around(double v_z, double cosine, double sine) {
-  const double middle = cosine * v_z;
-  const double swing = sine * std::sqrt(1 - std::min(square(v_z), 1.0));
-  if (middle >= swing) return 2 * pi * middle;
-  if (middle <= -swing) return 0;
-  const double rise = std::acos(-middle / swing);
-  return 2 * (middle * rise + swing * std::sin(rise));
-}
-
-// The transmittance to diffuse lobes inside a volume, by 1 - F. F depends on the angle between v
-// and l alone, twice the angle to the facet. Over the angle of refracted light the
-// integrand is smooth.
-double base_inside(const Fresnel& fresnel, double v_z) {
-  static const std::vector<Node> kNodes = gauss_legendre(10);
-  double sum = 0;
-  for (const Node& node : kNodes) {
-    const double out = node.x * pi / 2;
-    const double sine = fresnel.eta * std::sin(out);
-    const double cosine = std::sqrt(1 - square(sine));
-    const double turn = cosines_around(v_z, 1 - 2 * square(sine), 2 * sine * cosine);
-    const double width = pi / 2 * node.weight * 2 * fresnel.eta * std::cos(out) / cosine;
-    sum += (1 - max_value(fresnel.at(cosine))) * turn * 2 * sine * cosine * width;
-  }
-  return sum / pi;
 }
 
 // Lights over a hemisphere, for a grazing view.
@@ -107,10 +56,7 @@ EnergyCompensation::EnergyCompensation(const Fresnel& fresnel, const Microfacets
       across_(isotropic_ ? along_ : SpecularCurve(std::sqrt(facets.alpha_t))),
       f90_(max_value(fresnel.f90)) {
   if (inside_) {
-    const double margin = facets.smooth() ? 1e-4 : 0.0145;  // of so few points
-    const double left = 1 - layer_inside(fresnel, facets, v) - margin;
-    const double base = base_inside(fresnel, v.z);
-    share_v_ = base > 0 ? std::clamp(left / base, 0.0, 1.0) : 1;
+    share_v_ = share_inside(fresnel, facets, v);
     return;
   }
   highest_f0_ = lowest_f0_ = max_value(fresnel.f0);
