@@ -78,39 +78,65 @@ double summed_share(const Fresnel& fresnel, const Microfacets& facets, const Vec
                   facets.smooth() ? 1e-4 : 0.0145);  // of so few points
 }
 
-// The sums for one ratio of indices without a film, by roughness and cosine. They are linear in F0
-// and F90: x is what reflects totally, y is for each F0, z for each F90. Cells are computed when
-// they are first asked for.
+// The sums for one ratio of indices without a film. They are linear in F0 and F90: x is what
+// reflects totally, y is for each F0, z for each F90. Cells are computed when they are first asked
+// for. Rows of the layer go by the logarithm of alpha. Its columns crowd around the cosine at which
+// total reflection begins, and around 0, closer the narrower the lobe.
 class InsideTable {
  public:
   explicit InsideTable(double eta)
-      : eta_(eta), layers_(std::size_t{kRows} * kColumns, kUnknown), bases_(kColumns, kUnknown) {}
+      : eta_(eta),
+        edge_(std::sqrt(1 - square(eta))),
+        layers_(std::size_t{kRows} * kColumns, kUnknown),
+        bases_(kBases, kUnknown) {
+    for (std::size_t i = 0; i < kRows; ++i) {
+      rows_[i].alpha = std::pow(kSmoothAlpha, 1 - static_cast<double>(i) / (kRows - 1));
+      rows_[i].first = place(rows_[i], 0);
+      rows_[i].last = place(rows_[i], 1);
+    }
+  }
   double eta() const { return eta_; }
 
   double share(const Fresnel& fresnel, const Microfacets& facets, double cosine) {
-    const TableCell column(cosine, kColumns);
-    const TableCell row(std::sqrt(facets.alpha_b), kRows);
     const Rgb by(1, max_value(fresnel.f0), max_value(fresnel.f90));
+    const TableCell row(1 - std::log(facets.alpha_b) / std::log(kSmoothAlpha), kRows);
     double layer = 0;
+    for (std::size_t i = 0; i < row.weights.size(); ++i)
+      layer += row.weights[i] * dot(layer_at(row.first + i, cosine), by);
+    const TableCell column(cosine, kBases);
     double base = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      double across = 0;
-      for (std::size_t k = 0; k < 4; ++k)
-        across += row.weights[k] * dot(layer_at(row.first + k, column.first + i), by);
-      layer += column.weights[i] * across;
+    for (std::size_t i = 0; i < column.weights.size(); ++i)
       base += column.weights[i] * dot(base_at(column.first + i), by);
-    }
     return share_of(layer, base, kMargin);
   }
 
  private:
-  static constexpr int kRows = 64;
-  static constexpr int kColumns = 128;
+  static constexpr std::size_t kRows = 48;
+  static constexpr std::size_t kColumns = 96;
+  static constexpr std::size_t kBases = 128;
+  static constexpr double kEdge = 2;        // width of the edge, in alpha
   static constexpr double kMargin = 0.007;  // of so many points, and between cells
   static constexpr Float3 kUnknown{-1, 0, 0};
 
-  static double column_cosine(std::size_t column) {
-    return std::max(static_cast<double>(column), 0.25) / (kColumns - 1);
+  struct Row {
+    double alpha = 1;
+    double first = 0, last = 1;  // places of the columns at the ends
+  };
+
+  double place(const Row& row, double cosine) const {
+    const double scale = 1 / (kEdge * row.alpha);
+    return std::asinh(cosine * scale) + std::asinh((cosine - edge_) * scale);
+  }
+
+  // By bisection.
+  double cosine_at(const Row& row, double wanted) const {
+    double low = 0.002;
+    double high = 1;
+    for (int step = 0; step < 40; ++step) {
+      const double middle = (low + high) / 2;
+      (place(row, middle) < wanted ? low : high) = middle;
+    }
+    return (low + high) / 2;
   }
 
   Rgb reflectance(double cosine) const {
@@ -120,12 +146,22 @@ class InsideTable {
     return {0, 1 - w, w};
   }
 
-  Rgb layer_at(std::size_t row, std::size_t column) {
-    Float3& cell = layers_[row * kColumns + column];
+  Rgb layer_at(std::size_t number, double cosine) {
+    const Row& row = rows_[number];
+    const TableCell column((place(row, cosine) - row.first) / (row.last - row.first), kColumns);
+    Rgb sum;
+    for (std::size_t i = 0; i < column.weights.size(); ++i)
+      sum += layer_cell(number, column.first + i) * static_cast<double>(column.weights[i]);
+    return sum;
+  }
+
+  Rgb layer_cell(std::size_t number, std::size_t column) {
+    Float3& cell = layers_[number * kColumns + column];
     if (cell[0] < 0) {
-      const double cosine = column_cosine(column);
-      const Microfacets facets =
-          microfacets(std::max(static_cast<double>(row) / (kRows - 1), 0.01));
+      const Row& row = rows_[number];
+      const double t = static_cast<double>(column) / (kColumns - 1);
+      const double cosine = cosine_at(row, row.first + (row.last - row.first) * t);
+      const Microfacets facets{row.alpha, row.alpha};
       cell = to_float3(sum_layer({610, 377}, facets, {std::sqrt(1 - square(cosine)), 0, cosine},
                                  [&](double v_h) { return reflectance(v_h); }));
     }
@@ -135,17 +171,19 @@ class InsideTable {
   Rgb base_at(std::size_t column) {
     Float3& cell = bases_[column];
     if (cell[0] < 0) {
-      // 1 - x - F0 y - F90 z: as one number for F0 = F90 = 0, and what each takes away.
-      const Rgb sum = sum_base(eta_, column_cosine(column), [&](double v_h) {
+      const double cosine = std::max(static_cast<double>(column), 0.25) / (kBases - 1);
+      // The sum of 1 - F0 y - F90 z; each part is the sum of 1 minus something.
+      cell = to_float3(sum_base(eta_, cosine, [&](double v_h) {
         const Rgb parts = reflectance(v_h);
-        return Rgb(parts.x, 1 + parts.y, 1 + parts.z);
-      });
-      cell = to_float3(sum);
+        return Rgb(0, 1 + parts.y, 1 + parts.z);
+      }));
     }
     return to_vec(cell);
   }
 
   double eta_;
+  double edge_;  // the cosine
+  std::array<Row, kRows> rows_;
   std::vector<Float3> layers_, bases_;
 };
 
@@ -164,9 +202,7 @@ InsideTable& table_of(double eta) {
 }  // namespace
 
 double share_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
-  constexpr double kNarrow = 0.15 * 0.15;  // alpha below which edges fall between the cells
-  const bool in_table =
-      facets.isotropic() && facets.alpha_b >= kNarrow && fresnel.film.strength <= 0;
+  const bool in_table = facets.isotropic() && !facets.smooth() && fresnel.film.strength <= 0;
   return in_table ? table_of(fresnel.eta).share(fresnel, facets, v.z)
                   : summed_share(fresnel, facets, v);
 }
