@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bake/directions.hpp"
+#include "bake/sin_cos.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -95,14 +96,14 @@ Vec3d sample_phase(const Medium& medium, const Vec3d& along, double u, double v)
                             ? 2 * u - 1
                             : std::clamp((1 + square(g) - square(k)) / (2 * g), -1.0, 1.0);
   const double sine = std::sqrt(std::max(0.0, 1 - square(cosine)));
-  const double phi = 2 * pi * v;
+  const SinCos turn = sin_cos_of(v);
   // A frame around the direction (T. Duff et al., Building an Orthonormal Basis, Revisited, 2017).
   const double sign = std::copysign(1.0, along.z);
   const double a = -1 / (sign + along.z);
   const double b = along.x * along.y * a;
   const Vec3d x(1 + sign * square(along.x) * a, sign * b, -sign * along.x);
   const Vec3d y(b, sign + square(along.y) * a, -along.y);
-  return sine * std::cos(phi) * x + sine * std::sin(phi) * y + cosine * along;
+  return sine * turn.cosine * x + sine * turn.sine * y + cosine * along;
 }
 
 void MediaStack::enter(const Material& material, std::uint64_t body) {
@@ -139,7 +140,7 @@ double sample_distance(const Medium& medium, const Rgb& throughput, const Float2
   if (!medium.scatters()) return kNever;
   const int color = choose_color(color_odds(throughput), static_cast<double>(random[1]));
   const double decisive = medium.extinction()[color];
-  return decisive > 0 ? -std::log1p(-static_cast<double>(random[0])) / decisive : kNever;
+  return decisive > 0 ? static_cast<double>(-std::log(1 - random[0])) / decisive : kNever;
 }
 
 Rgb distance_weight(const Medium& medium, const Rgb& throughput, double distance, bool scattered) {

@@ -49,15 +49,21 @@ class PathSampler {
   std::uint32_t step() const { return step_; }
   void next_step() { ++step_; }
 
-  Float2 pair(Dimension d) const { return stream_.pair(number(d), branch_, branches_); }
+  Float2 pair(Dimension d) const {
+    return step_ < kStratified ? stream_.pair(number(d), branch_, branches_)
+                               : stream_.random_pair(number(d), branch_, branches_);
+  }
   double single(Dimension d) const {
-    return static_cast<double>(stream_.single(number(d), branch_, branches_));
+    return static_cast<double>(step_ < kStratified
+                                   ? stream_.single(number(d), branch_, branches_)
+                                   : stream_.random_single(number(d), branch_, branches_));
   }
   /// For decisions that need no stratification.
   std::uint32_t key() const { return mix_bits(stream_.key(), branch_) + step_; }
 
  private:
-  static constexpr std::uint32_t kFirst = 1;  // after the position in the pixel
+  static constexpr std::uint32_t kFirst = 1;        // after the position in the pixel
+  static constexpr std::uint32_t kStratified = 12;  // steps: of so many dimensions it is no use
   static constexpr auto kDimensions = static_cast<std::uint32_t>(Dimension::count);
   std::uint32_t number(Dimension d) const {
     return first_ + step_ * kDimensions + static_cast<std::uint32_t>(d);

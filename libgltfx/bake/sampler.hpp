@@ -79,10 +79,22 @@ class SampleStream {
     return unit_float(reverse_bits(scramble_reversed(index, mix_bits(seed + 1))));
   }
 
+  /// The same without stratification, in a third of the time.
+  Float2 random_pair(std::uint32_t dimension, std::uint32_t part, std::uint32_t parts) const {
+    const std::uint32_t first = hash(dimension, part, parts);
+    return {unit_float(first), unit_float(mix_bits(first + 1))};
+  }
+  float random_single(std::uint32_t dimension, std::uint32_t part, std::uint32_t parts) const {
+    return unit_float(hash(dimension, part, parts));
+  }
+
   /// A hash of pixel and sample, for decisions that need no stratification.
   std::uint32_t key() const { return mix_bits(key_, sample_); }
 
  private:
+  std::uint32_t hash(std::uint32_t dimension, std::uint32_t part, std::uint32_t parts) const {
+    return mix_bits(mix_bits(key_ + 0x9e3779b9U * (dimension + 1)) ^ (sample_ * parts + part));
+  }
   static std::uint32_t shuffled(std::uint32_t sample, std::uint32_t seed) {
     return reverse_bits(scramble_reversed(reverse_bits(sample), seed));
   }
