@@ -23,6 +23,7 @@ class Picture:
 
 # OpenEXR: "The OpenEXR File Layout". gltfx writes scan lines, 32-bit floats, ZIP or no compression.
 
+LONG_NAMES = 0x400  # a flag that Blender sets
 LINES_IN_BLOCK = {0: 1, 2: 1, 3: 16}  # by compression: none, ZIPS, ZIP
 FLOAT = 2
 
@@ -35,7 +36,7 @@ def text_at(data, at):
 def header_of(data):
     """(attributes by name, where the offset table begins)"""
     magic, version = struct.unpack_from("<II", data)
-    if magic != 20000630 or version != 2:
+    if magic != 20000630 or version not in (2, 2 | LONG_NAMES):
         raise ValueError("not a plain OpenEXR file")
     attributes, at = {}, 8
     while data[at]:
