@@ -16,6 +16,7 @@ oracle_packages=(python3-jsonschema)  # only nightly asks for it
 page_packages=(chromium npm)  # large: only nightly asks for them
 target_packages=(blender chromium python3-numpy assimp-utils python3-vtk9 npm)  # engines; only nightly asks for them
 web_packages=(chromium firefox-esr npm python3)
+cycles_packages=(blender python3-numpy)  # the importer of glTF needs NumPy; only nightly asks for them
 
 say() { printf '\n== %s\n' "$*"; }
 
