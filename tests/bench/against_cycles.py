@@ -2,103 +2,36 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws assets with gltfx and with Cycles: same camera, same environment, no denoiser.
 
-  against_cycles.py [--size N] [--samples LIST] [--work DIR] PROGRAM ASSET.glb...
+  against_cycles.py [--size N] [--samples LIST] [--reference N] [--threads N] [--cpu] [--work DIR]
+                    PROGRAM [ASSET.glb...]
 
-Needs Blender on the path, which brings Cycles and a glTF importer. An environment that PROGRAM and
-Blender both read is made first, and the camera is put into a copy of each asset. For each number of
-samples it prints seconds from start to file and the error: the root of the mean square over the
-pixels, as part of the mean, against that renderer's own picture of 4,096 samples, so that what the
-importer reads differently does not count; and for each asset how far the two references are apart.
+Without assets it makes two, 25 balls and a model of 100,000 triangles; a camera is put into a copy
+of each given one. Needs Blender on the path, which brings Cycles and a glTF importer.
+
+For each number of samples it prints seconds from start to file and two errors: the root of the mean
+square over the pixels, as part of the mean. `own` is against the same renderer's picture of
+--reference samples of another seed, so that what the importer reads differently does not count;
+`common` is against the mean of both references. Then it prints the seconds that each renderer needs
+for the same error: samples are those of the measurement with the nearest error, by error ~
+1 / sqrt(samples), and seconds are linear in samples. No start-up time is subtracted; it is
+printed beside, as the time of one sample of 16 by 16 pixels. On a busy machine, --cpu counts
+processor time of all threads in place of what the clock says.
 """
 import argparse
 import json
 import math
 import os
-import shutil
 import struct
-import subprocess
 import sys
-import time
 
-BLENDER = r'''
-import bpy, sys
-asset, sky, picture, size, samples = sys.argv[sys.argv.index("--") + 1:]
-bpy.ops.wm.read_factory_settings(use_empty=True)
-bpy.ops.import_scene.gltf(filepath=asset)
-scene = bpy.context.scene
-scene.camera = next(o for o in scene.objects if o.type == "CAMERA")
-scene.world = bpy.data.worlds.new("sky")
-scene.world.use_nodes = True
-nodes = scene.world.node_tree.nodes
-image = nodes.new("ShaderNodeTexEnvironment")
-image.image = bpy.data.images.load(sky)
-scene.world.node_tree.links.new(image.outputs[0], nodes["Background"].inputs[0])
-scene.render.engine = "CYCLES"
-scene.cycles.device = "CPU"
-scene.cycles.samples = int(samples)
-scene.cycles.use_adaptive_sampling = False
-scene.cycles.use_denoising = False
-scene.cycles.max_bounces = 4
-scene.cycles.sample_clamp_indirect = 0
-scene.render.threads_mode = "FIXED"
-scene.render.threads = 2
-scene.render.resolution_x = scene.render.resolution_y = int(size)
-scene.render.resolution_percentage = 100
-scene.render.film_transparent = False
-scene.view_settings.view_transform = "Raw"
-scene.render.image_settings.file_format = "HDR"
-scene.render.filepath = picture
-bpy.ops.render.render(write_still=True)
-'''
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "../cycles"))
+sys.dont_write_bytecode = True
 
+import renderers  # noqa: E402  before the rest: it adds the folder of tests/oracle
+import cycles_assets  # noqa: E402
 
-def write_sky(path, width=256, height=128):
-    """A bright room with one lamp, as a Radiance file without compression."""
-    def pixel(value):
-        mantissa, exponent = math.frexp(max(value))
-        scale = mantissa * 256 / max(value)
-        return bytes([int(v * scale) for v in value] + [exponent + 128])
-
-    with open(path, "wb") as out:
-        out.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (height, width))
-        for y in range(height):
-            up = 1 - y / height
-            for x in range(width):
-                lamp = abs(x - 80) < 14 and abs(y - 36) < 10
-                out.write(pixel((9.0, 8.8, 8.4) if lamp else (0.3 + up * 0.5, 0.35 + up * 0.5,
-                                                              0.4 + up * 0.6)))
-
-
-def read_radiance(path):
-    """Rows of (r, g, b) of a Radiance file, compressed or not."""
-    with open(path, "rb") as file:
-        data = file.read()
-    end = data.index(b"\n\n") + 2
-    line_end = data.index(b"\n", end)
-    _, height, _, width = data[end:line_end].split()
-    height, width, at = int(height), int(width), line_end + 1
-    values = []
-    for _ in range(height):
-        if data[at:at + 2] != b"\2\2":
-            row, at = data[at:at + 4 * width], at + 4 * width
-            planes = [row[c::4] for c in range(4)]
-        else:
-            at, planes = at + 4, []
-            for _ in range(4):
-                plane = bytearray()
-                while len(plane) < width:
-                    count = data[at]
-                    if count > 128:
-                        plane += data[at + 1:at + 2] * (count - 128)
-                        at += 2
-                    else:
-                        plane += data[at + 1:at + 1 + count]
-                        at += 1 + count
-                planes.append(plane)
-        for r, g, b, e in zip(*planes):
-            scale = math.ldexp(1, e - 136) if e else 0
-            values += [r * scale, g * scale, b * scale]
-    return values
+BOUNCES = 4
 
 
 def with_camera(path, target):
@@ -118,76 +51,99 @@ def with_camera(path, target):
         out.write(struct.pack("<I4s", len(text), b"JSON") + text + rest)
 
 
+def assets_of(options):
+    """Paths of files with a camera."""
+    if not options.assets:
+        for name, make in (("balls", cycles_assets.balls), ("model", cycles_assets.model)):
+            path = os.path.join(options.work, name + ".glb")
+            cycles_assets.write_glb(make(), path)
+            yield path
+    for source in options.assets:
+        path = os.path.join(options.work, os.path.basename(source))
+        with_camera(source, path)
+        yield path
+
+
+def values_of(picture):
+    return [value for row in picture.rows for pixel in row for value in pixel[:3]]
+
+
 def apart(one, other):
     square = sum((a - b) ** 2 for a, b in zip(one, other)) / len(other)
     return math.sqrt(square) / (sum(other) / len(other))
 
 
-class Renderers:
-    def __init__(self, options):
-        self.options = options
-        self.sky = os.path.join(options.work, "sky.hdr")
-        self.script = os.path.join(options.work, "draw.py")
-        self.picture = os.path.join(options.work, "picture")
-        write_sky(self.sky)
-        with open(self.script, "w", encoding="utf-8") as out:
-            out.write(BLENDER)
+class Run:
+    """One picture of a renderer: samples, seconds, error against its own reference."""
 
-    def gltfx(self, asset, samples):
-        picture = self.picture + ".exr"
-        seconds = self.timed([self.options.program, "bake", asset, "-o", picture, "--size",
-                              self.options.size, "--samples", str(samples), "--bounces", "4",
-                              "--denoise", "off", "--camera", "0", "--environment", self.sky,
-                              "--jobs", "2", "--quiet"])
-        # Blender reads OpenEXR; this script reads Radiance.
-        converted = self.picture + ".hdr"
-        self.run_blender(f"import bpy; i = bpy.data.images.load({picture!r}); "
-                         f"i.file_format = 'HDR'; i.filepath_raw = {converted!r}; i.save()")
-        return seconds, read_radiance(converted)
+    def __init__(self, samples, seconds, own, common):
+        self.samples, self.seconds, self.own, self.common = samples, seconds, own, common
 
-    def cycles(self, asset, samples):
-        picture = self.picture + "-cycles.hdr"
-        seconds = self.timed(["blender", "--background", "--factory-startup", "--python",
-                              self.script, "--", asset, self.sky, picture, self.options.size,
-                              str(samples)])
-        return seconds, read_radiance(picture)
+    def __str__(self):
+        return (f"{self.samples:5} samples {self.seconds:7.2f} s  own {self.own:.4f}  "
+                f"common {self.common:.4f}")
 
-    def run_blender(self, text):
-        self.timed(["blender", "--background", "--factory-startup", "--python-expr", text])
 
-    @staticmethod
-    def timed(words):
-        start = time.monotonic()
-        subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return time.monotonic() - start
+def seconds_for(error, runs):
+    """Of a renderer, from what was measured, by the number of samples from few to many."""
+    nearest = min(runs, key=lambda run: abs(math.log(run.own / error)))
+    samples = nearest.samples * (nearest.own / error) ** 2
+    above = next((i for i in range(1, len(runs) - 1) if runs[i].samples >= samples), len(runs) - 1)
+    if above == 0:
+        return nearest.seconds * samples / nearest.samples
+    first, second = runs[above - 1], runs[above]
+    slope = (second.seconds - first.seconds) / (second.samples - first.samples)
+    return max(first.seconds + slope * (samples - first.samples), 0.0)
+
+
+def measure(asset, draws, options):
+    """Runs by name of the renderer."""
+    size, counts = options.size, sorted(map(int, options.samples.split(",")))
+    references = {name: values_of(draw(asset, size, options.reference, BOUNCES, seed=1)[1])
+                  for name, draw in draws.items()}
+    common = [(a + b) / 2 for a, b in zip(*references.values())]
+    print(f"{asset}: references {apart(*references.values()):.4f} apart", flush=True)
+    runs = {name: [] for name in draws}
+    for samples in counts:
+        for name, draw in draws.items():
+            seconds, picture = draw(asset, size, samples, BOUNCES)
+            values = values_of(picture)
+            run = Run(samples, seconds, apart(values, references[name]), apart(values, common))
+            runs[name].append(run)
+            print(f"  {name:7} {run}", flush=True)
+    return runs
+
+
+def print_equal_errors(runs):
+    for run in runs["Cycles"]:
+        ours, theirs = (seconds_for(run.own, runs[name]) for name in ("gltfx", "Cycles"))
+        print(f"  error {run.own:.4f}: gltfx {ours:.2f} s, Cycles {theirs:.2f} s, "
+              f"{theirs / ours:.1f} times as long", flush=True)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
-    parser.add_argument("assets", nargs="+")
-    parser.add_argument("--size", default="512")
+    parser.add_argument("assets", nargs="*")
+    parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--samples", default="16,64")
-    parser.add_argument("--reference", type=int, default=4096, help="samples")
+    parser.add_argument("--reference", type=int, default=1024, help="samples")
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--cpu", action="store_true", help="processor time")
     parser.add_argument("--work", default="build/bench-work/cycles")
     options = parser.parse_args()
-    if not shutil.which("blender"):
-        sys.exit("against_cycles.py: Blender is not installed.")
-    os.makedirs(options.work, exist_ok=True)
-    renderers = Renderers(options)
-    for path in options.assets:
-        asset = os.path.join(options.work, os.path.basename(path))
-        with_camera(path, asset)
-        references = [draw(asset, options.reference)[1]
-                      for draw in (renderers.gltfx, renderers.cycles)]
-        print(f"{path}: references {apart(*references):.4f} apart")
-        for samples in map(int, options.samples.split(",")):
-            for name, draw, reference in zip(("gltfx", "Cycles"),
-                                             (renderers.gltfx, renderers.cycles), references):
-                seconds, picture = draw(asset, samples)
-                print(f"  {name:7} {samples:5} samples {seconds:7.2f} s  "
-                      f"error {apart(picture, reference):.4f}", flush=True)
+    try:
+        both = renderers.Renderers(options.program, options.work, options.threads,
+                                   options.cpu)
+        draws = {"gltfx": both.gltfx, "Cycles": both.cycles}
+        for asset in assets_of(options):
+            runs = measure(asset, draws, options)
+            print_equal_errors(runs)
+            for name, draw in draws.items():
+                print(f"  {name:7} start-up {draw(asset, 16, 1, BOUNCES)[0]:.2f} s", flush=True)
+    except renderers.Failure as failure:
+        sys.exit(f"against_cycles.py: {failure}")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 """Draws assets with gltfx and with Cycles: same camera, same environment, no denoiser."""
 import json
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -34,16 +35,16 @@ def room(brightness=1.0, width=256, height=128):
 
 class Renderers:
     """`work`: folder for environments, job files and pictures. An environment is "bright" or
-    "dim"."""
+    "dim". `cpu`: seconds are those of processors, of all threads."""
 
-    def __init__(self, program, work, threads):
+    def __init__(self, program, work, threads, cpu=False):
         if not shutil.which("blender"):
             raise Failure("Blender is not installed (Debian: apt-get install blender)")
         version = output_of(["blender", "--version"]).split("\n", 1)[0]
         if not version.startswith("Blender 3.4"):
             raise Failure(f"needs Blender 3.4, whose differences are known, and not {version}")
         self.program, self.work = os.path.abspath(program), os.path.abspath(work)
-        self.threads = threads
+        self.threads, self.cpu = threads, cpu
         os.makedirs(self.work, exist_ok=True)
         for sky, brightness in (("bright", 1.0), ("dim", 0.05)):
             with open(self.path(sky + ".hdr"), "wb") as out:
@@ -56,10 +57,11 @@ class Renderers:
               sky="bright"):
         """(seconds from start to file, Picture)"""
         picture = self.path(picture)
-        seconds = timed([self.program, "bake", asset, "-o", picture, "--camera", "0", "--size",
-                         str(size), "--samples", str(samples), "--bounces", str(bounces),
-                         "--environment", self.path(sky + ".hdr"), "--denoise", "off", "--jobs",
-                         str(self.threads), "--seed", str(seed), "--isolated", "--quiet", *options])
+        seconds = self.timed([
+            self.program, "bake", asset, "-o", picture, "--camera", "0", "--size", str(size),
+            "--samples", str(samples), "--bounces", str(bounces), "--environment",
+            self.path(sky + ".hdr"), "--denoise", "off", "--jobs", str(self.threads), "--seed",
+            str(seed), "--isolated", "--quiet", *options])
         return seconds, read(picture)
 
     def cycles(self, asset, size, samples, bounces, seed=0):
@@ -80,9 +82,20 @@ class Renderers:
                 os.remove(job["picture"])
         with open(self.path("jobs.json"), "w", encoding="utf-8") as out:
             json.dump(jobs, out)
-        return timed(["blender", "--background", "--factory-startup", "--python-exit-code", "1",
-                      "--python", os.path.join(HERE, "draw_in_blender.py"), "--",
-                      self.path("jobs.json")])
+        return self.timed([
+            "blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python",
+            os.path.join(HERE, "draw_in_blender.py"), "--", self.path("jobs.json")])
+
+    def timed(self, words):
+        start = self.now()
+        output_of(words)
+        return self.now() - start
+
+    def now(self):
+        if not self.cpu:
+            return time.monotonic()
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
 
 
 def read(path):
@@ -96,10 +109,3 @@ def output_of(words):
         raise Failure(f"{words[0]}: exit code {done.returncode}: "
                       + (done.stderr.strip() or done.stdout.strip())[-2000:])
     return done.stdout
-
-
-def timed(words):
-    """Seconds of a process."""
-    start = time.monotonic()
-    output_of(words)
-    return time.monotonic() - start
