@@ -96,14 +96,16 @@ Vec3d sample_phase(const Medium& medium, const Vec3d& along, double u, double v)
                             ? 2 * u - 1
                             : std::clamp((1 + square(g) - square(k)) / (2 * g), -1.0, 1.0);
   const double sine = std::sqrt(std::max(0.0, 1 - square(cosine)));
+  // Made of unit length once more, by a step of Newton: paths have hundreds of directions.
   const SinCos turn = sin_cos_of(v);
+  const double side = sine * (1.5 - 0.5 * (square(turn.sine) + square(turn.cosine)));
   // A frame around the direction (T. Duff et al., Building an Orthonormal Basis, Revisited, 2017).
   const double sign = std::copysign(1.0, along.z);
   const double a = -1 / (sign + along.z);
   const double b = along.x * along.y * a;
   const Vec3d x(1 + sign * square(along.x) * a, sign * b, -sign * along.x);
   const Vec3d y(b, sign + square(along.y) * a, -along.y);
-  return sine * turn.cosine * x + sine * turn.sine * y + cosine * along;
+  return side * turn.cosine * x + side * turn.sine * y + cosine * along;
 }
 
 void MediaStack::enter(const Material& material, std::uint64_t body) {
