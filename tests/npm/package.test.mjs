@@ -6,6 +6,7 @@ import { copyFileSync, existsSync, readFileSync, rmSync, writeFileSync } from "n
 import { dirname, join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
 import { importFrom, install, modules, requireFrom, root, version } from "./packages.mjs";
 
 const folder = install({ native: false });
@@ -23,6 +24,11 @@ test("the archive has no dependency, no script, the version of the project", () 
   const licences = readFileSync(join(installed, "THIRD_PARTY.txt"), "utf8");
   for (const [, component] of readFileSync(join(installed, "sbom.spdx"), "utf8").matchAll(/^PackageName: (.*)$/gm))
     assert.ok(component === "gltfx" || licences.includes(`\n${component} `), component);
+});
+
+test("the engine is at most 1.5 MB, compressed", () => {
+  const { length } = gzipSync(readFileSync(join(installed, "wasm/gltfx.wasm")), { level: 9 });
+  assert.ok(length <= 1.5e6, `${length} bytes`);
 });
 
 const users = {
