@@ -45,7 +45,7 @@ std::string copied_fixture(const std::string& name) {
 // Legacy textures: the upgrade looks for images that are left over, and adds some to the GLB.
 const std::string kLegacyText = copied_fixture("legacy/shop.gltf");
 const std::string kLegacyBinary = copied_fixture("legacy/lantern.glb");
-const std::string kCurrent = copied_fixture("good/bowl.glb");
+const std::string kCurrent = copied_fixture("good/poster.glb");
 
 PageAsset page_of(const std::string& path, ValidateOptions options = {}) {
   options.jobs = 1;
