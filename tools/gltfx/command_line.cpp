@@ -28,38 +28,8 @@ namespace gltfx::tool {
 
 namespace {
 
-void declare_explain(CLI::App& app, RawExplainOptions& words) {
-  describe_positional(app, "CODE", "Codes of rules, in any case");
-  add_common(app, words.common);
-}
-
-void declare_rules(CLI::App& app, RawRulesOptions& words) {
-  add_word(app, "-f,--format", words.format, "NAME", "Output format: text (default) or json");
-  add_common(app, words.common);
-}
-
-void declare_targets(CLI::App& app, RawTargetsOptions& words) {
-  describe_positional(app, "NAME[@VERSION]", "Engines and versions (default: the newest of each)");
-  add_word(app, "-f,--format", words.format, "NAME",
-           "Output format: text (default), json or markdown");
-  add_target_files(app, words.target_files);
-  add_common(app, words.common);
-}
-
-void declare_schema(CLI::App& app, RawSchemaOptions& words) {
-  describe_positional(app, "NAME", "Extension or core type (default: list them)");
-  add_word(app, "-f,--format", words.format, "NAME", "Output format: text (default) or json");
-  add_list(app, "--status", words.statuses, "NAME", "Extensions of this status only (repeatable)");
-  add_word(app, "--new", words.new_name, "NAME", "Print a schema to start with");
-  add_list(app, "--check", words.check_files, "FILE", "Check a schema file (repeatable)");
-  add_list(app, "--test", words.test_files, "FILE", "Run the tests of a schema file (repeatable)");
-  add_schema_sources(app, words.schema_files, words.schema_folders);
-  add_configuration(app, words.configuration);
-  add_common(app, words.common);
-}
-
-// Everything CLI11 is told. Only verbs that are among the words get their options, for all of them
-// take longer than the rest of a short run; without words, all do.
+// Everything CLI11 is told. Only verbs that are among the words get their options: to declare those
+// of all verbs takes longer than the rest of a short run. Without words, all verbs get theirs.
 class Declaration {
  public:
   explicit Declaration(std::span<const char* const> words) : words_(words) {

@@ -76,6 +76,10 @@ void declare_inspect(CLI::App& app, RawInspectOptions& words);
 void declare_merge(CLI::App& app, RawMergeOptions& words);
 /// The options of `gltfx config`.
 void declare_config(CLI::App& app, RawConfigOptions& words);
+void declare_explain(CLI::App& app, RawExplainOptions& words);
+void declare_rules(CLI::App& app, RawRulesOptions& words);
+void declare_targets(CLI::App& app, RawTargetsOptions& words);
+void declare_schema(CLI::App& app, RawSchemaOptions& words);
 
 /// What CLI11 was told, the program first, then its verbs.
 std::vector<CommandEntry> table_of(const CLI::App& program);
