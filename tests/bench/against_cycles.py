@@ -55,8 +55,9 @@ def assets_of(options):
     """Paths of files with a camera."""
     if not options.assets:
         for name, make in (("balls", cycles_assets.balls), ("model", cycles_assets.model)):
-            path = os.path.join(options.work, name + ".glb")
-            cycles_assets.write_glb(make(), path)
+            path = os.path.join(options.work, name + ".gltf")
+            with open(path, "w", encoding="utf-8") as out:
+                out.write(make().text())
             yield path
     for source in options.assets:
         path = os.path.join(options.work, os.path.basename(source))

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What against_cycles.py draws without assets: 25 balls, and a knot of 100,000 triangles."""
-import json
 import math
-import struct
 
 from scene import Scene, Shape, lambert, material, perspective, quad, sphere
 from vectors import cross, normalize, plus, times
@@ -64,15 +62,3 @@ def model():
     scene.draw(knot(), material((0.7, 0.5, 0.2), 1, 0.35))
     scene.draw(quad(1.6), matte(doubleSided=True), translation=[0, 0, -0.7])
     return with_eye(scene)
-
-
-def write_glb(scene, path):
-    document = json.loads(scene.text())
-    del document["buffers"][0]["uri"]
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    binary = bytes(scene.bytes) + bytes(-len(scene.bytes) % 4)
-    with open(path, "wb") as out:
-        out.write(struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(binary)))
-        out.write(struct.pack("<I4s", len(text), b"JSON") + text)
-        out.write(struct.pack("<I4s", len(binary), b"BIN\0") + binary)
