@@ -172,7 +172,7 @@ class InsideTable {
     Float3& cell = bases_[column];
     if (cell[0] < 0) {
       const double cosine = std::max(static_cast<double>(column), 0.25) / (kBases - 1);
-      // The sum of 1 - F0 y - F90 z; each part is the sum of 1 minus something.
+      // The sum of 1 - F0 y - F90 z, part by part: sum_base() takes each from 1.
       cell = to_float3(sum_base(eta_, cosine, [&](double v_h) {
         const Rgb parts = reflectance(v_h);
         return Rgb(0, 1 + parts.y, 1 + parts.z);
@@ -182,7 +182,7 @@ class InsideTable {
   }
 
   double eta_;
-  double edge_;  // the cosine
+  double edge_;  // the cosine at which total reflection begins
   std::array<Row, kRows> rows_;
   std::vector<Float3> layers_, bases_;
 };
