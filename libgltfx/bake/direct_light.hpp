@@ -24,6 +24,9 @@ struct Candidate {
   double weight = 0;  ///< in the choice among candidates; 0: no light
 };
 
+/// Whether light sampling looks to both sides of a surface of the material.
+inline bool is_lit_from_behind(const Material& m) { return is_transmissive(m) && !m.volumetric(); }
+
 /// One candidate out of several.
 struct Reservoir {
   Candidate candidate;
@@ -54,7 +57,7 @@ class DirectLight {
               const Medium* around)
       : context_(context), surface_(surface), bsdf_(bsdf), around_(around) {}
 
-  Candidate sample_environment(const Float2& random) const;
+  Candidate sample_environment(const Float2& random, const SkyPdf& pdf) const;
   Candidate sample_emitter(const Float2& random) const;
   Candidate sample_punctual(const Float2& random) const;
 

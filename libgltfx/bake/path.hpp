@@ -9,6 +9,7 @@
 #include "bake/medium.hpp"
 #include "bake/ray.hpp"
 #include "bake/sampler.hpp"
+#include "bake/sky_samples.hpp"
 
 namespace gltfx::bake {
 
@@ -88,6 +89,7 @@ struct Path {
   PathSampler sampler;
   Rgb throughput{1, 1, 1};  ///< BSDFs, phase functions and cosines over densities
   double pdf = 0;         ///< of the ray's direction; 0: light sampling does not find what it hits
+  SkyPdf sky_pdf{};       ///< of light sampling where the ray starts
   int depth = 0;          ///< surfaces that scattered
   int channel = -1;       ///< the only colour that it carries, after dispersion; -1: all
   double weight = 1;      ///< of a branch in the throughput

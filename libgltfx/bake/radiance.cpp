@@ -51,7 +51,8 @@ double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
 
 void add_environment(const Environment& environment, const Path& path, PathSample& L) {
   const EnvironmentValue seen = environment.evaluate(path.ray.direction);
-  const double weight = path.pdf > 0 ? power_heuristic(path.pdf, seen.pdf) : 1.0;
+  const double sky_pdf = path.sky_pdf(path.ray.direction, seen.radiance, seen.pdf);
+  const double weight = path.pdf > 0 ? power_heuristic(path.pdf, sky_pdf) : 1.0;
   L.add_light(path.throughput * seen.radiance * weight, path.reflected_share);
 }
 
@@ -197,12 +198,14 @@ bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, P
 
 // Next event estimation: resamples one of some candidates for each kind of light. The first surface
 // gets more candidates, as its light is the most visible.
-void sample_direct_light(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
+void sample_direct_light(const TraceContext& context, Path& path, const SurfaceVertex& vertex,
                          const Bsdf& bsdf, PathSample& L) {
   const DirectLight light(context, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
   const bool first = path.depth == 1;
   const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
   const std::uint32_t samples = first ? context.effort.light_samples : 1;
+  path.sky_pdf = context.world.sky_pdf(vertex.surface.frame.normal,
+                                       is_lit_from_behind(vertex.surface.material), samples);
   // The shared sky has chosen among many directions by the cosine; the rest is up to gloss.
   const bool matt = !is_glossy(vertex.surface.material);
   const std::uint32_t sky_candidates = context.world.sky && matt ? 1 : candidates;
@@ -222,7 +225,7 @@ void sample_direct_light(const TraceContext& context, const Path& path, const Su
     if (sees_environment(context, path)) {
       const Reservoir chosen =
           choose(sky_candidates, sampler, Dimension::environment_choice, Dimension::environment,
-                 [&](const Float2& u) { return light.sample_environment(u); });
+                 [&](const Float2& u) { return light.sample_environment(u, path.sky_pdf); });
       add({chosen.candidate, chosen.scale / samples});
     }
     if (context.world.emitters.empty()) continue;

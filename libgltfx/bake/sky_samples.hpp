@@ -4,11 +4,27 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "bake/environment.hpp"
+#include "bake/storage.hpp"
 
 namespace gltfx::bake {
+
+/// The density with which SkySamples::choose() finds directions from a surface: in proportion to
+/// their luminance times the cosine. For multiple importance sampling, where a density that is not
+/// exact costs noise but no light.
+struct SkyPdf {
+  Vec3d normal;
+  double scale = 0;  ///< number of choices over the irradiance; 0: by Environment::sample()
+
+  /// Of radiance from a direction; `pdf`: that of Environment::sample().
+  double operator()(const Vec3d& direction, const Rgb& radiance, double pdf) const {
+    return scale > 0 ? luminance(radiance) * std::fabs(dot(direction, normal)) * scale : pdf;
+  }
+};
 
 /// Blocks of directions, sampled by brightness. Each block is stratified, and so are the blocks
 /// that follow each other. All surfaces of a picture share the directions: they are so many that
@@ -21,6 +37,9 @@ class SkySamples {
   /// (resampled importance sampling), on the side of the normal or, with `both`, on both sides.
   /// `random` is uniform: the first number chooses the block, the second the direction.
   EnvironmentSample choose(const Vec3d& normal, bool both, const Float2& random) const;
+
+  /// The density of `count` choices.
+  SkyPdf pdf(const Vec3d& normal, bool both, std::uint32_t count) const;
 
   /// The unoccluded irradiance of a surface, to a few percent: by spherical harmonics of the second
   /// degree (R. Ramamoorthi and P. Hanrahan, An Efficient Representation for Irradiance Environment

@@ -43,6 +43,10 @@ struct World {
   EnvironmentSample sample_sky(const Vec3d& normal, bool both, const Float2& random) const {
     return sky ? sky->choose(normal, both, random) : environment->sample(random);
   }
+  /// The density of `count` such directions.
+  SkyPdf sky_pdf(const Vec3d& normal, bool both, std::uint32_t count) const {
+    return sky ? sky->pdf(normal, both, count) : SkyPdf();
+  }
 };
 
 }  // namespace gltfx::bake
