@@ -57,7 +57,7 @@ double brightness(const Scene& scene, const Mesh& mesh, const SceneMaterial& mat
   for (const Float2& look : kProbes) {
     hit.u = look[0];
     hit.v = look[1];
-    sum += luminance(material_at(scene, mesh, material, hit).emissive);
+    sum += luminance(material_at({scene, mesh, material, hit}).emissive);
   }
   return sum / kProbes.size();
 }

@@ -8,17 +8,51 @@
 
 #include "bake/ray.hpp"
 #include "bake/scene.hpp"
+#include "bake/texture.hpp"
 
 namespace gltfx::bake {
 
-/// All parameters but the normals. Texture coordinates and vertex colour are those of `mesh` at
-/// `hit`.
-Material material_at(const Scene& scene, const Mesh& mesh, const SceneMaterial& material,
-                     const Hit& hit);
+/// Reads the texture slots of a material at one hit, by the texture coordinates of the mesh.
+/// References must outlive it.
+class SlotReader {
+ public:
+  SlotReader(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, const Hit& hit)
+      : scene_(scene), mesh_(mesh), material_(material), hit_(hit) {}
 
-/// The normal that a normal map holds at the hit, scaled, in tangent space and of unit length;
-/// nothing when there is no map. `slot`: normal or clearcoat_normal.
-std::optional<Vec3d> mapped_normal(const Scene& scene, const Mesh& mesh,
-                                   const SceneMaterial& material, const Hit& hit, Slot slot);
+  const Mesh& mesh() const { return mesh_; }
+  const SceneMaterial& material() const { return material_; }
+  const Hit& hit() const { return hit_; }
+
+  bool has(Slot slot) const { return material_.use(slot).texture != kNone; }
+  /// Precondition of this and the next one: the slot has a texture.
+  bool is_missing(Slot slot) const { return scene_.textures[material_.use(slot).texture].missing; }
+  Float4 texel(Slot slot) const;
+  /// Scales by the texture of the slot, if there is one.
+  void scale(Rgb& value, Slot slot) const;
+  /// Scales by one channel: that of the slot unless the use names another.
+  void scale(double& value, Slot slot, std::uint32_t channel) const;
+
+ private:
+  Float2 uv_of(const TextureUse& use) const;
+  const TexelPatch& patch_of(const Texture& texture, const Float2& uv) const;
+
+  const Scene& scene_;
+  const Mesh& mesh_;
+  const SceneMaterial& material_;
+  const Hit& hit_;
+  // What was worked out last: most slots of a material share it.
+  mutable std::uint32_t set_ = kNone;
+  mutable Float2 uv_{};  // of set_
+  mutable const Texture* patched_ = nullptr;
+  mutable Float2 patch_uv_{};
+  mutable TexelPatch patch_;  // of patched_ at patch_uv_
+};
+
+/// All parameters but the normals, and the vertex colour.
+Material material_at(const SlotReader& reader);
+
+/// The normal that a normal map holds, scaled, in tangent space and of unit length; nothing where
+/// there is no map. `slot`: normal or clearcoat_normal.
+std::optional<Vec3d> mapped_normal(const SlotReader& reader, Slot slot);
 
 }  // namespace gltfx::bake

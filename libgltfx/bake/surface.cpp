@@ -160,8 +160,8 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
   const HitTriangle triangle(scene, hit);
-  Surface surface{triangle.position(), triangle.flat_normal(), Frame(),
-                  material_at(scene, mesh, material, hit)};
+  const SlotReader reader(scene, mesh, material, hit);
+  Surface surface{triangle.position(), triangle.flat_normal(), Frame(), material_at(reader)};
   const bool front = dot(surface.flat_normal, ray.direction) < 0;
   surface.front = front;
   const Vec3d smooth = triangle.smooth_normal(surface.flat_normal);
@@ -177,11 +177,11 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   };
 
   const Frame plain = triangle.frame(smooth, material);
-  const auto bump = mapped_normal(scene, mesh, material, hit, Slot::normal);
+  const auto bump = mapped_normal(reader, Slot::normal);
   surface.frame = turned(plain, oriented(bump ? plain.to_world(*bump) : smooth));
   surface.flat_normal *= side * outward;
   if (surface.material.clearcoat > 0) {
-    const auto coat = mapped_normal(scene, mesh, material, hit, Slot::clearcoat_normal);
+    const auto coat = mapped_normal(reader, Slot::clearcoat_normal);
     const Vec3d normal = oriented(coat ? plain.to_world(*coat) : smooth);
     surface.material.clearcoat_normal = surface.frame.to_local(normal);
   }

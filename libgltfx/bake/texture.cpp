@@ -71,22 +71,7 @@ std::uint32_t stored_channel(const Texture& texture, std::uint32_t channel) {
   return texture.channels == 4 ? 3 : kNone;
 }
 
-struct Patch {
-  std::array<std::size_t, 4> texels;
-  std::array<float, 4> weights;
-};
-
-Patch patch_at(const Texture& texture, float u, float v) {
-  const Footprint x = footprint(u, texture.width, texture.wrap_s, texture.filter);
-  const Footprint y = footprint(v, texture.height, texture.wrap_t, texture.filter);
-  const std::size_t top = std::size_t{y.first} * texture.width;
-  const std::size_t low = std::size_t{y.second} * texture.width;
-  return {{top + x.first, top + x.second, low + x.first, low + x.second},
-          {(1 - x.share) * (1 - y.share), x.share * (1 - y.share), (1 - x.share) * y.share,
-           x.share * y.share}};
-}
-
-float blend(const Texture& texture, const Patch& patch, std::uint32_t channel, bool srgb) {
+float blend(const Texture& texture, const TexelPatch& patch, std::uint32_t channel, bool srgb) {
   float sum = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     if (patch.weights[i] > 0) {
@@ -105,7 +90,7 @@ Float4 marked_checker(float u, float v) {
 }
 
 // The usual image: RGB or RGBA of 8 bits, in one go.
-Float4 sample_bytes(const Texture& texture, const Patch& patch, bool srgb) {
+Float4 sample_bytes(const Texture& texture, const TexelPatch& patch, bool srgb) {
   Float4 sum{0, 0, 0, 0};
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(texture.pixels.data());
   for (std::size_t i = 0; i < 4; ++i) {
@@ -122,9 +107,17 @@ Float4 sample_bytes(const Texture& texture, const Patch& patch, bool srgb) {
 
 }  // namespace
 
-Float4 sample_texture(const Texture& texture, float u, float v, bool srgb) {
-  if (texture.missing) return srgb ? marked_checker(u, v) : Float4{1, 1, 1, 1};
-  const Patch patch = patch_at(texture, u, v);
+TexelPatch patch_at(const Texture& texture, const Float2& uv) {
+  const Footprint x = footprint(uv[0], texture.width, texture.wrap_s, texture.filter);
+  const Footprint y = footprint(uv[1], texture.height, texture.wrap_t, texture.filter);
+  const std::size_t top = std::size_t{y.first} * texture.width;
+  const std::size_t low = std::size_t{y.second} * texture.width;
+  return {{top + x.first, top + x.second, low + x.first, low + x.second},
+          {(1 - x.share) * (1 - y.share), x.share * (1 - y.share), (1 - x.share) * y.share,
+           x.share * y.share}};
+}
+
+Float4 sample_texture(const Texture& texture, const TexelPatch& patch, bool srgb) {
   if (texture.bits == 8 && texture.channels >= 3) return sample_bytes(texture, patch, srgb);
   Float4 value{1, 1, 1, 1};
   for (std::uint32_t c = 0; c < 4; ++c) {
@@ -134,10 +127,18 @@ Float4 sample_texture(const Texture& texture, float u, float v, bool srgb) {
   return value;
 }
 
-float sample_channel(const Texture& texture, float u, float v, std::uint32_t channel) {
+float sample_channel(const Texture& texture, const TexelPatch& patch, std::uint32_t channel) {
   const std::uint32_t stored = stored_channel(texture, channel);
-  if (texture.missing || stored == kNone) return 1;
-  return blend(texture, patch_at(texture, u, v), stored, false);
+  return stored == kNone ? 1 : blend(texture, patch, stored, false);
+}
+
+Float4 sample_texture(const Texture& texture, float u, float v, bool srgb) {
+  if (texture.missing) return srgb ? marked_checker(u, v) : Float4{1, 1, 1, 1};
+  return sample_texture(texture, patch_at(texture, {u, v}), srgb);
+}
+
+float sample_channel(const Texture& texture, float u, float v, std::uint32_t channel) {
+  return texture.missing ? 1 : sample_channel(texture, patch_at(texture, {u, v}), channel);
 }
 
 }  // namespace gltfx::bake

@@ -2,18 +2,34 @@
 /// Reading textures.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "bake/scene.hpp"
 
 namespace gltfx::bake {
 
-/// The texture at (u, v) of its own coordinates: wrapped, filtered, sRGB decoded where asked for
-/// before filtering. Missing channels: grey stands for all colours, alpha is 1. Coordinates
-/// that are not finite read the texel at (0, 0).
-Float4 sample_texture(const Texture& texture, float u, float v, bool srgb);
+/// The texels between which a point of a texture lies, and their weights.
+struct TexelPatch {
+  std::array<std::size_t, 4> texels{};
+  std::array<float, 4> weights{};
+};
 
-/// One channel of a texture, linear: 0 to 3 for R, G, B, A.
+/// At (u, v) of the texture's own coordinates, wrapped. Coordinates that are not finite give the
+/// texel at (0, 0). The same for all textures of the same size, wrapping and filter. Precondition:
+/// the texture is not `missing`.
+TexelPatch patch_at(const Texture& texture, const Float2& uv);
+
+/// The texture at `patch`: sRGB decoded where asked for before filtering. Missing channels: grey
+/// stands for all colours, alpha is 1.
+Float4 sample_texture(const Texture& texture, const TexelPatch& patch, bool srgb);
+
+/// One channel at `patch`, linear: 0 to 3 for R, G, B, A.
+float sample_channel(const Texture& texture, const TexelPatch& patch, std::uint32_t channel);
+
+/// The same at (u, v), where a texture that is `missing` shows a marked checker or reads 1.
+Float4 sample_texture(const Texture& texture, float u, float v, bool srgb);
 float sample_channel(const Texture& texture, float u, float v, std::uint32_t channel);
 
 /// TextureUse::transform. The text of KHR_texture_transform contradicts itself: its words and its

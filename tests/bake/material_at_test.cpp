@@ -23,7 +23,8 @@ Material read(Slot slot, const Material& factors) {
   SceneMaterial material;
   material.factors = factors;
   material.use(slot).texture = 0;
-  return material_at(scene, mesh, material, {});
+  const Hit hit;
+  return material_at({scene, mesh, material, hit});
 }
 
 struct SlotCase {

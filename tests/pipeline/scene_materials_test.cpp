@@ -60,7 +60,7 @@ TEST(SceneMaterials, ToonIsMatteBetweenItsTwoColors) {
   EXPECT_TRUE(scene.materials[0].toon);
   EXPECT_FALSE(scene.materials[0].factors.unlit);
   const bake::Hit hit{};
-  const Material at = bake::material_at(scene, scene.meshes.at(0), scene.materials[0], hit);
+  const Material at = bake::material_at({scene, scene.meshes.at(0), scene.materials[0], hit});
   EXPECT_EQ(at.base_color, Rgb(0.75, 0.25, 0.5));
   EXPECT_EQ(at.metallic, 0);
   EXPECT_EQ(at.specular, 0);
