@@ -24,7 +24,7 @@ double catcher_shadow(const TraceContext& context, const Ray& ray, const Float2&
   if (!(distance > 0)) return 0;
   const Vec3d point =
       beside(ray.origin + ray.direction * distance, Vec3d(0, 1, 0), context.scene_size);
-  const EnvironmentSample light = world.sample_sky(Vec3d(0, 1, 0), false, random);
+  const EnvironmentSample light = world.sample_sky({Vec3d(0, 1, 0)}, random);
   if (!(light.pdf > 0) || light.direction.y <= 0) return 0;
   ++rays;
   const double kept =

@@ -35,14 +35,13 @@ Candidate DirectLight::candidate(const Ray& shadow_ray, const Vec3d& l, const Rg
 }
 
 Candidate DirectLight::sample_environment(const Float2& random, const SkyPdf& pdf) const {
-  const bool both = is_lit_from_behind(surface_.material);
-  const EnvironmentSample light = context_.world.sample_sky(surface_.frame.normal, both, random);
+  const EnvironmentSample light = context_.world.sample_sky(pdf.receiver, random);
   if (!(light.pdf > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
   if (!is_consistent(light.direction, l) || is_inwards(l)) return {};
   const Evaluation bsdf = bsdf_.evaluate(l);
-  const double weight =
-      power_heuristic(pdf(light.direction, light.radiance, light.pdf), bsdf.pdf);
+  const double light_pdf = pdf ? pdf(light.direction, light.radiance) : light.pdf;
+  const double weight = power_heuristic(light_pdf, bsdf.pdf);
   const double scale = std::fabs(l.z) * weight * light.scale;
   const Ray shadow_ray{start(l), light.direction, context_.world.sky_occlusion};
   const Rgb contribution = bsdf.f * light.radiance * transmittance(l, Ray().far) * scale;

@@ -24,8 +24,13 @@ struct Candidate {
   double weight = 0;  ///< in the choice among candidates; 0: no light
 };
 
-/// Whether light sampling looks to both sides of a surface of the material.
-inline bool is_lit_from_behind(const Material& m) { return is_transmissive(m) && !m.volumetric(); }
+/// What a surface makes of light. Light from inside of a volume is not sampled.
+inline Receiver receiver_of(const Surface& surface) {
+  const Material& m = surface.material;
+  constexpr double kBase = 0.85;  // what layers above it leave, more or less
+  const double behind = m.transmission + (1 - m.transmission) * m.diffuse_transmission;
+  return {surface.frame.normal, m.volumetric() ? 0 : kBase * (1 - m.metallic) * behind};
+}
 
 /// One candidate out of several.
 struct Reservoir {

@@ -26,13 +26,17 @@ struct EnvironmentValue {
   double pdf = 0;  ///< per steradian
 };
 
+/// The direction at a point of the unit square over the image, and the other way round.
+Vec3d direction_of(const Float2& point);
+Float2 point_of(const Vec3d& direction);
+
 /// An equirectangular image, interpolated linearly and sampled by its brightness.
 class Environment {
  public:
   /// `image` has at least one texel.
   explicit Environment(const EnvironmentImage& image);
 
-  Rgb radiance(const Vec3d& direction) const { return evaluate(direction).radiance; }
+  Rgb radiance(const Vec3d& direction) const { return radiance_at(point_of(direction)); }
   EnvironmentValue evaluate(const Vec3d& direction) const;
   EnvironmentSample sample(const Float2& random) const;
   /// The density of sample(), per steradian.
@@ -45,9 +49,5 @@ class Environment {
   std::vector<Float3> texels_;  ///< rows from the top, with a border of one texel
   PiecewiseConstant2d distribution_;
 };
-
-/// The direction at a point of the unit square over the image, and the other way round.
-Vec3d direction_of(const Float2& point);
-Float2 point_of(const Vec3d& direction);
 
 }  // namespace gltfx::bake

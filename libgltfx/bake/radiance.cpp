@@ -49,10 +49,9 @@ double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
   return power_heuristic(path.pdf, context.world.emitters.pdf(hit, cosine));
 }
 
-void add_environment(const Environment& environment, const Path& path, PathSample& L) {
-  const EnvironmentValue seen = environment.evaluate(path.ray.direction);
-  const double sky_pdf = path.sky_pdf(path.ray.direction, seen.radiance, seen.pdf);
-  const double weight = path.pdf > 0 ? power_heuristic(path.pdf, sky_pdf) : 1.0;
+void add_environment(const World& world, const Path& path, PathSample& L) {
+  const EnvironmentValue seen = world.evaluate_sky(path.ray.direction, path.sky_pdf);
+  const double weight = path.pdf > 0 ? power_heuristic(path.pdf, seen.pdf) : 1.0;
   L.add_light(path.throughput * seen.radiance * weight, path.reflected_share);
 }
 
@@ -65,7 +64,7 @@ void add_infinite_light(const TraceContext& context, const Path& path, const Flo
     L.shadow = catcher_shadow(context, path.ray, path.sampler.pair(Dimension::environment), L.rays);
   } else if (sees_environment(context, path)) {
     features.record(path, Rgb(1), -path.ray.direction, 0);
-    add_environment(*context.world.environment, path, L);
+    add_environment(context.world, path, L);
   }
 }
 
@@ -83,7 +82,7 @@ void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wa
       light_through(context, path.ray, wall.hit, wall.surface, path.sampler.key(), add_emitter);
   const bool beyond = wall.hit.distance > context.world.sky_occlusion;
   if (!(open || beyond) || !sees_environment(context, path)) return;
-  add_environment(*context.world.environment, path, L);
+  add_environment(context.world, path, L);
   path.prefix.environment_in = true;
 }
 
@@ -119,8 +118,6 @@ bool end_with_sky(const TraceContext& context, const Path& path, const SurfaceVe
 double sharpest(const Material& m) {
   return m.clearcoat > 0 ? std::min(m.roughness, m.clearcoat_roughness) : m.roughness;
 }
-
-bool is_glossy(const Material& m) { return sharpest(m) < kSharp || m.metallic > 0.5; }
 
 // Traces the shadow ray of a candidate whose light paths find, too.
 void add_unoccluded(const TraceContext& context, const Path& path, const Reservoir& chosen,
@@ -204,11 +201,9 @@ void sample_direct_light(const TraceContext& context, Path& path, const SurfaceV
   const bool first = path.depth == 1;
   const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
   const std::uint32_t samples = first ? context.effort.light_samples : 1;
-  path.sky_pdf = context.world.sky_pdf(vertex.surface.frame.normal,
-                                       is_lit_from_behind(vertex.surface.material), samples);
-  // The shared sky has chosen among many directions by the cosine; the rest is up to gloss.
-  const bool matt = !is_glossy(vertex.surface.material);
-  const std::uint32_t sky_candidates = context.world.sky && matt ? 1 : candidates;
+  path.sky_pdf = context.world.sky_pdf(receiver_of(vertex.surface), samples);
+  // The shared sky has chosen among many directions.
+  const std::uint32_t sky_candidates = context.world.sky ? 1 : candidates;
   const auto choose = [](std::uint32_t count, const PathSampler& sampler, Dimension choice,
                          Dimension point, const auto& propose) {
     return resample(count, count > 1 ? sampler.single(choice) : 0,

@@ -24,6 +24,17 @@ std::array<double, 9> harmonics_at(const Vec3d& d) {
           0.546274 * (d.x * d.x - d.y * d.y)};
 }
 
+// One of four lanes, in proportion to its weight; `rest`, below their sum, loses the weights before
+// it. Which one it is cannot be foreseen: no branches.
+std::size_t choose_lane(const std::array<float, 4>& weights, float& rest) {
+  const float two = weights[0] + weights[1];
+  const std::array<float, 4> before{0, weights[0], two, two + weights[2]};
+  const std::size_t chosen =
+      (rest >= before[1] ? 1U : 0U) + (rest >= before[2] ? 1U : 0U) + (rest >= before[3] ? 1U : 0U);
+  rest -= before[chosen];
+  return chosen;
+}
+
 // What is left of a harmonic of radiance in irradiance.
 double cosine_share(std::size_t harmonic) {
   return harmonic == 0 ? pi : harmonic < 4 ? 2 * pi / 3 : pi / 4;
@@ -53,17 +64,19 @@ SkySamples::SkySamples(const Environment& environment)
       harmonics_[h] += sample.radiance * (sample.scale * harmonics[h] * cosine_share(h) / kSamples);
     }
   }
+  for (std::size_t h = 0; h < harmonics_.size(); ++h) luminances_[h] = luminance(harmonics_[h]);
 }
 
-EnvironmentSample SkySamples::choose(const Vec3d& normal, bool both, const Float2& random) const {
+EnvironmentSample SkySamples::choose(const Receiver& receiver, const Float2& random) const {
   const auto number = static_cast<std::size_t>(random[0] * static_cast<float>(blocks_.size()));
   const Block& block = blocks_[number];
-  const Float3 n = to_float3(normal);
-  const float behind = both ? -1 : 0;
+  const Float3 n = to_float3(receiver.normal);
+  const auto behind = static_cast<float>(-receiver.behind);
+  const float front = 1 + behind;
   Numbers weights;
   for (std::size_t i = 0; i < kBlock; ++i) {
     const float cosine = n[0] * block.x[i] + n[1] * block.y[i] + n[2] * block.z[i];
-    weights[i] = (cosine > 0 ? cosine : cosine * behind) * block.brightness[i];
+    weights[i] = cosine * (cosine > 0 ? front : behind) * block.brightness[i];
   }
   std::array<float, kLanes> sums{};
   for (std::size_t i = 0; i < kBlock; ++i) sums[i % kLanes] += weights[i];
@@ -71,10 +84,10 @@ EnvironmentSample SkySamples::choose(const Vec3d& normal, bool both, const Float
   if (!(total > 0)) return {};
 
   float rest = random[1] * total;
-  std::size_t chosen = 0;
-  for (; chosen + 1 < kLanes && rest >= sums[chosen]; ++chosen) rest -= sums[chosen];
-  for (; chosen + kLanes < kBlock && rest >= weights[chosen]; chosen += kLanes)
-    rest -= weights[chosen];
+  const std::size_t lane = choose_lane(sums, rest);
+  const std::size_t row =
+      choose_lane({weights[lane], weights[lane + 4], weights[lane + 8], weights[lane + 12]}, rest);
+  const std::size_t chosen = lane + row * kLanes;
   if (!(weights[chosen] > 0)) return {};
 
   const Light& light = lights_[number * kBlock + chosen];
@@ -84,12 +97,18 @@ EnvironmentSample SkySamples::choose(const Vec3d& normal, bool both, const Float
           static_cast<double>(total) / (density * kBlock)};
 }
 
-SkyPdf SkySamples::pdf(const Vec3d& normal, bool both, std::uint32_t count) const {
+SkyPdf SkySamples::pdf(const Receiver& receiver, std::uint32_t count) const {
   // Such choices have less noise than others of their density. Measured over many pictures.
   constexpr double kBetter = 1.5;
-  const double light =
-      luminance(irradiance(normal)) + (both ? luminance(irradiance(-normal)) : 0.0);
-  return {normal, light > 0 ? kBetter * count / light : 0};
+  const auto irradiance_of = [&](const Vec3d& normal) {
+    const auto harmonics = harmonics_at(normal);
+    double sum = 0;
+    for (std::size_t h = 0; h < harmonics.size(); ++h) sum += luminances_[h] * harmonics[h];
+    return std::max(sum, 0.0);
+  };
+  const double behind = receiver.behind > 0 ? receiver.behind * irradiance_of(-receiver.normal) : 0;
+  const double light = (1 - receiver.behind) * irradiance_of(receiver.normal) + behind;
+  return {receiver, light > 0 ? kBetter * count / light : 0};
 }
 
 Rgb SkySamples::irradiance(const Vec3d& normal) const {

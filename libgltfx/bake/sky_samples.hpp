@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -13,16 +12,29 @@
 
 namespace gltfx::bake {
 
-/// The density with which SkySamples::choose() finds directions from a surface: in proportion to
-/// their luminance times the cosine. For multiple importance sampling, where a density that is not
-/// exact costs noise but no light.
-struct SkyPdf {
+/// What a surface makes of light, as far as light sampling asks.
+struct Receiver {
   Vec3d normal;
-  double scale = 0;  ///< number of choices over the irradiance; 0: by Environment::sample()
+  double behind = 0;  ///< importance of light from behind, from 0 (opaque) to 1
 
-  /// Of radiance from a direction; `pdf`: that of Environment::sample().
-  double operator()(const Vec3d& direction, const Rgb& radiance, double pdf) const {
-    return scale > 0 ? luminance(radiance) * std::fabs(dot(direction, normal)) * scale : pdf;
+  /// The importance of light from a direction.
+  double weight(const Vec3d& direction) const {
+    const double cosine = dot(direction, normal);
+    return cosine > 0 ? cosine * (1 - behind) : -cosine * behind;
+  }
+};
+
+/// The density with which SkySamples::choose() finds directions: in proportion to their luminance
+/// times their weight. For multiple importance sampling, where a density that is not exact costs
+/// noise but no light.
+struct SkyPdf {
+  Receiver receiver;
+  double scale = 0;  ///< number of choices over the weighted irradiance; 0: not known
+
+  explicit operator bool() const { return scale > 0; }
+  /// Per steradian, of radiance from a direction.
+  double operator()(const Vec3d& direction, const Rgb& radiance) const {
+    return luminance(radiance) * receiver.weight(direction) * scale;
   }
 };
 
@@ -33,13 +45,13 @@ class SkySamples {
  public:
   explicit SkySamples(const Environment& environment);
 
-  /// Chooses one direction of a block in proportion to its brightness times the cosine to a normal
-  /// (resampled importance sampling), on the side of the normal or, with `both`, on both sides.
-  /// `random` is uniform: the first number chooses the block, the second the direction.
-  EnvironmentSample choose(const Vec3d& normal, bool both, const Float2& random) const;
+  /// Chooses one direction of a block in proportion to its brightness times its weight (resampled
+  /// importance sampling). `random` is uniform: the first number chooses the block, the second the
+  /// direction.
+  EnvironmentSample choose(const Receiver& receiver, const Float2& random) const;
 
   /// The density of `count` choices.
-  SkyPdf pdf(const Vec3d& normal, bool both, std::uint32_t count) const;
+  SkyPdf pdf(const Receiver& receiver, std::uint32_t count) const;
 
   /// The unoccluded irradiance of a surface, to a few percent: by spherical harmonics of the second
   /// degree (R. Ramamoorthi and P. Hanrahan, An Efficient Representation for Irradiance Environment
@@ -48,7 +60,7 @@ class SkySamples {
 
  private:
   static constexpr std::size_t kLanes = 4;  // that are computed together
-  static constexpr std::size_t kBlock = 16;
+  static constexpr std::size_t kBlock = 4 * kLanes;
   using Numbers = std::array<float, kBlock>;
 
   struct Block {
@@ -63,6 +75,7 @@ class SkySamples {
   std::vector<Block> blocks_;
   std::vector<Light> lights_;       ///< of all blocks, one after the other
   std::array<Rgb, 9> harmonics_{};  ///< of the irradiance
+  std::array<double, 9> luminances_{};
 };
 
 }  // namespace gltfx::bake

@@ -38,14 +38,19 @@ struct World {
   /// Decides which walls let light in. Nothing: all that turn their backs to the light.
   std::optional<Eye> eye;
 
-  /// A direction to the environment, on the side of a normal or on both. Precondition: there is an
-  /// environment.
-  EnvironmentSample sample_sky(const Vec3d& normal, bool both, const Float2& random) const {
-    return sky ? sky->choose(normal, both, random) : environment->sample(random);
+  /// A direction to the environment. Precondition: there is an environment.
+  EnvironmentSample sample_sky(const Receiver& receiver, const Float2& random) const {
+    return sky ? sky->choose(receiver, random) : environment->sample(random);
+  }
+  /// The environment in a direction, and the density there of directions with `sky_pdf`.
+  EnvironmentValue evaluate_sky(const Vec3d& direction, const SkyPdf& sky_pdf) const {
+    if (!sky_pdf) return environment->evaluate(direction);
+    const Rgb radiance = environment->radiance(direction);
+    return {radiance, sky_pdf(direction, radiance)};
   }
   /// The density of `count` such directions.
-  SkyPdf sky_pdf(const Vec3d& normal, bool both, std::uint32_t count) const {
-    return sky ? sky->pdf(normal, both, count) : SkyPdf();
+  SkyPdf sky_pdf(const Receiver& receiver, std::uint32_t count) const {
+    return sky ? sky->pdf(receiver, count) : SkyPdf{receiver};
   }
 };
 

@@ -22,14 +22,14 @@ const EnvironmentImage& studio() {
 }
 
 // The irradiance of a side, or of both together, by choices among the directions.
-Rgb estimate(const SkySamples& sky, const Vec3d& normal, bool both) {
+Rgb estimate(const SkySamples& sky, const Receiver& receiver) {
   constexpr std::uint32_t kChoices = 1U << 14U;
   Rgb sum;
   for (std::uint32_t i = 0; i < kChoices; ++i) {
-    const EnvironmentSample light = sky.choose(normal, both, SampleStream(1, 2, i).pair(0));
+    const EnvironmentSample light = sky.choose(receiver, SampleStream(1, 2, i).pair(0));
     if (!(light.pdf > 0)) continue;
-    const double cosine = dot(light.direction, normal);
-    EXPECT_TRUE(both || cosine > 0);
+    const double cosine = dot(light.direction, receiver.normal);
+    EXPECT_TRUE(receiver.behind > 0 || cosine > 0);
     sum += light.radiance * (std::fabs(cosine) * light.scale / kChoices);
   }
   return sum;
@@ -41,9 +41,8 @@ TEST(SkySamples, GiveTheIrradianceOfEachNormal) {
                               normalize(Vec3d(-0.3, 0.8, 0.4))}) {
     const Rgb front = irradiance(studio(), normal);
     const Rgb back = irradiance(studio(), -normal);
-    EXPECT_NEAR(luminance(estimate(sky, normal, false)), luminance(front),
-                0.005 * luminance(front));
-    EXPECT_NEAR(luminance(estimate(sky, normal, true)), luminance(front + back),
+    EXPECT_NEAR(luminance(estimate(sky, {normal})), luminance(front), 0.005 * luminance(front));
+    EXPECT_NEAR(luminance(estimate(sky, {normal, 0.3})), luminance(front + back),
                 0.005 * luminance(front + back));
   }
 }
@@ -61,7 +60,33 @@ TEST(SkySamples, LightAStageAlike) {
       EXPECT_NEAR(other.mean[c], one.mean[c],
                   3.5 * (one.error[c] + other.error[c]) + 0.004 * one.mean[c]);
     }
-    EXPECT_LT(other.error.x, one.error.x) << "and with less noise";
+    EXPECT_LT(other.error.x, 0.9 * one.error.x) << "and with less noise";
+  }
+}
+
+// Where the density is exact, its product with the scale of a choice is the same for all.
+TEST(SkySamples, HaveADensityAndKeepIt) {
+  const SkySamples sky{Environment(studio())};
+  for (const Receiver& receiver :
+       {Receiver{{0, 1, 0}}, Receiver{normalize(Vec3d(1, 0.2, -2))},
+        Receiver{normalize(Vec3d(-0.3, 0.8, 0.4)), 0.3}, Receiver{{0, 0, 1}, 1}}) {
+    const SkyPdf pdf = sky.pdf(receiver, 1);
+    constexpr std::uint32_t kChoices = 4096;
+    double sum = 0;
+    double squares = 0;
+    for (std::uint32_t i = 0; i < kChoices; ++i) {
+      const EnvironmentSample light = sky.choose(receiver, SampleStream(1, 2, i).pair(0));
+      ASSERT_GT(light.pdf, 0);
+      const double product = pdf(light.direction, light.radiance) * light.scale;
+      sum += product / kChoices;
+      squares += product * product / kChoices;
+    }
+    EXPECT_LT(std::sqrt(squares - sum * sum), 0.3 * sum);
+    EXPECT_NEAR(sum, 1.5, 0.15) << "the share of light sampling is 1.5 times that of its density";
+    EXPECT_EQ(pdf(-receiver.normal, Rgb(1)) > 0, receiver.behind > 0);
+    EXPECT_EQ(pdf(receiver.normal, Rgb(1)) > 0, receiver.behind < 1);
+    EXPECT_NEAR(sky.pdf(receiver, 3)(receiver.normal, Rgb(1)), 3 * pdf(receiver.normal, Rgb(1)),
+                1e-9);
   }
 }
 
@@ -75,7 +100,7 @@ TEST(SkySamples, KeepColours) {
   const SkySamples sky{Environment(image)};
   const Vec3d normal = normalize(Vec3d(0.2, 0.9, -0.1));
   const Rgb expected = irradiance(image, normal);
-  const Rgb found = estimate(sky, normal, false);
+  const Rgb found = estimate(sky, {normal});
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 0.02 * expected[c]) << c;
 }
 
@@ -95,7 +120,7 @@ TEST(SkySamples, ABlackSkyGivesNoDirection) {
   image.width = image.height = 1;
   image.radiance = {{0, 0, 0}};
   const SkySamples sky{Environment(image)};
-  EXPECT_EQ(sky.choose({0, 1, 0}, true, {0.5F, 0.5F}).pdf, 0);
+  EXPECT_EQ(sky.choose({{0, 1, 0}, 0.5}, {0.5F, 0.5F}).pdf, 0);
   EXPECT_EQ(sky.irradiance({0, 1, 0}), Rgb());
 }
 
