@@ -13,10 +13,11 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
-constexpr std::uint32_t kRange = 4;    // times more or less than on average
-constexpr double kMostError = 0.25;    // of the range from black to white: more counts as this
-constexpr double kDark = 0.02;         // least albedo by which light is divided
+constexpr std::uint32_t kFewest = 16;    // of a pixel, for which an estimate pays
+constexpr std::uint32_t kRange = 4;      // times more or less than on average
+constexpr double kLeastAverage = 0.625;  // of RenderOptions::samples, by RenderOptions::deviation
+constexpr double kMostError = 0.25;      // of the range from black to white: more counts as this
+constexpr double kDark = 0.02;           // least albedo by which light is divided
 
 // The variance of one part of the light of a pixel, which is divided by the albedo as the denoiser
 // does: variance of the albedo does not count.
@@ -55,9 +56,10 @@ class PixelVariance {
   /// Variance of a sample in the tone mapped picture.
   double tone_mapped() const {
     constexpr double kShadow = 0.04;  // of its variance: smooth, so that it is denoised best
-    const double error = std::sqrt(scattered_.of_samples(count_) + reflected_.of_samples(count_) +
-                                   shadow_.of_samples(count_) * kShadow +
-                                   (clear_ ? unlit_.of_samples(count_) : 0.0));
+    constexpr double kClear = 12;  // behind glass: sharp and coloured, so that it is denoised least
+    const double lit = scattered_.of_samples(count_) + reflected_.of_samples(count_);
+    const double error = std::sqrt((clear_ ? (lit + unlit_.of_samples(count_)) * kClear : lit) +
+                                   shadow_.of_samples(count_) * kShadow);
     const double mean = radiance_ / count_;
     const double shown = shown_luminance(mean + error) - shown_luminance(mean);
     return std::min(shown * shown, kMostError * kMostError);
@@ -155,31 +157,39 @@ void SampleMap::blur(std::vector<float>& values) const {
 // proportion to the root of v; bisection finds the factor.
 void SampleMap::allocate(const std::vector<float>& deviations, const RenderOptions& options) {
   const std::uint32_t least = (options.samples / kRange + 1) / 2 * 2;  // even, for the halves
-  const auto count = [&](float each, double scale) {
-    const double even = std::floor(scale * static_cast<double>(each) / 2) * 2;
+  const auto count = [&](float each, double factor) {
+    const double even = std::floor(factor * static_cast<double>(each) / 2) * 2;
     return std::clamp(even, static_cast<double>(least),
                       static_cast<double>(options.samples) * kRange);
   };
-  const auto sum = [&](double scale) {
+  const auto sum = [&](double factor) {
     double total = 0;
     for (std::uint32_t y = 0; y < rows_; ++y) {
       for (std::uint32_t x = 0; x < columns_; ++x) {
-        total += count(deviations[std::size_t{y} * columns_ + x], scale) *
+        total += count(deviations[std::size_t{y} * columns_ + x], factor) *
                  PixelBlock(x, y, kSide, options).pixels();
       }
     }
     return total;
   };
-  const double all = static_cast<double>(options.samples) * options.width * options.height;
-  double low = 0;
-  double high = 1e9;
-  for (int step = 0; step < 64; ++step) {
-    const double scale = (low + high) / 2;
-    (sum(scale) <= all ? low : high) = scale;
+  const auto factor_for = [&](double average) {
+    const double all = average * options.width * options.height;
+    double low = 0;
+    double high = 1e9;
+    for (int step = 0; step < 64; ++step) {
+      const double factor = (low + high) / 2;
+      (sum(factor) <= all ? low : high) = factor;
+    }
+    return low;
+  };
+  double factor = factor_for(options.samples);
+  if (options.deviation > 0) {
+    factor = std::clamp(options.samples / options.deviation,
+                        factor_for(kLeastAverage * options.samples), factor);
   }
   counts_.reserve(deviations.size());
   for (const float each : deviations)
-    counts_.push_back(static_cast<std::uint32_t>(count(each, low)));
+    counts_.push_back(static_cast<std::uint32_t>(count(each, factor)));
   most_ = *std::max_element(counts_.begin(), counts_.end());
 }
 

@@ -21,13 +21,14 @@ constexpr std::uint32_t kSharedSky = 256;  // samples to which a shared sky does
 struct QualityLevel {
   std::uint32_t samples, bounces;
   std::uint32_t feature_samples;  // for edges, which are not denoised
+  double deviation;               // of pixels that get all samples
   bake::Effort effort;
 };
 const QualityLevel& level_of(BakeQuality quality) {
   static const std::array<QualityLevel, 3> kLevels{{
-      {4, 6, 12, {1, 1, 1, true}},
-      {32, 6, 48, {2, 4, 4, false}},
-      {256, 12, 48, {1, 2, 4, false}},
+      {4, 6, 12, 0, {1, 1, 1, true}},
+      {32, 6, 48, 0.073, {2, 4, 4, false}},
+      {256, 12, 48, 0, {1, 2, 4, false}},
   }};
   return kLevels[static_cast<std::size_t>(quality)];
 }
@@ -38,6 +39,7 @@ bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& opti
   result.height = size.height;
   const QualityLevel& level = level_of(options.quality);
   result.samples = options.samples.value_or(level.samples);
+  if (!options.samples) result.deviation = level.deviation;
   result.feature_samples = options.denoise ? level.feature_samples : 0;
   result.seed = options.seed;
   result.jobs = options.jobs;

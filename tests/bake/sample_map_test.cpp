@@ -52,6 +52,25 @@ TEST(SampleMap, SharesOutWhatThereIs) {
   }
 }
 
+// The fewer, the less noise there is; the deviation says what much is.
+TEST(SampleMap, QuietPicturesGetLess) {
+  const Stage stage = studio_stage();
+  const auto mean = [&stage](double deviation) {
+    RenderOptions options = small_adaptive(32);
+    options.deviation = deviation;
+    const SampleMap shares(stage.context(), front(), options);
+    double sum = 0;
+    for_pixels(options, [&](std::uint32_t x, std::uint32_t y) { sum += shares.samples(x, y); });
+    return sum / (options.width * options.height);
+  };
+  const double all = mean(0);
+  EXPECT_EQ(mean(1e-6), all) << "all is noise";
+  EXPECT_NEAR(mean(1), 20, 1) << "none is";
+  const double between = mean(0.06);
+  EXPECT_GT(between, 22);
+  EXPECT_LT(between, all - 2);
+}
+
 TEST(SampleMap, NoiseGetsMore) {
   const Stage stage = studio_stage();
   const RenderOptions options = small_adaptive(32);
