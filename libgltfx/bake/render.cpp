@@ -184,7 +184,7 @@ std::uint32_t rows_at_once(const RenderOptions& options) {
   constexpr std::uint32_t kTilesPerJob = 16;
   if (options.seconds > 0) return options.height;
   const std::uint32_t jobs = options.jobs == 0 ? default_jobs() : options.jobs;
-  const std::uint32_t tiles = kTilesPerJob * std::clamp(jobs, 16U, 256U);
+  const std::uint32_t tiles = kTilesPerJob * std::clamp(jobs, 4U, 256U);
   const std::uint32_t columns = (options.width + kTileWidth - 1) / kTileWidth;
   return (tiles + columns - 1) / columns * kTileHeight;
 }
