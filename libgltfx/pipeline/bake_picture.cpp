@@ -27,7 +27,7 @@ struct QualityLevel {
 const QualityLevel& level_of(BakeQuality quality) {
   static const std::array<QualityLevel, 3> kLevels{{
       {4, 6, 12, 0, {1, 1, 1, true}},
-      {32, 6, 48, 0.073, {2, 4, 4, false}},
+      {32, 6, 48, 0.077, {2, 4, 4, false}},
       {256, 12, 48, 0, {1, 2, 4, false}},
   }};
   return kLevels[static_cast<std::size_t>(quality)];
