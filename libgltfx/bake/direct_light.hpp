@@ -24,10 +24,11 @@ struct Candidate {
   double weight = 0;  ///< in the choice among candidates; 0: no light
 };
 
-/// What a surface makes of light. Light from inside of a volume is not sampled.
+/// The surface for light sampling, which ignores light from inside a volume.
 inline Receiver receiver_of(const Surface& surface) {
   const Material& m = surface.material;
-  constexpr double kBase = 0.85;  // what layers above it leave, more or less
+  constexpr double kBase =
+      0.85;  // share of light that the layers above the base let through, roughly
   const double behind = m.transmission + (1 - m.transmission) * m.diffuse_transmission;
   return {surface.frame.normal, m.volumetric() ? 0 : kBase * (1 - m.metallic) * behind};
 }

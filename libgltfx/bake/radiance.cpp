@@ -202,7 +202,7 @@ void sample_direct_light(const TraceContext& context, Path& path, const SurfaceV
   const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
   const std::uint32_t samples = first ? context.effort.light_samples : 1;
   path.sky_pdf = context.world.sky_pdf(receiver_of(vertex.surface), samples);
-  // The shared sky has chosen among many directions.
+  // The shared sky chooses among many directions itself.
   const std::uint32_t sky_candidates = context.world.sky ? 1 : candidates;
   const auto choose = [](std::uint32_t count, const PathSampler& sampler, Dimension choice,
                          Dimension point, const auto& propose) {

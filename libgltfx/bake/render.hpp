@@ -21,9 +21,9 @@ constexpr std::uint32_t kTileHeight = 8;
 struct RenderOptions {
   std::uint32_t width = 512, height = 512;
   std::uint32_t samples = 64;  ///< of each pixel; with an adaptive SampleMap on average, at most
-  /// The standard deviation of a sample, as part of the range of the finished picture, of pixels
-  /// that get `samples`: those of less noise get fewer, in proportion, and all together 5/8 at
-  /// least. 0: `samples` on average.
+  /// Pixels whose samples have this standard deviation, as part of the range of the finished
+  /// picture, get `samples`; others get more or fewer in proportion. The average is between 5/8 of
+  /// `samples` and `samples`. 0: `samples` on average.
   double deviation = 0;
   /// More samples of the features only, where they may differ within a pixel.
   std::uint32_t feature_samples = 0;

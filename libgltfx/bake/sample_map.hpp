@@ -20,8 +20,8 @@ class SampleMap {
   explicit SampleMap(std::uint32_t samples) : most_(samples) {}
   /// Estimates the variance from a few samples that do not count otherwise, and allocates
   /// `options.samples` for each pixel in proportion to the standard deviation (Neyman allocation),
-  /// which leaves the least error in the whole picture, and of several pictures with the same
-  /// `options.deviation` in all. A pixel gets at least a quarter of
+  /// which leaves the least error in the whole picture, or with `options.deviation` in all pictures
+  /// together. A pixel gets at least a quarter of
   /// `options.samples` and at most four times as many. The same for any number of jobs. With too
   /// few samples for an estimate, or where time or noise ends the rendering, all pixels get the
   /// same count.

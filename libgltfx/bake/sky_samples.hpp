@@ -12,7 +12,7 @@
 
 namespace gltfx::bake {
 
-/// What a surface makes of light, as far as light sampling asks.
+/// The properties of a surface that light sampling depends on.
 struct Receiver {
   Vec3d normal;
   double behind = 0;  ///< importance of light from behind, from 0 (opaque) to 1
@@ -25,8 +25,8 @@ struct Receiver {
 };
 
 /// The density with which SkySamples::choose() finds directions: in proportion to their luminance
-/// times their weight. For multiple importance sampling, where a density that is not exact costs
-/// noise but no light.
+/// times their weight. For multiple importance sampling, where an inexact density adds noise but no
+/// bias.
 struct SkyPdf {
   Receiver receiver;
   double scale = 0;  ///< number of choices over the weighted irradiance; 0: not known
@@ -73,9 +73,9 @@ class SkySamples {
   };
 
   std::vector<Block> blocks_;
-  std::vector<Light> lights_;       ///< of all blocks, one after the other
-  std::array<Rgb, 9> harmonics_{};  ///< of the irradiance
-  std::array<double, 9> luminances_{};
+  std::vector<Light> lights_;           ///< of all blocks, one after the other
+  std::array<Rgb, 9> harmonics_{};      ///< of the irradiance
+  std::array<double, 9> luminances_{};  ///< of harmonics_
 };
 
 }  // namespace gltfx::bake

@@ -21,7 +21,7 @@ constexpr std::uint32_t kSharedSky = 256;  // samples to which a shared sky does
 struct QualityLevel {
   std::uint32_t samples, bounces;
   std::uint32_t feature_samples;  // for edges, which are not denoised
-  double deviation;               // of pixels that get all samples
+  double deviation;               // RenderOptions::deviation
   bake::Effort effort;
 };
 const QualityLevel& level_of(BakeQuality quality) {

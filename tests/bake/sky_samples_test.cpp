@@ -65,7 +65,7 @@ TEST(SkySamples, LightAStageAlike) {
 }
 
 // Where the density is exact, its product with the scale of a choice is the same for all.
-TEST(SkySamples, HaveADensityAndKeepIt) {
+TEST(SkySamples, ChooseByTheDensityThatTheyGive) {
   const SkySamples sky{Environment(studio())};
   for (const Receiver& receiver :
        {Receiver{{0, 1, 0}}, Receiver{normalize(Vec3d(1, 0.2, -2))},
