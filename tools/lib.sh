@@ -4,6 +4,9 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+# Ninja runs two jobs more than there are processors: on two, that takes a tenth longer.
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+
 build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-dev libtbb-dev
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libzstd-dev libopenexr-dev
   libembree-dev libxxhash-dev libsodium-dev libstb-dev fonts-dejavu-core)

@@ -8,8 +8,11 @@
 #include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "sanitized.hpp"
 
 namespace gltfx {
 namespace {
@@ -64,16 +67,20 @@ TEST_P(Denoised, FewSamplesComeNearMany) {
   EXPECT_GT(smooth, noisy + 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Figures, Denoised,
-                         testing::Values(Subject{"backlit-color.gltf", 39},
-                                         Subject{"metallic-sweep.gltf", 30.5},
-                                         Subject{"rough-glass.gltf", 30.8}),
-                         [](const auto& subject) {
-                           std::string name = subject.param.figure;
-                           name.resize(name.find('.'));
-                           std::erase(name, '-');
-                           return name;
-                         });
+// Under sanitizers one of them, which has all kinds of light.
+std::vector<Subject> subjects() {
+  std::vector<Subject> all{{"rough-glass.gltf", 30.8}};
+  if (!kSanitized)
+    all.insert(all.end(), {{"backlit-color.gltf", 39}, {"metallic-sweep.gltf", 30.5}});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Figures, Denoised, testing::ValuesIn(subjects()), [](const auto& subject) {
+  std::string name = subject.param.figure;
+  name.resize(name.find('.'));
+  std::erase(name, '-');
+  return name;
+});
 
 }  // namespace
 }  // namespace gltfx

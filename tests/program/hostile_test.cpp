@@ -22,7 +22,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int kMany = kSanitized ? 20'000 : 100'000;
+constexpr int kMany = kSanitized ? 8'000 : 100'000;
 constexpr std::size_t kMostOutput = std::size_t{1} << 20U;
 
 std::string times(std::size_t count, const std::string& text) {
