@@ -2,6 +2,7 @@
 #include "bake/sky_samples.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "bake/directions.hpp"
@@ -10,7 +11,16 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kSamples = 4096;
+// Directions, and how many there are for each sample of a pixel.
+constexpr std::uint32_t kFewestDirections = 1U << 12U;
+constexpr std::uint32_t kMostDirections = 1U << 18U;  // 9 MB
+constexpr std::uint32_t kForEachSample = 16;
+
+std::uint32_t count_for(std::uint32_t samples) {
+  return samples < kMostDirections / kForEachSample
+             ? std::max(std::bit_ceil(samples * kForEachSample), kFewestDirections)
+             : kMostDirections;
+}
 
 std::array<double, 9> harmonics_at(const Vec3d& d) {
   return {0.282095,
@@ -50,11 +60,11 @@ double cosine_share(std::size_t harmonic) {
 
 }  // namespace
 
-SkySamples::SkySamples(const Environment& environment)
-    : blocks_(kSamples / kBlock), lights_(kSamples) {
+SkySamples::SkySamples(const Environment& environment, std::uint32_t samples)
+    : blocks_(count_for(samples) / kBlock), lights_(blocks_.size() * kBlock) {
   // Scrambled Sobol' points in their own order: any aligned block of them is stratified.
   constexpr std::uint32_t kSeed = 0x5bd1e995U;
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
+  for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const std::uint32_t second = scramble_reversed(second_sobol_reversed(i), mix_bits(kSeed));
     const Float2 point{unit_float(reverse_bits(scramble_reversed(i, kSeed))),
                        unit_float(reverse_bits(second))};
@@ -69,10 +79,13 @@ SkySamples::SkySamples(const Environment& environment)
     lights_[i] = {to_float3(sample.radiance), static_cast<float>(sample.pdf)};
     const auto harmonics = harmonics_at(sample.direction);
     for (std::size_t h = 0; h < harmonics.size(); ++h) {
-      harmonics_[h] += sample.radiance * (sample.scale * harmonics[h] * cosine_share(h) / kSamples);
+      harmonics_[h] += sample.radiance * (sample.scale * harmonics[h] * cosine_share(h));
     }
   }
-  for (std::size_t h = 0; h < harmonics_.size(); ++h) luminances_[h] = luminance(harmonics_[h]);
+  for (std::size_t h = 0; h < harmonics_.size(); ++h) {
+    harmonics_[h] = harmonics_[h] / static_cast<double>(lights_.size());
+    luminances_[h] = luminance(harmonics_[h]);
+  }
 }
 
 EnvironmentSample SkySamples::choose(const Receiver& receiver, const Float2& random) const {

@@ -39,11 +39,12 @@ struct SkyPdf {
 };
 
 /// Blocks of directions, sampled by brightness. Each block is stratified, and so are the blocks
-/// that follow each other. All surfaces of a picture share the directions: they are so many that
-/// the error is below that of 8 bits, and it does not become less with more samples.
+/// that follow each other. All surfaces of a picture share the directions, which are many more than
+/// a pixel has samples: their error is below that of 8 bits, and it falls with more samples.
 class SkySamples {
  public:
-  explicit SkySamples(const Environment& environment);
+  /// `samples`: of a pixel.
+  SkySamples(const Environment& environment, std::uint32_t samples);
 
   /// Chooses one direction of a block in proportion to its brightness times its weight (resampled
   /// importance sampling). `random` is uniform: the first number chooses the block, the second the

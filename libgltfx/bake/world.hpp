@@ -26,7 +26,7 @@ struct ShadowCatcher {
 
 struct World {
   std::optional<Environment> environment;
-  std::optional<SkySamples> sky;  ///< of the environment; none where many samples need an exact one
+  std::optional<SkySamples> sky;  ///< of the environment; none: each surface samples it anew
   /// Surfaces that are farther away from what is lit do not occlude the environment: so it shines
   /// into closed rooms.
   double sky_occlusion = std::numeric_limits<double>::infinity();

@@ -15,8 +15,6 @@
 namespace gltfx {
 namespace {
 
-constexpr std::uint32_t kSharedSky = 256;  // samples to which a shared sky does not show
-
 // What a quality stands for.
 struct QualityLevel {
   std::uint32_t samples, bounces;
@@ -112,9 +110,7 @@ bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
   bake::PictureOptions drawing{render_options(size, options), layers, options.denoise};
   drawing.render.progress = std::move(progress);
   const QualityLevel& level = level_of(options.quality);
-  if (world.environment && drawing.render.samples <= kSharedSky) {
-    world.sky.emplace(*world.environment);
-  }
+  if (world.environment) world.sky.emplace(*world.environment, drawing.render.samples);
   world.eye = eye;
   const bake::TraceContext paths{*loaded.scene,
                                  *loaded.bvh,

@@ -2,6 +2,7 @@
 // Directions that all surfaces of a picture share.
 #include "bake/sky_samples.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -15,6 +16,8 @@
 
 namespace gltfx::bake {
 namespace {
+
+constexpr std::uint32_t kFew = 32;  // samples of a pixel
 
 const EnvironmentImage& studio() {
   static const EnvironmentImage kImage = studio_environment(normalize(Vec3d(0.5, 0.3, 0.8)));
@@ -36,7 +39,7 @@ Rgb estimate(const SkySamples& sky, const Receiver& receiver) {
 }
 
 TEST(SkySamples, GiveTheIrradianceOfEachNormal) {
-  const SkySamples sky{Environment(studio())};
+  const SkySamples sky{Environment(studio()), kFew};
   for (const Vec3d& normal : {Vec3d(0, 1, 0), Vec3d(0, -1, 0), normalize(Vec3d(1, 0.2, -2)),
                               normalize(Vec3d(-0.3, 0.8, 0.4))}) {
     const Rgb front = irradiance(studio(), normal);
@@ -51,7 +54,7 @@ TEST(SkySamples, GiveTheIrradianceOfEachNormal) {
 TEST(SkySamples, LightAStageAlike) {
   Stage exact = studio_stage();
   Stage shared = studio_stage();
-  shared.world.sky.emplace(*shared.world.environment);
+  shared.world.sky.emplace(*shared.world.environment, kFew);
   for (const Vec3d& towards : {Vec3d(0, -0.1, -6), Vec3d(0.7, -0.3, -6), Vec3d(-1.2, -1, -6)}) {
     const Ray ray{front().origin, normalize(towards)};
     const Estimate one = exact.path(ray, 8000);
@@ -66,7 +69,7 @@ TEST(SkySamples, LightAStageAlike) {
 
 // Where the density is exact, its product with the scale of a choice is the same for all.
 TEST(SkySamples, ChooseByTheDensityThatTheyGive) {
-  const SkySamples sky{Environment(studio())};
+  const SkySamples sky{Environment(studio()), kFew};
   for (const Receiver& receiver :
        {Receiver{{0, 1, 0}}, Receiver{normalize(Vec3d(1, 0.2, -2))},
         Receiver{normalize(Vec3d(-0.3, 0.8, 0.4)), 0.3}, Receiver{{0, 0, 1}, 1}}) {
@@ -97,7 +100,7 @@ TEST(SkySamples, KeepColours) {
   image.height = 32;
   image.radiance.assign(64U * 32U, {0.1F, 0.2F, 0.4F});
   image.radiance[8U * 64U + 20U] = {300, 200, 20};
-  const SkySamples sky{Environment(image)};
+  const SkySamples sky{Environment(image), kFew};
   const Vec3d normal = normalize(Vec3d(0.2, 0.9, -0.1));
   const Rgb expected = irradiance(image, normal);
   const Rgb found = estimate(sky, {normal});
@@ -105,7 +108,7 @@ TEST(SkySamples, KeepColours) {
 }
 
 TEST(SkySamples, PrefilteredIrradianceIsNear) {
-  const SkySamples sky{Environment(studio())};
+  const SkySamples sky{Environment(studio()), kFew};
   const double most = luminance(irradiance(studio(), normalize(Vec3d(0, 1, 0.5))));
   for (std::uint32_t i = 0; i < 64; ++i) {
     const Float2 u = SampleStream(3, 4, i).pair(0);
@@ -115,11 +118,28 @@ TEST(SkySamples, PrefilteredIrradianceIsNear) {
   }
 }
 
+// So that their error is small beside the noise of a pixel.
+TEST(SkySamples, MoreSamplesHaveMoreDirections) {
+  const Environment environment(studio());
+  const SkySamples best(environment, 1U << 20U);
+  const auto error = [&](std::uint32_t samples) {
+    const SkySamples sky(environment, samples);
+    double most = 0;
+    for (const Vec3d& normal : {Vec3d(0, 1, 0), Vec3d(0, 0, 1), normalize(Vec3d(-1, 0.3, 0.2))}) {
+      const double exact = luminance(best.irradiance(normal));
+      most = std::max(most, std::fabs(luminance(sky.irradiance(normal)) / exact - 1));
+    }
+    return most;
+  };
+  EXPECT_LT(error(kFew), 0.002);
+  EXPECT_LT(error(64 * kFew), error(kFew) / 2);
+}
+
 TEST(SkySamples, ABlackSkyGivesNoDirection) {
   EnvironmentImage image;
   image.width = image.height = 1;
   image.radiance = {{0, 0, 0}};
-  const SkySamples sky{Environment(image)};
+  const SkySamples sky{Environment(image), kFew};
   EXPECT_EQ(sky.choose({{0, 1, 0}, 0.5}, {0.5F, 0.5F}).pdf, 0);
   EXPECT_EQ(sky.irradiance({0, 1, 0}), Rgb());
 }
