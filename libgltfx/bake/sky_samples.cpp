@@ -58,6 +58,17 @@ double cosine_share(std::size_t harmonic) {
   return harmonic == 0 ? pi : harmonic < 4 ? 2 * pi / 3 : pi / 4;
 }
 
+// The place of a point along Hilbert's curve through 4 x 4 cells, of which each has one point of a
+// block: stratified numbers then choose directions that are apart.
+std::size_t place_along_curve(const Float2& point) {
+  constexpr std::array<std::size_t, 16> kPlaces{0, 1, 14, 15,  //
+                                                3, 2, 13, 12,  //
+                                                4, 7, 8,  11,  //
+                                                5, 6, 9,  10};
+  return kPlaces[static_cast<std::size_t>(point[1] * 4) * 4 +
+                 static_cast<std::size_t>(point[0] * 4)];
+}
+
 }  // namespace
 
 SkySamples::SkySamples(const Environment& environment, std::uint32_t samples)
@@ -70,13 +81,16 @@ SkySamples::SkySamples(const Environment& environment, std::uint32_t samples)
                        unit_float(reverse_bits(second))};
     const EnvironmentSample sample = environment.sample(point);
     Block& block = blocks_[i / kBlock];
-    const std::size_t lane = i % kBlock;
+    // choose() goes through the first lanes of all rows, then through the second, and so on.
+    const std::size_t place = place_along_curve(point);
+    const std::size_t lane = place / kLanes + place % kLanes * kLanes;
     block.x[lane] = static_cast<float>(sample.direction.x);
     block.y[lane] = static_cast<float>(sample.direction.y);
     block.z[lane] = static_cast<float>(sample.direction.z);
     const double brightness = luminance(sample.radiance) * sample.scale;
     block.brightness[lane] = std::isfinite(brightness) ? static_cast<float>(brightness) : 0.0F;
-    lights_[i] = {to_float3(sample.radiance), static_cast<float>(sample.pdf)};
+    lights_[i / kBlock * kBlock + lane] = {to_float3(sample.radiance),
+                                           static_cast<float>(sample.pdf)};
     const auto harmonics = harmonics_at(sample.direction);
     for (std::size_t h = 0; h < harmonics.size(); ++h) {
       harmonics_[h] += sample.radiance * (sample.scale * harmonics[h] * cosine_share(h));

@@ -67,6 +67,34 @@ TEST(SkySamples, LightAStageAlike) {
   }
 }
 
+// All but the upper part of the sky is occluded. Noise is that of sums of 16 choices, with
+// stratified numbers and with independent ones.
+TEST(SkySamples, StratifiedNumbersChooseDirectionsThatAreApart) {
+  const SkySamples sky{Environment(studio()), kFew};
+  const Receiver receiver{{0, 1, 0}};
+  constexpr std::uint32_t kChoices = 16;
+  const auto variance = [&](bool stratified) {
+    constexpr std::uint32_t kSums = 2000;
+    double total = 0;
+    double squares = 0;
+    for (std::uint32_t each = 0; each < kSums; ++each) {
+      double sum = 0;
+      for (std::uint32_t i = 0; i < kChoices; ++i) {
+        const std::uint32_t number = each * kChoices + i;
+        const float u = unit_float(mix_bits(number, 1));
+        const float which = stratified ? (static_cast<float>(i) + u) / kChoices : u;
+        const EnvironmentSample light = sky.choose(receiver, {unit_float(mix_bits(number)), which});
+        if (light.direction.y > 0.6)
+          sum += luminance(light.radiance) * light.direction.y * light.scale;
+      }
+      total += sum;
+      squares += sum * sum;
+    }
+    return squares / kSums - total * total / kSums / kSums;
+  };
+  EXPECT_LT(variance(true), 0.4 * variance(false));
+}
+
 // Where the density is exact, its product with the scale of a choice is the same for all.
 TEST(SkySamples, ChooseByTheDensityThatTheyGive) {
   const SkySamples sky{Environment(studio()), kFew};
