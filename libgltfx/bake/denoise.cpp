@@ -24,7 +24,7 @@ constexpr int kPatchRowWidth = kFilterWidth + 2 * kPatch;
 constexpr int kPatchRows = kFilterHeight + 2 * kPatch;
 constexpr int kOffsets = (2 * kReach + 1) * (2 * kReach + 1);
 constexpr std::size_t kPatchWidth = std::size_t{2} * kPatch + 1;
-constexpr float kDamping = 0.25F;  // k^2 of non-local means
+constexpr float kDamping = 0.4F;  // k^2 of non-local means
 constexpr float kRidge = 1e-4F;
 
 using Row = std::array<float, kFilterWidth>;
