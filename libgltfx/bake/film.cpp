@@ -69,12 +69,17 @@ void PixelSums::add_features(const PathSample& sample) {
   if (material == kNone) material = sample.features.material;
 }
 
+bool PixelSums::is_edge() const {
+  const double covered = static_cast<double>(features.alpha);
+  return covered > 0 && covered < features.count * (1 - 1e-4);
+}
+
 bool PixelSums::is_mixed() const {
   constexpr double kColors = 2e-5;  // variances of the mean of all samples
   constexpr double kNormals = 6e-4;
   if (clear || features.alpha <= 0) return false;
   const double count = features.count;
-  if (static_cast<double>(features.alpha) < count * (1 - 1e-4)) return true;
+  if (is_edge()) return true;
   const auto spread = [count](float squares, const Float3& sum) {
     const Vec3d mean = to_vec(sum) / count;
     return (static_cast<double>(squares) / count - dot(mean, mean)) / count;

@@ -44,6 +44,8 @@ struct PixelSums {
 
   /// Adds the features of a sample only.
   void add_features(const PathSample& sample);
+  /// Whether the subject covers a part of the pixel.
+  bool is_edge() const;
   /// Whether the features of the samples differ so much that their means are uncertain.
   bool is_mixed() const;
 };

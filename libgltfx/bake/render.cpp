@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <optional>
 #include <vector>
 
 #include "bake/denoise.hpp"
@@ -67,14 +66,26 @@ class Renderer {
     std::uint32_t material;
   };
 
-  // Edges and textures are finer than the samples of the light.
+  // Edges and textures are finer than the samples of the light. Edges are not denoised: a tile
+  // with few of them has more samples for each.
+  std::uint32_t samples_of_edges(std::uint32_t tile) const {
+    std::uint32_t edges = 0;
+    for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
+      edges += film_.at(std::size_t{y} * options_.width + x).is_edge() ? 1U : 0U;
+    });
+    return options_.feature_samples * (edges <= kTileWidth * kTileHeight / 2 ? 2 : 1);
+  }
+
   void add_feature_samples() {
     std::vector<std::vector<PixelFeatures>> found(done_.size());
     parallel_ordered(
         done_.size(), options_.jobs,
         [&](std::size_t tile) {
-          for_pixels(static_cast<std::uint32_t>(tile), [&](std::uint32_t x, std::uint32_t y) {
-            if (const auto seen = sample_pixel_features(x, y)) found[tile].push_back(*seen);
+          const auto number = static_cast<std::uint32_t>(tile);
+          const std::uint32_t of_edges = samples_of_edges(number);
+          for_pixels(number, [&](std::uint32_t x, std::uint32_t y) {
+            const auto seen = sample_pixel_features(x, y, of_edges);
+            if (seen.sums.count > 0) found[tile].push_back(seen);
           });
         },
         [&](std::size_t tile) {
@@ -85,20 +96,23 @@ class Renderer {
         });
   }
 
-  // Nothing where all samples of the pixel see the same.
-  std::optional<PixelFeatures> sample_pixel_features(std::uint32_t x, std::uint32_t y) const {
+  // None where all samples of the pixel see the same.
+  PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y,
+                                      std::uint32_t of_edges) const {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
     const std::uint32_t enough = std::min(kSure, options_.samples);
     PixelSums sums = film_.at(pixel);
     FeatureSums more;
-    for (std::uint32_t i = 0; i < options_.feature_samples; ++i) {
-      if (sums.clear || (sums.features.count >= enough && !sums.is_mixed())) return {};
-      const auto [ray, point, random] = sample_of(x, y, samples_.samples(x, y) + i);
+    for (std::uint32_t i = samples_.samples(x, y);; ++i) {
+      if (sums.clear) return {pixel, {}, sums.material};
+      if (i >= (sums.is_edge() ? of_edges : options_.feature_samples)) break;
+      if (sums.features.count >= enough && !sums.is_mixed()) break;
+      const auto [ray, point, random] = sample_of(x, y, i);
       const PathSample sample = sample_features(context_, ray, point, random);
       more.add(sample);
       sums.add_features(sample);
     }
-    return PixelFeatures{pixel, more, sums.material};
+    return {pixel, more, sums.material};
   }
 
   template <class Visit>

@@ -22,10 +22,12 @@ struct RenderOptions {
   std::uint32_t width = 512, height = 512;
   std::uint32_t samples = 64;  ///< of each pixel; with an adaptive SampleMap on average, at most
   /// Pixels whose samples have this standard deviation, as part of the range of the finished
-  /// picture, get `samples`; others get more or fewer in proportion. The average is between 5/8 of
+  /// picture, get `samples`; others get more or fewer in proportion. The average is between 3/5 of
   /// `samples` and `samples`. 0: `samples` on average.
   double deviation = 0;
-  /// More samples of the features only, where they may differ within a pixel.
+  /// Samples of the features, those of the light among them, where they differ within a pixel; at
+  /// edges of the subject up to twice as many. A power of two is stratified best. 0: no more
+  /// than the samples of the light.
   std::uint32_t feature_samples = 0;
   std::uint32_t seed = 0;
   unsigned jobs = 1;

@@ -13,11 +13,11 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kFewest = 16;    // of a pixel, for which an estimate pays
-constexpr std::uint32_t kRange = 4;      // times more or less than on average
-constexpr double kLeastAverage = 0.625;  // of RenderOptions::samples, with a deviation
-constexpr double kMostError = 0.25;      // of the range from black to white: more counts as this
-constexpr double kDark = 0.02;           // least albedo by which light is divided
+constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
+constexpr std::uint32_t kRange = 4;    // times more or less than on average
+constexpr double kLeastAverage = 0.6;  // of RenderOptions::samples, with a deviation
+constexpr double kMostError = 0.25;    // of the range from black to white: more counts as this
+constexpr double kDark = 0.02;         // least albedo by which light is divided
 
 // The variance of one part of the light of a pixel, which is divided by the albedo as the denoiser
 // does: variance of the albedo does not count.

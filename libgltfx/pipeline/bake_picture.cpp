@@ -18,15 +18,15 @@ namespace {
 // What a quality stands for.
 struct QualityLevel {
   std::uint32_t samples, bounces;
-  std::uint32_t feature_samples;  // for edges, which are not denoised
+  std::uint32_t feature_samples;  // RenderOptions::feature_samples
   double deviation;               // RenderOptions::deviation
   bake::Effort effort;
 };
 const QualityLevel& level_of(BakeQuality quality) {
   static const std::array<QualityLevel, 3> kLevels{{
-      {4, 6, 12, 0, {1, 1, 1, true}},
-      {32, 6, 48, 0.077, {2, 4, 4, false}},
-      {256, 12, 48, 0, {1, 2, 4, false}},
+      {4, 6, 16, 0, {1, 1, 1, true}},
+      {32, 6, 64, 0.08, {2, 4, 4, false}},
+      {256, 12, 256, 0, {1, 2, 4, false}},
   }};
   return kLevels[static_cast<std::size_t>(quality)];
 }

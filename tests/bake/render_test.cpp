@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -81,7 +82,7 @@ PictureOptions with_layers(std::uint32_t width, std::uint32_t height, std::uint3
   PictureOptions options = denoised(samples);
   options.render.width = width;
   options.render.height = height;
-  options.render.feature_samples = 4;
+  options.render.feature_samples = 32;
   options.layers = {true, true, true, true, true};
   return options;
 }
@@ -238,6 +239,34 @@ TEST(Denoise, FewSamplesMissNoEdge) {
     worst = std::max(worst, std::fabs(few.alpha[i] - many.alpha[i]));
   }
   EXPECT_LT(worst, 0.1F);
+}
+
+// A pixel that the subject covers in part has the most samples of what is seen, since noise shows
+// there and is not denoised.
+TEST(Denoise, EdgesAreThatOfManySamples) {
+  const Stage stage = square_and_ball();
+  const auto alpha_of = [&](std::uint32_t samples, std::uint32_t features) {
+    PictureOptions options = denoised(samples);
+    options.render.feature_samples = features;
+    options.render.seed = features;  // no picture is part of another one
+    return render(stage.context(), front(), options).alpha;
+  };
+  const std::vector<float> exact = alpha_of(16, 2048);
+  const auto error = [&](std::uint32_t features) {
+    const std::vector<float> alpha = alpha_of(16, features);
+    double sum = 0;
+    int edges = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      if (exact[i] <= 0 || exact[i] >= 1) continue;
+      const auto apart = static_cast<double>(alpha[i] - exact[i]);
+      sum += apart * apart;
+      ++edges;
+    }
+    EXPECT_GT(edges, 50);
+    return std::sqrt(sum / edges);
+  };
+  EXPECT_LT(error(64), 0.012);
+  EXPECT_LT(error(64), error(0) / 3);
 }
 
 TEST(Denoise, WhatHasNoNoiseStays) {
