@@ -6,7 +6,6 @@
 
 #include "bake/material.hpp"
 #include "random.hpp"
-#include "sanitized.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -47,6 +46,16 @@ double albedo_of_first_bounce(double r, const Vec3d& v) {
   return mean_over_lights([&](const Vec3d& l) { return first_bounce(r, v, l); });
 }
 
+// The albedo does not depend on the azimuth.
+double mean_albedo_of_first_bounce(double r) {
+  constexpr int kSteps = 128;
+  double sum = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    sum += albedo_of_first_bounce(r, cosine_hemisphere((i + 0.5) / kSteps, 0));
+  }
+  return sum / kSteps;
+}
+
 TEST(DiffuseRoughness, AtZeroIsLambert) {
   Chance chance(31);
   for (int i = 0; i < 200; ++i) {
@@ -83,14 +92,9 @@ TEST(DiffuseRoughness, DarkColorsReflectTheFirstBounce) {
 
 TEST(DiffuseRoughness, ValuesAreThoseOfTheModel) {
   Chance chance(32);
-  const auto mean = [](double r) {
-    return mean_over_lights([&](const Vec3d& v) {
-      return mean_over_lights([&](const Vec3d& l) { return first_bounce(r, v, l); });
-    });
-  };
   const double r = 0.75;
-  const double mean_albedo = mean(r);
-  for (int i = 0; i < (kSanitized ? 4 : 20); ++i) {
+  const double mean_albedo = mean_albedo_of_first_bounce(r);
+  for (int i = 0; i < 20; ++i) {
     const Vec3d v = direction_of_cosine(chance.between(0.2, 1));
     const Vec3d l = chance.upwards();
     const double rho = chance.number();
