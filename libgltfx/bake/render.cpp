@@ -96,7 +96,7 @@ class Renderer {
         });
   }
 
-  // None where all samples of the pixel see the same.
+  // None, to save memory, where all samples of the pixel see nearly the same.
   PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y,
                                       std::uint32_t of_edges) const {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
@@ -104,9 +104,9 @@ class Renderer {
     PixelSums sums = film_.at(pixel);
     FeatureSums more;
     for (std::uint32_t i = samples_.samples(x, y);; ++i) {
-      if (sums.clear) return {pixel, {}, sums.material};
+      const bool certain = sums.features.count >= enough && !sums.is_mixed();
+      if (sums.clear || certain) return {pixel, {}, sums.material};
       if (i >= (sums.is_edge() ? of_edges : options_.feature_samples)) break;
-      if (sums.features.count >= enough && !sums.is_mixed()) break;
       const auto [ray, point, random] = sample_of(x, y, i);
       const PathSample sample = sample_features(context_, ray, point, random);
       more.add(sample);
