@@ -4,7 +4,7 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# Ninja runs two jobs more than there are processors: on two, that takes a tenth longer.
+# Ninja runs two jobs more than there are processors: on two, that takes up to a tenth longer.
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 
 build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-dev libtbb-dev

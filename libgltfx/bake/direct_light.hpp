@@ -27,8 +27,8 @@ struct Candidate {
 /// The surface for light sampling, which ignores light from inside a volume.
 inline Receiver receiver_of(const Surface& surface) {
   const Material& m = surface.material;
-  constexpr double kBase =
-      0.85;  // share of light that the layers above the base let through, roughly
+  // The share of light that the layers above the base let through, roughly.
+  constexpr double kBase = 0.85;
   const double behind = m.transmission + (1 - m.transmission) * m.diffuse_transmission;
   return {surface.frame.normal, m.volumetric() ? 0 : kBase * (1 - m.metallic) * behind};
 }

@@ -66,8 +66,7 @@ class Renderer {
     std::uint32_t material;
   };
 
-  // Edges and textures are finer than the samples of the light. Edges are not denoised: a tile
-  // with few of them has more samples for each.
+  // Edges are not denoised: a tile with few of them has more samples for each.
   std::uint32_t samples_of_edges(std::uint32_t tile) const {
     std::uint32_t edges = 0;
     for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
@@ -76,6 +75,7 @@ class Renderer {
     return options_.feature_samples * (edges <= kTileWidth * kTileHeight / 2 ? 2 : 1);
   }
 
+  // Edges and textures are finer than the samples of the light.
   void add_feature_samples() {
     std::vector<std::vector<PixelFeatures>> found(done_.size());
     parallel_ordered(

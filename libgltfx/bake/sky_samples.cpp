@@ -11,15 +11,10 @@
 namespace gltfx::bake {
 namespace {
 
-// Directions, and how many there are for each sample of a pixel.
-constexpr std::uint32_t kFewestDirections = 1U << 12U;
-constexpr std::uint32_t kMostDirections = 1U << 18U;  // 9 MB
-constexpr std::uint32_t kForEachSample = 16;
-
-std::uint32_t count_for(std::uint32_t samples) {
-  return samples < kMostDirections / kForEachSample
-             ? std::max(std::bit_ceil(samples * kForEachSample), kFewestDirections)
-             : kMostDirections;
+// The number of directions for so many samples of a pixel: up to 9 MB of them.
+std::uint32_t direction_count(std::uint32_t samples) {
+  constexpr std::uint32_t kForEachSample = 16;
+  return kForEachSample * std::bit_ceil(std::clamp(samples, 256U, 16384U));
 }
 
 std::array<double, 9> harmonics_at(const Vec3d& d) {
@@ -72,7 +67,7 @@ std::size_t place_along_curve(const Float2& point) {
 }  // namespace
 
 SkySamples::SkySamples(const Environment& environment, std::uint32_t samples)
-    : blocks_(count_for(samples) / kBlock), lights_(blocks_.size() * kBlock) {
+    : blocks_(direction_count(samples) / kBlock), lights_(blocks_.size() * kBlock) {
   // Scrambled Sobol' points in their own order: any aligned block of them is stratified.
   constexpr std::uint32_t kSeed = 0x5bd1e995U;
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {

@@ -30,25 +30,20 @@ double first_bounce(double r, const Vec3d& v, const Vec3d& l) {
   return (1 + r * (s > 0 ? s / std::max(v.z, l.z) : s)) / (1 + (0.5 - 2 / (3 * pi)) * r);
 }
 
-template <class Value>
-double mean_over_lights(const Value& value) {
-  constexpr int kSteps = 128;
+constexpr int kSteps = 128;
+
+double albedo_of_first_bounce(double r, const Vec3d& v) {
   double sum = 0;
   for (int i = 0; i < kSteps; ++i) {
     for (int j = 0; j < kSteps; ++j) {
-      sum += value(cosine_hemisphere((i + 0.5) / kSteps, (j + 0.5) / kSteps));
+      sum += first_bounce(r, v, cosine_hemisphere((i + 0.5) / kSteps, (j + 0.5) / kSteps));
     }
   }
   return sum / (kSteps * kSteps);
 }
 
-double albedo_of_first_bounce(double r, const Vec3d& v) {
-  return mean_over_lights([&](const Vec3d& l) { return first_bounce(r, v, l); });
-}
-
 // The albedo does not depend on the azimuth.
 double mean_albedo_of_first_bounce(double r) {
-  constexpr int kSteps = 128;
   double sum = 0;
   for (int i = 0; i < kSteps; ++i) {
     sum += albedo_of_first_bounce(r, cosine_hemisphere((i + 0.5) / kSteps, 0));

@@ -67,7 +67,7 @@ TEST_P(Denoised, FewSamplesComeNearMany) {
   EXPECT_GT(smooth, noisy + 5);
 }
 
-// Under sanitizers one of them, which has all kinds of light.
+// Under sanitizers one of them.
 std::vector<Subject> subjects() {
   std::vector<Subject> all{{"rough-glass.gltf", 30.8}};
   if (!kSanitized)
