@@ -67,8 +67,9 @@ PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2&
     const std::uint32_t colors = hit ? colors_at(context.scene, *hit) : 1;
     const PathSampler sampler(random, layer);
     for (std::uint32_t i = 0; i < colors; ++i) {
-      const Path path{rest, sampler.split(i, colors)};
-      PathSample sample = incident_radiance(context, path, {}, hit, point);
+      Path path{rest, sampler.split(i, colors)};
+      FeatureRecorder features;
+      PathSample sample = incident_radiance(context, path, features, hit, point);
       sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);
       sum.add(sample, weight / colors);
     }

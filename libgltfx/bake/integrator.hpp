@@ -50,8 +50,8 @@ struct PathSample {
 
 /// What a path does at its first surface, and after it.
 struct Effort {
-  std::uint32_t light_samples = 2;     ///< shadow rays to each kind of light
-  std::uint32_t light_candidates = 4;  ///< for each of them, but one of a shared sky
+  std::uint32_t light_samples = 4;     ///< shadow rays to each kind of light
+  std::uint32_t light_candidates = 2;  ///< emitters for each of them
   std::uint32_t transmitted_paths =
       4;  ///< branches of light that is transmitted, which varies most
   /// Later surfaces that are opaque and rough get the light of an unoccluded sky, and end the path.

@@ -26,7 +26,6 @@ enum class Dimension : std::uint32_t {
   free_flight,
   phase,
   color,
-  environment_choice,
   emitter_choice,
   count
 };

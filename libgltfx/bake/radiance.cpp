@@ -119,16 +119,15 @@ double sharpest(const Material& m) {
   return m.clearcoat > 0 ? std::min(m.roughness, m.clearcoat_roughness) : m.roughness;
 }
 
-// Traces the shadow ray of a candidate whose light paths find, too.
-void add_unoccluded(const TraceContext& context, const Path& path, const Reservoir& chosen,
-                    const Rgb& reflected_share, PathSample& L) {
-  const auto& [candidate, scale] = chosen;
-  if (!(max_value(candidate.contribution) > 0)) return;
+// Traces the shadow ray of a candidate whose light paths find, too; `scale`: of its contribution.
+void add_unoccluded(const TraceContext& context, const Path& path, const Candidate& light,
+                    double scale, const Rgb& reflected_share, PathSample& L) {
+  if (!(max_value(light.contribution) > 0)) return;
   ++L.rays;
   const auto visible =
-      static_cast<double>(context.bvh.visibility(candidate.shadow_ray, context.world.eye));
+      static_cast<double>(context.bvh.visibility(light.shadow_ray, context.world.eye));
   if (visible <= 0) return;
-  L.add_light(path.throughput * candidate.contribution * (scale * visible), reflected_share);
+  L.add_light(path.throughput * light.contribution * (scale * visible), reflected_share);
 }
 
 // Traces the shadow ray towards a point or a direction, which no path meets.
@@ -193,8 +192,8 @@ bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, P
   return true;
 }
 
-// Next event estimation: resamples one of some candidates for each kind of light. The first surface
-// gets more candidates, as its light is the most visible.
+// Next event estimation. The first surface gets more samples, as its light is the most visible. The
+// sky chooses among many directions itself; of emitters, one of some candidates is resampled.
 void sample_direct_light(const TraceContext& context, Path& path, const SurfaceVertex& vertex,
                          const Bsdf& bsdf, PathSample& L) {
   const DirectLight light(context, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
@@ -202,32 +201,23 @@ void sample_direct_light(const TraceContext& context, Path& path, const SurfaceV
   const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
   const std::uint32_t samples = first ? context.effort.light_samples : 1;
   path.sky_pdf = context.world.sky_pdf(receiver_of(vertex.surface), samples);
-  // The shared sky chooses among many directions itself.
-  const std::uint32_t sky_candidates = context.world.sky ? 1 : candidates;
-  const auto choose = [](std::uint32_t count, const PathSampler& sampler, Dimension choice,
-                         Dimension point, const auto& propose) {
-    return resample(count, count > 1 ? sampler.single(choice) : 0,
-                    [&](std::uint32_t i) { return propose(sampler.split(i, count).pair(point)); });
-  };
   const auto reflected_share = [&](const Evaluation& value) {
     return first ? share_of(value.reflected, value.f) : path.reflected_share;
   };
-  const auto add = [&](const Reservoir& chosen) {
-    add_unoccluded(context, path, chosen, reflected_share(chosen.candidate.bsdf), L);
+  const auto add = [&](const Candidate& one, double scale) {
+    add_unoccluded(context, path, one, scale / samples, reflected_share(one.bsdf), L);
   };
   for (std::uint32_t i = 0; i < samples; ++i) {
     const PathSampler sampler = path.sampler.split(i, samples);
     if (sees_environment(context, path)) {
-      const Reservoir chosen =
-          choose(sky_candidates, sampler, Dimension::environment_choice, Dimension::environment,
-                 [&](const Float2& u) { return light.sample_environment(u, path.sky_pdf); });
-      add({chosen.candidate, chosen.scale / samples});
+      add(light.sample_environment(sampler.pair(Dimension::environment), path.sky_pdf), 1);
     }
     if (context.world.emitters.empty()) continue;
-    const Reservoir chosen =
-        choose(candidates, sampler, Dimension::emitter_choice, Dimension::emitter,
-               [&](const Float2& u) { return light.sample_emitter(u); });
-    add({chosen.candidate, chosen.scale / samples});
+    const double choice = candidates > 1 ? sampler.single(Dimension::emitter_choice) : 0;
+    const Reservoir chosen = resample(candidates, choice, [&](std::uint32_t k) {
+      return light.sample_emitter(sampler.split(k, candidates).pair(Dimension::emitter));
+    });
+    add(chosen.candidate, chosen.scale);
   }
   if (context.world.lights.empty()) return;
   const Candidate lamp = light.sample_punctual(path.sampler.pair(Dimension::punctual));
@@ -309,21 +299,19 @@ void add_branches(const TraceContext& context, const Path& path, const FeatureRe
     branch.weight = (to - from) * count / (mirrors ? 1 : others);
     branch.throughput *= branch.weight;
     FeatureRecorder recorder = features.split(!mirrors);
-    PathSample sample;
     if (sample_bsdf(context, vertex, bsdf, random, branch, recorder) && russian_roulette(branch)) {
       branch.sampler.next_step();
-      sample = incident_radiance(context, std::move(branch), recorder, std::nullopt, point);
+      L.add(incident_radiance(context, branch, recorder, std::nullopt, point), 1.0 / count);
     } else {
-      sample.alpha = 1;
-      sample.features = recorder.features();
+      L.alpha += 1.0 / count;
+      L.features.add(recorder.features(), 1.0 / count);
     }
-    L.add(sample, 1.0 / count);
   }
 }
 
 }  // namespace
 
-PathSample incident_radiance(const TraceContext& context, Path path, FeatureRecorder features,
+PathSample incident_radiance(const TraceContext& context, Path& path, FeatureRecorder& features,
                              std::optional<Hit> hit, const Float2& point) {
   PathSample L;
   L.alpha = 1;

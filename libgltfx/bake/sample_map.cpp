@@ -14,10 +14,13 @@ namespace gltfx::bake {
 namespace {
 
 constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
-constexpr std::uint32_t kRange = 4;    // times more or less than on average
-constexpr double kLeastAverage = 0.6;  // of RenderOptions::samples, with a deviation
-constexpr double kMostError = 0.25;    // of the range from black to white: more counts as this
-constexpr double kDark = 0.02;         // least albedo by which light is divided
+// The range of a pixel's count around the average:
+constexpr std::uint32_t kTimesLess = 8, kTimesMore = 4;
+// The least average with a deviation, as part of RenderOptions::samples. Without the sky a sample
+// is cheap, and says less: it has no shadow rays to the sky.
+constexpr double kLeastWithSky = 0.55, kLeastWithoutSky = 1;
+constexpr double kMostError = 0.25;  // of the range from black to white: more counts as this
+constexpr double kDark = 0.02;       // least albedo by which light is divided
 
 // The variance of one part of the light of a pixel, which is divided by the albedo as the denoiser
 // does: variance of the albedo does not count.
@@ -96,7 +99,7 @@ SampleMap::SampleMap(const TraceContext& context, const View& view, const Render
   std::vector<float> variances = estimate_variance(context, view, options);
   blur(variances);
   for (float& each : variances) each = std::sqrt(each);
-  allocate(variances, options);
+  allocate(variances, options, context.world.sky ? kLeastWithSky : kLeastWithoutSky);
 }
 
 std::vector<float> SampleMap::estimate_variance(const TraceContext& context, const View& view,
@@ -155,12 +158,13 @@ void SampleMap::blur(std::vector<float>& values) const {
 
 // The variance of a mean of n samples is v / n. The sum over the picture is least for n in
 // proportion to the root of v; bisection finds the factor.
-void SampleMap::allocate(const std::vector<float>& deviations, const RenderOptions& options) {
-  const std::uint32_t least = (options.samples / kRange + 1) / 2 * 2;  // even, for the halves
+void SampleMap::allocate(const std::vector<float>& deviations, const RenderOptions& options,
+                         double least_average) {
+  const std::uint32_t least = (options.samples / kTimesLess + 1) / 2 * 2;  // even, for the halves
   const auto count = [&](float each, double factor) {
     const double even = std::floor(factor * static_cast<double>(each) / 2) * 2;
     return std::clamp(even, static_cast<double>(least),
-                      static_cast<double>(options.samples) * kRange);
+                      static_cast<double>(options.samples) * kTimesMore);
   };
   const auto sum = [&](double factor) {
     double total = 0;
@@ -185,7 +189,7 @@ void SampleMap::allocate(const std::vector<float>& deviations, const RenderOptio
   double factor = factor_for(options.samples);
   if (options.deviation > 0) {
     factor = std::clamp(options.samples / options.deviation,
-                        factor_for(kLeastAverage * options.samples), factor);
+                        factor_for(least_average * options.samples), factor);
   }
   counts_.reserve(deviations.size());
   for (const float each : deviations)

@@ -21,10 +21,9 @@ class SampleMap {
   /// Estimates the variance from a few samples that do not count otherwise, and allocates
   /// `options.samples` for each pixel in proportion to the standard deviation (Neyman allocation),
   /// which leaves the least error in the whole picture, or with `options.deviation` in all pictures
-  /// together. A pixel gets at least a quarter of
-  /// `options.samples` and at most four times as many. The same for any number of jobs. With too
-  /// few samples for an estimate, or where time or noise ends the rendering, all pixels get the
-  /// same count.
+  /// together. A pixel gets at least an eighth of `options.samples` and at most four times as many.
+  /// The same for any number of jobs. With too few samples for an estimate, or where time or noise
+  /// ends the rendering, all pixels get the same count.
   SampleMap(const TraceContext& context, const View& view, const RenderOptions& options);
 
   std::uint32_t samples(std::uint32_t x, std::uint32_t y) const {
@@ -41,7 +40,8 @@ class SampleMap {
   std::vector<float> estimate_variance(const TraceContext& context, const View& view,
                                        const RenderOptions& options) const;
   void blur(std::vector<float>& values) const;
-  void allocate(const std::vector<float>& deviations, const RenderOptions& options);
+  void allocate(const std::vector<float>& deviations, const RenderOptions& options,
+                double least_average);
 
   std::uint32_t most_;
   std::uint32_t columns_ = 0, rows_ = 0;  // of blocks

@@ -178,7 +178,8 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
 
   const Frame plain = triangle.frame(smooth, material);
   const auto bump = mapped_normal(reader, Slot::normal);
-  surface.frame = turned(plain, oriented(bump ? plain.to_world(*bump) : smooth));
+  const Vec3d shading = oriented(bump ? plain.to_world(*bump) : smooth);
+  surface.frame = shading == smooth ? plain : turned(plain, shading);
   surface.flat_normal *= side * outward;
   if (surface.material.clearcoat > 0) {
     const auto coat = mapped_normal(reader, Slot::clearcoat_normal);

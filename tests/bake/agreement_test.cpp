@@ -331,7 +331,7 @@ TEST_P(Agreement, IsWithinThreeStandardErrors) {
   Shot shot = GetParam().make();
   shot.stage.find_emitters();
   const TraceContext context = shot.stage.context();
-  const Estimate fast = shot.stage.estimate(20000, 5, [&](const SampleStream& random) {
+  const Estimate fast = shot.stage.estimate(20000, 8, [&](const SampleStream& random) {
     return trace_path(context, shot.ray(random), {0.5F, 0.5F}, random).radiance();
   });
   const Estimate simple = shot.stage.estimate(60000, 6, [&](const SampleStream& random) {

@@ -45,7 +45,7 @@ TEST(SampleMap, SharesOutWhatThereIs) {
     const double mean = sum / (options.width * options.height);
     EXPECT_LE(mean, samples);
     EXPECT_GT(mean, 0.9 * samples);
-    EXPECT_GE(least, samples / 4);
+    EXPECT_GE(least, samples / 8);
     EXPECT_LE(most, samples * 4);
     EXPECT_EQ(most, shares.most());
     EXPECT_LT(2 * least, most);
@@ -54,7 +54,8 @@ TEST(SampleMap, SharesOutWhatThereIs) {
 
 // The fewer, the less noise there is; the deviation says what much is.
 TEST(SampleMap, QuietPicturesGetLess) {
-  const Stage stage = studio_stage();
+  Stage stage = studio_stage();
+  stage.world.sky.emplace(*stage.world.environment, 32);
   const auto mean = [&stage](double deviation) {
     RenderOptions options = small_adaptive(32);
     options.deviation = deviation;
@@ -65,17 +66,28 @@ TEST(SampleMap, QuietPicturesGetLess) {
   };
   const double all = mean(0);
   EXPECT_EQ(mean(1e-6), all) << "all is noise";
-  EXPECT_NEAR(mean(1), 20, 1) << "none is";
-  const double between = mean(0.06);
+  EXPECT_NEAR(mean(1), 18, 1) << "none is";
+  const double between = mean(0.05);
   EXPECT_GT(between, 22);
   EXPECT_LT(between, all - 2);
+}
+
+TEST(SampleMap, WithoutASkyNoneAreSaved) {
+  const Stage stage = studio_stage();
+  RenderOptions options = small_adaptive(32);
+  const SampleMap all(stage.context(), front(), options);
+  options.deviation = 1;
+  const SampleMap shares(stage.context(), front(), options);
+  for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
+    ASSERT_EQ(shares.samples(x, y), all.samples(x, y));
+  });
 }
 
 TEST(SampleMap, NoiseGetsMore) {
   const Stage stage = studio_stage();
   const RenderOptions options = small_adaptive(32);
   const SampleMap shares(stage.context(), front(), options);
-  EXPECT_EQ(shares.samples(1, 1), 8U) << "the backdrop, which has none";
+  EXPECT_EQ(shares.samples(1, 1), 4U) << "the backdrop, which has none";
   EXPECT_GT(shares.samples(25, 20), 16U) << "the ball";
 }
 
@@ -94,7 +106,7 @@ TEST(SampleMap, EdgesBehindGlassGetMore) {
     const RenderOptions options = small_adaptive(32);
     return SampleMap(stage.context(), front(), options).samples(16, 16);
   };
-  EXPECT_EQ(at_edge(0), 8U) << "nothing is seen through it";
+  EXPECT_EQ(at_edge(0), 4U) << "nothing is seen through it";
   EXPECT_GT(at_edge(1), 32U);
 }
 
@@ -117,7 +129,7 @@ TEST(SampleMap, WithoutNoiseFewAreEnough) {
   away.backward = {0, 0, -1};
   const RenderOptions options = small_adaptive(16);
   const SampleMap shares(stage.context(), away, options);
-  EXPECT_EQ(shares.most(), 4U);
+  EXPECT_EQ(shares.most(), 2U);
 }
 
 TEST(SampleMap, FewSamplesOrAnEndOfTheirOwnAreTheSameEverywhere) {
