@@ -14,8 +14,9 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kRound = 8;  // samples of a pixel between two checks of time and noise
-constexpr std::uint32_t kSure = 16;  // samples of the features that miss no edge
+constexpr std::uint32_t kRound = 8;   // samples of a pixel between two checks of time and noise
+constexpr std::uint32_t kSure = 16;   // samples of the features that miss no edge
+constexpr std::uint32_t kAtOnce = 4;  // feature samples between two looks at all of them
 
 class Renderer {
  public:
@@ -103,14 +104,17 @@ class Renderer {
     const std::uint32_t enough = std::min(kSure, options_.samples);
     PixelSums sums = film_.at(pixel);
     FeatureSums more;
-    for (std::uint32_t i = samples_.samples(x, y);; ++i) {
+    for (std::uint32_t i = samples_.samples(x, y);;) {
       const bool certain = sums.features.count >= enough && !sums.is_mixed();
       if (sums.clear || certain) return {pixel, {}, sums.material};
-      if (i >= (sums.is_edge() ? of_edges : options_.feature_samples)) break;
-      const auto [ray, point, random] = sample_of(x, y, i);
-      const PathSample sample = sample_features(context_, ray, point, random);
-      more.add(sample);
-      sums.add_features(sample);
+      const std::uint32_t most = sums.is_edge() ? of_edges : options_.feature_samples;
+      if (i >= most) break;
+      for (const std::uint32_t end = std::min(i + kAtOnce, most); i < end; ++i) {
+        const auto [ray, point, random] = sample_of(x, y, i);
+        const PathSample sample = sample_features(context_, ray, point, random);
+        more.add(sample);
+        sums.add_features(sample);
+      }
     }
     return {pixel, more, sums.material};
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "bake/directions.hpp"
 #include "bake/sampler.hpp"
@@ -53,39 +54,60 @@ double cosine_share(std::size_t harmonic) {
   return harmonic == 0 ? pi : harmonic < 4 ? 2 * pi / 3 : pi / 4;
 }
 
-// The place of a point along Hilbert's curve through 4 x 4 cells, of which each has one point of a
-// block: stratified numbers then choose directions that are apart.
-std::size_t place_along_curve(const Float2& point) {
-  constexpr std::array<std::size_t, 16> kPlaces{0, 1, 14, 15,  //
-                                                3, 2, 13, 12,  //
-                                                4, 7, 8,  11,  //
-                                                5, 6, 9,  10};
-  return kPlaces[static_cast<std::size_t>(point[1] * 4) * 4 +
-                 static_cast<std::size_t>(point[0] * 4)];
+// The place of a point along Hilbert's curve through cells as fine as the curve's last level.
+std::uint32_t place_along_curve(const Float2& point) {
+  constexpr std::uint32_t kCells = 1U << 12U;  // of a side
+  auto x = static_cast<std::uint32_t>(point[0] * kCells);
+  auto y = static_cast<std::uint32_t>(point[1] * kCells);
+  std::uint32_t place = 0;
+  for (std::uint32_t side = kCells / 2; side > 0; side /= 2) {
+    const bool right = (x & side) != 0;
+    const bool upper = (y & side) != 0;
+    place = 4 * place + (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
+    if (upper) continue;
+    if (right) {
+      x = ~x;
+      y = ~y;
+    }
+    std::swap(x, y);
+  }
+  return place;
+}
+
+// Scrambled Sobol' points in the order of that curve, and their places.
+std::vector<std::pair<std::uint32_t, Float2>> points_along_curve(std::uint32_t count) {
+  constexpr std::uint32_t kSeed = 0x5bd1e995U;
+  std::vector<std::pair<std::uint32_t, Float2>> points;
+  points.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t second = scramble_reversed(second_sobol_reversed(i), mix_bits(kSeed));
+    const Float2 point{unit_float(reverse_bits(scramble_reversed(i, kSeed))),
+                       unit_float(reverse_bits(second))};
+    points.emplace_back(place_along_curve(point), point);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
 }
 
 }  // namespace
 
 SkySamples::SkySamples(const Environment& environment, std::uint32_t samples)
     : blocks_(direction_count(samples) / kBlock), lights_(blocks_.size() * kBlock) {
-  // Scrambled Sobol' points in their own order: any aligned block of them is stratified.
-  constexpr std::uint32_t kSeed = 0x5bd1e995U;
-  for (std::uint32_t i = 0; i < lights_.size(); ++i) {
-    const std::uint32_t second = scramble_reversed(second_sobol_reversed(i), mix_bits(kSeed));
-    const Float2 point{unit_float(reverse_bits(scramble_reversed(i, kSeed))),
-                       unit_float(reverse_bits(second))};
-    const EnvironmentSample sample = environment.sample(point);
-    Block& block = blocks_[i / kBlock];
+  const auto points = points_along_curve(direction_count(samples));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const EnvironmentSample sample = environment.sample(points[i].second);
+    // Each block has a direction of each of so many parts of the curve.
+    const std::size_t number = i % blocks_.size();
+    const std::size_t part = i / blocks_.size();
     // choose() goes through the first lanes of all rows, then through the second, and so on.
-    const std::size_t place = place_along_curve(point);
-    const std::size_t lane = place / kLanes + place % kLanes * kLanes;
+    const std::size_t lane = part / kLanes + part % kLanes * kLanes;
+    Block& block = blocks_[number];
     block.x[lane] = static_cast<float>(sample.direction.x);
     block.y[lane] = static_cast<float>(sample.direction.y);
     block.z[lane] = static_cast<float>(sample.direction.z);
     const double brightness = luminance(sample.radiance) * sample.scale;
     block.brightness[lane] = std::isfinite(brightness) ? static_cast<float>(brightness) : 0.0F;
-    lights_[i / kBlock * kBlock + lane] = {to_float3(sample.radiance),
-                                           static_cast<float>(sample.pdf)};
+    lights_[number * kBlock + lane] = {to_float3(sample.radiance), static_cast<float>(sample.pdf)};
     const auto harmonics = harmonics_at(sample.direction);
     for (std::size_t h = 0; h < harmonics.size(); ++h) {
       harmonics_[h] += sample.radiance * (sample.scale * harmonics[h] * cosine_share(h));
@@ -129,14 +151,12 @@ EnvironmentSample SkySamples::choose(const Receiver& receiver, const Float2& ran
 }
 
 SkyPdf SkySamples::pdf(const Receiver& receiver, std::uint32_t count) const {
-  // Choices of a stratified block have less noise than their density suggests; by measurement.
-  constexpr double kBetter = 1.5;
   const auto irradiance_of = [&](const Vec3d& normal) {
     return std::max(at_normal(luminances_, normal), 0.0);
   };
   const double behind = receiver.behind > 0 ? receiver.behind * irradiance_of(-receiver.normal) : 0;
   const double light = (1 - receiver.behind) * irradiance_of(receiver.normal) + behind;
-  return {receiver, light > 0 ? kBetter * count / light : 0};
+  return {receiver, light > 0 ? count / light : 0};
 }
 
 Rgb SkySamples::irradiance(const Vec3d& normal) const {

@@ -38,9 +38,10 @@ struct SkyPdf {
   }
 };
 
-/// Blocks of directions, sampled by brightness. Each block is stratified, and so are the blocks
-/// that follow each other. All surfaces of a picture share the directions, which are many more than
-/// a pixel has samples: their error is below that of 8 bits, and it falls with more samples.
+/// Blocks of directions, sampled by brightness. Each has one direction of each of 16 parts of the
+/// sky, and from block to block they move through their parts: stratified numbers choose directions
+/// that are apart. All surfaces of a picture share the directions, which are many more than a pixel
+/// has samples: their error is below that of 8 bits, and it falls with more samples.
 class SkySamples {
  public:
   /// `samples`: of a pixel.
