@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kSide = 64;   // pixels
 constexpr std::uint32_t kSquare = 8;  // pixels
-constexpr std::uint32_t kSamples = 32;
+constexpr std::uint32_t kSamples = 24;
 constexpr std::uint32_t kViews = 2;
 // Of 150 pairs of seeds for the legacy fixtures, the greatest difference was 2.1 times that of the
 // first pair. One step is what rounding can do.
