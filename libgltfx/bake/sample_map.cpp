@@ -18,7 +18,7 @@ constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
 constexpr std::uint32_t kTimesLess = 8, kTimesMore = 4;
 // The least average with a deviation, as part of RenderOptions::samples. Without the sky a sample
 // is cheap, and says less: it has no shadow rays to the sky.
-constexpr double kLeastWithSky = 0.55, kLeastWithoutSky = 1;
+constexpr double kLeastWithSky = 17.0 / 32, kLeastWithoutSky = 1;
 constexpr double kMostError = 0.25;  // of the range from black to white: more counts as this
 constexpr double kDark = 0.02;       // least albedo by which light is divided
 
