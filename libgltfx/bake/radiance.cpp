@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "bake/background.hpp"
 #include "bake/direct_light.hpp"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kRound = 8;   // samples of a pixel between two checks of time and noise
 constexpr std::uint32_t kSure = 16;   // samples of the features that miss no edge
-constexpr std::uint32_t kAtOnce = 4;  // feature samples between two looks at all of them
+constexpr std::uint32_t kAtOnce = 4;  // feature samples between two checks whether they differ
 
 class Renderer {
  public:
