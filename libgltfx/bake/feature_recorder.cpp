@@ -32,13 +32,6 @@ void FeatureRecorder::record(const Path& path, const Hit& hit, const Surface& su
   record(path, scattering_color(surface.material), surface.frame.normal, hit.distance);
 }
 
-void FeatureRecorder::record(const Hit& hit, const Surface& surface) {
-  recorded_ = true;
-  features_.albedo = scattering_color(surface.material);
-  features_.normal = surface.frame.normal;
-  features_.depth = hit.distance;
-}
-
 void FeatureRecorder::go_on(const Path& path, double distance) {
   length_ += distance;
   features_.clear = features_.clear || path.prefix.straight;

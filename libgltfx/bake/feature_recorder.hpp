@@ -17,8 +17,6 @@ class FeatureRecorder {
   /// Only the first one counts.
   void record(const Path& path, const Rgb& albedo, const Vec3d& normal, double distance);
   void record(const Path& path, const Hit& hit, const Surface& surface);
-  /// The same for the surface that is seen.
-  void record(const Hit& hit, const Surface& surface);
   /// The path has left a surface, which it reached after `distance`.
   void go_on(const Path& path, double distance);
 

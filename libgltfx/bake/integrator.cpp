@@ -86,7 +86,7 @@ PathSample sample_features(const TraceContext& context, const Ray& ray, const Fl
       const Surface surface = surface_at(context.scene, *hit, rest);
       FeatureRecorder recorder;
       recorder.record_first(context.scene, *hit, surface);
-      recorder.record(*hit, surface);
+      recorder.record(Path{rest, {random, 0}}, *hit, surface);
       sample.features = recorder.features();
       sample.features.clear = may_be_clear(surface.material);
       sample.emitted = emitted(surface.material, surface.frame.to_local(-rest.direction));

@@ -22,8 +22,9 @@ struct RenderOptions {
   std::uint32_t width = 512, height = 512;
   std::uint32_t samples = 64;  ///< of each pixel; with an adaptive SampleMap on average, at most
   /// Pixels whose samples have this standard deviation, as part of the range of the finished
-  /// picture, get `samples`; others get more or fewer in proportion. The average is between 3/5 of
-  /// `samples` and `samples`. 0: `samples` on average.
+  /// picture, get `samples`; others get more or fewer in proportion. The average is at most
+  /// `samples`, and with shared sky samples at least 17/32 of it; without them, or if 0, it is
+  /// `samples`.
   double deviation = 0;
   /// Samples of the features, those of the light among them, where they differ within a pixel; at
   /// edges of the subject up to twice as many. A power of two is stratified best. 0: no more

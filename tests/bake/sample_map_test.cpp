@@ -28,6 +28,12 @@ void for_pixels(const RenderOptions& options, const Visit& visit) {
   }
 }
 
+void expect_equal(const SampleMap& one, const SampleMap& other, const RenderOptions& options) {
+  for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
+    ASSERT_EQ(one.samples(x, y), other.samples(x, y));
+  });
+}
+
 TEST(SampleMap, SharesOutWhatThereIs) {
   const Stage stage = studio_stage();
   for (const std::uint32_t samples : {16U, 20U, 33U, 64U}) {
@@ -77,10 +83,7 @@ TEST(SampleMap, WithoutASkyNoneAreSaved) {
   RenderOptions options = small_adaptive(32);
   const SampleMap all(stage.context(), front(), options);
   options.deviation = 1;
-  const SampleMap shares(stage.context(), front(), options);
-  for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
-    ASSERT_EQ(shares.samples(x, y), all.samples(x, y));
-  });
+  expect_equal(SampleMap(stage.context(), front(), options), all, options);
 }
 
 TEST(SampleMap, NoiseGetsMore) {
@@ -115,10 +118,7 @@ TEST(SampleMap, TheNumberOfThreadsDoesNotShow) {
   RenderOptions options = small_adaptive(16);
   const SampleMap one(stage.context(), front(), options);
   options.jobs = 2;
-  const SampleMap two(stage.context(), front(), options);
-  for_pixels(options, [&](std::uint32_t x, std::uint32_t y) {
-    ASSERT_EQ(one.samples(x, y), two.samples(x, y));
-  });
+  expect_equal(SampleMap(stage.context(), front(), options), one, options);
 }
 
 // Nothing but an even backdrop.
