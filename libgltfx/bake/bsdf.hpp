@@ -87,12 +87,14 @@ struct clearcoat_brdf : Lobe {
     turned.opposite = turned.opposite || d.opposite || coat.v.z <= 0;
     return turned;
   }
-  Rgb eval(const Directions& d, const Through& through) const {
-    if (d.l.z <= 0) return {};
+  Rgb eval(const Directions& d, const Through& through) const { return evaluate(d, through).f; }
+  double pdf(const Directions& d) const { return evaluate(d, {}).pdf; }
+  Evaluation evaluate(const Directions& d, const Through& through) const {
     const Directions turned = in_frame(d);
-    return brdf.eval(turned, through) * (turned.l.z / d.l.z);
+    const Evaluation about_normal = brdf.evaluate(turned, through);
+    const Rgb f = d.l.z > 0 ? about_normal.f * (turned.l.z / d.l.z) : Rgb();
+    return {f, f, about_normal.pdf};
   }
-  double pdf(const Directions& d) const { return brdf.pdf(in_frame(d)); }
   Proposal sample(const Vec3d&, const Random3& r) const {
     if (coat.v.z <= 0) return {{}, Measure::solid_angle, false};
     Proposal p = brdf.sample(coat.v, r);

@@ -11,38 +11,40 @@
 namespace gltfx::bake {
 namespace {
 
-// A little more than the tables can be wrong by.
-double table_margin(double cosine) { return 3e-5 / (cosine + 0.001); }
-
 // Schlick's curve through a point: its F0 when it ends at `f90`.
 double f0_through(double reflectance, double f90, double cosine) {
   const double w = pow5(1 - cosine);
   return (reflectance - f90 * w) / (1 - w);
 }
 
+// A little more than the tables can be wrong by.
+double table_margin(double cosine) { return 3e-5 / (cosine + 0.001); }
+
 // Lights over a hemisphere, for a grazing view.
-struct GrazingLight {
-  double cosine = 0;
-  SpecularColumn column;
-  double weight = 0;
-  double fresnel = 0;  // mean of (1 - V.H)^5 over a turn
+struct GrazingLights {
+  static constexpr std::size_t kCount = SpecularColumns::kCount;
+  using Values = std::array<double, kCount>;
+  Values cosine{}, weight{};
+  Values fresnel{};            // mean of (1 - V.H)^5 over a turn
+  Values diffuse{}, margin{};  // by cosine
 };
 
-const std::vector<GrazingLight>& grazing_lights() {
-  static const std::vector<GrazingLight> kLights = [] {
-    constexpr int kTurns = 64;
-    std::vector<GrazingLight> lights;
-    for (const Node& node : gauss_legendre(6)) {
-      GrazingLight light{std::sqrt(node.x), SpecularColumn(std::sqrt(node.x)), node.weight, 0};
-      for (int i = 0; i < kTurns; ++i) {
-        const double v_l = std::sqrt(1 - node.x) * std::cos(pi * (i + 0.5) / kTurns);
-        light.fresnel += pow5(1 - std::sqrt((1 + v_l) / 2)) / kTurns;
-      }
-      lights.push_back(light);
+GrazingLights make_grazing_lights() {
+  constexpr int kTurns = 64;
+  const std::vector<Node> nodes = gauss_legendre(GrazingLights::kCount);
+  GrazingLights lights;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double cosine = std::sqrt(nodes[i].x);
+    lights.cosine[i] = cosine;
+    lights.weight[i] = nodes[i].weight;
+    lights.diffuse[i] = diffuse_fresnel(cosine);
+    lights.margin[i] = table_margin(cosine);
+    for (int turn = 0; turn < kTurns; ++turn) {
+      const double v_l = std::sqrt(1 - nodes[i].x) * std::cos(pi * (turn + 0.5) / kTurns);
+      lights.fresnel[i] += pow5(1 - std::sqrt((1 + v_l) / 2)) / kTurns;
     }
-    return lights;
-  }();
-  return kLights;
+  }
+  return lights;
 }
 
 }  // namespace
@@ -69,45 +71,51 @@ EnergyCompensation::EnergyCompensation(const Fresnel& fresnel, const Microfacets
       lowest_f0_ = std::clamp(f0, 0.0, lowest_f0_);
     }
   }
-  share_v_ = std::min(1.0, share(v.z));
+  share_v_ = share(v.z);
   scale_ = 1 / mean_share();
 }
 
+inline double EnergyCompensation::share(const SpecularAlbedo& along, const SpecularAlbedo& across,
+                                        double diffuse, double margin) const {
+  double reflected = highest_f0_ * along.constant + f90_ * (along.rising + margin);
+  if (!isotropic_) {  // between the isotropic values of both, but for grazing angles
+    reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising) +
+                4 * f90_ * margin;
+  }
+  const double left = 1 - reflected;
+  const double handed_on = 1 - lowest_f0_ - (f90_ - lowest_f0_) * diffuse;
+  return handed_on > 0 ? std::clamp(left / handed_on, 0.0, 1.0) : 1;
+}
+
+inline double EnergyCompensation::share(double cosine) const {
+  const TableCell column = albedo_column(cosine);
+  const SpecularAlbedo along = along_.at(column);
+  const SpecularAlbedo across = isotropic_ ? along : across_.at(column);
+  return share(along, across, diffuse_fresnel(cosine), table_margin(cosine));
+}
+
 double EnergyCompensation::mean_share() const {
+  static const GrazingLights kLights = make_grazing_lights();
+  static const SpecularColumns kColumns(kLights.cosine);
+  const SpecularColumns::Albedos along = along_.at(kColumns);
+  const SpecularColumns::Albedos across = isotropic_ ? along : across_.at(kColumns);
   double sum = 0;
   double all = 0;
-  for (const GrazingLight& light : grazing_lights()) {
-    const SpecularAlbedo along = along_.at(light.column);
-    const SpecularAlbedo across = isotropic_ ? along : across_.at(light.column);
-    const double passed = light.weight * (1 - lowest_f0_ - (f90_ - lowest_f0_) * light.fresnel);
-    sum += std::min(1.0, share(along, across, light.cosine)) * passed;
+  for (std::size_t i = 0; i < GrazingLights::kCount; ++i) {
+    const double passed =
+        kLights.weight[i] * (1 - lowest_f0_ - (f90_ - lowest_f0_) * kLights.fresnel[i]);
+    sum +=
+        passed * share({along.constant[i], along.rising[i]}, {across.constant[i], across.rising[i]},
+                       kLights.diffuse[i], kLights.margin[i]);
     all += passed;
   }
   constexpr double kMargin = 1.003;  // of so few points
   return all > 0 ? std::min(1.0, sum / all * kMargin) : 1;
 }
 
-double EnergyCompensation::share(double cosine) const {
-  const TableCell column = albedo_column(cosine);
-  const SpecularAlbedo along = along_.at(column);
-  return share(along, isotropic_ ? along : across_.at(column), cosine);
-}
-
-double EnergyCompensation::share(const SpecularAlbedo& along, const SpecularAlbedo& across,
-                                 double cosine) const {
-  double reflected = highest_f0_ * along.constant + f90_ * (along.rising + table_margin(cosine));
-  if (!isotropic_) {  // between the isotropic values of both, but for grazing angles
-    reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising) +
-                4 * f90_ * table_margin(cosine);
-  }
-  const double left = 1 - reflected;
-  const double handed_on = 1 - lowest_f0_ - (f90_ - lowest_f0_) * diffuse_fresnel(cosine);
-  return handed_on > 0 ? std::max(0.0, left / handed_on) : 1;
-}
-
-double EnergyCompensation::factor(double n_l) const {
+[[gnu::flatten]] double EnergyCompensation::factor(double n_l) const {
   if (!active_) return 1;
-  return inside_ ? share_v_ : share_v_ * std::min(1.0, share(n_l)) * scale_;
+  return inside_ ? share_v_ : share_v_ * share(n_l) * scale_;
 }
 
 SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d& v,

@@ -31,8 +31,11 @@ class EnergyCompensation {
   void calm(double diffuse_roughness) { scale_ *= 1 - 0.021 * diffuse_roughness * f90_; }
 
  private:
+  /// The transmittance over that of the sample implementation, 1 at most, under a cosine.
   double share(double cosine) const;
-  double share(const SpecularAlbedo& along, const SpecularAlbedo& across, double cosine) const;
+  /// `diffuse`: diffuse_fresnel(); `margin`: of the albedos.
+  double share(const SpecularAlbedo& along, const SpecularAlbedo& across, double diffuse,
+               double margin) const;
   /// The mean of shares over the lights of a grazing view.
   double mean_share() const;
 

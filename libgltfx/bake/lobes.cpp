@@ -31,7 +31,7 @@ double specular_btdf::pdf(const Directions& d) const {
   const double v_h = dot(d.v, h);
   const double l_h = refracts ? dot(mirrored(d.l), h) : v_h;
   if (v_h <= 0 || (refracts && l_h >= 0)) return 0;
-  return facets.visible_normals(d.v, facets.v_stretched, h) * v_h * jacobian(v_h, l_h);
+  return facets.visible * facets.distribution(h) * v_h * jacobian(v_h, l_h);
 }
 
 Proposal specular_btdf::sample(const Vec3d& v, const Random3& r) const {

@@ -109,19 +109,18 @@ struct specular_brdf : Lobe {
 
   /// Keeps a reference to the facets.
   explicit specular_brdf(const SeenFacets& f) : Lobe{1, f.smooth()}, facets(f) {}
-  Rgb eval(const Directions& d, const Through& through) const {
-    return Rgb(value(d) * through.specular);
-  }
-  /// Without the layers above.
-  double value(const Directions& d) const {
-    if (is_delta) return hits(d, kSpecularReflect) ? 1 / d.v.z : 0;
-    if (!d.reflects(kSpecularReflect, Measure::solid_angle)) return 0;
-    return facets.visibility(d.v, facets.v_stretched, d.l) * facets.distribution(d.h);
-  }
-  double pdf(const Directions& d) const {
-    if (is_delta) return hits(d, kAllLobes) ? 1 : 0;
-    if (!d.reflects(kAllLobes, Measure::solid_angle)) return 0;
-    return facets.visible_normals(d.v, facets.v_stretched, d.h) / 4;
+  Rgb eval(const Directions& d, const Through& through) const { return evaluate(d, through).f; }
+  double pdf(const Directions& d) const { return evaluate(d, {}).pdf; }
+  /// Both in one: they share the distribution of the facets.
+  Evaluation evaluate(const Directions& d, const Through& through) const {
+    if (is_delta) return mirror(d, through);
+    if (!d.reflects(kAllLobes, Measure::solid_angle)) return {};
+    const double distribution = facets.distribution(d.h);
+    const double pdf = distribution * facets.visible / 4;
+    if ((d.lobes & kSpecularReflect) == 0) return {{}, {}, pdf};
+    const double visibility = facets.visibility(d.v, facets.v_stretched, d.l);
+    const Rgb f(distribution * visibility * through.specular);
+    return {f, f, pdf};
   }
   Proposal sample(const Vec3d& v, const Random3& r) const {
     if (is_delta) return {{-v.x, -v.y, v.z}, Measure::delta};
@@ -131,8 +130,10 @@ struct specular_brdf : Lobe {
   }
 
  private:
-  static bool hits(const Directions& d, Lobes lobe) {
-    return d.reflects(lobe, Measure::delta) && 1 - d.h.z < 1e-12;
+  Evaluation mirror(const Directions& d, const Through& through) const {
+    if (!d.reflects(kAllLobes, Measure::delta) || 1 - d.h.z >= 1e-12) return {};
+    const Rgb f((d.lobes & kSpecularReflect) != 0 ? through.specular / d.v.z : 0);
+    return {f, f, 1};
   }
 };
 

@@ -30,11 +30,12 @@ struct Microfacets {
     return {cosine * w.x - sine * w.y, cosine * w.y + sine * w.x, w.z};
   }
 
-  /// D
+  /// D, in a form with one division.
   double distribution(const Vec3d& half) const {
     const Vec3d h = turned(half);
-    const double sum = square(h.x / alpha_t) + square(h.y / alpha_b) + square(h.z);
-    return 1 / (pi * alpha_t * alpha_b * square(sum));
+    const double a = alpha_t * alpha_b;
+    const double sum = square(alpha_b * h.x) + square(alpha_t * h.y) + square(a * h.z);
+    return a * a * a / (pi * square(sum));
   }
 
   /// The part of the facets, by area projected from above, whose slope is above `tangent`.
@@ -57,13 +58,8 @@ struct Microfacets {
     return 1 / ((l.z + stretched(l)) * (v.z + v_stretched));
   }
 
-  /// Density of normals seen from v, over v.h.
-  double visible_normals(const Vec3d& v, double v_stretched, const Vec3d& h) const {
-    return 2 / (v.z + v_stretched) * distribution(h);
-  }
-
-  /// A normal with the density above (J. Dupuy and A. Benyoub, Sampling Visible GGX Normals with
-  /// Spherical Caps, 2023).
+  /// A normal with the density of SeenFacets::visible (J. Dupuy and A. Benyoub, Sampling Visible
+  /// GGX Normals with Spherical Caps, 2023).
   Vec3d sample_normal(const Vec3d& viewer, double u, double v) const {
     const Vec3d w = turned(viewer);
     const Vec3d stretch = normalize({alpha_t * w.x, alpha_b * w.y, w.z});
@@ -79,9 +75,10 @@ struct Microfacets {
 /// Microfacets seen from v: values that are the same for all lights.
 struct SeenFacets : Microfacets {
   double v_stretched;
+  double visible;  ///< density of normals over the distribution and v.h
 
   SeenFacets(const Microfacets& facets, const Vec3d& v)
-      : Microfacets(facets), v_stretched(stretched(v)) {}
+      : Microfacets(facets), v_stretched(stretched(v)), visible(2 / (v.z + v_stretched)) {}
 };
 
 /// KHR_materials_anisotropy: the direction's alpha grows, the other keeps the material's.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bake/environment.hpp"
+#include "bake/lanes.hpp"
 #include "bake/storage.hpp"
 
 namespace gltfx::bake {
@@ -61,7 +62,6 @@ class SkySamples {
   Rgb irradiance(const Vec3d& normal) const;
 
  private:
-  static constexpr std::size_t kLanes = 4;  // that are computed together
   static constexpr std::size_t kBlock = 4 * kLanes;
   using Numbers = std::array<float, kBlock>;
 
