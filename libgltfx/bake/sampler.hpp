@@ -26,11 +26,20 @@ constexpr std::uint32_t mix_bits(std::uint32_t a, std::uint32_t b) {
 /// In [0, 1): the upper 24 bits.
 constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1p-24F; }
 
+/// The bits of each byte in reverse order.
+template <class T>
+constexpr T reverse_in_bytes(T x) {
+  constexpr T kOdd = ~T{0} / 3, kPairs = ~T{0} / 5, kNibbles = ~T{0} / 17;
+  x = ((x >> 1U) & kOdd) | ((x & kOdd) << 1U);
+  x = ((x >> 2U) & kPairs) | ((x & kPairs) << 2U);
+  return ((x >> 4U) & kNibbles) | ((x & kNibbles) << 4U);
+}
+
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
-  x = ((x >> 1U) & 0x55555555U) | ((x & 0x55555555U) << 1U);
-  x = ((x >> 2U) & 0x33333333U) | ((x & 0x33333333U) << 2U);
-  x = ((x >> 4U) & 0x0f0f0f0fU) | ((x & 0x0f0f0f0fU) << 4U);
-  return __builtin_bswap32(x);
+  return __builtin_bswap32(reverse_in_bytes(x));
+}
+constexpr std::uint64_t reverse_bits(std::uint64_t x) {
+  return __builtin_bswap64(reverse_in_bytes(x));
 }
 
 /// A random Owen scrambling of a number whose bits are in reverse order.
@@ -56,6 +65,7 @@ constexpr std::uint32_t second_sobol_reversed(std::uint32_t index) {
 /// as a single number.
 class SampleStream {
  public:
+  SampleStream() = default;
   /// `pixel`: a number of the pixel; `sample`: from 0 on.
   SampleStream(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample)
       : key_(mix_bits(pixel, seed)), sample_(sample) {}
@@ -67,9 +77,12 @@ class SampleStream {
   Float2 pair(std::uint32_t dimension, std::uint32_t part, std::uint32_t parts) const {
     const std::uint32_t seed = mix_bits(key_ + 0x9e3779b9U * (dimension + 1));
     const std::uint32_t index = shuffled(sample_ * parts + part, seed);
-    return {unit_float(reverse_bits(scramble_reversed(index, mix_bits(seed + 1)))),
-            unit_float(
-                reverse_bits(scramble_reversed(second_sobol_reversed(index), mix_bits(seed + 2))))};
+    const std::uint32_t first = scramble_reversed(index, mix_bits(seed + 1));
+    const std::uint32_t second =
+        scramble_reversed(second_sobol_reversed(index), mix_bits(seed + 2));
+    const std::uint64_t both = reverse_bits(std::uint64_t{second} << 32U | first);
+    return {unit_float(static_cast<std::uint32_t>(both >> 32U)),
+            unit_float(static_cast<std::uint32_t>(both))};
   }
 
   /// A number in [0, 1), or one of several as above.
@@ -99,7 +112,7 @@ class SampleStream {
     return reverse_bits(scramble_reversed(reverse_bits(sample), seed));
   }
 
-  std::uint32_t key_, sample_;
+  std::uint32_t key_ = 0, sample_ = 0;
 };
 
 }  // namespace gltfx::bake
