@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/bvh.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,7 +13,36 @@
 
 namespace gltfx::bake {
 
-// A ray with what the filters need. Embree hands back its own part, the first member.
+namespace {
+
+Vec3d normal_of(const RTCHit& hit) { return {hit.Ng_x, hit.Ng_y, hit.Ng_z}; }
+
+Vec3d end_of(const RTCRay& ray) {
+  const Vec3d origin(ray.org_x, ray.org_y, ray.org_z);
+  const Vec3d direction(ray.dir_x, ray.dir_y, ray.dir_z);
+  return origin + direction * static_cast<double>(ray.tfar);
+}
+
+// Above 0 where the ray goes along the normal of the triangle, by its winding.
+float along_normal(const RTCRayHit& possible) {
+  const auto& [ray, hit] = possible;
+  return hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
+}
+
+// Rejects those possible hits of rays that pass(hit) says are none.
+template <class Pass>
+void reject(const RTCFilterFunctionNArguments* args, const Pass& pass) {
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const RTCRayHit possible{rtcGetRayFromRayN(args->ray, args->N, i),
+                             rtcGetHitFromHitN(args->hit, args->N, i)};
+    if (pass(possible)) args->valid[i] = 0;
+  }
+}
+
+}  // namespace
+
+// Rays with what the filters need. Embree hands back its own part, the first member.
 struct Bvh::Tracing {
   Tracing(const State& s, std::uint32_t k) : state(&s), key(k) { rtcInitRayQueryContext(&embree); }
   RTCRayQueryContext embree;
@@ -22,14 +52,13 @@ struct Bvh::Tracing {
   Backs backs = Backs::culled;
   const std::optional<Eye>* eye = nullptr;  // of a ray towards light
   const Ray* to_lamp = nullptr;             // that ray, where no path meets the light
-  float visibility = 1;
-  Rgb tint{1};  // of panes
+  std::array<float, kShadowPacket> visibility{1, 1, 1, 1};  // by RTCRay::id
+  Rgb tint{1};                                              // of panes
 
   std::optional<Hit> intersect(const Ray& ray);
-  float coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const;
+  float coverage(const RTCRayHit& possible, Hit& hit) const;
   float find_visibility(const Ray& ray);
-  bool is_passed(const RTCFilterFunctionNArguments* args, const Hit& hit,
-                 const SceneMaterial& material) const;
+  bool is_passed(const RTCRayHit& possible, const Hit& hit, const SceneMaterial& material) const;
 
   static Tracing& of(const RTCFilterFunctionNArguments* args) {
     return *reinterpret_cast<Tracing*>(args->context);
@@ -43,27 +72,6 @@ struct Bvh::Tracing {
 
 namespace {
 
-Vec3d normal_of(const RTCFilterFunctionNArguments* args) {
-  return {RTCHitN_Ng_x(args->hit, 1, 0), RTCHitN_Ng_y(args->hit, 1, 0),
-          RTCHitN_Ng_z(args->hit, 1, 0)};
-}
-
-// Above 0 where the ray goes along the normal of the triangle, by its winding.
-float along_normal(const RTCFilterFunctionNArguments* args) {
-  return RTCHitN_Ng_x(args->hit, 1, 0) * RTCRayN_dir_x(args->ray, 1, 0) +
-         RTCHitN_Ng_y(args->hit, 1, 0) * RTCRayN_dir_y(args->ray, 1, 0) +
-         RTCHitN_Ng_z(args->hit, 1, 0) * RTCRayN_dir_z(args->ray, 1, 0);
-}
-
-Vec3d point_of(const RTCFilterFunctionNArguments* args) {
-  const auto t = static_cast<double>(RTCRayN_tfar(args->ray, 1, 0));
-  const Vec3d origin(RTCRayN_org_x(args->ray, 1, 0), RTCRayN_org_y(args->ray, 1, 0),
-                     RTCRayN_org_z(args->ray, 1, 0));
-  const Vec3d direction(RTCRayN_dir_x(args->ray, 1, 0), RTCRayN_dir_y(args->ray, 1, 0),
-                        RTCRayN_dir_z(args->ray, 1, 0));
-  return origin + direction * t;
-}
-
 // Of the surface that the ray meets.
 Rgb straight_transmittance(const Scene& scene, const Hit& hit, const Ray& ray) {
   if (!is_pane(material_of(scene, scene.meshes[hit.mesh]))) return Rgb(0);
@@ -75,11 +83,11 @@ Rgb straight_transmittance(const Scene& scene, const Hit& hit, const Ray& ray) {
 
 // Whether the ray passes the side that it comes from. A shared mesh is met in its own
 // space, where nothing is mirrored.
-bool Bvh::Tracing::is_passed(const RTCFilterFunctionNArguments* args, const Hit& hit,
+bool Bvh::Tracing::is_passed(const RTCRayHit& possible, const Hit& hit,
                              const SceneMaterial& material) const {
   if (!is_culled(material)) return false;
-  const float along = along_normal(args);
-  const bool shared = RTCHitN_instID(args->hit, 1, 0, 0) != RTC_INVALID_GEOMETRY_ID;
+  const float along = along_normal(possible);
+  const bool shared = possible.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   const bool front = (shared || state->groups.facing[hit.instance] > 0 ? along : -along) < 0;
   if (!front) {
     const bool tints = to_lamp != nullptr && is_pane(material);
@@ -89,21 +97,18 @@ bool Bvh::Tracing::is_passed(const RTCFilterFunctionNArguments* args, const Hit&
 }
 
 // The part of a ray that the triangle of a possible hit stops.
-float Bvh::Tracing::coverage(const RTCFilterFunctionNArguments* args, Hit& hit) const {
-  hit = state->hit_of(RTCHitN_instID(args->hit, 1, 0, 0), RTCHitN_geomID(args->hit, 1, 0),
-                      RTCHitN_primID(args->hit, 1, 0));
-  hit.u = RTCHitN_u(args->hit, 1, 0);
-  hit.v = RTCHitN_v(args->hit, 1, 0);
+float Bvh::Tracing::coverage(const RTCRayHit& possible, Hit& hit) const {
+  hit = state->hit_of(possible.hit);
   const Scene& scene = state->scene;
   const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  if (is_passed(args, hit, material)) return 0;
+  if (is_passed(possible, hit, material)) return 0;
   return has_holes(material) ? coverage_at(scene, mesh, material, hit) : 1.0F;
 }
 
 // Where nothing is mirrored it does not matter whose triangle it is.
 void Bvh::Tracing::filter_backs(const RTCFilterFunctionNArguments* args) {
-  if (along_normal(args) >= 0) args->valid[0] = 0;
+  reject(args, [](const RTCRayHit& possible) { return along_normal(possible) >= 0; });
 }
 
 void Bvh::Tracing::filter_wall(const RTCFilterFunctionNArguments* args) {
@@ -111,37 +116,42 @@ void Bvh::Tracing::filter_wall(const RTCFilterFunctionNArguments* args) {
 }
 
 void Bvh::Tracing::filter_light_on_wall(const RTCFilterFunctionNArguments* args) {
-  if (along_normal(args) >= 0) return;
   const std::optional<Eye>& eye = *Tracing::of(args).eye;
-  if (!eye || eye->is_behind(normal_of(args), point_of(args))) args->valid[0] = 0;
+  reject(args, [&eye](const RTCRayHit& possible) {
+    if (along_normal(possible) >= 0) return false;
+    return !eye || eye->is_behind(normal_of(possible.hit), end_of(possible.ray));
+  });
 }
 
 void Bvh::Tracing::filter_closest(const RTCFilterFunctionNArguments* args) {
-  if (args->valid[0] == 0) return;
   const Tracing& tracing = Tracing::of(args);
-  Hit hit;
-  const float coverage = tracing.coverage(args, hit);
-  if (coverage >= 1 || (tracing.every_layer && coverage > 0)) return;
-  const std::uint32_t surface = mix_bits(hit.triangle, mix_bits(hit.instance, hit.mesh));
-  if (coverage <= unit_float(mix_bits(tracing.key, surface))) args->valid[0] = 0;
+  reject(args, [&tracing](const RTCRayHit& possible) {
+    Hit hit;
+    const float coverage = tracing.coverage(possible, hit);
+    if (coverage >= 1 || (tracing.every_layer && coverage > 0)) return false;
+    const std::uint32_t surface = mix_bits(hit.triangle, mix_bits(hit.instance, hit.mesh));
+    return coverage <= unit_float(mix_bits(tracing.key, surface));
+  });
 }
 
 void Bvh::Tracing::filter_any(const RTCFilterFunctionNArguments* args) {
-  if (args->valid[0] == 0) return;
   Tracing& tracing = Tracing::of(args);
-  Hit hit;
-  const float coverage = tracing.coverage(args, hit);
-  Rgb through(0);
-  if (tracing.to_lamp != nullptr && coverage > 0) {
-    through = straight_transmittance(tracing.state->scene, hit, *tracing.to_lamp);
-  }
-  if (max_value(through) > 0) {
-    const auto covered = static_cast<double>(coverage);
-    tracing.tint *= Rgb(1 - covered) + through * covered;
-  } else {
-    tracing.visibility *= 1 - coverage;
-  }
-  if (tracing.visibility > 0) args->valid[0] = 0;
+  reject(args, [&tracing](const RTCRayHit& possible) {
+    Hit hit;
+    const float coverage = tracing.coverage(possible, hit);
+    float& visibility = tracing.visibility[possible.ray.id];
+    Rgb through(0);
+    if (tracing.to_lamp != nullptr && coverage > 0) {
+      through = straight_transmittance(tracing.state->scene, hit, *tracing.to_lamp);
+    }
+    if (max_value(through) > 0) {
+      const auto covered = static_cast<double>(coverage);
+      tracing.tint *= Rgb(1 - covered) + through * covered;
+    } else {
+      visibility *= 1 - coverage;
+    }
+    return visibility > 0;
+  });
 }
 
 void Bvh::State::set_filters(RTCGeometry geometry, Treatment treatment, bool in_world,
@@ -162,19 +172,39 @@ void Bvh::State::set_filters(RTCGeometry geometry, Treatment treatment, bool in_
 
 namespace {
 
-void start(RTCRay& target, const Ray& ray) {
-  target.org_x = static_cast<float>(ray.origin.x);
-  target.org_y = static_cast<float>(ray.origin.y);
-  target.org_z = static_cast<float>(ray.origin.z);
-  target.tnear = 0;
-  target.dir_x = static_cast<float>(ray.direction.x);
-  target.dir_y = static_cast<float>(ray.direction.y);
-  target.dir_z = static_cast<float>(ray.direction.z);
-  target.time = 0;
-  target.tfar = static_cast<float>(ray.far);
-  target.mask = 0xFFFFFFFFU;
-  target.id = 0;
-  target.flags = 0;
+RTCRay query_of(const Ray& ray, unsigned id = 0) {
+  RTCRay query;
+  query.org_x = static_cast<float>(ray.origin.x);
+  query.org_y = static_cast<float>(ray.origin.y);
+  query.org_z = static_cast<float>(ray.origin.z);
+  query.tnear = 0;
+  query.dir_x = static_cast<float>(ray.direction.x);
+  query.dir_y = static_cast<float>(ray.direction.y);
+  query.dir_z = static_cast<float>(ray.direction.z);
+  query.time = 0;
+  query.tfar = static_cast<float>(ray.far);
+  query.mask = 0xFFFFFFFFU;
+  query.id = id;
+  query.flags = 0;
+  return query;
+}
+
+// One ray of a packet.
+template <class Packet>
+void set(Packet& packet, unsigned number, const Ray& ray) {
+  const RTCRay query = query_of(ray, number);
+  packet.org_x[number] = query.org_x;
+  packet.org_y[number] = query.org_y;
+  packet.org_z[number] = query.org_z;
+  packet.tnear[number] = query.tnear;
+  packet.dir_x[number] = query.dir_x;
+  packet.dir_y[number] = query.dir_y;
+  packet.dir_z[number] = query.dir_z;
+  packet.time[number] = query.time;
+  packet.tfar[number] = query.tfar;
+  packet.mask[number] = query.mask;
+  packet.id[number] = query.id;
+  packet.flags[number] = query.flags;
 }
 
 }  // namespace
@@ -206,24 +236,21 @@ bool is_traceable(const Ray& ray, double farthest) {
 std::optional<Hit> Bvh::Tracing::intersect(const Ray& ray) {
   if (!is_traceable(ray, state->groups.farthest)) return std::nullopt;
   RTCRayHit query;
-  start(query.ray, ray);
+  query.ray = query_of(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   find_hit(state->top, embree, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  Hit hit = state->hit_of(query.hit.instID[0], query.hit.geomID, query.hit.primID);
+  Hit hit = state->hit_of(query.hit);
   hit.distance = query.ray.tfar;
-  hit.u = query.hit.u;
-  hit.v = query.hit.v;
   return hit;
 }
 
 float Bvh::Tracing::find_visibility(const Ray& ray) {
   backs = Backs::solid;
-  RTCRay query;
-  start(query, ray);
+  RTCRay query = query_of(ray);
   find_occluder(state->top, embree, query);
-  return query.tfar < 0 ? 0.0F : visibility;
+  return query.tfar < 0 ? 0.0F : visibility[0];
 }
 
 std::optional<Hit> Bvh::intersect(const Ray& ray, std::uint32_t key, Backs backs) const {
@@ -238,6 +265,27 @@ std::optional<Hit> Bvh::first_layer(const Ray& ray) const {
   return tracing.intersect(ray);
 }
 
+void Bvh::first_layers(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const {
+  Tracing tracing(*state_, 0);
+  tracing.every_layer = true;
+  alignas(32) std::array<int, kCameraPacket> valid{};
+  RTCRayHit8 query;
+  for (unsigned i = 0; i < rays.size(); ++i) {
+    valid[i] = is_traceable(rays[i], state_->groups.farthest) ? -1 : 0;
+    set(query.ray, i, rays[i]);
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  find_hits(state_->top, tracing.embree, valid.data(), query);
+  auto* const found = reinterpret_cast<RTCHitN*>(&query.hit);
+  for (unsigned i = 0; i < rays.size(); ++i) {
+    hits[i].reset();
+    if (valid[i] == 0 || query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    hits[i] = state_->hit_of(rtcGetHitFromHitN(found, kCameraPacket, i));
+    hits[i]->distance = query.ray.tfar[i];
+  }
+}
+
 float Bvh::coverage(const Hit& hit) const {
   const Mesh& mesh = state_->scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(state_->scene, mesh);
@@ -249,6 +297,28 @@ float Bvh::visibility(const Ray& ray, const std::optional<Eye>& eye) const {
   Tracing tracing(*state_, 0);
   tracing.eye = &eye;
   return tracing.find_visibility(ray);
+}
+
+void Bvh::find_visibility(std::span<const Ray> rays, const std::optional<Eye>& eye,
+                          std::span<float> visible) const {
+  if (rays.size() == 1) {
+    visible[0] = visibility(rays[0], eye);
+    return;
+  }
+  Tracing tracing(*state_, 0);
+  tracing.eye = &eye;
+  tracing.backs = Backs::solid;
+  alignas(16) std::array<int, kShadowPacket> valid{};
+  RTCRay4 query;
+  for (unsigned i = 0; i < rays.size(); ++i) {
+    valid[i] = is_traceable(rays[i], state_->groups.farthest) ? -1 : 0;
+    set(query, i, rays[i]);
+  }
+  find_occluders(state_->top, tracing.embree, valid.data(), query);
+  for (unsigned i = 0; i < rays.size(); ++i) {
+    const bool stopped = valid[i] != 0 && query.tfar[i] < 0;
+    visible[i] = stopped ? 0.0F : tracing.visibility[i];
+  }
 }
 
 Rgb Bvh::transmittance(const Ray& ray, const std::optional<Eye>& eye) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "bake/ray.hpp"
 #include "bake/scene.hpp"
@@ -34,12 +35,19 @@ class Bvh {
 
   /// The first surface that covers anything at all, however little.
   std::optional<Hit> first_layer(const Ray& ray) const;
+  /// The same for 1 to kCameraPacket rays, which had better be close together.
+  void first_layers(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const;
+  static constexpr unsigned kCameraPacket = 8;
   /// The part of a ray that a surface stops: above 0 for a hit of first_layer().
   float coverage(const Hit& hit) const;
 
   /// The part of light from the end of the ray that gets to its start: 0 behind a surface. See
   /// lets_light_in() for `eye`.
   float visibility(const Ray& ray, const std::optional<Eye>& eye = std::nullopt) const;
+  /// The same for 1 to kShadowPacket rays, be they apart.
+  void find_visibility(std::span<const Ray> rays, const std::optional<Eye>& eye,
+                       std::span<float> visible) const;
+  static constexpr unsigned kShadowPacket = 4;
   /// The same, by colour, of a lamp that no path meets: what comes straight through thin smooth
   /// walls counts, whatever their sides.
   Rgb transmittance(const Ray& ray, const std::optional<Eye>& eye) const;

@@ -180,19 +180,21 @@ bool Bvh::State::build() {
   return rtcGetDeviceError(device) == RTC_ERROR_NONE;
 }
 
-Hit Bvh::State::hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const {
-  const bool instanced = inst != RTC_INVALID_GEOMETRY_ID;
-  const std::size_t index = instanced ? inst - kTreatments : 0;
+Hit Bvh::State::hit_of(const RTCHit& found) const {
+  const bool instanced = found.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  const std::size_t index = instanced ? found.instID[0] - kTreatments : 0;
   const TreatedGroups& treated = instanced ? groups.shared[groups.shape[index]] : groups.flat;
-  const auto& parts = treated[geometry].parts;
+  const auto& parts = treated[found.geomID].parts;
   const auto after = std::upper_bound(
-      parts.begin(), parts.end(), std::size_t{primitive},
+      parts.begin(), parts.end(), std::size_t{found.primID},
       [](std::size_t number, const Group::Part& part) { return number < part.first; });
   const Group::Part& part = *(after - 1);
   Hit hit;
   hit.instance = instanced ? groups.instanced[index] : part.instance;
   hit.mesh = part.mesh;
-  hit.triangle = primitive - static_cast<std::uint32_t>(part.first);
+  hit.triangle = found.primID - static_cast<std::uint32_t>(part.first);
+  hit.u = found.u;
+  hit.v = found.v;
   return hit;
 }
 

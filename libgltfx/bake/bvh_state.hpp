@@ -14,6 +14,7 @@
 using RTCDevice = struct RTCDeviceTy*;
 using RTCScene = struct RTCSceneTy*;
 using RTCGeometry = struct RTCGeometryTy*;
+struct RTCHit;
 
 namespace gltfx::bake {
 
@@ -27,7 +28,8 @@ struct Bvh::State {
   bool build();
   /// Never frees a state whose build failed: Embree's threads still hold on to its memory.
   static void keep(std::unique_ptr<State> failed);
-  Hit hit_of(std::uint32_t inst, std::uint32_t geometry, std::uint32_t primitive) const;
+  /// All but the distance.
+  Hit hit_of(const RTCHit& found) const;
 
   const Scene& scene;
   const Groups groups;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/direct_light.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "bake/light.hpp"
@@ -34,8 +35,7 @@ Candidate DirectLight::candidate(const Ray& shadow_ray, const Vec3d& l, const Rg
   return {shadow_ray, bsdf, contribution, luminance(contribution)};
 }
 
-Candidate DirectLight::sample_environment(const Float2& random, const SkyPdf& pdf) const {
-  const EnvironmentSample light = context_.world.sample_sky(pdf.receiver, random);
+Candidate DirectLight::candidate(const EnvironmentSample& light, const SkyPdf& pdf) const {
   if (!(light.pdf > 0)) return {};
   const Vec3d l = surface_.frame.to_local(light.direction);
   if (!is_consistent(light.direction, l) || is_inwards(l)) return {};
@@ -46,6 +46,16 @@ Candidate DirectLight::sample_environment(const Float2& random, const SkyPdf& pd
   const Ray shadow_ray{start(l), light.direction, context_.world.sky_occlusion};
   const Rgb contribution = bsdf.f * light.radiance * transmittance(l, Ray().far) * scale;
   return {shadow_ray, bsdf, contribution, luminance(contribution)};
+}
+
+// First all directions, then all values: what is independent runs side by side in a processor.
+void DirectLight::sample_environment(std::span<const Float2> random, const SkyPdf& pdf,
+                                     std::span<Candidate> candidates) const {
+  std::array<EnvironmentSample, Bvh::kShadowPacket> lights;
+  for (std::size_t i = 0; i < random.size(); ++i) {
+    lights[i] = context_.world.sample_sky(pdf.receiver, random[i]);
+  }
+  for (std::size_t i = 0; i < random.size(); ++i) candidates[i] = candidate(lights[i], pdf);
 }
 
 Candidate DirectLight::sample_emitter(const Float2& random) const {

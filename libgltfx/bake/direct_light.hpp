@@ -2,6 +2,8 @@
 /// Sampling of lights: candidates for direct light, and the choice among them.
 #pragma once
 
+#include <span>
+
 #include "bake/integrator.hpp"
 #include "bake/material.hpp"
 #include "bake/medium.hpp"
@@ -33,16 +35,11 @@ inline Receiver receiver_of(const Surface& surface) {
   return {surface.frame.normal, m.volumetric() ? 0 : kBase * (1 - m.metallic) * behind};
 }
 
-/// One candidate out of several.
-struct Reservoir {
-  Candidate candidate;
-  double scale = 0;  ///< of its contribution, to stand for all of them
-};
-
-/// Chooses one of `count` candidates by their weights: resampled importance sampling (J. Talbot et
-/// al., EGSR 2005). `random` is from [0, 1); propose(i) gives a candidate.
+/// Chooses one of `count` candidates by their weights, to stand for all of them: resampled
+/// importance sampling (J. Talbot et al., EGSR 2005). `random` is from [0, 1); propose(i) gives a
+/// candidate.
 template <class Propose>
-Reservoir resample(std::uint32_t count, double random, const Propose& propose) {
+Candidate resample(std::uint32_t count, double random, const Propose& propose) {
   Candidate chosen;
   double total = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -51,7 +48,8 @@ Reservoir resample(std::uint32_t count, double random, const Propose& propose) {
     total += candidate.weight;
     if (choose(candidate.weight / total, random)) chosen = candidate;
   }
-  return {chosen, total > 0 ? total / (chosen.weight * count) : 0};
+  if (total > 0) chosen.contribution *= total / (chosen.weight * count);
+  return chosen;
 }
 
 /// Candidates for one surface, by uniform random numbers. The mean contribution is the light of
@@ -63,7 +61,9 @@ class DirectLight {
               const Medium* around)
       : context_(context), surface_(surface), bsdf_(bsdf), around_(around) {}
 
-  Candidate sample_environment(const Float2& random, const SkyPdf& pdf) const;
+  /// One candidate for each pair of numbers: together they take less time.
+  void sample_environment(std::span<const Float2> random, const SkyPdf& pdf,
+                          std::span<Candidate> candidates) const;
   Candidate sample_emitter(const Float2& random) const;
   Candidate sample_punctual(const Float2& random) const;
 
@@ -74,6 +74,7 @@ class DirectLight {
   /// lights are sampled.
   bool is_inwards(const Vec3d& l) const;
   /// `light`: radiance, or irradiance of a punctual light; `pdf`: of the direction, 0 for those.
+  Candidate candidate(const EnvironmentSample& light, const SkyPdf& pdf) const;
   Candidate candidate(const Ray& towards, const Vec3d& l, const Rgb& light, double pdf) const;
   Rgb transmittance(const Vec3d& l, double distance) const;
   Vec3d start(const Vec3d& l) const;

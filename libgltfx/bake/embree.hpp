@@ -28,6 +28,22 @@ inline void find_hit(RTCScene scene, RTCRayQueryContext& context, RTCRayHit& que
 #endif
 }
 
+/// The closest hits of those rays of a packet whose `valid` is -1, not 0. They had better be close
+/// together.
+inline void find_hits(RTCScene scene, RTCRayQueryContext& context, const int* valid,
+                      RTCRayHit8& query) {
+#if GLTFX_EMBREE < 4
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &context, &query);
+#else
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &query, &arguments);
+#endif
+}
+
 /// Any hit, after which `tfar` is below 0.
 inline void find_occluder(RTCScene scene, RTCRayQueryContext& context, RTCRay& query) {
 #if GLTFX_EMBREE < 4
@@ -37,6 +53,19 @@ inline void find_occluder(RTCScene scene, RTCRayQueryContext& context, RTCRay& q
   rtcInitOccludedArguments(&arguments);
   arguments.context = &context;
   rtcOccluded1(scene, &query, &arguments);
+#endif
+}
+
+/// The same for those rays of a packet whose `valid` is -1, not 0.
+inline void find_occluders(RTCScene scene, RTCRayQueryContext& context, const int* valid,
+                           RTCRay4& query) {
+#if GLTFX_EMBREE < 4
+  rtcOccluded4(valid, scene, &context, &query);
+#else
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &context;
+  rtcOccluded4(valid, scene, &query, &arguments);
 #endif
 }
 

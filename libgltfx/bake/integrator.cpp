@@ -24,15 +24,18 @@ std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
 // Layers of alpha before the camera are not sampled at random: each has a path of its own, whose
 // weight is its coverage times what the layers before it let through.
 template <class Trace>
-PathSample through_layers(const TraceContext& context, const Ray& ray, const SampleStream& random,
-                          const Trace& trace) {
+PathSample through_layers(const TraceContext& context, const CameraSample& camera,
+                          std::optional<Hit> hit, const Trace& trace) {
   PathSample sum;
-  Ray rest = ray;
+  Ray rest = camera.ray;
   double left = 1;
   for (std::uint32_t layer = 0;; ++layer) {
     const bool last = layer + 1 == kLayers;
-    const auto hit =
-        last ? context.bvh.intersect(rest, random.key()) : context.bvh.first_layer(rest);
+    if (last) {
+      hit = context.bvh.intersect(rest, camera.random.key());
+    } else if (layer > 0) {
+      hit = context.bvh.first_layer(rest);
+    }
     const double covered = hit && !last ? static_cast<double>(context.bvh.coverage(*hit)) : 1.0;
     ++sum.rays;
     trace(rest, hit, layer, left * covered, sum);
@@ -60,25 +63,25 @@ void PathSample::add(const PathSample& sample, double weight) {
   rays += sample.rays;
 }
 
-PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2& point,
-                      const SampleStream& random) {
+PathSample trace_path(const TraceContext& context, const CameraSample& camera,
+                      const std::optional<Hit>& first) {
   const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t layer,
                          double weight, PathSample& sum) {
     const std::uint32_t colors = hit ? colors_at(context.scene, *hit) : 1;
-    const PathSampler sampler(random, layer);
+    const PathSampler sampler(camera.random, layer);
     for (std::uint32_t i = 0; i < colors; ++i) {
       Path path{rest, sampler.split(i, colors)};
       FeatureRecorder features;
-      PathSample sample = incident_radiance(context, path, features, hit, point);
+      PathSample sample = incident_radiance(context, path, features, hit, camera.point);
       sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);
       sum.add(sample, weight / colors);
     }
   };
-  return through_layers(context, ray, random, trace);
+  return through_layers(context, camera, first, trace);
 }
 
-PathSample sample_features(const TraceContext& context, const Ray& ray, const Float2& point,
-                           const SampleStream& random) {
+PathSample sample_features(const TraceContext& context, const CameraSample& camera,
+                           const std::optional<Hit>& first) {
   const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t /*layer*/,
                          double weight, PathSample& sum) {
     PathSample sample;
@@ -86,17 +89,17 @@ PathSample sample_features(const TraceContext& context, const Ray& ray, const Fl
       const Surface surface = surface_at(context.scene, *hit, rest);
       FeatureRecorder recorder;
       recorder.record_first(context.scene, *hit, surface);
-      recorder.record(Path{rest, {random, 0}}, *hit, surface);
+      recorder.record(Path{rest, {camera.random, 0}}, *hit, surface);
       sample.features = recorder.features();
       sample.features.clear = may_be_clear(surface.material);
       sample.emitted = emitted(surface.material, surface.frame.to_local(-rest.direction));
       sample.alpha = 1;
     } else {
-      sample.background = background(context, rest.direction, point);
+      sample.background = background(context, rest.direction, camera.point);
     }
     sum.add(sample, weight);
   };
-  return through_layers(context, ray, random, trace);
+  return through_layers(context, camera, first, trace);
 }
 
 }  // namespace gltfx::bake

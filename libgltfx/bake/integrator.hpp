@@ -5,6 +5,7 @@
 #include <gltfx/material.hpp>
 
 #include <cstdint>
+#include <optional>
 
 #include "bake/bvh.hpp"
 #include "bake/sampler.hpp"
@@ -69,14 +70,15 @@ struct TraceContext {
   Effort effort{};
 };
 
-/// Light that arrives along a ray that comes from a point of the picture (x and y from 0 to 1),
-/// with next event estimation, multiple importance sampling and Russian roulette.
-PathSample trace_path(const TraceContext& context, const Ray& ray, const Float2& point,
-                      const SampleStream& random);
+/// Light that arrives along a ray that comes from a point of the picture, with next event
+/// estimation, multiple importance sampling and Russian roulette. `first`: the first layer along
+/// the ray.
+PathSample trace_path(const TraceContext& context, const CameraSample& camera,
+                      const std::optional<Hit>& first);
 
 /// A feature sample: features and emission of the first surface, or the background. Without light
 /// on the surface, shadow, or anything behind glass.
-PathSample sample_features(const TraceContext& context, const Ray& ray, const Float2& point,
-                           const SampleStream& random);
+PathSample sample_features(const TraceContext& context, const CameraSample& camera,
+                           const std::optional<Hit>& first);
 
 }  // namespace gltfx::bake

@@ -5,8 +5,10 @@
 #include "bake/radiance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "bake/background.hpp"
 #include "bake/direct_light.hpp"
@@ -118,15 +120,32 @@ double sharpest(const Material& m) {
   return m.clearcoat > 0 ? std::min(m.roughness, m.clearcoat_roughness) : m.roughness;
 }
 
-// Traces the shadow ray of a candidate whose light paths find, too; `scale`: of its contribution.
-void add_unoccluded(const TraceContext& context, const Path& path, const Candidate& light,
-                    double scale, const Rgb& reflected_share, PathSample& L) {
-  if (!(max_value(light.contribution) > 0)) return;
-  ++L.rays;
-  const auto visible =
-      static_cast<double>(context.bvh.visibility(light.shadow_ray, context.world.eye));
-  if (visible <= 0) return;
-  L.add_light(path.throughput * light.contribution * (scale * visible), reflected_share);
+// The part of direct light that the first surface of the path reflects.
+Rgb reflected_share(const Path& path, const Evaluation& bsdf) {
+  return path.depth == 1 ? share_of(bsdf.reflected, bsdf.f) : path.reflected_share;
+}
+
+// Traces the shadow rays of candidates whose light paths find, too; `scale`: of their
+// contributions.
+void add_unoccluded(const TraceContext& context, const Path& path,
+                    std::span<const Candidate> candidates, double scale, PathSample& L) {
+  std::array<const Candidate*, Bvh::kShadowPacket> lit{};
+  std::array<Ray, Bvh::kShadowPacket> rays;
+  std::size_t count = 0;
+  for (const Candidate& each : candidates) {
+    if (!(max_value(each.contribution) > 0)) continue;
+    lit[count] = &each;
+    rays[count++] = each.shadow_ray;
+  }
+  if (count == 0) return;
+  L.rays += static_cast<std::uint32_t>(count);
+  std::array<float, Bvh::kShadowPacket> visible{};
+  context.bvh.find_visibility(std::span(rays).first(count), context.world.eye, visible);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (visible[i] <= 0) continue;
+    L.add_light(path.throughput * lit[i]->contribution * (scale * static_cast<double>(visible[i])),
+                reflected_share(path, lit[i]->bsdf));
+  }
 }
 
 // Traces the shadow ray towards a point or a direction, which no path meets.
@@ -200,27 +219,31 @@ void sample_direct_light(const TraceContext& context, Path& path, const SurfaceV
   const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
   const std::uint32_t samples = first ? context.effort.light_samples : 1;
   path.sky_pdf = context.world.sky_pdf(receiver_of(vertex.surface), samples);
-  const auto reflected_share = [&](const Evaluation& value) {
-    return first ? share_of(value.reflected, value.f) : path.reflected_share;
-  };
-  const auto add = [&](const Candidate& one, double scale) {
-    add_unoccluded(context, path, one, scale / samples, reflected_share(one.bsdf), L);
-  };
-  for (std::uint32_t i = 0; i < samples; ++i) {
-    const PathSampler sampler = path.sampler.split(i, samples);
+  std::array<Float2, Bvh::kShadowPacket> randoms;
+  std::array<Candidate, Bvh::kShadowPacket> chosen;
+  for (std::uint32_t from = 0; from < samples; from += Bvh::kShadowPacket) {
+    const std::uint32_t count = std::min(samples - from, Bvh::kShadowPacket);
+    const auto sampler_of = [&](std::uint32_t i) { return path.sampler.split(from + i, samples); };
     if (sees_environment(context, path)) {
-      add(light.sample_environment(sampler.pair(Dimension::environment), path.sky_pdf), 1);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        randoms[i] = sampler_of(i).pair(Dimension::environment);
+      }
+      light.sample_environment(std::span(randoms).first(count), path.sky_pdf, chosen);
+      add_unoccluded(context, path, std::span(chosen).first(count), 1.0 / samples, L);
     }
     if (context.world.emitters.empty()) continue;
-    const double choice = candidates > 1 ? sampler.single(Dimension::emitter_choice) : 0;
-    const Reservoir chosen = resample(candidates, choice, [&](std::uint32_t k) {
-      return light.sample_emitter(sampler.split(k, candidates).pair(Dimension::emitter));
-    });
-    add(chosen.candidate, chosen.scale);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const PathSampler sampler = sampler_of(i);
+      const double choice = candidates > 1 ? sampler.single(Dimension::emitter_choice) : 0;
+      chosen[i] = resample(candidates, choice, [&](std::uint32_t k) {
+        return light.sample_emitter(sampler.split(k, candidates).pair(Dimension::emitter));
+      });
+    }
+    add_unoccluded(context, path, std::span(chosen).first(count), 1.0 / samples, L);
   }
   if (context.world.lights.empty()) return;
   const Candidate lamp = light.sample_punctual(path.sampler.pair(Dimension::punctual));
-  add_punctual(context, path, lamp, reflected_share(lamp.bsdf), L);
+  add_punctual(context, path, lamp, reflected_share(path, lamp.bsdf), L);
 }
 
 Random3 bsdf_random(const PathSampler& sampler) {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <vector>
 
+#include "bake/camera_packet.hpp"
 #include "bake/denoise.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
@@ -109,12 +110,13 @@ class Renderer {
       if (sums.clear || certain) return {pixel, {}, sums.material};
       const std::uint32_t most = sums.is_edge() ? of_edges : options_.feature_samples;
       if (i >= most) break;
-      for (const std::uint32_t end = std::min(i + kAtOnce, most); i < end; ++i) {
-        const auto [ray, point, random] = sample_of(x, y, i);
-        const PathSample sample = sample_features(context_, ray, point, random);
+      const std::uint32_t end = std::min(i + kAtOnce, most);
+      visit_samples(x, y, i, end, [&](const CameraSample& camera, const auto& hit) {
+        const PathSample sample = sample_features(context_, camera, hit);
         more.add(sample);
         sums.add_features(sample);
-      }
+      });
+      i = end;
     }
     return {pixel, more, sums.material};
   }
@@ -138,8 +140,11 @@ class Renderer {
     std::array<double, kTileHeight> errors{};
     for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
       const std::uint32_t end = std::min(last, samples_.samples(x, y));
-      for (std::uint32_t sample = first; sample < end; ++sample) render_sample(x, y, sample);
-      errors[(y - rows_.first) % kTileHeight] += visible_error(std::size_t{y} * options_.width + x);
+      const std::size_t pixel = std::size_t{y} * options_.width + x;
+      visit_samples(x, y, first, end, [&](const CameraSample& camera, const auto& hit) {
+        film_.add(pixel, trace_path(context_, camera, hit));
+      });
+      errors[(y - rows_.first) % kTileHeight] += visible_error(pixel);
     });
     const double worst = *std::max_element(errors.begin(), errors.end()) / kTileWidth;
     if (options_.noise > 0 && last >= 2 * kRound && worst < options_.noise) done_[tile] = 1;
@@ -154,13 +159,13 @@ class Renderer {
     return shown_luminance(y + error) - shown_luminance(y);
   }
 
-  CameraSample sample_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample) const {
-    return camera_sample(view_, options_.width, options_.height, options_.seed, x, y, sample);
-  }
-
-  void render_sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample) {
-    const auto [ray, point, random] = sample_of(x, y, sample);
-    film_.add(std::size_t{y} * options_.width + x, trace_path(context_, ray, point, random));
+  template <class Visit>
+  void visit_samples(std::uint32_t x, std::uint32_t y, std::uint32_t first, std::uint32_t last,
+                     const Visit& visit) const {
+    const auto sample_of = [&](std::uint32_t number) {
+      return camera_sample(view_, options_.width, options_.height, options_.seed, x, y, number);
+    };
+    visit_camera_samples(context_.bvh, first, last, sample_of, visit);
   }
 
   bool out_of_time() const {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bake/camera_packet.hpp"
 #include "bake/render.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
-#include "bake/view.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {
@@ -109,11 +109,13 @@ std::vector<float> SampleMap::estimate_variance(const TraceContext& context, con
   const std::uint32_t seed = mix_bits(options.seed, 1);
   const auto variance_at = [&](std::uint32_t x, std::uint32_t y) {
     PixelVariance variance;
-    for (std::uint32_t i = 0; i < samples; ++i) {
-      const auto [ray, point, random] =
-          camera_sample(view, options.width, options.height, seed, x, y, i);
-      variance.add(trace_path(context, ray, point, random));
-    }
+    const auto sample_of = [&](std::uint32_t number) {
+      return camera_sample(view, options.width, options.height, seed, x, y, number);
+    };
+    visit_camera_samples(context.bvh, 0, samples, sample_of,
+                         [&](const CameraSample& camera, const auto& hit) {
+                           variance.add(trace_path(context, camera, hit));
+                         });
     return variance.tone_mapped();
   };
   // Of every second pixel, as the fields of one colour on a checkerboard.

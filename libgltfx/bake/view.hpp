@@ -33,8 +33,8 @@ View view_of(const Camera& camera, double aspect);
 
 struct CameraSample {
   Ray ray;
-  Float2 point;  ///< of the picture, x and y from 0 to 1
-  SampleStream random;
+  Float2 point{};  ///< of the picture, x and y from 0 to 1
+  SampleStream random{};
 };
 
 /// A sample in a picture of width x height pixels. Positions are distributed by a tent filter two

@@ -332,7 +332,7 @@ TEST_P(Agreement, IsWithinThreeStandardErrors) {
   shot.stage.find_emitters();
   const TraceContext context = shot.stage.context();
   const Estimate fast = shot.stage.estimate(20000, 8, [&](const SampleStream& random) {
-    return trace_path(context, shot.ray(random), {0.5F, 0.5F}, random).radiance();
+    return trace_ray(context, {shot.ray(random), {0.5F, 0.5F}, random}).radiance();
   });
   const Estimate simple = shot.stage.estimate(60000, 6, [&](const SampleStream& random) {
     return trace_simply(context, shot.ray(random), random);

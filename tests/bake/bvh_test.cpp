@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/bvh.hpp"
 
+#include <array>
+#include <optional>
+#include <span>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +13,7 @@
 #include "bake/storage.hpp"
 #include "base/parallel.hpp"
 #include "base/support/two_at_once.hpp"
+#include "random.hpp"
 #include "shapes.hpp"
 
 namespace gltfx::bake {
@@ -115,6 +120,74 @@ TEST(Bvh, BlendingIsCoverage) {
   }
   EXPECT_NEAR(first / 4000.0, 0.25, 0.02);
   EXPECT_NEAR(second / 4000.0, 0.75 * 0.25, 0.02);
+}
+
+// Spheres that are culled, shared, mirrored, and covered in part, with a cube in the middle.
+Scene crowd() {
+  Scene scene = scene_of(sphere());
+  scene.materials.resize(3);
+  scene.materials[1].alpha_mode = AlphaMode::blend;
+  scene.materials[1].alpha = 0.4F;
+  scene.materials[2].double_sided = true;
+  for (std::uint32_t material = 1; material < 3; ++material) {
+    scene.meshes.push_back(sphere());
+    scene.meshes.back().material = material;
+  }
+  scene.meshes.push_back(cube(0.5F));
+  scene.instances = {{0, moved(-2, 0, 0)}, {0, moved(0, 2, 0)},  {0, moved(2, 0, 0, -1)},
+                     {1, moved(0, -2, 0)}, {1, moved(0, 0, -2)}, {2, moved(0, 0, 2, 0.5F)},
+                     {3, kIdentity}};
+  return scene;
+}
+
+TEST(Bvh, ManyRaysMeetWhatEachOneMeets) {
+  const Scene scene = crowd();
+  const Bvh bvh = bvh_of(scene);
+  test::Chance chance(7);
+  std::size_t met = 0;
+  for (unsigned round = 0; round < 4000; ++round) {
+    std::array<Ray, Bvh::kCameraPacket> rays;
+    const std::size_t count = 1 + round % rays.size();
+    const Vec3d origin = chance.anywhere() * 5.0;
+    for (Ray& ray : rays) {
+      ray = {origin, normalize(chance.anywhere() * 2.0 + chance.anywhere() * 0.05 - origin)};
+    }
+    std::array<std::optional<Hit>, rays.size()> hits;
+    bvh.first_layers(std::span(rays).first(count), hits);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto alone = bvh.first_layer(rays[i]);
+      ASSERT_EQ(hits[i].has_value(), alone.has_value());
+      if (!alone) continue;
+      ++met;
+      EXPECT_EQ(hits[i]->body(), alone->body());
+      EXPECT_EQ(hits[i]->triangle, alone->triangle);
+      EXPECT_NEAR(hits[i]->distance, alone->distance, 1e-4);
+      EXPECT_NEAR(hits[i]->u, alone->u, 1e-3);
+      EXPECT_NEAR(hits[i]->v, alone->v, 1e-3);
+    }
+  }
+  EXPECT_GT(met, 4000U);
+}
+
+TEST(Bvh, ManyShadowRaysGetAsFarAsEachOne) {
+  const Scene scene = crowd();
+  const Bvh bvh = bvh_of(scene);
+  test::Chance chance(8);
+  std::array<std::size_t, 3> found{};  // in shadow, in part, in light
+  for (unsigned round = 0; round < 4000; ++round) {
+    std::array<Ray, Bvh::kShadowPacket> rays;
+    const std::size_t count = 1 + round % rays.size();
+    const Vec3d origin = chance.anywhere() * chance.between(0.9, 4);
+    for (Ray& ray : rays) ray = {origin, chance.anywhere()};
+    std::array<float, rays.size()> visible{};
+    bvh.find_visibility(std::span(rays).first(count), std::nullopt, visible);
+    for (std::size_t i = 0; i < count; ++i) {
+      const float alone = bvh.visibility(rays[i]);
+      EXPECT_FLOAT_EQ(visible[i], alone);
+      ++found.at(alone <= 0 ? 0 : alone < 1 ? 1 : 2);
+    }
+  }
+  EXPECT_THAT(found, testing::Each(testing::Gt(500U)));
 }
 
 TEST(Bvh, LeavesThreadsToThoseWhoTrace) {

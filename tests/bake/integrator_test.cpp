@@ -150,13 +150,13 @@ TEST(Integrator, AlphaIsWhatHidesTheBackground) {
   material.alpha = 0.25F;
   Stage stage(scene_of(quad(), material));
   stage.world.background = Background::transparent;
-  EXPECT_EQ(trace_path(stage.context(), kDown, {0, 0}, {0, 0, 0}).alpha, 0.25);
-  EXPECT_EQ(trace_path(stage.context(), {{5, 5, 5}, {0, 0, -1}}, {0, 0}, {0, 0, 0}).alpha, 0);
+  EXPECT_EQ(trace_ray(stage.context(), {kDown}).alpha, 0.25);
+  EXPECT_EQ(trace_ray(stage.context(), {{{5, 5, 5}, {0, 0, -1}}}).alpha, 0);
 }
 
 TEST(Integrator, TheFirstSurfaceIsDescribed) {
   Stage stage(scene_of(quad(), matte({0.6, 0.4, 0.2})));
-  const PathSample sample = trace_path(stage.context(), kDown, {0, 0}, {0, 0, 0});
+  const PathSample sample = trace_ray(stage.context(), {kDown});
   EXPECT_EQ(sample.features.albedo, Rgb(0.6, 0.4, 0.2));
   EXPECT_NEAR(sample.features.normal.z, 1, 1e-6);
   EXPECT_NEAR(sample.features.depth, 3, 1e-6);

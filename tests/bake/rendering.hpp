@@ -30,6 +30,11 @@ inline EnvironmentImage even_light(float radiance = 1) {
   return image;
 }
 
+/// Light along a ray.
+inline PathSample trace_ray(const TraceContext& context, const CameraSample& camera) {
+  return trace_path(context, camera, context.bvh.first_layer(camera.ray));
+}
+
 /// A scene and what surrounds it.
 class Stage {
  public:
@@ -65,7 +70,7 @@ class Stage {
   Estimate path(const Ray& ray, std::uint32_t samples = 4000) const {
     const TraceContext s = context();
     return estimate(samples, 1, [&](const SampleStream& random) {
-      return trace_path(s, ray, {0.5F, 0.5F}, random).radiance();
+      return trace_ray(s, {ray, {0.5F, 0.5F}, random}).radiance();
     });
   }
 

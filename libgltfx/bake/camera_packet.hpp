@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Samples of a pixel, whose rays are close together: to trace them together takes a fraction of
+/// the time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+
+#include "bake/bvh.hpp"
+#include "bake/view.hpp"
+
+namespace gltfx::bake {
+
+/// Calls visit(sample, hit) for the samples [first, last) of a pixel, in their order. sample_of(i)
+/// gives a CameraSample; `hit` is the first layer along its ray.
+template <class SampleOf, class Visit>
+void visit_camera_samples(const Bvh& bvh, std::uint32_t first, std::uint32_t last,
+                          const SampleOf& sample_of, const Visit& visit) {
+  std::array<CameraSample, Bvh::kCameraPacket> samples;
+  std::array<Ray, Bvh::kCameraPacket> rays;
+  std::array<std::optional<Hit>, Bvh::kCameraPacket> hits;
+  while (first < last) {
+    const std::uint32_t count = std::min(last - first, Bvh::kCameraPacket);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      samples[i] = sample_of(first + i);
+      rays[i] = samples[i].ray;
+    }
+    bvh.first_layers(std::span(rays).first(count), hits);
+    for (std::uint32_t i = 0; i < count; ++i) visit(samples[i], hits[i]);
+    first += count;
+  }
+}
+
+}  // namespace gltfx::bake
