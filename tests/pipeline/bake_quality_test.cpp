@@ -54,7 +54,7 @@ TEST(BakeQuality, SamplesAndBouncesOverride) {
   BakeOptions options;
   options.sizes = {{24, 16}};
   const BakeReport usual = bake_file(kBowl, options);
-  options.samples = 32;
+  options.samples = 36;
   options.bounces = 6;
   EXPECT_EQ(bake_file(kBowl, options).pixels.bytes, usual.pixels.bytes);
   options.samples = 3;
