@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-/// incident_radiance() at the end tells the whole; before it stand its steps, free functions. They
-/// change the Path that they are given, and add light to a PathSample, called L, which transport
-/// never reads.
+/// incident_radiance(), and before it its steps, free functions: they change the Path that they
+/// get, and add light to a PathSample, called L, which transport never reads.
 #include "bake/radiance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "bake/background.hpp"
 #include "bake/direct_light.hpp"
 #include "bake/light_through.hpp"
 #include "bake/material.hpp"
+#include "bake/next_event.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"
 
@@ -30,18 +28,6 @@ struct SurfaceVertex {
   Vec3d v;  // to the start of the ray, in the frame of the surface
 };
 
-// The share of a part of light in all of it, by colour; from 0 to 1.
-Rgb share_of(const Rgb& part, const Rgb& all) {
-  const auto ratio = [](double a, double b) { return b > 0 ? std::clamp(a / b, 0.0, 1.0) : 0.0; };
-  return {ratio(part.x, all.x), ratio(part.y, all.y), ratio(part.z, all.z)};
-}
-
-// The environment counts once along a path: through the first wall that lets it in, and not again
-// when that wall reflects it.
-bool sees_environment(const TraceContext& context, const Path& path) {
-  return context.world.environment && !path.prefix.environment_in;
-}
-
 // The weight of light that the BSDF or phase function found, beside light sampling.
 double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
                   const Surface& surface) {
@@ -50,10 +36,11 @@ double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
   return power_heuristic(path.pdf, context.world.emitters.pdf(hit, cosine));
 }
 
-void add_environment(const World& world, const Path& path, PathSample& L) {
+void add_environment(const World& world, const Path& path, const Rgb& transmittance,
+                     PathSample& L) {
   const EnvironmentValue seen = world.evaluate_sky(path.ray.direction, path.sky_pdf);
   const double weight = path.pdf > 0 ? power_heuristic(path.pdf, seen.pdf) : 1.0;
-  L.add_light(path.throughput * seen.radiance * weight, path.reflected_share);
+  L.add_light(path.throughput * transmittance * seen.radiance * weight, path.reflected_share);
 }
 
 // Beyond the scene: straight on the backdrop, else the environment as a light.
@@ -65,25 +52,30 @@ void add_infinite_light(const TraceContext& context, const Path& path, const Flo
     L.shadow = catcher_shadow(context, path.ray, path.sampler.pair(Dimension::environment), L.rays);
   } else if (sees_environment(context, path)) {
     features.record(path, Rgb(1), -path.ray.direction, 0);
-    add_environment(context.world, path, L);
+    add_environment(context.world, path, Rgb(1), L);
   }
 }
 
 // A wall that lets light in is a window for the emitters and the environment behind it, one that is
-// too far away to occlude the environment for that.
+// too far away to occlude the environment for that. A medium goes on behind it.
 void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, Path& path,
                             PathSample& L) {
-  if (path.prefix.specular || !path.media.empty()) return;
+  if (path.prefix.specular) return;
+  const auto transmittance = [&](double distance) {
+    return path.media.empty() ? Rgb(1) : path.media.top().transmittance(distance);
+  };
   const auto add_emitter = [&](const Hit& hit, const Surface& surface) {
     const Rgb light = emitted(surface.material, surface.frame.to_local(-path.ray.direction));
-    L.add_light(path.throughput * light * mis_weight(context, path, hit, surface),
-                path.reflected_share);
+    const double weight = mis_weight(context, path, hit, surface);
+    const Rgb through = transmittance(hit.distance - wall.hit.distance) * weight;
+    L.add_light(path.throughput * light * through, path.reflected_share);
   };
-  const bool open =
-      light_through(context, path.ray, wall.hit, wall.surface, path.sampler.key(), add_emitter);
   const bool beyond = wall.hit.distance > context.world.sky_occlusion;
-  if (!(open || beyond) || !sees_environment(context, path)) return;
-  add_environment(context.world, path, L);
+  const auto key = path.sampler.key();
+  if (!light_through(context, path.ray, wall.hit, wall.surface, key, add_emitter) && !beyond)
+    return;
+  if (!sees_environment(context, path)) return;
+  add_environment(context.world, path, transmittance(Ray().far), L);
   path.prefix.environment_in = true;
 }
 
@@ -118,43 +110,6 @@ bool end_with_sky(const TraceContext& context, const Path& path, const SurfaceVe
 // The least roughness of all gloss.
 double sharpest(const Material& m) {
   return m.clearcoat > 0 ? std::min(m.roughness, m.clearcoat_roughness) : m.roughness;
-}
-
-// The part of direct light that the first surface of the path reflects.
-Rgb reflected_share(const Path& path, const Evaluation& bsdf) {
-  return path.depth == 1 ? share_of(bsdf.reflected, bsdf.f) : path.reflected_share;
-}
-
-// Traces the shadow rays of candidates whose light paths find, too; `scale`: of their
-// contributions.
-void add_unoccluded(const TraceContext& context, const Path& path,
-                    std::span<const Candidate> candidates, double scale, PathSample& L) {
-  std::array<const Candidate*, Bvh::kShadowPacket> lit{};
-  std::array<Ray, Bvh::kShadowPacket> rays;
-  std::size_t count = 0;
-  for (const Candidate& each : candidates) {
-    if (!(max_value(each.contribution) > 0)) continue;
-    lit[count] = &each;
-    rays[count++] = each.shadow_ray;
-  }
-  if (count == 0) return;
-  L.rays += static_cast<std::uint32_t>(count);
-  std::array<float, Bvh::kShadowPacket> visible{};
-  context.bvh.find_visibility(std::span(rays).first(count), context.world.eye, visible);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (visible[i] <= 0) continue;
-    L.add_light(path.throughput * lit[i]->contribution * (scale * static_cast<double>(visible[i])),
-                reflected_share(path, lit[i]->bsdf));
-  }
-}
-
-// Traces the shadow ray towards a point or a direction, which no path meets.
-void add_punctual(const TraceContext& context, const Path& path, const Candidate& light,
-                  const Rgb& reflected_share, PathSample& L) {
-  if (!(max_value(light.contribution) > 0)) return;
-  ++L.rays;
-  const Rgb visible = context.bvh.transmittance(light.shadow_ray, context.world.eye);
-  L.add_light(path.throughput * light.contribution * visible, reflected_share);
 }
 
 // A dispersive volume refracts each colour differently: from there on a path carries one of them.
@@ -198,9 +153,7 @@ bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, P
   features.record(path, Rgb(1), -path.ray.direction, distance);
   path.ray.origin += path.ray.direction * distance;
   if (lamps_reach(context.world.lights, path.media.top())) {
-    const Candidate light = sample_punctual(context, path.media.top(), path.ray,
-                                            path.sampler.pair(Dimension::punctual));
-    add_punctual(context, path, light, path.reflected_share, L);
+    add_direct_light(context, path, L);
   }
   const Float2 u = path.sampler.pair(Dimension::phase);
   path.ray.direction = sample_phase(path.media.top(), path.ray.direction, static_cast<double>(u[0]),
@@ -208,42 +161,6 @@ bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, P
   path.prefix.specular = path.prefix.straight = false;
   path.pdf = 0;
   return true;
-}
-
-// Next event estimation. The first surface gets more samples, as its light is the most visible. The
-// sky chooses among many directions itself; of emitters, one of some candidates is resampled.
-void sample_direct_light(const TraceContext& context, Path& path, const SurfaceVertex& vertex,
-                         const Bsdf& bsdf, PathSample& L) {
-  const DirectLight light(context, vertex.surface, bsdf, path.media.around(vertex.hit.body()));
-  const bool first = path.depth == 1;
-  const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
-  const std::uint32_t samples = first ? context.effort.light_samples : 1;
-  path.sky_pdf = context.world.sky_pdf(receiver_of(vertex.surface), samples);
-  std::array<Float2, Bvh::kShadowPacket> randoms;
-  std::array<Candidate, Bvh::kShadowPacket> chosen;
-  for (std::uint32_t from = 0; from < samples; from += Bvh::kShadowPacket) {
-    const std::uint32_t count = std::min(samples - from, Bvh::kShadowPacket);
-    const auto sampler_of = [&](std::uint32_t i) { return path.sampler.split(from + i, samples); };
-    if (sees_environment(context, path)) {
-      for (std::uint32_t i = 0; i < count; ++i) {
-        randoms[i] = sampler_of(i).pair(Dimension::environment);
-      }
-      light.sample_environment(std::span(randoms).first(count), path.sky_pdf, chosen);
-      add_unoccluded(context, path, std::span(chosen).first(count), 1.0 / samples, L);
-    }
-    if (context.world.emitters.empty()) continue;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const PathSampler sampler = sampler_of(i);
-      const double choice = candidates > 1 ? sampler.single(Dimension::emitter_choice) : 0;
-      chosen[i] = resample(candidates, choice, [&](std::uint32_t k) {
-        return light.sample_emitter(sampler.split(k, candidates).pair(Dimension::emitter));
-      });
-    }
-    add_unoccluded(context, path, std::span(chosen).first(count), 1.0 / samples, L);
-  }
-  if (context.world.lights.empty()) return;
-  const Candidate lamp = light.sample_punctual(path.sampler.pair(Dimension::punctual));
-  add_punctual(context, path, lamp, reflected_share(path, lamp.bsdf), L);
 }
 
 Random3 bsdf_random(const PathSampler& sampler) {
@@ -376,7 +293,7 @@ PathSample incident_radiance(const TraceContext& context, Path& path, FeatureRec
     if (!may_be_clear(surface.material)) features.record(path, *hit, surface);
 
     // Add direct light.
-    if (!bsdf.is_delta()) sample_direct_light(context, path, vertex, bsdf, L);
+    if (!bsdf.is_delta()) add_direct_light(context, path, *hit, surface, bsdf, L);
 
     // Sample the BSDF for the next ray; at the first surface, for the rays of several branches.
     if (path.depth == 1) {

@@ -4,6 +4,7 @@
 /// of the difference, which are small beside what a light too many or too few would be.
 #include <array>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -273,6 +274,25 @@ Shot pond() {
   return outdoors(std::move(scene), 6);
 }
 
+// The same, lit from below through the floor: without an eye, all walls let light in.
+Shot lit_pond(double attenuation_distance) {
+  Scene scene = on_floor(plain({0.8, 0.5, 0.3}, 0.6));
+  SceneMaterial water = glass(0.2, 1.33);
+  water.factors.attenuation_distance = attenuation_distance;
+  water.factors.attenuation_color = {0.4, 0.6, 0.8};
+  add(scene, quad(3), water, moved(0, 0, 1.5F));
+  SceneMaterial bulb = plain(Rgb(0.2), 1);
+  bulb.factors.emissive = {6, 5, 4};
+  bulb.double_sided = true;
+  add(scene, quad(1), bulb, moved(1.5F, 0, -3));
+  Shot shot = outdoors(std::move(scene), 3);
+  EnvironmentImage image = even_light(0);
+  image.height = 2;
+  image.radiance.insert(image.radiance.end(), 2, {1, 2, 3});
+  shot.stage.world.environment.emplace(image);
+  return shot;
+}
+
 // A lamp in a body of wax, and one in clear glass around a ball.
 Shot candle() {
   Shot shot = wax();
@@ -323,6 +343,8 @@ const Case kCases[] = {
     {"prism", prism},
     {"frosted", frosted},
     {"pond", pond},
+    {"lit_pond", [] { return lit_pond(std::numeric_limits<double>::infinity()); }},
+    {"lit_murky_pond", [] { return lit_pond(4); }, 0.04},
 };
 
 class Agreement : public testing::TestWithParam<Case> {};

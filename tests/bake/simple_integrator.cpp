@@ -56,7 +56,7 @@ class SimplePath {
         }
       }
       if (!hit) {
-        add_far_light();
+        add_far_light(Rgb(1));
         return result_;
       }
       if (!meet(*hit)) return result_;
@@ -102,20 +102,25 @@ class SimplePath {
     return true;
   }
 
-  void add_far_light() {
+  void add_far_light(const Rgb& through) {
     if (!context_.world.environment || lit_through_) return;
-    result_ += throughput_ * context_.world.environment->radiance(ray_.direction);
+    result_ += throughput_ * through * context_.world.environment->radiance(ray_.direction);
   }
 
+  // A medium goes on behind the wall.
   void look_through(const Hit& hit, const Surface& wall) {
-    if (viewing_ || !media_.empty()) return;
-    const bool open =
-        light_through(context_, ray_, hit, wall, key(), [this](const Hit&, const Surface& surface) {
-          const Vec3d v = surface.frame.to_local(-ray_.direction);
-          result_ += throughput_ * emitted(surface.material, v);
-        });
+    if (viewing_) return;
+    const auto transmittance = [this](double distance) {
+      return media_.empty() ? Rgb(1) : media_.top().transmittance(distance);
+    };
+    const auto add_emitter = [&](const Hit& behind, const Surface& surface) {
+      const Vec3d v = surface.frame.to_local(-ray_.direction);
+      result_ += throughput_ * transmittance(behind.distance - hit.distance) *
+                 emitted(surface.material, v);
+    };
+    const bool open = light_through(context_, ray_, hit, wall, key(), add_emitter);
     if (!open || !context_.world.environment) return;
-    add_far_light();
+    add_far_light(transmittance(std::numeric_limits<double>::infinity()));
     lit_through_ = true;
   }
 
