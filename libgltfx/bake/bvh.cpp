@@ -139,7 +139,7 @@ void Bvh::Tracing::filter_any(const RTCFilterFunctionNArguments* args) {
   reject(args, [&tracing](const RTCRayHit& possible) {
     Hit hit;
     const float coverage = tracing.coverage(possible, hit);
-    float& visibility = tracing.visibility[possible.ray.id];
+    float& left = tracing.visibility[possible.ray.id];
     Rgb through(0);
     if (tracing.to_lamp != nullptr && coverage > 0) {
       through = straight_transmittance(tracing.state->scene, hit, *tracing.to_lamp);
@@ -148,9 +148,9 @@ void Bvh::Tracing::filter_any(const RTCFilterFunctionNArguments* args) {
       const auto covered = static_cast<double>(coverage);
       tracing.tint *= Rgb(1 - covered) + through * covered;
     } else {
-      visibility *= 1 - coverage;
+      left *= 1 - coverage;
     }
-    return visibility > 0;
+    return left > 0;
   });
 }
 
