@@ -6,13 +6,21 @@
 namespace gltfx::bake {
 namespace {
 
-// Sum over the points that two cells take their values from.
-double weigh(const AlbedoRow* table, const TableCell& row, const TableCell& column) {
+// Sums of four neighbours of a row, over the rows of a cell.
+template <class Rows>
+Lanes weigh_rows(const Rows& rows, const TableCell& cell, std::size_t first) {
   Lanes sums{};
-  for (std::size_t r = 0; r < 4; ++r) {
-    sums += row.weights[r] * load_lanes(table[row.first + r].data() + column.first);
+  for (std::size_t r = 0; r < cell.weights.size(); ++r) {
+    sums += cell.weights[r] * load_lanes(rows[cell.first + r].data() + first);
   }
-  return static_cast<double>(sum_of(sums * load_lanes(column.weights.data())));
+  return sums;
+}
+
+// Sum over the points that two cells take their values from.
+template <class Rows>
+double weigh(const Rows& rows, const TableCell& row, const TableCell& column) {
+  const Lanes sums = weigh_rows(rows, row, column.first) * load_lanes(column.weights.data());
+  return static_cast<double>(sum_of(sums));
 }
 
 }  // namespace
@@ -30,28 +38,20 @@ SpecularColumns::SpecularColumns(const std::array<double, kCount>& cosines) {
 }
 
 SpecularColumns::Albedos SpecularColumns::at(const TableCell& row) const {
-  const auto mean = [&](const auto& table, std::size_t first) {
-    Lanes sums{};
-    for (std::size_t r = 0; r < row.weights.size(); ++r) {
-      sums += row.weights[r] * load_lanes(table[row.first + r].data() + first);
-    }
-    return sums;
-  };
   Albedos albedos;
   for (std::size_t first = 0; first < kCount; first += kLanes) {
-    store_lanes(mean(constant_, first), albedos.constant.data() + first);
-    store_lanes(mean(rising_, first), albedos.rising.data() + first);
+    store_lanes(weigh_rows(constant_, row, first), albedos.constant.data() + first);
+    store_lanes(weigh_rows(rising_, row, first), albedos.rising.data() + first);
   }
   return albedos;
 }
 
 SpecularAlbedo SpecularCurve::at(const TableCell& column) const {
-  return {weigh(kSpecularConstant.data(), row_, column),
-          weigh(kSpecularRising.data(), row_, column)};
+  return {weigh(kSpecularConstant, row_, column), weigh(kSpecularRising, row_, column)};
 }
 
 double SheenCurve::at(double cosine) const {
-  return weigh(kSheenAlbedo.data(), row_, albedo_column(cosine));
+  return weigh(kSheenAlbedo, row_, albedo_column(cosine));
 }
 
 }  // namespace gltfx::bake

@@ -172,39 +172,22 @@ void Bvh::State::set_filters(RTCGeometry geometry, Treatment treatment, bool in_
 
 namespace {
 
-RTCRay query_of(const Ray& ray, unsigned id = 0) {
-  RTCRay query;
-  query.org_x = static_cast<float>(ray.origin.x);
-  query.org_y = static_cast<float>(ray.origin.y);
-  query.org_z = static_cast<float>(ray.origin.z);
-  query.tnear = 0;
-  query.dir_x = static_cast<float>(ray.direction.x);
-  query.dir_y = static_cast<float>(ray.direction.y);
-  query.dir_z = static_cast<float>(ray.direction.z);
-  query.time = 0;
-  query.tfar = static_cast<float>(ray.far);
-  query.mask = 0xFFFFFFFFU;
-  query.id = id;
-  query.flags = 0;
-  return query;
-}
-
-// One ray of a packet.
+// One of the rays of a packet, or a ray alone, which is a packet of one.
 template <class Packet>
-void set(Packet& packet, unsigned number, const Ray& ray) {
-  const RTCRay query = query_of(ray, number);
-  packet.org_x[number] = query.org_x;
-  packet.org_y[number] = query.org_y;
-  packet.org_z[number] = query.org_z;
-  packet.tnear[number] = query.tnear;
-  packet.dir_x[number] = query.dir_x;
-  packet.dir_y[number] = query.dir_y;
-  packet.dir_z[number] = query.dir_z;
-  packet.time[number] = query.time;
-  packet.tfar[number] = query.tfar;
-  packet.mask[number] = query.mask;
-  packet.id[number] = query.id;
-  packet.flags[number] = query.flags;
+void set(Packet& packet, unsigned count, unsigned number, const Ray& ray) {
+  auto* const rays = reinterpret_cast<RTCRayN*>(&packet);
+  RTCRayN_org_x(rays, count, number) = static_cast<float>(ray.origin.x);
+  RTCRayN_org_y(rays, count, number) = static_cast<float>(ray.origin.y);
+  RTCRayN_org_z(rays, count, number) = static_cast<float>(ray.origin.z);
+  RTCRayN_tnear(rays, count, number) = 0;
+  RTCRayN_dir_x(rays, count, number) = static_cast<float>(ray.direction.x);
+  RTCRayN_dir_y(rays, count, number) = static_cast<float>(ray.direction.y);
+  RTCRayN_dir_z(rays, count, number) = static_cast<float>(ray.direction.z);
+  RTCRayN_time(rays, count, number) = 0;
+  RTCRayN_tfar(rays, count, number) = static_cast<float>(ray.far);
+  RTCRayN_mask(rays, count, number) = 0xFFFFFFFFU;
+  RTCRayN_id(rays, count, number) = number;
+  RTCRayN_flags(rays, count, number) = 0;
 }
 
 }  // namespace
@@ -236,7 +219,7 @@ bool is_traceable(const Ray& ray, double farthest) {
 std::optional<Hit> Bvh::Tracing::intersect(const Ray& ray) {
   if (!is_traceable(ray, state->groups.farthest)) return std::nullopt;
   RTCRayHit query;
-  query.ray = query_of(ray);
+  set(query.ray, 1, 0, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   find_hit(state->top, embree, query);
@@ -248,7 +231,8 @@ std::optional<Hit> Bvh::Tracing::intersect(const Ray& ray) {
 
 float Bvh::Tracing::find_visibility(const Ray& ray) {
   backs = Backs::solid;
-  RTCRay query = query_of(ray);
+  RTCRay query;
+  set(query, 1, 0, ray);
   find_occluder(state->top, embree, query);
   return query.tfar < 0 ? 0.0F : visibility[0];
 }
@@ -272,7 +256,7 @@ void Bvh::first_layers(std::span<const Ray> rays, std::span<std::optional<Hit>> 
   RTCRayHit8 query;
   for (unsigned i = 0; i < rays.size(); ++i) {
     valid[i] = is_traceable(rays[i], state_->groups.farthest) ? -1 : 0;
-    set(query.ray, i, rays[i]);
+    set(query.ray, kCameraPacket, i, rays[i]);
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
@@ -312,7 +296,7 @@ void Bvh::find_visibility(std::span<const Ray> rays, const std::optional<Eye>& e
   RTCRay4 query;
   for (unsigned i = 0; i < rays.size(); ++i) {
     valid[i] = is_traceable(rays[i], state_->groups.farthest) ? -1 : 0;
-    set(query, i, rays[i]);
+    set(query, kShadowPacket, i, rays[i]);
   }
   find_occluders(state_->top, tracing.embree, valid.data(), query);
   for (unsigned i = 0; i < rays.size(); ++i) {

@@ -35,7 +35,7 @@ class Bvh {
 
   /// The first surface that covers anything at all, however little.
   std::optional<Hit> first_layer(const Ray& ray) const;
-  /// The same for 1 to kCameraPacket rays, which had better be close together.
+  /// The same for 1 to kCameraPacket rays: saves time where they are close together.
   void first_layers(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const;
   static constexpr unsigned kCameraPacket = 8;
   /// The part of a ray that a surface stops: above 0 for a hit of first_layer().
@@ -44,7 +44,7 @@ class Bvh {
   /// The part of light from the end of the ray that gets to its start: 0 behind a surface. See
   /// lets_light_in() for `eye`.
   float visibility(const Ray& ray, const std::optional<Eye>& eye = std::nullopt) const;
-  /// The same for 1 to kShadowPacket rays, be they apart.
+  /// The same for 1 to kShadowPacket rays in any directions.
   void find_visibility(std::span<const Ray> rays, const std::optional<Eye>& eye,
                        std::span<float> visible) const;
   static constexpr unsigned kShadowPacket = 4;

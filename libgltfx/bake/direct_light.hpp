@@ -73,8 +73,8 @@ class DirectLight {
   /// Whether light from there comes through the volume behind the surface: then only punctual
   /// lights are sampled.
   bool is_inwards(const Vec3d& l) const;
-  /// `light`: radiance, or irradiance of a punctual light; `pdf`: of the direction, 0 for those.
   Candidate candidate(const EnvironmentSample& light, const SkyPdf& pdf) const;
+  /// `light`: radiance, or irradiance of a punctual light; `pdf`: of the direction, 0 for those.
   Candidate candidate(const Ray& towards, const Vec3d& l, const Rgb& light, double pdf) const;
   Rgb transmittance(const Vec3d& l, double distance) const;
   Vec3d start(const Vec3d& l) const;

@@ -28,7 +28,7 @@ inline void find_hit(RTCScene scene, RTCRayQueryContext& context, RTCRayHit& que
 #endif
 }
 
-/// The closest hits of those rays of a packet whose `valid` is -1, not 0. They had better be close
+/// The closest hits of those rays of a packet whose `valid` is -1, not 0; for rays that are close
 /// together.
 inline void find_hits(RTCScene scene, RTCRayQueryContext& context, const int* valid,
                       RTCRayHit8& query) {

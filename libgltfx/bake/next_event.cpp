@@ -37,13 +37,14 @@ void add_unoccluded(const TraceContext& context, const Path& path,
   }
 }
 
-// Traces the shadow ray towards a point or a direction, which no path meets.
+// Traces the shadow ray towards a point or a direction, which no path meets; `share`: of the light,
+// that the first surface reflects.
 void add_punctual(const TraceContext& context, const Path& path, const Candidate& light,
-                  const Rgb& reflected_share, PathSample& L) {
+                  const Rgb& share, PathSample& L) {
   if (!(max_value(light.contribution) > 0)) return;
   ++L.rays;
   const Rgb visible = context.bvh.transmittance(light.shadow_ray, context.world.eye);
-  L.add_light(path.throughput * light.contribution * visible, reflected_share);
+  L.add_light(path.throughput * light.contribution * visible, share);
 }
 
 }  // namespace
