@@ -13,10 +13,20 @@ namespace {
 
 __extension__ using Product = unsigned __int128;
 
-// Folded 64 x 64 multiplication, the mixing step of wyhash (Wang Yi, 2019).
+// Folded 64 x 64 multiplication, the mixing step of wyhash (Wang Yi, 2019). Where pointers have 32
+// bits (WebAssembly), the wide product would be a call of a function: four products of halves are
+// added up instead, without their carries, as wyhash does there.
 std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
-  const Product product = static_cast<Product>(a) * b;
-  return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+  if constexpr (sizeof(void*) == 4) {
+    const std::uint64_t high_a = a >> 32, low_a = a & 0xFFFFFFFF;
+    const std::uint64_t high_b = b >> 32, low_b = b & 0xFFFFFFFF;
+    const std::uint64_t crossed = high_a * low_b, other = low_a * high_b;
+    return ((crossed >> 32 | crossed << 32) ^ high_a * high_b) ^
+           ((other >> 32 | other << 32) ^ low_a * low_b);
+  } else {
+    const Product product = static_cast<Product>(a) * b;
+    return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+  }
 }
 
 std::uint64_t load4(const char* p) {

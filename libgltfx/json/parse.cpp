@@ -59,6 +59,9 @@ bool Parser::read() {
   }
   // Typical assets have a node every 14 bytes (dense) to 30 (indented).
   nodes_.reserve(text().size() / 12 + 16);
+  constexpr std::size_t kNames = 40;  // of a small asset
+  stamps_.reserve(kNames);
+  next_keys_.reserve(2 * kNames);
   next_keys_.assign(2, kNoKey);
   return root(byte_order_mark(begin_)) != nullptr;
 }

@@ -8,12 +8,30 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "json/scan.hpp"
 
 namespace gltfx::json {
 namespace {
 
 // Characters that stand for themselves: the others are looked at one by one.
 bool is_plain(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
+
+// The first byte at or behind `at` that does not.
+std::size_t skip_plain(std::string_view text, std::size_t at) {
+  while (text.size() - at >= 8) {
+    const std::uint64_t bytes = load8(text.data() + at);
+    // Reliable up to and including the first byte that is marked.
+    const std::uint64_t below_space = (bytes - kOnes * 0x20) & ~bytes;
+    const std::uint64_t special = below_space | (bytes + kOnes) | bytes |
+                                  zero_bytes(bytes ^ (kOnes * '"')) |
+                                  zero_bytes(bytes ^ (kOnes * '\\'));
+    const std::uint64_t marks = special & kHighs;
+    if (marks != 0) return at + static_cast<std::size_t>(first_marked(marks));
+    at += 8;
+  }
+  while (at < text.size() && is_plain(text[at])) ++at;
+  return at;
+}
 
 std::string_view short_escape(std::uint32_t c) {
   switch (c) {
@@ -54,8 +72,7 @@ void append_special(std::string& out, CodePoint point) {
 void append_string(std::string& out, std::string_view text) {
   out += '"';
   for (std::size_t at = 0; at < text.size();) {
-    std::size_t plain = at;
-    while (plain < text.size() && is_plain(text[plain])) ++plain;
+    const std::size_t plain = skip_plain(text, at);
     out += text.substr(at, plain - at);
     at = plain;
     if (at == text.size()) break;
@@ -74,11 +91,11 @@ void Writer::end_array() { close(']'); }
 void Writer::open(char bracket) {
   before_value();
   out_ += bracket;
-  has_items_.push_back(false);
+  has_items_.push_back(0);
 }
 
 void Writer::close(char bracket) {
-  const bool had_items = has_items_.back();
+  const bool had_items = has_items_.back() != 0;
   has_items_.pop_back();
   if (had_items) line_break();
   out_ += bracket;
@@ -96,8 +113,8 @@ void Writer::before_value() {
     after_key_ = false;
     return;
   }
-  if (has_items_.back()) out_ += ',';
-  has_items_.back() = true;
+  if (has_items_.back() != 0) out_ += ',';
+  has_items_.back() = 1;
   line_break();
 }
 

@@ -18,7 +18,9 @@ void append_string(std::string& out, std::string_view text);
 ///     Writer w(out);  w.begin_object();  w.key("a");  w.number(1);  w.end_object();
 class Writer {
  public:
-  explicit Writer(std::string& out, bool pretty = false) : out_(out), pretty_(pretty) {}
+  explicit Writer(std::string& out, bool pretty = false) : out_(out), pretty_(pretty) {
+    has_items_.reserve(16);
+  }
 
   void begin_object();
   void end_object();
@@ -48,7 +50,7 @@ class Writer {
   std::string& out_;
   bool pretty_;
   bool after_key_ = false;
-  std::vector<bool> has_items_;
+  std::vector<char> has_items_;  ///< of each open container whether it is not empty
 };
 
 }  // namespace gltfx::json

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "json/writer.hpp"
 #include "report/entry.hpp"
@@ -64,6 +65,7 @@ void write_issues(json::Writer& writer, const FileReport& report) {
 
 std::string object_text(const FileReport& report) {
   std::string out;
+  out.reserve(1024);  // that of an asset without findings
   json::Writer writer(out, true);
   writer.begin_object();
   writer.member("uri", report.path);
@@ -111,8 +113,11 @@ class KhronosWriter final : public ReportWriter {
   void end(const RunSummary&, std::string& out) override {
     if (files_ == 0) {
       out += "[]\n";
+    } else if (files_ == 1 && out.empty()) {
+      out = std::move(first_) + '\n';
     } else {
-      out += files_ == 1 ? first_ + "\n" : "\n]\n";
+      out += files_ == 1 ? first_ : "\n]";
+      out += '\n';
     }
   }
 

@@ -36,6 +36,13 @@ enum class Reading : std::uint8_t {
 class MemberVisitor {
  public:
   virtual ~MemberVisitor() = default;
+  /// What is called for objects of a type.
+  struct Calls {
+    static constexpr std::uint32_t kLast = 63;
+    bool before = false;
+    std::uint64_t behind = 0;  ///< bit i: behind property i; bit kLast: behind all from there on
+  };
+  virtual Calls calls(const ObjectType& type) = 0;
   /// Before a member that is there.
   virtual Reading before(const ObjectType& type, std::string_view member, json::NodeId object,
                          json::NodeId value, const Path& object_path) = 0;
@@ -132,11 +139,15 @@ struct CheckResult {
   std::vector<std::string> without_fallback;
   std::vector<std::string> extensions_used;      ///< as declared, once each
   std::vector<std::string> extensions_required;  ///< as declared, once each
+  /// Part::form: a walk for Part::references would find something, or see another document.
+  bool has_open_references = false;
   /// Deviations::other_versions_end_the_walk: it did.
   bool stopped_at_asset = false;
 
   /// Of `targets`, or null.
   const TargetArray* target(std::string_view pointer) const;
+  /// The one that is a member of the root object, or null.
+  const TargetArray* root_target(std::string_view name) const;
 };
 
 /// Called for each object with a type, behind its members: the place for rules that need several

@@ -14,8 +14,9 @@ namespace gltfx::schema {
 /// everything holds.
 class Holds {
  public:
-  Holds(const json::Document& document, const Set& set)
-      : values_(document), set_(set), names_(document, set) {}
+  /// `names` are those of the document in the Set; all three must outlive this.
+  Holds(const json::Document& document, const Set& set, DocumentNames& names)
+      : values_(document), set_(set), names_(names) {}
   bool operator()(ShapeId shape, Value value) {
     if (known_.size() > kMostKnown) known_.clear();
     return holds(shape, value, 0);
@@ -38,7 +39,7 @@ class Holds {
 
   Values values_;
   const Set& set_;
-  DocumentNames names_;
+  DocumentNames& names_;
   std::unordered_map<std::uint64_t, bool> known_;
 };
 

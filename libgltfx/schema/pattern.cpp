@@ -4,11 +4,17 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace gltfx::schema {
 namespace {
 
 using Instruction = Pattern::Instruction;
 using Op = Pattern::Op;
+
+// Most programs are short: no allocation for each text.
+constexpr std::size_t kShort = 64;
+using Positions = fmt::basic_memory_buffer<std::int32_t, kShort>;
 
 // The code point at `at`, which moves on. A byte that is no UTF-8 stands for itself.
 char32_t next_code_point(std::string_view text, std::size_t& at) {
@@ -25,7 +31,10 @@ char32_t next_code_point(std::string_view text, std::size_t& at) {
 // Positions in the program that are reached without reading anything, each once.
 class Threads {
  public:
-  explicit Threads(std::size_t size) : seen_(size, 0) {}
+  explicit Threads(std::size_t size) {
+    seen_.resize(size);
+    std::fill(seen_.begin(), seen_.end(), char{0});
+  }
 
   void clear() {
     for (const std::int32_t at : visited_) seen_[static_cast<std::size_t>(at)] = 0;
@@ -38,9 +47,9 @@ class Threads {
            bool at_end) {
     stack_.push_back(start);
     bool matched = false;
-    while (!stack_.empty()) {
-      const std::int32_t at = stack_.back();
-      stack_.pop_back();
+    while (stack_.size() > 0) {
+      const std::int32_t at = stack_[stack_.size() - 1];
+      stack_.resize(stack_.size() - 1);
       if (seen_[static_cast<std::size_t>(at)] != 0) continue;
       seen_[static_cast<std::size_t>(at)] = 1;
       visited_.push_back(at);
@@ -49,7 +58,7 @@ class Threads {
     return matched;
   }
 
-  const std::vector<std::int32_t>& waiting() const { return waiting_; }
+  const Positions& waiting() const { return waiting_; }
 
  private:
   bool follow(const Instruction& step, std::int32_t at, bool at_begin, bool at_end) {
@@ -74,8 +83,8 @@ class Threads {
     return false;
   }
 
-  std::vector<char> seen_;
-  std::vector<std::int32_t> visited_, waiting_, stack_;
+  fmt::basic_memory_buffer<char, kShort> seen_;
+  Positions visited_, waiting_, stack_;
 };
 
 bool is_line_end(char32_t c) { return c == '\n' || c == '\r' || c == 0x2028 || c == 0x2029; }
@@ -90,22 +99,23 @@ bool Pattern::CharacterSet::contains(char32_t c) const {
 }
 
 bool Pattern::matches(std::string_view text) const {
-  Threads now(program_.size());
-  Threads then(program_.size());
-  if (now.add(program_, 0, true, text.empty())) return true;
+  Threads threads[2]{Threads(program_.size()), Threads(program_.size())};
+  Threads* now = &threads[0];
+  Threads* then = &threads[1];
+  if (now->add(program_, 0, true, text.empty())) return true;
   for (std::size_t at = 0; at < text.size();) {
     const char32_t c = next_code_point(text, at);
     const bool at_end = at == text.size();
-    then.clear();
-    for (const std::int32_t place : now.waiting()) {
+    then->clear();
+    for (const std::int32_t place : now->waiting()) {
       const Instruction& step = program_[static_cast<std::size_t>(place)];
       const bool takes = step.op == Op::any ? !is_line_end(c)
                          : step.op == Op::set
                              ? sets_[static_cast<std::size_t>(step.first)].contains(c)
                              : c == static_cast<char32_t>(step.first);
-      if (takes && then.add(program_, place + 1, false, at_end)) return true;
+      if (takes && then->add(program_, place + 1, false, at_end)) return true;
     }
-    if (then.add(program_, 0, false, at_end)) return true;  // the match may start later
+    if (then->add(program_, 0, false, at_end)) return true;  // the match may start later
     std::swap(now, then);
   }
   return false;

@@ -18,6 +18,13 @@ const TargetArray* CheckResult::target(std::string_view pointer) const {
   return found == targets.end() ? nullptr : &*found;
 }
 
+const TargetArray* CheckResult::root_target(std::string_view name) const {
+  const auto found = std::find_if(targets.begin(), targets.end(), [name](const TargetArray& array) {
+    return array.pointer.size() == name.size() + 1 && array.pointer.ends_with(name);
+  });
+  return found == targets.end() ? nullptr : &*found;
+}
+
 Walker::Walker(const json::Document& document, const Set& set, const CheckOptions& options,
                Sink& schema_sink, Sink& reference_sink, const ObjectVisitor& visitor)
     : document_(document),
@@ -30,7 +37,7 @@ Walker::Walker(const json::Document& document, const Set& set, const CheckOption
       values_(document),
       names_(document, set),
       targets_(document, set),
-      holds_(document, set),
+      holds_(document, set, names_),
       seen_(document.key_count(), false),
       declared_(document.key_count(), Declared::unseen) {}
 
@@ -133,7 +140,9 @@ void Walker::report(const Path& path, Code code, Span span, std::string message,
 }
 
 void Walker::drop(json::NodeId value) {
-  if (options_.shown != nullptr) options_.shown->hide(value);
+  if (options_.shown == nullptr) return;
+  options_.shown->hide(value);
+  result_.has_open_references = true;
 }
 
 // A container that counts as absent takes the array around it along.

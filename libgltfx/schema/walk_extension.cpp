@@ -92,6 +92,7 @@ bool Walker::extension_member(Frame& frame, json::KeyId key, json::NodeId node) 
     // For the Khronos validator it has no members, which may be another error.
     if (options_.shown == nullptr) return false;
     options_.shown->strip(node);
+    result_.has_open_references = true;
   }
   const ExtensionId id = names_.extension(key);
   if (!is_declared(key)) {

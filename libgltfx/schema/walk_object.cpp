@@ -57,6 +57,11 @@ void Walker::enter_object(Frame& frame) {
   if (shape.min_properties != 0 || shape.max_properties != UINT64_MAX) {
     if (!count_members(frame) && !frame.further) discard(frame);
   }
+  frame.calls = {};
+  if (options_.members != nullptr && frame.type != kNone) {
+    frame.calls = options_.members->calls(set_.type(frame.type));
+    if (frame.further) frame.calls.behind = 0;
+  }
   gather(frame);
   if (shape.property_names != kNone) member_names(frame);
   const bool has_others = shape.values != kNone || !shape.pattern_properties.empty();
@@ -190,11 +195,13 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
   }
   if (plan.shape == kNone) return false;
   if (plan.slot) record_slot(frame, index, node);
-  if (options_.members != nullptr) {
+  if (frame.calls.before) {
     const ObjectType& type = set_.type(frame.type);
     const Reading reading =
         options_.members->before(type, type.properties[index].name, frame.node, node, frame.path);
     if (reading == Reading::drop) drop(node);
+    if (reading == Reading::keep && document_.kind(node) != json::Kind::number_array)
+      result_.has_open_references = true;
     if (reading != Reading::judge) return false;
   }
   unset_ = false;
@@ -208,9 +215,11 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
 }
 
 void Walker::behind(Frame& frame) {
-  if (options_.members == nullptr || frame.type == kNone || frame.further) return;
+  if (frame.calls.behind == 0) return;
   const ObjectType& type = set_.type(frame.type);
   for (; frame.reported < frame.index; ++frame.reported) {
+    const std::uint32_t bit = std::min(frame.reported, MemberVisitor::Calls::kLast);
+    if ((frame.calls.behind >> bit & 1) == 0) continue;
     options_.members->behind(type, type.properties[frame.reported].name, frame.node, frame.path);
   }
 }

@@ -53,6 +53,7 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   const std::uint32_t target = tables_.shapes[shape].target;
   const TargetPlan& plan = tables_.targets[target];
   const bool of_root = top_ != nullptr && top_->parent == nullptr;
+  result_.has_open_references = true;
   if (options_.part == (of_root ? Part::references : Part::form)) return;
   Targets::Array* array = array_of(plan, target);
   if (options_.references != nullptr) {
@@ -117,6 +118,7 @@ bool Walker::is_elsewhere(const Target& target) const {
 }
 
 void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const Path& path) {
+  result_.has_open_references = true;
   const std::uint32_t target = tables_.name_target_of[shape];
   if (targets_.has_name(target, name) || is_elsewhere(*set_.shape(shape).ref_name)) return;
   reference_sink_.report(path,

@@ -50,6 +50,7 @@ class Walker {
     Stage stage = Stage::enter;
     bool further = false;  ///< another shape for a value that has been walked already
     bool again = false;    ///< further, or below such a frame
+    MemberVisitor::Calls calls;  ///< of CheckOptions::members
     bool constrained = false;
     bool unset = false;  ///< an array that counts as absent
     std::vector<ExtensionId>

@@ -76,7 +76,8 @@ struct Context {
         pictures(of_document),
         values(asset, bytes),
         pointers(read),
-        holds(read, known),
+        symbols(read, known),
+        holds(read, known, symbols),
         editor(read) {
     plan.additions = Additions(read);
   }
@@ -88,6 +89,7 @@ struct Context {
   Pictures* const pictures;  ///< null: nobody can look at pixels
   AccessorValues values;
   const edit::Pointers pointers;
+  schema::DocumentNames symbols;
   schema::Holds holds;
   json::Editor editor;
   Plan plan;

@@ -12,7 +12,27 @@
 
 namespace gltfx::validate {
 
-/// Finds the rules of a type by its name once, and not again for each of a million objects.
+/// Remembers what was found out about types, for the next of a million objects.
+template <class Value>
+class TypeCache {
+ public:
+  /// `type` is an element of a Set that outlives this; `make(type)` is called when it is not known.
+  template <class Make>
+  const Value& of(const schema::ObjectType& type, const Make& make) {
+    Slot& slot = slots_[reinterpret_cast<std::uintptr_t>(&type) / sizeof(type) % slots_.size()];
+    if (slot.type != &type) slot = {&type, make(type)};
+    return slot.value;
+  }
+
+ private:
+  struct Slot {
+    const schema::ObjectType* type = nullptr;
+    Value value{};
+  };
+  std::array<Slot, 64> slots_;
+};
+
+/// Finds the rules of a type by its name.
 template <class Rule>
 class RulesOfTypes {
  public:
@@ -23,22 +43,16 @@ class RulesOfTypes {
 
   /// `type` is an element of a Set that outlives this.
   const std::vector<Rule>& of(const schema::ObjectType& type) {
-    Slot& slot = slots_[reinterpret_cast<std::uintptr_t>(&type) / sizeof(type) % slots_.size()];
-    if (slot.type != &type) {
-      const auto found = table_.find(type.name);
-      slot = {&type, found == table_.end() ? &none_ : &found->second};
-    }
-    return *slot.rules;
+    return *known_.of(type, [this](const schema::ObjectType& unknown) {
+      const auto found = table_.find(unknown.name);
+      return found == table_.end() ? &none_ : &found->second;
+    });
   }
 
  private:
-  struct Slot {
-    const schema::ObjectType* type = nullptr;
-    const std::vector<Rule>* rules = nullptr;
-  };
   const Table& table_;
   const std::vector<Rule> none_;
-  std::array<Slot, 64> slots_;
+  TypeCache<const std::vector<Rule>*> known_;
 };
 
 }  // namespace gltfx::validate

@@ -228,7 +228,8 @@ void ValueMaker::need(const schema::Target& target, const std::string& pointer, 
 
 bool ValueMaker::holds(ShapeId shape, const Json& value) const {
   const json::Parsed parsed = json::parse(value.dump());
-  schema::Holds quiet(parsed.document, set_);
+  schema::DocumentNames names(parsed.document, set_);
+  schema::Holds quiet(parsed.document, set_, names);
   return quiet(shape, {parsed.document.root()});
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <vector>
 
@@ -44,6 +46,10 @@ class Reader final : public schema::MemberVisitor {
  public:
   explicit Reader(const Context& context) : context_(context) {}
 
+  Calls calls(const schema::ObjectType& type) override {
+    return calls_.of(type, [this](const schema::ObjectType& unknown) { return find_calls(unknown); });
+  }
+
   schema::Reading before(const schema::ObjectType& type, std::string_view member,
                          json::NodeId object, json::NodeId value, const Path& path) override {
     for (const MemberRuleEntry& entry : before_.of(type)) {
@@ -64,9 +70,24 @@ class Reader final : public schema::MemberVisitor {
   }
 
  private:
+  Calls find_calls(const schema::ObjectType& type) {
+    Calls calls;
+    calls.before = !before_.of(type).empty();
+    const std::vector<ObjectRuleEntry>& entries = behind_.of(type);
+    if (entries.empty()) return calls;
+    for (std::uint32_t i = 0; i < type.properties.size(); ++i) {
+      const bool any = std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
+        return entry.behind == type.properties[i].name;
+      });
+      if (any) calls.behind |= std::uint64_t{1} << std::min(i, Calls::kLast);
+    }
+    return calls;
+  }
+
   const Context& context_;
   RulesOfTypes<MemberRuleEntry> before_{rules().before};
   RulesOfTypes<ObjectRuleEntry> behind_{rules().behind};
+  TypeCache<Calls> calls_;
 };
 
 // --- What is not linked ---
@@ -76,7 +97,8 @@ class Unlinking {
   Unlinking(const Context& context, json::Document& document)
       : asset_(context.asset), document_(document) {}
 
-  void run() {
+  /// Whether anything was hidden.
+  bool run() {
     for (const json::NodeId accessor : asset_.elements(RootArray::accessors)) cut_sparse(accessor);
     for (const json::NodeId animation : asset_.elements(RootArray::animations)) {
       // Extensions of its channels are linked all the same.
@@ -84,11 +106,12 @@ class Unlinking {
     }
     const json::NodeId variants =
         model::extension_object(document_, document_.root(), kVariantsExtension);
-    if (variants != json::kNoNode) return;
+    if (variants != json::kNoNode) return hidden_;
     for (const json::NodeId mesh : asset_.elements(RootArray::meshes)) {
       for (const json::NodeId primitive : model::primitives(document_, mesh))
         cut_variants(primitive);
     }
+    return hidden_;
   }
 
  private:
@@ -104,7 +127,9 @@ class Unlinking {
   void hide(json::NodeId object, Names names) {
     for (const std::string_view name : names) {
       const json::NodeId value = document_.find(object, name);
-      if (value != json::kNoNode) document_.hide(value);
+      if (value == json::kNoNode) continue;
+      document_.hide(value);
+      hidden_ = true;
     }
   }
 
@@ -126,6 +151,7 @@ class Unlinking {
 
   const model::Asset& asset_;
   json::Document& document_;
+  bool hidden_ = false;
 };
 
 }  // namespace
@@ -142,7 +168,8 @@ schema::CheckResult check_as_khronos(Context& context, json::Document& document,
   schema::CheckResult result =
       schema::check(document, context.schemas, form, context.schema_sink, none, visitor);
   if (result.stopped_at_asset || !document.is_object(document.root())) return result;
-  Unlinking(context, document).run();
+  const bool hidden = Unlinking(context, document).run();
+  if (!hidden && !result.has_open_references) return result;
   schema::CheckOptions references;
   references.deviations = context.deviations;
   references.part = schema::Part::references;

@@ -64,36 +64,6 @@ FormatSet from_schema(const schema::AttributeFormat& format) {
   return set;
 }
 
-using CoreFormats = std::array<FormatList, model::kCoreSemanticCount>;
-
-// In the order of SemanticKind.
-CoreFormats core_vertex_formats() {
-  const FormatSet fractions2 =
-      from_names({ElementType::vec2}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
-  const FormatSet colors =
-      from_names({ElementType::vec3, ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
-  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec4}, {"FLOAT"})},
-           {fractions2},
-           {colors},
-           {from_names({ElementType::vec4}, {"UBYTE", "USHORT"})},
-           {from_names({ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"})}}};
-}
-
-// Offsets may be negative, so signed fractions are allowed too. Skinning cannot be morphed.
-CoreFormats core_morph_formats() {
-  const std::initializer_list<std::string_view> signed_fractions{"FLOAT", "BYTE_NORM", "UBYTE_NORM",
-                                                                 "SHORT_NORM", "USHORT_NORM"};
-  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec2}, signed_fractions)},
-           {from_names({ElementType::vec3, ElementType::vec4}, signed_fractions)},
-           {},
-           {}}};
-}
-
 // The core semantic that a name of a schema file stands for.
 SemanticKind kind_of(std::string_view semantic) {
   if (!semantic.ends_with("_n")) return model::parse_semantic(semantic).kind;
@@ -148,10 +118,39 @@ std::string formats_text(const FormatList& list) {
   return fmt::format("{}", fmt::join(alternatives, "; "));
 }
 
+// In the order of SemanticKind.
+AttributeFormats::CoreFormats AttributeFormats::core_vertex_formats() {
+  const FormatSet fractions2 =
+      from_names({ElementType::vec2}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
+  const FormatSet colors =
+      from_names({ElementType::vec3, ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
+  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec4}, {"FLOAT"})},
+           {fractions2},
+           {colors},
+           {from_names({ElementType::vec4}, {"UBYTE", "USHORT"})},
+           {from_names({ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"})}}};
+}
+
+// Offsets may be negative, so signed fractions are allowed too. Skinning cannot be morphed.
+AttributeFormats::CoreFormats AttributeFormats::core_morph_formats() {
+  const std::initializer_list<std::string_view> signed_fractions{"FLOAT", "BYTE_NORM", "UBYTE_NORM",
+                                                                 "SHORT_NORM", "USHORT_NORM"};
+  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec2}, signed_fractions)},
+           {from_names({ElementType::vec3, ElementType::vec4}, signed_fractions)},
+           {},
+           {}}};
+}
+
 void AttributeFormats::Table::add(const schema::AttributeFormat& format) {
   const SemanticKind kind = kind_of(format.semantic);
   if (is_core(kind)) {
-    core[static_cast<std::size_t>(kind)].push_back(from_schema(format));
+    if (!extended) extended = *base;
+    (*extended)[static_cast<std::size_t>(kind)].push_back(from_schema(format));
   } else {
     others.emplace_back(format.semantic, FormatList{from_schema(format)});
   }
@@ -165,8 +164,8 @@ void AttributeFormats::Table::sort() {
 AttributeFormats::AttributeFormats(const Context& context) {
   static const CoreFormats vertex_formats = core_vertex_formats();
   static const CoreFormats morph_formats = core_morph_formats();
-  vertex_.core = vertex_formats;
-  morph_.core = morph_formats;
+  vertex_.base = &vertex_formats;
+  morph_.base = &morph_formats;
   for (const schema::Extension* extension : declared_extensions(context)) {
     for (const auto& format : extension->vertex_attributes) vertex_.add(format);
     for (const auto& format : extension->morph_attributes) morph_.add(format);
@@ -181,7 +180,7 @@ const FormatList* AttributeFormats::find(const model::Attribute& attribute, bool
   // The Khronos validator takes the format from what stands before the first underscore.
   if (kind == SemanticKind::invalid) kind = kind_before_underscore(attribute.name);
   if (is_core(kind)) {
-    const FormatList& formats = table.core[static_cast<std::size_t>(kind)];
+    const FormatList& formats = table.core()[static_cast<std::size_t>(kind)];
     return formats.empty() ? nullptr : &formats;
   }
   if (kind != SemanticKind::extension) return nullptr;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,12 +39,17 @@ class AttributeFormats {
   const FormatList* find(const model::Attribute& attribute, bool target) const;
 
  private:
+  using CoreFormats = std::array<FormatList, model::kCoreSemanticCount>;
   struct Table {
-    std::array<FormatList, model::kCoreSemanticCount> core;
+    const CoreFormats* base;                                 // of the specification, shared by all
+    std::optional<CoreFormats> extended;                     // with those that extensions add
     std::vector<std::pair<std::string, FormatList>> others;  // sorted by name
+    const CoreFormats& core() const { return extended ? *extended : *base; }
     void add(const schema::AttributeFormat& format);
     void sort();
   };
+  static CoreFormats core_vertex_formats();
+  static CoreFormats core_morph_formats();
   Table vertex_, morph_;
 };
 

@@ -4,19 +4,20 @@
 namespace gltfx::validate {
 
 ActiveExtensions::ActiveExtensions(const Context& context)
-    : schemas_(context.schemas),
-      active_(context.schemas.extensions().size(),
-              !context.deviations.unsupported_extensions_are_skipped) {
-  if (!context.deviations.unsupported_extensions_are_skipped) return;
+    : schemas_(context.schemas), all_(!context.deviations.unsupported_extensions_are_skipped) {
+  if (all_) return;
   for (const std::string& name : context.checked.extensions_used) {
     const schema::ExtensionId id = schemas_.find_extension(name);
-    if (id != schema::kNone) active_[id] = schemas_.extensions()[id].khronos_validator;
+    if (id != schema::kNone && schemas_.extensions()[id].khronos_validator) active_.push_back(id);
   }
 }
 
 const schema::Extension* ActiveExtensions::find(std::string_view name) const {
+  if (!all_ && active_.empty()) return nullptr;
   const schema::ExtensionId id = schemas_.find_extension(name);
-  return id != schema::kNone && active_[id] ? &schemas_.extensions()[id] : nullptr;
+  if (id == schema::kNone) return nullptr;
+  const bool active = all_ || std::find(active_.begin(), active_.end(), id) != active_.end();
+  return active ? &schemas_.extensions()[id] : nullptr;
 }
 
 bool ActiveExtensions::contains(std::string_view name) const { return find(name) != nullptr; }

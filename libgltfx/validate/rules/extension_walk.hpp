@@ -25,7 +25,8 @@ class ActiveExtensions {
 
  private:
   const schema::Set& schemas_;
-  std::vector<bool> active_;  // by ExtensionId
+  bool all_;
+  std::vector<schema::ExtensionId> active_;  // unless all are
 };
 
 /// The extensions of the asset's `extensionsUsed` that are active, in its order.

@@ -93,7 +93,7 @@ void report_unused(const Context& context, const Path& path, json::NodeId object
 
 void check_array(const Context& context, RootArray array) {
   const std::string_view name = model::root_array_name(array);
-  const schema::TargetArray* target = context.checked.target(fmt::format("/{}", name));
+  const schema::TargetArray* target = context.checked.root_target(name);
   const bool nodes = array == RootArray::nodes;
   const bool fewer =
       context.deviations.fewer_uses_count && (nodes || array == RootArray::buffer_views);
@@ -113,8 +113,9 @@ void check_array(const Context& context, RootArray array) {
 // An array of an extension at the root, such as lights.
 void check_extension_array(const Context& context, const ActiveExtensions& active,
                            const schema::TargetArray& target) {
+  if (!target.pointer.starts_with("/extensions/")) return;
   const auto steps = split_pointer(target.pointer);
-  if (!steps || steps->size() != 3 || steps->front() != "extensions") return;
+  if (!steps || steps->size() != 3) return;
   if (!active.contains((*steps)[1])) return;
   if (context.order != nullptr) context.order->report_from_root();
   if (context.document.kind(target.node) != json::Kind::array) return;

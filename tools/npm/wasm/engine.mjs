@@ -108,7 +108,7 @@ function validateOnce(module, asset, options) {
     use(at);
     module._free(at);
   };
-  text(options.uri ?? "", (at) => module._gltfx_request_name(request, at));
+  if (options.uri) text(options.uri, (at) => module._gltfx_request_name(request, at));
   module._gltfx_request_kind(request, position(FORMATS, options.format),
     position(PROFILES, options.profile ?? "default"));
   module._gltfx_request_limit(request, options.maxIssues ?? 0);
