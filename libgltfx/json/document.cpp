@@ -91,13 +91,6 @@ Members::Iterator Members::end() const {
   return {*document_, last, last};
 }
 
-Elements::Iterator Elements::begin() const { return {*document_, array_ + 1}; }
-
-Elements::Iterator Elements::end() const {
-  const bool has_elements = document_->kind(array_) == Kind::array;
-  return {*document_, has_elements ? document_->next(array_) : array_ + 1};
-}
-
 NumberCursor::NumberCursor(const Document& document, NodeId number_array)
     : text_(document.text()),
       at_(document.node(number_array).begin + 1),

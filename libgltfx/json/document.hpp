@@ -255,4 +255,11 @@ inline Elements::Iterator& Elements::Iterator::operator++() {
   return *this;
 }
 
+inline Elements::Iterator Elements::begin() const { return {*document_, array_ + 1}; }
+
+inline Elements::Iterator Elements::end() const {
+  const bool has_elements = document_->kind(array_) == Kind::array;
+  return {*document_, has_elements ? document_->next(array_) : array_ + 1};
+}
+
 }  // namespace gltfx::json

@@ -70,6 +70,12 @@ void append_special(std::string& out, CodePoint point) {
 }  // namespace
 
 void append_string(std::string& out, std::string_view text) {
+  if (skip_plain(text, 0) == text.size()) {  // mostly
+    const std::size_t begin = out.size();
+    out.resize(begin + text.size() + 2, '"');
+    text.copy(out.data() + begin + 1, text.size());
+    return;
+  }
   out += '"';
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t plain = skip_plain(text, at);

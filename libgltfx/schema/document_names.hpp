@@ -29,9 +29,8 @@ class DocumentNames {
  private:
   static constexpr std::uint32_t kUnseen = kNone - 1;
   Symbol look_up_symbol(json::KeyId key) {
-    const auto& known = set_.walk_tables().symbols;
-    const auto found = known.find(document_.key(key));
-    return symbols_[key] = found == known.end() ? kNone : found->second;
+    static_assert(json::kNoKey == kNone);
+    return symbols_[key] = set_.walk_tables().symbols.find(document_.key(key));
   }
   ExtensionId look_up_extension(json::KeyId key) {
     return extensions_[key] = set_.find_extension(document_.key(key));

@@ -8,9 +8,9 @@ namespace gltfx::schema {
 // Each asset asks for all targets, of which it has a few: what a missing object would hold is not
 // looked up.
 Targets::Targets(const json::Document& document, const Set& set)
-    : document_(document),
-      tables_(set.walk_tables()),
-      from_root_(tables_.targets.size(), &absent_) {
+    : document_(document), tables_(set.walk_tables()), from_root_(tables_.targets.size(), 0) {
+  arrays_.reserve(16);
+  arrays_.emplace_back();
   std::vector<json::NodeId> values{document.root()};  // behind so many steps; kNoNode is the last
   for (const auto& [target, shared] : tables_.lookups) {
     const TargetPlan& plan = tables_.targets[target];
@@ -24,12 +24,13 @@ Targets::Targets(const json::Document& document, const Set& set)
     if (plan.steps_over) {
       const std::uint64_t size = largest(document.root(), steps);
       if (size == 0) continue;
-      from_root_[target] = &arrays_.emplace_back();
-      from_root_[target]->size = size;
-      from_root_[target]->is_array = true;
+      Array& array = arrays_.emplace_back();
+      array.size = size;
+      array.is_array = true;
     } else {
-      from_root_[target] = &arrays_.emplace_back(read(values.back()));
+      arrays_.push_back(read(values.back()));
     }
+    from_root_[target] = static_cast<std::uint32_t>(arrays_.size() - 1);
   }
 }
 
@@ -132,7 +133,7 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
 
 void Targets::move_to(CheckResult& result) {
   for (std::size_t i = 0; i < from_root_.size(); ++i) {
-    Array& array = *from_root_[i];
+    Array& array = from_root(static_cast<std::uint32_t>(i));
     if (!array.is_array || tables_.targets[i].steps_over || array.node == json::kNoNode) continue;
     result.targets.push_back({tables_.targets[i].pointer, array.node, std::move(array.used)});
   }

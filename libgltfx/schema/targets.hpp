@@ -2,7 +2,6 @@
 /// The arrays of one document that references point into, and which of their elements are used.
 #pragma once
 
-#include <deque>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -34,7 +33,7 @@ class Targets {
   };
 
   /// The array a target from the root names.
-  Array& from_root(std::uint32_t target) { return *from_root_[target]; }
+  Array& from_root(std::uint32_t target) { return arrays_[from_root_[target]]; }
   /// The array a target names below an object, found once per array; null when it is not there.
   Array* below(const Target& target, json::NodeId object, const Path& path);
   /// Whether the element of that index, which is below the size, has what `refHas` asks for.
@@ -58,9 +57,8 @@ class Targets {
   };
   const json::Document& document_;
   const Set::WalkTables& tables_;
-  Array absent_;
-  std::deque<Array> arrays_;
-  std::vector<Array*> from_root_;  ///< by index of WalkTables::targets
+  std::vector<Array> arrays_;             ///< the first one is that of targets that are not there
+  std::vector<std::uint32_t> from_root_;  ///< position in arrays_, by index of WalkTables::targets
   std::vector<Local> local_;
   std::unordered_map<json::NodeId, std::size_t> local_at_;
   std::unordered_map<std::uint32_t, std::unordered_set<std::string>> names_;

@@ -44,10 +44,7 @@ class Maker {
 
   void take_plans(WalkPlans plans) {
     static_cast<WalkPlans&>(*tables_) = std::move(plans);
-    tables_->symbols.reserve(tables_->names.size());
-    for (const std::string_view name : tables_->names) {
-      tables_->symbols.emplace(name, static_cast<Symbol>(tables_->symbols.size()));
-    }
+    for (const std::string_view name : tables_->names) tables_->symbols.intern(name);
   }
 
   std::shared_ptr<const Set::WalkTables> run() {
@@ -63,10 +60,9 @@ class Maker {
 
  private:
   Symbol symbol(std::string_view name) {
-    const auto [known, is_new] =
-        tables_->symbols.emplace(name, static_cast<Symbol>(tables_->symbols.size()));
-    if (is_new) tables_->names.push_back(name);
-    return known->second;
+    const Symbol symbol = tables_->symbols.intern(name);
+    if (symbol == tables_->names.size()) tables_->names.push_back(name);
+    return symbol;
   }
 
   ShapePlan shape(ShapeId id) {

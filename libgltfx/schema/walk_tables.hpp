@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "json/document.hpp"
@@ -133,7 +132,7 @@ struct WalkPlans {
 struct Set::WalkTables : WalkPlans {
   static constexpr Symbol kExtensions = 0;
   static constexpr Symbol kExtras = 1;
-  std::unordered_map<std::string_view, Symbol> symbols;
+  json::KeyTable symbols;  ///< its numbers are Symbols
   std::vector<ExtensionPlan> extensions;
   /// Shapes of core whose enum an extension widens.
   struct Addition {

@@ -48,8 +48,8 @@ class Walker {
     std::uint32_t reported = 0;  ///< properties that MemberVisitor::behind() was called for
     Mode mode = Mode::object;
     Stage stage = Stage::enter;
-    bool further = false;  ///< another shape for a value that has been walked already
-    bool again = false;    ///< further, or below such a frame
+    bool further = false;        ///< another shape for a value that has been walked already
+    bool again = false;          ///< further, or below such a frame
     MemberVisitor::Calls calls;  ///< of CheckOptions::members
     bool constrained = false;
     bool unset = false;  ///< an array that counts as absent

@@ -59,7 +59,7 @@ async function compare(name, assets, runs) {
   }
   const [theirs, mine] = best;
   console.log(
-    `${name}: gltf-validator ${theirs.toFixed(2)} s, gltfx ${mine.toFixed(2)} s, ` +
+    `${name}: gltf-validator ${theirs.toFixed(3)} s, gltfx ${mine.toFixed(3)} s, ` +
       `ratio ${(theirs / mine).toFixed(2)}`,
   );
 }

@@ -47,7 +47,8 @@ class Reader final : public schema::MemberVisitor {
   explicit Reader(const Context& context) : context_(context) {}
 
   Calls calls(const schema::ObjectType& type) override {
-    return calls_.of(type, [this](const schema::ObjectType& unknown) { return find_calls(unknown); });
+    return calls_.of(type,
+                     [this](const schema::ObjectType& unknown) { return find_calls(unknown); });
   }
 
   schema::Reading before(const schema::ObjectType& type, std::string_view member,

@@ -61,6 +61,7 @@ function hasRoom(report, uses, maxIssues) {
 }
 
 function describeFailures(report, problems) {
+  if (report.issues.messages.length === 0) return;
   const uris = new Map((report.info?.resources ?? []).map(({ pointer, uri }) => [`${pointer}/uri`, uri]));
   for (const message of report.issues.messages) {
     const problem = message.code === "IO_ERROR" ? problems(uris.get(message.pointer)) : undefined;
@@ -146,7 +147,7 @@ export function createCompat(getEngine) {
       checkIsObject(options);
       const engineOptions = checkEngineOptions(options);
       const format = formatOf(data, options?.format);
-      const bytes = Uint8Array.prototype.slice.call(data);
+      const bytes = new Uint8Array(data);
       return run(getEngine, bytes, format, engineOptions, checkReportOptions(options));
     },
     async validateString(json, options) {
