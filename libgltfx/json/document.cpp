@@ -152,7 +152,7 @@ NodeId Document::find(NodeId object, std::string_view name) const {
   if (nodes[object].hidden) return kNoNode;
   NodeId found = kNoNode;
   for (NodeId key = object + 1; key < end; key = nodes[key + 1].next) {
-    if (keys_.name(nodes[key].next) == name) found = key + 1;
+    if (is_same(keys_.name(nodes[key].next), name)) found = key + 1;
   }
   return found != kNoNode && nodes[found - 1].hidden ? kNoNode : found;
 }

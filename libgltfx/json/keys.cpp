@@ -92,7 +92,7 @@ std::size_t KeyTable::slot_of(std::string_view name, std::uint64_t hash) const {
   std::size_t at = hash & mask;
   for (;; at = (at + 1) & mask) {
     const Slot& slot = slots_[at];
-    if (slot.id == kNoKey || (slot.tag == tag && names_[slot.id] == name)) return at;
+    if (slot.id == kNoKey || (slot.tag == tag && is_same(names_[slot.id], name))) return at;
   }
 }
 

@@ -134,7 +134,7 @@ const char* Parser::name_as_guessed(const char* p) {
   const std::string_view name = keys_.name(guess);
   const std::size_t room = static_cast<std::size_t>(end_ - p);
   if (room < name.size() + 2 || p[name.size() + 1] != '"') return nullptr;
-  if (std::memcmp(p + 1, name.data(), name.size()) != 0) return nullptr;
+  if (!is_same({p + 1, name.size()}, name)) return nullptr;
   const char* const behind = p + name.size() + 2;
   nodes_[add(Kind::key, p, behind)].next = guess;
   object.key = guess;

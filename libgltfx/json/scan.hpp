@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace gltfx::json {
 
@@ -56,6 +57,22 @@ inline std::uint64_t load8(const char* p) {
     return swapped;
   }
   return bytes;
+}
+
+/// Whether two texts are equal. They are names, too short for a call of memcmp().
+inline bool is_same(std::string_view a, std::string_view b) {
+  const std::size_t size = a.size();
+  if (size != b.size()) return false;
+  if (size < 8) {
+    for (std::size_t i = 0; i < size; ++i) {
+      if (a[i] != b[i]) return false;
+    }
+    return true;
+  }
+  for (std::size_t i = 0; i + 8 < size; i += 8) {
+    if (load8(a.data() + i) != load8(b.data() + i)) return false;
+  }
+  return load8(a.data() + size - 8) == load8(b.data() + size - 8);
 }
 
 /// High bit of each byte that is zero; reliable up to and including the first one.
