@@ -14,8 +14,8 @@ namespace {
 __extension__ using Product = unsigned __int128;
 
 // Folded 64 x 64 multiplication, the mixing step of wyhash (Wang Yi, 2019). Where pointers have 32
-// bits (WebAssembly), the wide product would be a call of a function: four products of halves are
-// added up instead, without their carries, as wyhash does there.
+// bits, as in WebAssembly, the wide product would be a function call; there it is the step that
+// wyhash has for such machines, of four products of halves.
 std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   if constexpr (sizeof(void*) == 4) {
     const std::uint64_t high_a = a >> 32, low_a = a & 0xFFFFFFFF;

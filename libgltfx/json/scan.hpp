@@ -59,7 +59,7 @@ inline std::uint64_t load8(const char* p) {
   return bytes;
 }
 
-/// Whether two texts are equal. They are names, too short for a call of memcmp().
+/// Whether two texts are equal: names, for which a call of memcmp() takes longer than this.
 inline bool is_same(std::string_view a, std::string_view b) {
   const std::size_t size = a.size();
   if (size != b.size()) return false;

@@ -42,6 +42,7 @@ class MemberVisitor {
     bool before = false;
     std::uint64_t behind = 0;  ///< bit i: behind property i; bit kLast: behind all from there on
   };
+  /// Asked once for each object.
   virtual Calls calls(const ObjectType& type) = 0;
   /// Before a member that is there.
   virtual Reading before(const ObjectType& type, std::string_view member, json::NodeId object,

@@ -94,6 +94,22 @@ TEST(Writer, EscapesWhatAStringCannotHoldAndWhatIsUnsafeInATerminal) {
   EXPECT_EQ(written("\u2028\u2029"), R"("\u2028\u2029")");
 }
 
+// Plain characters are passed eight at a time.
+TEST(Writer, LooksAtEachCharacterWhereverItStands) {
+  const std::string plain = "abcdefghijklmnopqrs";
+  for (int byte = 0; byte < 256; ++byte) {
+    const std::string one(1, static_cast<char>(byte));
+    std::string alone;
+    append_string(alone, one);
+    const std::string written = alone.substr(1, alone.size() - 2);
+    for (std::size_t at = 0; at < plain.size(); ++at) {
+      std::string out;
+      append_string(out, plain.substr(0, at) + one + plain.substr(at + 1));
+      EXPECT_EQ(out, '"' + plain.substr(0, at) + written + plain.substr(at + 1) + '"') << byte;
+    }
+  }
+}
+
 TEST(Writer, InvalidUtf8BecomesTheReplacementCharacter) {
   EXPECT_EQ(written("a\xFFz"), "\"a\uFFFDz\"");
   EXPECT_EQ(written("\xE2\x82"), "\"\uFFFD\uFFFD\"");
