@@ -90,10 +90,11 @@ void Walker::gather(Frame& frame) {
     } else if (!entry->alias) {
       const bool known =
           !plan.properties[entry->property].draft || !deviations().draft_names_are_unexpected;
-      if (known)
+      if (known) {
         slots[entry->property] = value;
-      else
+      } else {
         unexpected(frame, key, value);
+      }
     } else {
       renamed(frame, set_.type(frame.type).properties[entry->property], value);
       if (slots[entry->property] == json::kNoNode) slots[entry->property] = value;

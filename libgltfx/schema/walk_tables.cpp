@@ -221,6 +221,7 @@ class Maker {
 
   std::vector<RelationPlan> relations(const std::vector<Relation>& all) const {
     std::vector<RelationPlan> plans;
+    plans.reserve(all.size());
     for (const Relation& relation : all)
       plans.push_back({&relation, set_.find_extension(relation.extension)});
     return plans;
@@ -271,6 +272,7 @@ class Maker {
       const Property* property = set_.find_property(type, place.substr(slash + 1));
       if (property == nullptr) return;
       std::vector<Literal> literals;
+      literals.reserve(values.size());
       for (const std::string& value : values) {
         literals.push_back(literal_of(set_.shape(property->shape), value));
       }
