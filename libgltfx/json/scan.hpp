@@ -81,6 +81,13 @@ inline std::uint64_t zero_bytes(std::uint64_t bytes) { return (bytes - kOnes) & 
 /// Index of the first byte whose high bit is set. Precondition: there is one.
 inline int first_marked(std::uint64_t marks) { return std::countr_zero(marks) >> 3; }
 
+/// High bit of each byte that cannot stand for itself in a string; reliable up to and including the
+/// first one.
+inline std::uint64_t string_ends(std::uint64_t bytes) {
+  const std::uint64_t control = (bytes - kOnes * 0x20) & ~bytes & kHighs;
+  return control | zero_bytes(bytes ^ (kOnes * '"')) | zero_bytes(bytes ^ (kOnes * '\\'));
+}
+
 inline const char* skip_space(const char* p, const char* end) {
   while (is_a(kSpace, *p)) {
     ++p;
@@ -95,10 +102,7 @@ inline const char* skip_space(const char* p, const char* end) {
 /// The first byte at or behind `p` that cannot stand for itself in a string.
 inline const char* skip_plain_string(const char* p, const char* end) {
   while (end - p >= 8) {
-    const std::uint64_t bytes = load8(p);
-    const std::uint64_t control = (bytes - kOnes * 0x20) & ~bytes & kHighs;
-    const std::uint64_t marks =
-        control | zero_bytes(bytes ^ (kOnes * '"')) | zero_bytes(bytes ^ (kOnes * '\\'));
+    const std::uint64_t marks = string_ends(load8(p));
     if (marks != 0) return p + first_marked(marks);
     p += 8;
   }

@@ -20,12 +20,8 @@ bool is_plain(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
 std::size_t skip_plain(std::string_view text, std::size_t at) {
   while (text.size() - at >= 8) {
     const std::uint64_t bytes = load8(text.data() + at);
-    // Reliable up to and including the first byte that is marked.
-    const std::uint64_t below_space = (bytes - kOnes * 0x20) & ~bytes;
-    const std::uint64_t special = below_space | (bytes + kOnes) | bytes |
-                                  zero_bytes(bytes ^ (kOnes * '"')) |
-                                  zero_bytes(bytes ^ (kOnes * '\\'));
-    const std::uint64_t marks = special & kHighs;
+    const std::uint64_t beyond_ascii = ((bytes + kOnes) | bytes) & kHighs;  // and DEL
+    const std::uint64_t marks = string_ends(bytes) | beyond_ascii;
     if (marks != 0) return at + static_cast<std::size_t>(first_marked(marks));
     at += 8;
   }

@@ -18,9 +18,7 @@ void append_string(std::string& out, std::string_view text);
 ///     Writer w(out);  w.begin_object();  w.key("a");  w.number(1);  w.end_object();
 class Writer {
  public:
-  explicit Writer(std::string& out, bool pretty = false) : out_(out), pretty_(pretty) {
-    has_items_.reserve(16);
-  }
+  explicit Writer(std::string& out, bool pretty = false) : out_(out), pretty_(pretty) {}
 
   void begin_object();
   void end_object();

@@ -4,7 +4,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "json/writer.hpp"
 #include "report/entry.hpp"
@@ -113,10 +112,8 @@ class KhronosWriter final : public ReportWriter {
   void end(const RunSummary&, std::string& out) override {
     if (files_ == 0) {
       out += "[]\n";
-    } else if (files_ == 1 && out.empty()) {
-      out = std::move(first_) + '\n';
     } else {
-      out += files_ == 1 ? first_ : "\n]";
+      out += files_ == 1 ? std::string_view(first_) : "\n]";
       out += '\n';
     }
   }

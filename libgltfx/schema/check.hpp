@@ -140,7 +140,8 @@ struct CheckResult {
   std::vector<std::string> without_fallback;
   std::vector<std::string> extensions_used;      ///< as declared, once each
   std::vector<std::string> extensions_required;  ///< as declared, once each
-  /// Part::form: a walk for Part::references would find something, or see another document.
+  /// Part::form: a walk for Part::references may find more, because references were left to it or
+  /// because members are hidden now.
   bool has_open_references = false;
   /// Deviations::other_versions_end_the_walk: it did.
   bool stopped_at_asset = false;

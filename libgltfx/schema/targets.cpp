@@ -9,7 +9,7 @@ namespace gltfx::schema {
 // looked up.
 Targets::Targets(const json::Document& document, const Set& set)
     : document_(document), tables_(set.walk_tables()), from_root_(tables_.targets.size(), 0) {
-  arrays_.reserve(16);
+  arrays_.reserve(16);  // most assets have fewer
   arrays_.emplace_back();
   std::vector<json::NodeId> values{document.root()};  // behind so many steps; kNoNode is the last
   for (const auto& [target, shared] : tables_.lookups) {

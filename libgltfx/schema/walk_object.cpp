@@ -201,6 +201,7 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
     const Reading reading =
         options_.members->before(type, type.properties[index].name, frame.node, node, frame.path);
     if (reading == Reading::drop) drop(node);
+    // What is kept of numbers are bounds, which refer to nothing.
     if (reading == Reading::keep && document_.kind(node) != json::Kind::number_array)
       result_.has_open_references = true;
     if (reading != Reading::judge) return false;

@@ -64,6 +64,34 @@ FormatSet from_schema(const schema::AttributeFormat& format) {
   return set;
 }
 
+// In the order of SemanticKind.
+CoreFormats core_vertex_formats() {
+  const FormatSet fractions2 =
+      from_names({ElementType::vec2}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
+  const FormatSet colors =
+      from_names({ElementType::vec3, ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
+  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec4}, {"FLOAT"})},
+           {fractions2},
+           {colors},
+           {from_names({ElementType::vec4}, {"UBYTE", "USHORT"})},
+           {from_names({ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"})}}};
+}
+
+// Offsets may be negative, so signed fractions are allowed too. Skinning cannot be morphed.
+CoreFormats core_morph_formats() {
+  const std::initializer_list<std::string_view> signed_fractions{"FLOAT", "BYTE_NORM", "UBYTE_NORM",
+                                                                 "SHORT_NORM", "USHORT_NORM"};
+  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec3}, {"FLOAT"})},
+           {from_names({ElementType::vec2}, signed_fractions)},
+           {from_names({ElementType::vec3, ElementType::vec4}, signed_fractions)},
+           {},
+           {}}};
+}
+
 // The core semantic that a name of a schema file stands for.
 SemanticKind kind_of(std::string_view semantic) {
   if (!semantic.ends_with("_n")) return model::parse_semantic(semantic).kind;
@@ -116,34 +144,6 @@ std::string formats_text(const FormatList& list) {
     alternatives.push_back(fmt::format("{} of {}", join_or(types), join_or(components)));
   }
   return fmt::format("{}", fmt::join(alternatives, "; "));
-}
-
-// In the order of SemanticKind.
-AttributeFormats::CoreFormats AttributeFormats::core_vertex_formats() {
-  const FormatSet fractions2 =
-      from_names({ElementType::vec2}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
-  const FormatSet colors =
-      from_names({ElementType::vec3, ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"});
-  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec4}, {"FLOAT"})},
-           {fractions2},
-           {colors},
-           {from_names({ElementType::vec4}, {"UBYTE", "USHORT"})},
-           {from_names({ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"})}}};
-}
-
-// Offsets may be negative, so signed fractions are allowed too. Skinning cannot be morphed.
-AttributeFormats::CoreFormats AttributeFormats::core_morph_formats() {
-  const std::initializer_list<std::string_view> signed_fractions{"FLOAT", "BYTE_NORM", "UBYTE_NORM",
-                                                                 "SHORT_NORM", "USHORT_NORM"};
-  return {{{from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec3}, {"FLOAT"})},
-           {from_names({ElementType::vec2}, signed_fractions)},
-           {from_names({ElementType::vec3, ElementType::vec4}, signed_fractions)},
-           {},
-           {}}};
 }
 
 void AttributeFormats::Table::add(const schema::AttributeFormat& format) {

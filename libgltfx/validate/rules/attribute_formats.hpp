@@ -26,6 +26,8 @@ struct FormatSet {
 
 /// Alternatives; empty allows nothing.
 using FormatList = std::vector<FormatSet>;
+/// Those of each core semantic, in the order of model::SemanticKind.
+using CoreFormats = std::array<FormatList, model::kCoreSemanticCount>;
 bool allows(const FormatList& list, const model::Format& format);
 /// "VEC2 of FLOAT or normalized UNSIGNED_BYTE".
 std::string formats_text(const FormatList& list);
@@ -39,17 +41,14 @@ class AttributeFormats {
   const FormatList* find(const model::Attribute& attribute, bool target) const;
 
  private:
-  using CoreFormats = std::array<FormatList, model::kCoreSemanticCount>;
   struct Table {
-    const CoreFormats* base;                                 // of the specification, shared by all
+    const CoreFormats* base = nullptr;                       // of the specification, shared by all
     std::optional<CoreFormats> extended;                     // with those that extensions add
     std::vector<std::pair<std::string, FormatList>> others;  // sorted by name
     const CoreFormats& core() const { return extended ? *extended : *base; }
     void add(const schema::AttributeFormat& format);
     void sort();
   };
-  static CoreFormats core_vertex_formats();
-  static CoreFormats core_morph_formats();
   Table vertex_, morph_;
 };
 

@@ -83,12 +83,10 @@ async function validateWithResources(engine, bytes, format, options, load) {
   const resources = new Map(); // by URI as the engine has it
   const results = new Map(); // by URI as reports have it; the first answer counts
   const engineOptions = {
+    ...options,
     format,
     profile: "khronos",
     maxIssues: maxIssues && maxIssues + 1,
-    onlyIssues: options.onlyIssues,
-    ignoredIssues: options.ignoredIssues,
-    severityOverrides: options.severityOverrides,
     resources,
   };
   for (let asked = 0; ;) {
@@ -119,7 +117,7 @@ async function run(getEngine, bytes, format, options, reportOptions) {
     },
   );
   const mimeType = format === "glb" ? "model/gltf-binary" : report.mimeType;
-  const answer = {}; // member by member, which takes a tenth of the time of spreading them
+  const answer = {};
   if (reportOptions.uri !== undefined) answer.uri = reportOptions.uri;
   if (mimeType !== undefined) answer.mimeType = mimeType;
   answer.validatorVersion = packageVersion;
