@@ -32,6 +32,11 @@ class Engine {
     this.version = this.#module.UTF8ToString(this.#module._gltfx_version());
   }
 
+  /** Whether the next call of validate() reads the asset before it returns. */
+  get isReady() {
+    return this.#module !== null;
+  }
+
   /**
    * Validates an asset in memory. `report` is JSON text: the Khronos validator's report in the profile
    * "khronos", that of gltfx otherwise. `missing` lists the URIs, as reports print them, that are neither

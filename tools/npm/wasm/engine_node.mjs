@@ -6,8 +6,10 @@ import { createEngine } from "./engine.mjs";
 let made;
 
 async function make() {
-  const wasm = await readFile(new URL("./gltfx.wasm", import.meta.url));
-  const loader = await import("./gltfx-wasm.mjs");
+  const [wasm, loader] = await Promise.all([
+    readFile(new URL("./gltfx.wasm", import.meta.url)),
+    import("./gltfx-wasm.mjs"),
+  ]);
   return createEngine(wasm, loader.default);
 }
 
