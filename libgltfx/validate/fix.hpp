@@ -8,8 +8,6 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <typeindex>
-#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -49,7 +47,7 @@ class Fixing {
   /// A table that the fixes of one run look into, made of this when the first of them asks.
   template <class Table>
   Table& table() {
-    auto& made = tables_[std::type_index(typeid(Table))];
+    auto& made = tables_[&kTableKey<Table>];
     if (!made) made = std::make_shared<Table>(*this);
     return *static_cast<Table*>(made.get());
   }
@@ -114,7 +112,9 @@ class Fixing {
   std::vector<json::NodeId> parents_;  ///< empty until somebody asks
   std::vector<bool> claimed_;          ///< by node; empty until somebody claims one
   std::set<std::string> deleted_;      ///< JSON pointers
-  std::map<std::type_index, std::shared_ptr<void>> tables_;
+  template <class Table>
+  static constexpr char kTableKey = 0;  ///< its address tells tables apart
+  std::map<const void*, std::shared_ptr<void>> tables_;
   bool rewrites_container_ = false;
 };
 
