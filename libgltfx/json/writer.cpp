@@ -13,6 +13,8 @@
 namespace gltfx::json {
 namespace {
 
+constexpr std::string_view kIndent = "  ";
+
 // Characters that stand for themselves: the others are looked at one by one.
 bool is_plain(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
 
@@ -94,20 +96,18 @@ void Writer::open(char bracket) {
   before_value();
   out_ += bracket;
   has_items_.push_back(0);
+  if (pretty_) separator_ += kIndent;
 }
 
 void Writer::close(char bracket) {
   const bool had_items = has_items_.back() != 0;
   has_items_.pop_back();
+  if (pretty_) separator_.resize(separator_.size() - kIndent.size());
   if (had_items) line_break();
   out_ += bracket;
 }
 
-void Writer::line_break() {
-  if (!pretty_) return;
-  out_ += '\n';
-  out_.append(2 * has_items_.size(), ' ');
-}
+void Writer::line_break() { out_.append(separator_, 1); }
 
 // What stands before a value: nothing behind a key, else a comma unless it is the first.
 void Writer::before_value() {
@@ -115,9 +115,12 @@ void Writer::before_value() {
     after_key_ = false;
     return;
   }
-  if (has_items_.back() != 0) out_ += ',';
+  if (has_items_.back() != 0) {
+    out_ += separator_;
+  } else {
+    line_break();
+  }
   has_items_.back() = 1;
-  line_break();
 }
 
 void Writer::key(std::string_view name) {
@@ -137,8 +140,15 @@ void Writer::number(double value) {
   raw(std::isfinite(value) ? number_text(value) : "null");
 }
 
-void Writer::integer(std::int64_t value) { raw(fmt::format_int(value).c_str()); }
-void Writer::unsigned_integer(std::uint64_t value) { raw(fmt::format_int(value).c_str()); }
+void Writer::integer(std::int64_t value) {
+  const fmt::format_int digits(value);
+  raw({digits.data(), digits.size()});
+}
+
+void Writer::unsigned_integer(std::uint64_t value) {
+  const fmt::format_int digits(value);
+  raw({digits.data(), digits.size()});
+}
 void Writer::boolean(bool value) { raw(value ? "true" : "false"); }
 void Writer::null() { raw("null"); }
 

@@ -18,7 +18,8 @@ void append_string(std::string& out, std::string_view text);
 ///     Writer w(out);  w.begin_object();  w.key("a");  w.number(1);  w.end_object();
 class Writer {
  public:
-  explicit Writer(std::string& out, bool pretty = false) : out_(out), pretty_(pretty) {}
+  explicit Writer(std::string& out, bool pretty = false)
+      : out_(out), pretty_(pretty), separator_(pretty ? ",\n" : ",") {}
 
   void begin_object();
   void end_object();
@@ -47,6 +48,7 @@ class Writer {
   void line_break();
   std::string& out_;
   bool pretty_;
+  std::string separator_;  ///< between two values: a comma, and when pretty the next line's begin
   bool after_key_ = false;
   std::vector<char> has_items_;  ///< of each open container whether it is not empty
 };

@@ -2,6 +2,7 @@
 #include "schema/targets.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace gltfx::schema {
 
@@ -12,7 +13,9 @@ Targets::Targets(const json::Document& document, const Set& set)
   arrays_.reserve(16);  // most assets have fewer
   arrays_.emplace_back();
   std::vector<json::NodeId> values{document.root()};  // behind so many steps; kNoNode is the last
+  std::size_t missing = SIZE_MAX;                     // the number of steps that lead to kNoNode
   for (const auto& [target, shared] : tables_.lookups) {
+    if (shared >= missing) continue;
     const TargetPlan& plan = tables_.targets[target];
     const std::vector<std::string>& steps = plan.target.steps;
     values.resize(std::min<std::size_t>(values.size(), shared + 1));
@@ -20,7 +23,11 @@ Targets::Targets(const json::Document& document, const Set& set)
            steps[values.size() - 1] != "*") {
       values.push_back(document.find(values.back(), steps[values.size() - 1]));
     }
-    if (values.back() == json::kNoNode) continue;
+    if (values.back() == json::kNoNode) {
+      missing = values.size() - 1;
+      continue;
+    }
+    missing = SIZE_MAX;
     if (plan.steps_over) {
       const std::uint64_t size = largest(document.root(), steps);
       if (size == 0) continue;
@@ -133,6 +140,7 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
 
 void Targets::move_to(CheckResult& result) {
   for (std::size_t i = 0; i < from_root_.size(); ++i) {
+    if (from_root_[i] == 0) continue;  // mostly
     Array& array = from_root(static_cast<std::uint32_t>(i));
     if (!array.is_array || tables_.targets[i].steps_over || array.node == json::kNoNode) continue;
     result.targets.push_back({tables_.targets[i].pointer, array.node, std::move(array.used)});

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "json/keys.hpp"
 #include "schema/set.hpp"
 
 namespace gltfx::validate {
@@ -36,22 +36,36 @@ class TypeCache {
 template <class Rule>
 class RulesOfTypes {
  public:
-  using Table = std::unordered_map<std::string_view, std::vector<Rule>>;  ///< by name
+  class Table {
+   public:
+    /// The name must outlive the table.
+    void add(std::string_view type, const Rule& rule) {
+      const json::KeyId id = names_.intern(type);
+      rules_.resize(names_.size());
+      rules_[id].push_back(rule);
+    }
+    const std::vector<Rule>& of(std::string_view type) const {
+      const json::KeyId id = names_.find(type);
+      return id == json::kNoKey ? none_ : rules_[id];
+    }
+
+   private:
+    json::KeyTable names_;
+    std::vector<std::vector<Rule>> rules_;  // by number of the name
+    std::vector<Rule> none_;
+  };
 
   /// The table must outlive it.
   explicit RulesOfTypes(const Table& table) : table_(table) {}
 
   /// `type` is an element of a Set that outlives this.
   const std::vector<Rule>& of(const schema::ObjectType& type) {
-    return *known_.of(type, [this](const schema::ObjectType& unknown) {
-      const auto found = table_.find(unknown.name);
-      return found == table_.end() ? &none_ : &found->second;
-    });
+    return *known_.of(
+        type, [this](const schema::ObjectType& unknown) { return &table_.of(unknown.name); });
   }
 
  private:
   const Table& table_;
-  const std::vector<Rule> none_;
   TypeCache<const std::vector<Rule>*> known_;
 };
 

@@ -2,7 +2,6 @@
 #include "validate/validator.hpp"
 
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "base/codes.hpp"
@@ -28,7 +27,7 @@ ObjectRules make_object_rules(bool reading_order) {
   for (const Family& family : families()) {
     for (const ObjectRuleEntry& entry : family.object_rules) {
       const bool on_the_way = reading_order && !entry.behind.empty();
-      if (entry.runs != never && !on_the_way) rules[entry.type].push_back(entry);
+      if (entry.runs != never && !on_the_way) rules.add(entry.type, entry);
     }
   }
   return rules;

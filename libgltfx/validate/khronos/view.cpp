@@ -29,11 +29,11 @@ const Rules& rules() {
     Rules all;
     for (const Family& family : families()) {
       for (const MemberRuleEntry& entry : family.member_rules) {
-        all.before[entry.type].push_back(entry);
+        all.before.add(entry.type, entry);
       }
       for (const ObjectRuleEntry& entry : family.object_rules) {
         if (entry.runs != Runs::otherwise && !entry.behind.empty())
-          all.behind[entry.type].push_back(entry);
+          all.behind.add(entry.type, entry);
       }
       all.entries.insert(all.entries.end(), family.map_rules.begin(), family.map_rules.end());
     }
