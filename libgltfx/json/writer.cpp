@@ -65,6 +65,8 @@ void append_special(std::string& out, CodePoint point) {
   }
 }
 
+std::string_view text_of(const fmt::format_int& digits) { return {digits.data(), digits.size()}; }
+
 }  // namespace
 
 void append_string(std::string& out, std::string_view text) {
@@ -115,11 +117,7 @@ void Writer::before_value() {
     after_key_ = false;
     return;
   }
-  if (has_items_.back() != 0) {
-    out_ += separator_;
-  } else {
-    line_break();
-  }
+  out_.append(separator_, has_items_.back() != 0 ? 0 : 1);
   has_items_.back() = 1;
 }
 
@@ -140,15 +138,8 @@ void Writer::number(double value) {
   raw(std::isfinite(value) ? number_text(value) : "null");
 }
 
-void Writer::integer(std::int64_t value) {
-  const fmt::format_int digits(value);
-  raw({digits.data(), digits.size()});
-}
-
-void Writer::unsigned_integer(std::uint64_t value) {
-  const fmt::format_int digits(value);
-  raw({digits.data(), digits.size()});
-}
+void Writer::integer(std::int64_t value) { raw(text_of(fmt::format_int(value))); }
+void Writer::unsigned_integer(std::uint64_t value) { raw(text_of(fmt::format_int(value))); }
 void Writer::boolean(bool value) { raw(value ? "true" : "false"); }
 void Writer::null() { raw("null"); }
 

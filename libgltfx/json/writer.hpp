@@ -48,7 +48,7 @@ class Writer {
   void line_break();
   std::string& out_;
   bool pretty_;
-  std::string separator_;  ///< between two values: a comma, and when pretty the next line's begin
+  std::string separator_;  ///< between values: a comma; when pretty, line break and indentation
   bool after_key_ = false;
   std::vector<char> has_items_;  ///< of each open container whether it is not empty
 };

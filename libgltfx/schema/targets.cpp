@@ -2,7 +2,6 @@
 #include "schema/targets.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace gltfx::schema {
 
@@ -13,9 +12,8 @@ Targets::Targets(const json::Document& document, const Set& set)
   arrays_.reserve(16);  // most assets have fewer
   arrays_.emplace_back();
   std::vector<json::NodeId> values{document.root()};  // behind so many steps; kNoNode is the last
-  std::size_t missing = SIZE_MAX;                     // the number of steps that lead to kNoNode
   for (const auto& [target, shared] : tables_.lookups) {
-    if (shared >= missing) continue;
+    if (values.back() == json::kNoNode && shared + 1 >= values.size()) continue;
     const TargetPlan& plan = tables_.targets[target];
     const std::vector<std::string>& steps = plan.target.steps;
     values.resize(std::min<std::size_t>(values.size(), shared + 1));
@@ -23,11 +21,7 @@ Targets::Targets(const json::Document& document, const Set& set)
            steps[values.size() - 1] != "*") {
       values.push_back(document.find(values.back(), steps[values.size() - 1]));
     }
-    if (values.back() == json::kNoNode) {
-      missing = values.size() - 1;
-      continue;
-    }
-    missing = SIZE_MAX;
+    if (values.back() == json::kNoNode) continue;
     if (plan.steps_over) {
       const std::uint64_t size = largest(document.root(), steps);
       if (size == 0) continue;

@@ -379,6 +379,14 @@ test("what the caller changes after the call does not matter", async () => {
   }
 });
 
+test("bytes with a length of their own are read as far as they go", async () => {
+  for (let call = 0; call < 2; ++call) {
+    const bytes = Buffer.from(minimal);
+    Object.defineProperty(bytes, "length", { value: 3 });
+    assert.equal((await ours.validateBytes(bytes)).issues.numErrors, 0);
+  }
+});
+
 test("constants", () => {
   const common = requireFrom(folder)("gltfx/compat");
   for (const validator of [ours, common]) {

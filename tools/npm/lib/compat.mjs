@@ -82,7 +82,7 @@ async function validateWithResources(engine, bytes, format, options, load) {
   const { maxIssues } = options;
   const resources = new Map(); // by URI as the engine has it
   const results = new Map(); // by URI as reports have it; the first answer counts
-  // Member by member: to spread them takes a fifth of the time of a small asset.
+  // Not spread, which takes as long as a fifth of the validation of a small asset.
   const engineOptions = {
     format,
     profile: "khronos",
@@ -138,6 +138,11 @@ function formatOf(bytes, format) {
   throw "Invalid data: could not detect glTF format.";
 }
 
+// The length of a view is that of its memory, whatever properties `data` was given.
+function viewOf({ buffer, byteOffset, byteLength }) {
+  return new Uint8Array(buffer, byteOffset, byteLength);
+}
+
 export function createCompat(getEngine) {
   let engine; // once it has started
   return {
@@ -150,7 +155,7 @@ export function createCompat(getEngine) {
       const format = formatOf(data, options?.format);
       const reportOptions = checkReportOptions(options);
       // What the caller changes after the call does not matter: what is read later is a copy.
-      const bytes = engine?.isReady && !reportOptions.load ? data : new Uint8Array(data);
+      const bytes = engine?.isReady && !reportOptions.load ? viewOf(data) : new Uint8Array(data);
       engine ??= await getEngine();
       return run(engine, bytes, format, engineOptions, reportOptions);
     },
