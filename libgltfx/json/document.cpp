@@ -141,17 +141,17 @@ std::size_t Document::object_size(NodeId object) const {
 
 NodeId Document::find(NodeId object, std::string_view name) const {
   if (object == kNoNode || !is_object(object)) return kNoNode;
-  // Most objects are small: comparing names costs less than hashing the wanted one.
-  constexpr NodeId kFewNodes = 48;
   const Node* const nodes = nodes_.data();
-  const NodeId end = nodes[object].next;
-  if (end - object > kFewNodes) {
-    const KeyId id = key_id(name);
-    return id == kNoKey ? kNoNode : find(object, id);
-  }
   if (nodes[object].hidden) return kNoNode;
+  // Most objects are small: comparing names costs less than hashing the wanted one.
+  std::uint32_t left = kFewMembers;
+  const NodeId end = nodes[object].next;
   NodeId found = kNoNode;
   for (NodeId key = object + 1; key < end; key = nodes[key + 1].next) {
+    if (left-- == 0) {
+      const KeyId id = key_id(name);
+      return id == kNoKey ? kNoNode : find(object, id);
+    }
     if (is_same(keys_.name(nodes[key].next), name)) found = key + 1;
   }
   return found != kNoNode && nodes[found - 1].hidden ? kNoNode : found;

@@ -223,6 +223,8 @@ class Document {
 
  private:
   friend class Parser;
+  /// find() compares the names of an object with so many members.
+  static constexpr std::uint32_t kFewMembers = 16;
   /// An object from this many members on has them sorted by name, too.
   static constexpr std::uint32_t kManyMembers = 64;
   /// Values of its members: from `begin` to `end` in sorted_values_.

@@ -18,14 +18,24 @@ constexpr std::string_view kIndent = "  ";
 // Characters that stand for themselves: the others are looked at one by one.
 bool is_plain(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
 
-// The first byte at or behind `at` that does not.
-std::size_t skip_plain(std::string_view text, std::size_t at) {
-  while (text.size() - at >= 8) {
-    const std::uint64_t bytes = load8(text.data() + at);
-    const std::uint64_t beyond_ascii = ((bytes + kOnes) | bytes) & kHighs;  // and DEL
-    const std::uint64_t marks = string_ends(bytes) | beyond_ascii;
+// High bit of each byte that does not; reliable up to and including the first one.
+std::uint64_t special_bytes(const char* eight) {
+  const std::uint64_t bytes = load8(eight);
+  const std::uint64_t beyond_ascii = ((bytes + kOnes) | bytes) & kHighs;  // and DEL
+  return string_ends(bytes) | beyond_ascii;
+}
+
+// The first byte at or behind `from` that does not.
+std::size_t skip_plain(std::string_view text, std::size_t from) {
+  std::size_t at = from;
+  for (; text.size() - at >= 8; at += 8) {
+    const std::uint64_t marks = special_bytes(text.data() + at);
     if (marks != 0) return at + static_cast<std::size_t>(first_marked(marks));
-    at += 8;
+  }
+  if (at > from) {  // the last eight bytes, of which the first are known to be plain
+    const std::size_t last = text.size() - 8;
+    const std::uint64_t marks = special_bytes(text.data() + last);
+    return marks != 0 ? last + static_cast<std::size_t>(first_marked(marks)) : text.size();
   }
   while (at < text.size() && is_plain(text[at])) ++at;
   return at;

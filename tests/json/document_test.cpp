@@ -42,7 +42,7 @@ std::string object_of(int members) {
 }
 
 TEST(Document, TheLastMemberOfANameIsFoundWhateverTheNumberOfMembers) {
-  for (const int members : {0, 1, 30, 63, 64, 65, 200, 5000}) {
+  for (const int members : {0, 1, 15, 16, 17, 63, 64, 65, 200, 5000}) {
     Document document = parse(object_of(members)).document;
     const NodeId object = document.find(0, "end");
     const auto expected = [&document, object](std::string_view name) {

@@ -103,9 +103,13 @@ TEST(Writer, LooksAtEachCharacterWhereverItStands) {
     append_string(alone, one);
     const std::string written = alone.substr(1, alone.size() - 2);
     for (std::size_t at = 0; at < plain.size(); ++at) {
+      const std::string before = plain.substr(0, at);
+      const std::string behind = plain.substr(at + 1);
       std::string out;
-      append_string(out, plain.substr(0, at) + one + plain.substr(at + 1));
-      EXPECT_EQ(out, '"' + plain.substr(0, at) + written + plain.substr(at + 1) + '"') << byte;
+      append_string(out, before + one + behind);
+      append_string(out, '"' + before + one + behind);
+      EXPECT_EQ(out, '"' + before + written + behind + "\"\"\\\"" + before + written + behind + '"')
+          << byte;
     }
   }
 }
