@@ -23,7 +23,8 @@ async function load(source, uri) {
 async function validateAll(engine, asset, { resources: source, ...options }) {
   const resources = new Map();
   for (;;) {
-    const answer = await engine.validate(asset, { ...options, resources });
+    while (!engine.isReady) await engine.start();
+    const answer = engine.validate(asset, { ...options, resources });
     const wanted = source === undefined ? [] : answer.missing.filter((uri) => !resources.has(uri));
     if (wanted.length === 0) return { report: JSON.parse(answer.report), resources };
     for (const uri of new Set(wanted)) resources.set(uri, await load(source, uri));

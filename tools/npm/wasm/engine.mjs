@@ -20,19 +20,20 @@ export async function createEngine(wasm, loader) {
 class Engine {
   #compiled;
   #loader;
-  #module = null; // validates; null: the last one broke
+  #module = null; // validates; null: there is none yet, or it broke
 
   constructor(compiled, loader) {
     this.#compiled = compiled;
     this.#loader = loader;
   }
 
+  /** Makes it ready. Another call may break it before this one's caller goes on: ask isReady again. */
   async start() {
-    this.#module = await this.#instance({});
-    this.version = this.#module.UTF8ToString(this.#module._gltfx_version());
+    this.#module ??= await this.#instance({});
+    this.version ??= this.#module.UTF8ToString(this.#module._gltfx_version());
   }
 
-  /** Whether the next call of validate() reads the asset before it returns. */
+  /** Not before start(), and not after a validation that broke the engine. */
   get isReady() {
     return this.#module !== null;
   }
@@ -40,10 +41,10 @@ class Engine {
   /**
    * Validates an asset in memory. `report` is JSON text: the Khronos validator's report in the profile
    * "khronos", that of gltfx otherwise. `missing` lists the URIs, as reports print them, that are neither
-   * in `options.resources` nor in the asset.
+   * in `options.resources` nor in the asset. Precondition: isReady. Throws an Error that says why the engine broke.
    */
-  async validate(asset, options = {}) {
-    const module = (this.#module ??= await this.#instance({}));
+  validate(asset, options = {}) {
+    const module = this.#module;
     const missing = new Set();
     module.readResource = (uri) => {
       const bytes = options.resources?.get(uri);
