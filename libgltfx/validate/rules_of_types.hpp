@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +18,7 @@ class TypeCache {
   /// `type` is an element of a Set that outlives this; `make(type)` is called when it is not known.
   template <class Make>
   const Value& of(const schema::ObjectType& type, const Make& make) {
-    Slot& slot = slots_[reinterpret_cast<std::uintptr_t>(&type) / sizeof(type) % slots_.size()];
+    Slot& slot = slots_[type.shape % slots_.size()];
     if (slot.type != &type) slot = {&type, make(type)};
     return slot.value;
   }
