@@ -162,7 +162,7 @@ export function createCompat(getEngine) {
         return completed(validateAlone(engine, bytes, format, options), format, reportOptions);
       }
       const kept = isOurs ? bytes : new Uint8Array(bytes);
-      engine ??= await getEngine();
+      engine = await getEngine(); // waits in any case: the function is never called before validateBytes() returns
       while (!engine.isReady) await engine.start();
       const report = load
         ? await validateWithResources(engine, kept, format, options, load)
