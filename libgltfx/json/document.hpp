@@ -223,7 +223,7 @@ class Document {
 
  private:
   friend class Parser;
-  /// find() compares the names of an object with so many members.
+  /// In an object with at most this many members, find() compares names.
   static constexpr std::uint32_t kFewMembers = 16;
   /// An object from this many members on has them sorted by name, too.
   static constexpr std::uint32_t kManyMembers = 64;

@@ -18,14 +18,14 @@ constexpr std::string_view kIndent = "  ";
 // Characters that stand for themselves: the others are looked at one by one.
 bool is_plain(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
 
-// High bit of each byte that does not; reliable up to and including the first one.
+// High bit of each byte that is not plain; reliable up to and including the first one.
 std::uint64_t special_bytes(const char* eight) {
   const std::uint64_t bytes = load8(eight);
   const std::uint64_t beyond_ascii = ((bytes + kOnes) | bytes) & kHighs;  // and DEL
   return string_ends(bytes) | beyond_ascii;
 }
 
-// The first byte at or behind `from` that does not.
+// The first byte at or behind `from` that is not plain.
 std::size_t skip_plain(std::string_view text, std::size_t from) {
   std::size_t at = from;
   for (; text.size() - at >= 8; at += 8) {

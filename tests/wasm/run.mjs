@@ -51,7 +51,7 @@ async function resourcesOf(folder, name, options) {
   const asset = readFileSync(join(folder, name));
   const resources = new Map();
   while (true) {
-    const { report, missing } = await engine.validate(asset, { ...options, resources });
+    const { report, missing } = engine.validate(asset, { ...options, resources });
     if (missing.length === 0) return { asset, resources, report };
     for (const uri of missing) resources.set(uri, isPlain(uri) ? resource(folder, uri) : null);
   }

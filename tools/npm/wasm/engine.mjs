@@ -27,7 +27,7 @@ class Engine {
     this.#loader = loader;
   }
 
-  /** Makes it ready. Another call may break it before this one's caller goes on: ask isReady again. */
+  /** Makes the engine ready. Another validation may break it before the caller continues: check isReady again. */
   async start() {
     this.#module ??= await this.#instance({});
     this.version ??= this.#module.UTF8ToString(this.#module._gltfx_version());
