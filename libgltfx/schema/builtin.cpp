@@ -8,10 +8,8 @@ namespace {
 
 std::vector<SourceFile> read_embedded() {
   std::vector<SourceFile> files;
-  for (const EmbeddedFile& embedded : embedded_files()) {
-    SourceFile file{std::string(embedded.name), {}, false};
-    for (const std::string_view piece : embedded.text) file.text += piece;
-    files.push_back(std::move(file));
+  for (std::size_t i = 0; i < embedded_names().size(); ++i) {
+    files.push_back({std::string(embedded_names()[i]), std::string(embedded_texts()[i]), false});
   }
   return files;
 }
@@ -26,7 +24,7 @@ const std::vector<SourceFile>& builtin_files() {
 const std::shared_ptr<const Set>& builtin_set() {
   // Not destroyed, which would take longer than some runs have.
   static const auto& set = *new const auto([] {  // NOLINT(cppcoreguidelines-owning-memory)
-    auto ready = read_image(embedded_image());
+    auto ready = read_image(embedded_image(), embedded_texts());
     return ready ? ready : compile(builtin_files()).set;
   }());
   return set;

@@ -2,18 +2,17 @@
 /// The schema files inside the library, written by the build.
 #pragma once
 
-#include <span>
 #include <string_view>
+
+#include "schema/text_index.hpp"
 
 namespace gltfx::schema {
 
-struct EmbeddedFile {
-  std::string_view name;                   ///< relative to schema/
-  std::span<const std::string_view> text;  ///< in pieces
-};
-
-std::span<const EmbeddedFile> embedded_files();
-/// The Set they make, as `schema/image.hpp` reads it.
+/// The files, relative to schema/.
+Texts embedded_names();
+/// What they contain, in the same order.
+Texts embedded_texts();
+/// The Set they make, as `schema/image.hpp` reads it with these texts.
 std::string_view embedded_image();
 
 }  // namespace gltfx::schema

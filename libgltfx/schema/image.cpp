@@ -154,10 +154,11 @@ void exchange(Archive& archive, WalkPlans& plans) {
 }
 
 constexpr std::uint64_t kMagic =
-    0x6778'5363'6865'0007;  // its last digits count the format's versions
+    0x6778'5363'6865'0008;  // its last digits count the format's versions
 
 class Writer {
  public:
+  explicit Writer(const TextIndex& index) : index_(&index) {}
   template <class... T>
   void operator()(T&... values) {
     (put(values), ...);
@@ -186,14 +187,18 @@ class Writer {
       exchange(*this, value);
     }
   }
-  void put(std::string_view& text) {
-    put_number(text.size());
-    bytes += text;
+  // Twice the size; one more for a place.
+  void put(std::string_view text) {
+    const auto place = index_->find(text);
+    put_number(2 * text.size() + (place ? 1 : 0));
+    if (place) {
+      put_number(place->text);
+      put_number(place->begin);
+    } else {
+      bytes += text;
+    }
   }
-  void put(std::string& text) {
-    put_number(text.size());
-    bytes += text;
-  }
+  void put(std::string& text) { put(std::string_view(text)); }
   template <class T>
   void put(std::vector<T>& list) {
     put_number(list.size());
@@ -209,12 +214,15 @@ class Writer {
     bytes += maybe ? '\1' : '\0';
     if (maybe) put(*maybe);
   }
+
+  const TextIndex* index_;
 };
 
 // Trusts that the bytes were written by Writer; notices when there are too few of them.
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : at_(bytes.data()), end_(at_ + bytes.size()) {}
+  Reader(std::string_view bytes, Texts texts)
+      : at_(bytes.data()), end_(at_ + bytes.size()), texts_(texts) {}
   template <class... T>
   void operator()(T&... values) {
     (get(values), ...);
@@ -262,9 +270,18 @@ class Reader {
     }
   }
   void get(std::string_view& text) {
-    const std::size_t size = get_count();
-    text = {at_, size};
-    at_ += size;
+    const std::uint64_t size = get_number();
+    text = size % 2 == 0 ? take(size / 2) : find(size / 2);
+  }
+  std::string_view find(std::uint64_t size) {
+    const std::uint64_t text = get_number();
+    const std::uint64_t begin = get_number();
+    if (text < texts_.size() && begin <= texts_[text].size() &&
+        size <= texts_[text].size() - begin) {
+      return texts_[text].substr(begin, size);
+    }
+    short_ = true;
+    return {};
   }
   void get(std::string& text) {
     std::string_view bytes;
@@ -288,6 +305,7 @@ class Reader {
 
   const char* at_;
   const char* end_;
+  Texts texts_;
   bool short_ = false;
 };
 
@@ -304,8 +322,8 @@ Names sorted(const Map& map) {
 
 // Parts that are read one by one: where each ends, then all of them.
 template <class T>
-void put_parts(Writer& writer, std::vector<T>& parts) {
-  Writer all;
+void put_parts(Writer& writer, const TextIndex& index, std::vector<T>& parts) {
+  Writer all(index);
   std::vector<std::uint32_t> ends;
   for (T& part : parts) {
     all(part);
@@ -316,42 +334,43 @@ void put_parts(Writer& writer, std::vector<T>& parts) {
 }
 
 template <class T>
-std::shared_ptr<const Lazy<T>> get_parts(Reader& reader) {
+std::shared_ptr<const Lazy<T>> get_parts(Reader& reader, Texts texts) {
   std::vector<std::uint32_t> ends;
   reader(ends);
   const std::string_view bytes = reader.take(ends.empty() ? 0 : ends.back());
-  return std::make_shared<const Lazy<T>>(bytes, std::move(ends));
+  return std::make_shared<const Lazy<T>>(bytes, std::move(ends), texts);
 }
 
 }  // namespace
 
-std::string write_image(const Set& set) {
+std::string write_image(const Set& set, Texts texts) {
   SetParts parts = SetWriter::open(set);
   Names types = sorted(parts.type_ids);
   Names extensions = sorted(parts.extension_ids);
   std::vector<std::string> patterns;
   for (const Pattern& pattern : parts.patterns) patterns.push_back(pattern.text());
-  Writer writer;
+  const TextIndex index(texts);
+  Writer writer(index);
   std::uint64_t magic = kMagic;
   WalkPlans plans = set.walk_tables();
   writer(magic, parts.extensions, types, extensions, patterns, plans);
-  put_parts(writer, parts.shapes);
-  put_parts(writer, parts.types);
+  put_parts(writer, index, parts.shapes);
+  put_parts(writer, index, parts.types);
   return std::move(writer.bytes);
 }
 
-std::shared_ptr<const Set> read_image(std::string_view bytes) {
+std::shared_ptr<const Set> read_image(std::string_view bytes, Texts texts) {
   SetParts parts;
   Names types;
   Names extensions;
   std::vector<std::string> patterns;
   std::uint64_t magic = 0;
-  Reader reader(bytes);
+  Reader reader(bytes, texts);
   reader(magic);
   if (magic != kMagic) return nullptr;
   WalkPlans plans;
   reader(parts.extensions, types, extensions, patterns, plans);
-  LazyParts lazy{get_parts<Shape>(reader), get_parts<ObjectType>(reader)};
+  LazyParts lazy{get_parts<Shape>(reader, texts), get_parts<ObjectType>(reader, texts)};
   if (!reader.is_done()) return nullptr;
   for (const std::string& expression : patterns) {
     auto pattern = Pattern::compile(expression);
@@ -364,8 +383,10 @@ std::shared_ptr<const Set> read_image(std::string_view bytes) {
   return SetWriter::close(std::move(parts), std::move(lazy), std::move(plans));
 }
 
-void read_part(std::string_view bytes, Shape& shape) { Reader{bytes}(shape); }
+void read_part(std::string_view bytes, Texts texts, Shape& shape) { Reader(bytes, texts)(shape); }
 
-void read_part(std::string_view bytes, ObjectType& type) { Reader{bytes}(type); }
+void read_part(std::string_view bytes, Texts texts, ObjectType& type) {
+  Reader(bytes, texts)(type);
+}
 
 }  // namespace gltfx::schema

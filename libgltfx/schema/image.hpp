@@ -8,15 +8,17 @@
 #include <string_view>
 
 #include "schema/set.hpp"
+#include "schema/text_index.hpp"
 
 namespace gltfx::schema {
 
-/// All of a Set but the tables that are made from it. Equal Sets give equal bytes.
-std::string write_image(const Set& set);
+/// All of a Set but the tables that are made from it. Equal Sets give equal bytes. Strings that
+/// stand in the texts are written as their places.
+std::string write_image(const Set& set, Texts texts = {});
 
-/// The Set behind an image of the same version of the library. Null when the bytes are no image.
-/// Shapes and types are read when they are asked for: the bytes stay where they are while the Set
-/// lives.
-std::shared_ptr<const Set> read_image(std::string_view bytes);
+/// The Set behind an image of the same version of the library, written with the same texts. Null
+/// when the bytes are no image. Shapes and types are read when they are asked for: bytes and texts
+/// stay where they are while the Set lives.
+std::shared_ptr<const Set> read_image(std::string_view bytes, Texts texts = {});
 
 }  // namespace gltfx::schema

@@ -11,18 +11,20 @@
 #include <utility>
 #include <vector>
 
+#include "schema/text_index.hpp"
+
 namespace gltfx::schema {
 
-/// May be asked by any number of threads. `read_part(bytes, part)` reads a T.
+/// May be asked by any number of threads. `read_part(bytes, texts, part)` reads a T.
 template <class T>
 class Lazy {
  public:
   explicit Lazy(std::vector<T> all) : all_(std::move(all)), made_(all_.size()) {
     for (std::size_t i = 0; i < all_.size(); ++i) made_[i] = &all_[i];
   }
-  /// `bytes` stay where they are while this lives; part i ends before byte `ends[i]`.
-  Lazy(std::string_view bytes, std::vector<std::uint32_t> ends)
-      : bytes_(bytes), ends_(std::move(ends)), made_(ends_.size()) {}
+  /// `bytes` and `texts` stay where they are while this lives; part i ends before byte `ends[i]`.
+  Lazy(std::string_view bytes, std::vector<std::uint32_t> ends, Texts texts)
+      : bytes_(bytes), texts_(texts), ends_(std::move(ends)), made_(ends_.size()) {}
   ~Lazy() {
     if (!all_.empty()) return;
     for (const auto& made : made_) const std::unique_ptr<const T> last(made.load());
@@ -40,7 +42,7 @@ class Lazy {
   const T& read(std::size_t i) const {
     const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
     auto part = std::make_unique<T>();
-    read_part(bytes_.substr(begin, ends_[i] - begin), *part);
+    read_part(bytes_.substr(begin, ends_[i] - begin), texts_, *part);
     const T* made = nullptr;  // another thread may be first
     if (made_[i].compare_exchange_strong(made, part.get())) return *part.release();
     return *made;
@@ -48,6 +50,7 @@ class Lazy {
 
   std::vector<T> all_;
   std::string_view bytes_;
+  Texts texts_;
   std::vector<std::uint32_t> ends_;
   mutable std::vector<std::atomic<const T*>> made_;  ///< null: not read yet
 };

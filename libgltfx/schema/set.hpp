@@ -18,6 +18,7 @@
 
 #include "base/hash.hpp"
 #include "schema/lazy.hpp"
+#include "schema/text_index.hpp"
 
 namespace gltfx::schema {
 
@@ -257,8 +258,8 @@ struct Extension {
 class Pattern;
 
 // Of an image (schema/image.hpp).
-void read_part(std::string_view bytes, Shape& shape);
-void read_part(std::string_view bytes, ObjectType& type);
+void read_part(std::string_view bytes, Texts texts, Shape& shape);
+void read_part(std::string_view bytes, Texts texts, ObjectType& type);
 
 /// Immutable after compilation. Shapes and types that come with the program are read when they are
 /// first asked for, and stay where they are.

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "schema/embedded.hpp"
 #include "schema/image.hpp"
 #include "schema/leaf.hpp"
 
@@ -79,6 +80,35 @@ TEST(Image, BrokenBytesAreRefused) {
   for (const std::size_t size : {image.size() / 7, image.size() / 2, image.size() - 1}) {
     EXPECT_EQ(schema::read_image(std::string_view(image).substr(0, size)), nullptr) << size;
   }
+}
+
+TEST(Image, RefersToTextsInPlaceOfCopies) {
+  const std::string whole = schema::write_image(*builtin_set());
+  const std::string image = schema::write_image(*builtin_set(), schema::embedded_texts());
+  EXPECT_LT(image.size(), whole.size() * 3 / 4);
+  const auto set = schema::read_image(image, schema::embedded_texts());
+  ASSERT_NE(set, nullptr);
+  EXPECT_TRUE(schema::write_image(*set) == whole);
+  EXPECT_EQ(schema::read_image(image), nullptr);
+  EXPECT_EQ(schema::read_image(image, schema::embedded_texts().first(10)), nullptr);
+}
+
+TEST(TextIndex, FindsStringsThatHaveNoEscapes) {
+  const std::string_view texts[]{R"({"a":"short","name":"long enough to be found"})",
+                                 R"(["with an \"escape\" inside","and another one behind"])",
+                                 R"({"not closed": "until the end)"};
+  const schema::TextIndex index(texts);
+  const auto found = index.find("long enough to be found");
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->text, 0U);
+  EXPECT_EQ(texts[0].substr(found->begin, 4), "long");
+  const auto behind = index.find("and another one behind");
+  ASSERT_TRUE(behind.has_value());
+  EXPECT_EQ(behind->text, 1U);
+  EXPECT_EQ(texts[1].substr(behind->begin, 3), "and");
+  for (const char* missing :
+       {"short", "with an \"escape\" inside", "until the end", "nowhere at all"})
+    EXPECT_FALSE(index.find(missing).has_value()) << missing;
 }
 
 TEST(Image, ThreadsThatAskForTheSamePartsGetTheSame) {

@@ -56,29 +56,22 @@ std::string minified(const std::string& json) {
 }
 
 std::string embed(const std::vector<SourceFile>& files, const std::string& image) {
-  constexpr std::size_t kPiece = 16000;
-  std::string out =
-      "// Written by gltfx_schema_compiler from schema/.\n#include \"schema/embedded.hpp\"\n\n"
-      "namespace gltfx::schema {\nnamespace {\n";
-  std::string table;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string& text = files[i].text;
-    const std::string name = "kText" + std::to_string(i);
-    out += "constexpr std::string_view " + name + "[]{";
-    for (std::size_t at = 0; at < text.size(); at += kPiece) {
-      out += cpp_literal(text.substr(at, kPiece)) + ",";
-    }
-    out += "};\n";
-    table += "    {" + cpp_literal(files[i].name) + ", " + name + "},\n";
+  std::string names;
+  std::string texts;
+  for (const SourceFile& file : files) {
+    names += cpp_literal(file.name) + ",";
+    texts += cpp_literal(file.text) + ",";
   }
-  out += "constexpr EmbeddedFile kFiles[]{\n" + table + "};\n\n";
-  out +=
-      "alignas(8) constexpr unsigned char kImage[]{" + byte_list(image) + "};\n}  // namespace\n\n";
-  out += "std::span<const EmbeddedFile> embedded_files() { return kFiles; }\n\n";
-  out +=
-      "std::string_view embedded_image() {\n"
-      "  return {reinterpret_cast<const char*>(kImage), sizeof kImage};\n}\n\n";
-  return out + "}  // namespace gltfx::schema\n";
+  return "// Written by gltfx_schema_compiler from schema/.\n#include \"schema/embedded.hpp\"\n\n"
+         "namespace gltfx::schema {\nnamespace {\nconstexpr std::string_view kNames[]{" +
+         names + "};\nconstexpr std::string_view kTexts[]{" + texts +
+         "};\nalignas(8) constexpr unsigned char kImage[]{" + byte_list(image) +
+         "};\n}  // namespace\n\n"
+         "Texts embedded_names() { return kNames; }\n\n"
+         "Texts embedded_texts() { return kTexts; }\n\n"
+         "std::string_view embedded_image() {\n"
+         "  return {reinterpret_cast<const char*>(kImage), sizeof kImage};\n}\n\n"
+         "}  // namespace gltfx::schema\n";
 }
 
 }  // namespace gltfx::schema

@@ -18,7 +18,7 @@ std::string cpp_literal(std::string_view text);
 std::string minified(const std::string& json);
 
 /// A C++ file that defines what schema/embedded.hpp declares: these files, and the image of their
-/// Set. Literals are split below what compilers take (64 KiB).
+/// Set. Compilers take a text of at most 64 KiB.
 std::string embed(const std::vector<SourceFile>& files, const std::string& image);
 
 /// The header base/material_table.hpp: rows of base/material_row.hpp for the core, for extensions

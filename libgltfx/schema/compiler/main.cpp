@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "schema/compile.hpp"
@@ -63,7 +64,10 @@ int main(int argc, char** argv) {
     file.text = gltfx::schema::minified(file.text);
   }
   const Compiled compiled = gltfx::schema::compile(files);
-  const std::string out = gltfx::schema::embed(files, gltfx::schema::write_image(*compiled.set));
+  std::vector<std::string_view> texts;
+  for (const SourceFile& file : files) texts.emplace_back(file.text);
+  const std::string out =
+      gltfx::schema::embed(files, gltfx::schema::write_image(*compiled.set, texts));
   if (!write_file(argv[1], out)) return fail(std::string(argv[1]) + ": cannot be written");
   // A header that stays as it is rebuilds nothing.
   const std::string table = gltfx::schema::material_table(*compiled.set);
