@@ -6,7 +6,9 @@
 #include <limits>
 #include <optional>
 
+#ifndef __EMSCRIPTEN__
 #include <simdjson.h>
+#endif
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -60,9 +62,11 @@ Escape read_unicode_escape(std::string_view text) {
   return {*unit, kSize, false};
 }
 
+#ifndef __EMSCRIPTEN__
 // simdjson looks for the best implementation when it is first asked, in functions that end the
 // program when memory is missing. So it is asked before anybody's work begins.
 [[maybe_unused]] const bool kReady = simdjson::validate_utf8("", 0);
+#endif
 
 }  // namespace
 
@@ -106,7 +110,25 @@ void append_unescaped(std::string& out, std::string_view content) {
   }
 }
 
+#ifdef __EMSCRIPTEN__
+// simdjson has no faster code for WebAssembly, and brings a parser that nobody calls: 12 kB
+// compressed.
+bool is_utf8(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    if (text.size() - at >= 8 && (load8(text.data() + at) & kHighs) == 0) {
+      at += 8;
+      continue;
+    }
+    const CodePoint point = decode_utf8(text, at);
+    if (!point.valid) return false;
+    at += point.size;
+  }
+  return true;
+}
+#else
 bool is_utf8(std::string_view text) { return simdjson::validate_utf8(text.data(), text.size()); }
+#endif
 
 Span first_invalid_utf8(std::string_view text) {
   std::size_t at = 0;

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
+#include "json/literals.hpp"
 #include "report/safe_text.hpp"
 
 namespace gltfx::report {
@@ -56,19 +56,10 @@ void write_resources(json::Writer& writer, const std::vector<ResourceInfo>& reso
   writer.end_array();
 }
 
-bool is_utf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const CodePoint point = decode_utf8(text, at);
-    if (!point.valid) return false;
-    at += point.size;
-  }
-  return true;
-}
-
 // JSON holds text only: bytes that are none are there in another form besides.
 void write_bytes(json::Writer& writer, const std::string& name, std::string_view bytes) {
   writer.member(name, bytes);
-  if (is_utf8(bytes)) return;
+  if (json::is_utf8(bytes)) return;
   std::string digits;
   for (const char byte : bytes) {
     fmt::format_to(std::back_inserter(digits), "{:02x}", static_cast<unsigned char>(byte));
