@@ -112,9 +112,11 @@ class KhronosWriter final : public ReportWriter {
   void end(const RunSummary&, std::string& out) override {
     if (files_ == 0) {
       out += "[]\n";
+    } else if (files_ == 1) {
+      first_ += '\n';
+      out += first_;
     } else {
-      out += files_ == 1 ? std::string_view(first_) : "\n]";
-      out += '\n';
+      out += "\n]\n";
     }
   }
 

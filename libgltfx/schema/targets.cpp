@@ -133,6 +133,7 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
 }
 
 void Targets::move_to(CheckResult& result) {
+  result.targets.reserve(arrays_.size());
   for (std::size_t i = 0; i < from_root_.size(); ++i) {
     if (from_root_[i] == 0) continue;  // mostly
     Array& array = from_root(static_cast<std::uint32_t>(i));

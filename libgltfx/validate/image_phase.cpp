@@ -355,6 +355,7 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
   const Path root;
   const Path array(root, "images");
   const auto& objects = context.asset.elements(model::RootArray::images);
+  if (objects.empty()) return;
   const MediaTypes enabled = enabled_media_types(context);
   const std::string_view user = unseen_user(context);
   const std::vector<bool> plain = plain_images(context, objects.size());
@@ -376,6 +377,7 @@ void check_textures(const Context& context, const model::ResourceData& data, Sin
   const Path root;
   const Path array(root, "textures");
   const auto& textures = context.asset.elements(model::RootArray::textures);
+  if (textures.empty()) return;
   const MediaTypes enabled = enabled_media_types(context);
   const TextureCheck check{context, data, enabled, sink};
   for (std::size_t i = 0; i < textures.size(); ++i) {

@@ -31,41 +31,25 @@ class TypeCache {
   std::array<Slot, 64> slots_;
 };
 
-/// Finds the rules of a type by its name.
-template <class Rule>
-class RulesOfTypes {
+/// Rules by the name of a type; `Rules` holds those of one.
+template <class Rules>
+class RulesByName {
  public:
-  class Table {
-   public:
-    /// The name must outlive the table.
-    void add(std::string_view type, const Rule& rule) {
-      const json::KeyId id = names_.intern(type);
-      rules_.resize(names_.size());
-      rules_[id].push_back(rule);
-    }
-    const std::vector<Rule>& of(std::string_view type) const {
-      const json::KeyId id = names_.find(type);
-      return id == json::kNoKey ? none_ : rules_[id];
-    }
-
-   private:
-    json::KeyTable names_;
-    std::vector<std::vector<Rule>> rules_;  // by number of the name
-    std::vector<Rule> none_;
-  };
-
-  /// The table must outlive it.
-  explicit RulesOfTypes(const Table& table) : table_(table) {}
-
-  /// `type` is an element of a Set that outlives this.
-  const std::vector<Rule>& of(const schema::ObjectType& type) {
-    return *known_.of(
-        type, [this](const schema::ObjectType& unknown) { return &table_.of(unknown.name); });
+  /// Those of a type, to add to. The name must outlive the table.
+  Rules& to(std::string_view type) {
+    const json::KeyId id = names_.intern(type);
+    rules_.resize(names_.size());
+    return rules_[id];
+  }
+  const Rules& of(std::string_view type) const {
+    const json::KeyId id = names_.find(type);
+    return id == json::kNoKey ? none_ : rules_[id];
   }
 
  private:
-  const Table& table_;
-  TypeCache<const std::vector<Rule>*> known_;
+  json::KeyTable names_;
+  std::vector<Rules> rules_;  // by number of the name
+  Rules none_;
 };
 
 }  // namespace gltfx::validate

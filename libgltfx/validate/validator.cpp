@@ -19,7 +19,7 @@ namespace gltfx::validate {
 namespace {
 
 // Object rules by type, so that the walk asks once per object.
-using ObjectRules = RulesOfTypes<ObjectRuleEntry>::Table;
+using ObjectRules = RulesByName<std::vector<ObjectRuleEntry>>;
 
 ObjectRules make_object_rules(bool reading_order) {
   const Runs never = reading_order ? Runs::otherwise : Runs::in_reading_order;
@@ -27,7 +27,7 @@ ObjectRules make_object_rules(bool reading_order) {
   for (const Family& family : families()) {
     for (const ObjectRuleEntry& entry : family.object_rules) {
       const bool on_the_way = reading_order && !entry.behind.empty();
-      if (entry.runs != never && !on_the_way) rules.add(entry.type, entry);
+      if (entry.runs != never && !on_the_way) rules.to(entry.type).push_back(entry);
     }
   }
   return rules;
@@ -69,9 +69,13 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
 // Phase 3: the schema walk with object rules at its heels. `own` is the document of a profile that
 // hides broken members.
 schema::CheckResult check_objects(Context& context, json::Document& own) {
-  RulesOfTypes<ObjectRuleEntry> rules(object_rules(context.deviations.reading_order));
+  const ObjectRules& rules = object_rules(context.deviations.reading_order);
+  TypeCache<const std::vector<ObjectRuleEntry>*> known;
+  const auto rules_of = [&](const schema::ObjectType& type) { return &rules.of(type.name); };
   const auto visit = [&](const schema::ObjectType& type, json::NodeId object, const Path& path) {
-    for (const ObjectRuleEntry& entry : rules.of(type)) entry.rule(context, object, path);
+    for (const ObjectRuleEntry& entry : *known.of(type, rules_of)) {
+      entry.rule(context, object, path);
+    }
   };
   if (context.order != nullptr) return check_as_khronos(context, own, *context.order, visit);
   return schema::check(context.document, context.schemas, {}, context.schema_sink,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,13 +30,14 @@ double bound_slack(const Check& check, model::ComponentType type) {
 
 // The widest extent of a component by its declared bounds; 0 when one of them is missing.
 double declared_extent(const Schedule& schedule) {
-  const auto bounds = [&](CheckKind kind) {
+  const auto bounds = [&](CheckKind kind) -> std::span<const double> {
     const auto at = std::find_if(schedule.checks.begin(), schedule.checks.end(),
                                  [&](const Check& check) { return check.kind == kind; });
-    return at == schedule.checks.end() ? std::vector<double>() : at->bounds;
+    if (at == schedule.checks.end()) return {};
+    return at->bounds;
   };
-  const std::vector<double> least = bounds(CheckKind::minimum);
-  const std::vector<double> most = bounds(CheckKind::maximum);
+  const std::span<const double> least = bounds(CheckKind::minimum);
+  const std::span<const double> most = bounds(CheckKind::maximum);
   double extent = 0;
   for (std::size_t i = 0; i < std::min(least.size(), most.size()); ++i) {
     extent = std::max(extent, most[i] - least[i]);

@@ -34,6 +34,7 @@ bool is_index_format(const model::Format& format) {
 
 std::vector<double> read_bounds(const json::Document& document, json::NodeId array, bool single) {
   std::vector<double> bounds;
+  bounds.reserve(document.array_size(array));
   for (json::NumberCursor at(document, array); at.valid(); at.advance()) {
     const double value = at.number().value;
     bounds.push_back(single ? static_cast<double>(static_cast<float>(value)) : value);
@@ -175,11 +176,10 @@ class Scheduler {
   }
 
   void add_instances() {
-    for (const schema::Extension& extension : context_.schemas.extensions()) {
-      if (extension.instance_attributes.empty()) continue;
+    for (const schema::Extension* extension : instancing_extensions(context_)) {
       for_each_extension(
-          context_, model::RootArray::nodes, extension.name,
-          [&](const ExtensionPlace& place, const Path&) { add_instances(place, extension.name); });
+          context_, model::RootArray::nodes, extension->name,
+          [&](const ExtensionPlace& place, const Path&) { add_instances(place, extension->name); });
     }
   }
 

@@ -17,10 +17,14 @@ namespace {
 
 using model::RootArray;
 
-// The rules of members, by the name of their object's type.
+// The rules of members of a type.
+struct MemberRules {
+  std::vector<MemberRuleEntry> before;
+  std::vector<ObjectRuleEntry> behind;
+};
+
 struct Rules {
-  RulesOfTypes<MemberRuleEntry>::Table before;
-  RulesOfTypes<ObjectRuleEntry>::Table behind;
+  RulesByName<MemberRules> members;
   std::vector<MapRule> entries;
 };
 
@@ -29,11 +33,11 @@ const Rules& rules() {
     Rules all;
     for (const Family& family : families()) {
       for (const MemberRuleEntry& entry : family.member_rules) {
-        all.before.add(entry.type, entry);
+        all.members.to(entry.type).before.push_back(entry);
       }
       for (const ObjectRuleEntry& entry : family.object_rules) {
         if (entry.runs != Runs::otherwise && !entry.behind.empty())
-          all.behind.add(entry.type, entry);
+          all.members.to(entry.type).behind.push_back(entry);
       }
       all.entries.insert(all.entries.end(), family.map_rules.begin(), family.map_rules.end());
     }
@@ -46,14 +50,11 @@ class Reader final : public schema::MemberVisitor {
  public:
   explicit Reader(const Context& context) : context_(context) {}
 
-  Calls calls(const schema::ObjectType& type) override {
-    return calls_.of(type,
-                     [this](const schema::ObjectType& unknown) { return find_calls(unknown); });
-  }
+  Calls calls(const schema::ObjectType& type) override { return known(type).calls; }
 
   schema::Reading before(const schema::ObjectType& type, std::string_view member,
                          json::NodeId object, json::NodeId value, const Path& path) override {
-    for (const MemberRuleEntry& entry : before_.of(type)) {
+    for (const MemberRuleEntry& entry : known(type).rules->before) {
       if (entry.member == member) return entry.rule(context_, object, value, path);
     }
     return schema::Reading::judge;
@@ -61,7 +62,7 @@ class Reader final : public schema::MemberVisitor {
 
   void behind(const schema::ObjectType& type, std::string_view member, json::NodeId object,
               const Path& path) override {
-    for (const ObjectRuleEntry& entry : behind_.of(type)) {
+    for (const ObjectRuleEntry& entry : known(type).rules->behind) {
       if (entry.behind == member) entry.rule(context_, object, path);
     }
   }
@@ -71,24 +72,30 @@ class Reader final : public schema::MemberVisitor {
   }
 
  private:
-  Calls find_calls(const schema::ObjectType& type) {
+  struct Known {
+    const MemberRules* rules = nullptr;
     Calls calls;
-    calls.before = !before_.of(type).empty();
-    const std::vector<ObjectRuleEntry>& entries = behind_.of(type);
-    if (entries.empty()) return calls;
+  };
+
+  const Known& known(const schema::ObjectType& type) { return known_.of(type, find); }
+
+  static Known find(const schema::ObjectType& type) {
+    Known known;
+    known.rules = &rules().members.of(type.name);
+    known.calls.before = !known.rules->before.empty();
+    const std::vector<ObjectRuleEntry>& entries = known.rules->behind;
+    if (entries.empty()) return known;
     for (std::uint32_t i = 0; i < type.properties.size(); ++i) {
       const bool any = std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
         return entry.behind == type.properties[i].name;
       });
-      if (any) calls.behind |= std::uint64_t{1} << std::min(i, Calls::kLast);
+      if (any) known.calls.behind |= std::uint64_t{1} << std::min(i, Calls::kLast);
     }
-    return calls;
+    return known;
   }
 
   const Context& context_;
-  RulesOfTypes<MemberRuleEntry> before_{rules().before};
-  RulesOfTypes<ObjectRuleEntry> behind_{rules().behind};
-  TypeCache<Calls> calls_;
+  TypeCache<Known> known_;
 };
 
 // --- What is not linked ---

@@ -9,9 +9,9 @@ namespace {
 
 // Steps that are left over when all animations are done stay in front of what comes behind them.
 void leave_animations(const Context& context) {
-  if (context.order == nullptr) return;
-  AnimationPaths paths;
   const auto& animations = context.views.animations;
+  if (context.order == nullptr || animations.empty()) return;
+  AnimationPaths paths;
   for (std::size_t i = 0; i < animations.size(); ++i) {
     const model::Animation& animation = animations[i];
     if (animation.object == json::kNoNode || !is_linked(context, animation)) continue;

@@ -32,4 +32,17 @@ std::vector<const schema::Extension*> declared_extensions(const Context& context
   return declared;
 }
 
+std::vector<const schema::Extension*> instancing_extensions(const Context& context) {
+  std::vector<schema::ExtensionId> ids;
+  for (const std::string_view name : context.checked.extensions_seen) {
+    const schema::ExtensionId id = context.schemas.find_extension(name);
+    if (id == schema::kNone) continue;
+    if (!context.schemas.extensions()[id].instance_attributes.empty()) ids.push_back(id);
+  }
+  std::sort(ids.begin(), ids.end());
+  std::vector<const schema::Extension*> found;
+  for (const schema::ExtensionId id : ids) found.push_back(&context.schemas.extensions()[id]);
+  return found;
+}
+
 }  // namespace gltfx::validate

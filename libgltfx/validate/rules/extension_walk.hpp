@@ -39,6 +39,9 @@ inline bool has_objects_of(const Context& context, std::string_view extension) {
          std::find(seen.begin(), seen.end(), extension) != seen.end();
 }
 
+/// The extensions that the walk met whose nodes draw a mesh many times, in the order of the Set.
+std::vector<const schema::Extension*> instancing_extensions(const Context& context);
+
 /// An object of an extension and the object it sits on.
 struct ExtensionPlace {
   json::NodeId host;

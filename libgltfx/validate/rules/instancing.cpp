@@ -92,11 +92,10 @@ class InstancingCheck {
 };
 
 void check_instances(const Context& context) {
-  for (const schema::Extension& extension : context.schemas.extensions()) {
-    if (extension.instance_attributes.empty()) continue;
-    InstancingCheck check(context, extension);
+  for (const schema::Extension* extension : instancing_extensions(context)) {
+    InstancingCheck check(context, *extension);
     for_each_extension(
-        context, model::RootArray::nodes, extension.name,
+        context, model::RootArray::nodes, extension->name,
         [&](const ExtensionPlace& place, const Path& path) { check.check(place, path); });
   }
 }

@@ -91,6 +91,7 @@ void check_primitive(const Context& context, const schema::Extension& extension,
 }
 
 void check_splats(const Context& context) {
+  if (!has_objects_of(context, kSplatsExtension)) return;
   const schema::ExtensionId id = context.schemas.find_extension(kSplatsExtension);
   if (id == schema::kNone) return;
   for_each_primitive_extension(

@@ -92,6 +92,8 @@ void report_unused(const Context& context, const Path& path, json::NodeId object
 }
 
 void check_array(const Context& context, RootArray array) {
+  const auto& objects = context.asset.elements(array);
+  if (objects.empty()) return;
   const std::string_view name = model::root_array_name(array);
   const schema::TargetArray* target = context.checked.root_target(name);
   const bool nodes = array == RootArray::nodes;
@@ -102,7 +104,6 @@ void check_array(const Context& context, RootArray array) {
                                          : views_in_fewer_uses(context);
   const Path root;
   const Path path(root, name);
-  const auto& objects = context.asset.elements(array);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == json::kNoNode) continue;
     if (fewer ? used[i] : target == nullptr || target->used.contains(i)) continue;
@@ -136,6 +137,7 @@ void check_objects(const Context& context) {
   for (const RootArray array : kArrays) check_array(context, array);
   const ActiveExtensions active(context);
   std::vector<const schema::TargetArray*> arrays;
+  arrays.reserve(context.checked.targets.size());
   for (const schema::TargetArray& target : context.checked.targets) {
     if (target.node != json::kNoNode) arrays.push_back(&target);
   }
