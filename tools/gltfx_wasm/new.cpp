@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps some small blocks of memory for reuse: a validation allocates and frees a hundred, which takes malloc() a
-// tenth of the time.
-#include <malloc.h>
-
+// Keeps some small blocks of memory for reuse: a validation allocates and frees a hundred, which
+// takes malloc() a tenth of the time.
 #include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+
+#include <malloc.h>
 
 namespace {
 
