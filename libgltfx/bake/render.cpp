@@ -8,6 +8,7 @@
 
 #include "bake/camera_packet.hpp"
 #include "bake/denoise.hpp"
+#include "bake/edge_map.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 #include "base/parallel.hpp"
@@ -15,8 +16,9 @@
 namespace gltfx::bake {
 namespace {
 
-constexpr std::uint32_t kRound = 8;   // samples of a pixel between two checks of time and noise
-constexpr std::uint32_t kSure = 16;   // samples of the features that miss no edge
+constexpr std::uint32_t kRound = 8;  // samples of a pixel between two checks of time and noise
+// Samples of the features that miss no edge, far from edges between bodies and near them:
+constexpr std::uint32_t kSure = 16, kSureNearEdge = 64;
 constexpr std::uint32_t kAtOnce = 4;  // feature samples between two checks whether they differ
 
 class Renderer {
@@ -85,8 +87,11 @@ class Renderer {
         [&](std::size_t tile) {
           const auto number = static_cast<std::uint32_t>(tile);
           const std::uint32_t of_edges = samples_of_edges(number);
+          const EdgeMap edges(context_.bvh, view_, options_, left_of(number), top_of(number));
           for_pixels(number, [&](std::uint32_t x, std::uint32_t y) {
-            const auto seen = sample_pixel_features(x, y, of_edges);
+            const std::uint32_t enough =
+                edges.is_near_edge(x, y) ? kSureNearEdge : std::min(kSure, options_.samples);
+            const auto seen = sample_pixel_features(x, y, enough, of_edges);
             if (seen.sums.count > 0) found[tile].push_back(seen);
           });
         },
@@ -99,10 +104,9 @@ class Renderer {
   }
 
   // None, to save memory, where all samples of the pixel see nearly the same.
-  PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y,
+  PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y, std::uint32_t enough,
                                       std::uint32_t of_edges) const {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
-    const std::uint32_t enough = std::min(kSure, options_.samples);
     PixelSums sums = film_.at(pixel);
     FeatureSums more;
     for (std::uint32_t i = samples_.samples(x, y);;) {
@@ -121,10 +125,15 @@ class Renderer {
     return {pixel, more, sums.material};
   }
 
+  std::uint32_t left_of(std::uint32_t tile) const { return tile % columns_ * kTileWidth; }
+  std::uint32_t top_of(std::uint32_t tile) const {
+    return rows_.first + tile / columns_ * kTileHeight;
+  }
+
   template <class Visit>
   void for_pixels(std::uint32_t tile, const Visit& visit) const {
-    const std::uint32_t left = tile % columns_ * kTileWidth;
-    const std::uint32_t top = rows_.first + tile / columns_ * kTileHeight;
+    const std::uint32_t left = left_of(tile);
+    const std::uint32_t top = top_of(tile);
     for (std::uint32_t y = top; y < std::min(top + kTileHeight, rows_.last); ++y) {
       for (std::uint32_t x = left; x < std::min(left + kTileWidth, options_.width); ++x)
         visit(x, y);

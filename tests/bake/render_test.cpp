@@ -17,12 +17,13 @@
 namespace gltfx::bake {
 namespace {
 
-// A square without noise and a ball with some, before nothing.
-Stage square_and_ball() {
+// A square without noise and a ball with some, unless it is unlit, before nothing.
+Stage square_and_ball(bool unlit_ball = false) {
   Scene scene = scene_of(quad(), matte(Rgb(1)));
   scene.materials[0].factors.unlit = true;
   scene.instances[0].to_world = {{{2, 0.3F, 0, -1.4F}, {-0.3F, 2, 0, 0}, {0, 0, 1, 0}}};  // turned
   scene.materials.push_back(matte(Rgb(0.8)));
+  scene.materials[1].factors.unlit = unlit_ball;
   scene.meshes.push_back(sphere(0.8F, 16));
   scene.meshes[1].material = 1;
   scene.instances.push_back({1, moved(1.2F, 0, 0)});
@@ -267,6 +268,30 @@ TEST(Denoise, EdgesHaveTheMostSamples) {
   const double many = error(64);
   EXPECT_LT(many, 0.012);
   EXPECT_LT(many, error(0) / 3);
+}
+
+// A pixel of which an edge cuts off a twentieth may seem whole to 16 samples.
+TEST(Denoise, FewSamplesMissNoSliver) {
+  const Stage stage = square_and_ball(true);
+  PictureOptions options = denoised(256);
+  options.render.width = 192;
+  options.render.height = 160;
+  options.denoise = false;
+  const Framebuffer exact = render(stage.context(), front(), options);
+  options.denoise = true;
+  options.render.samples = 16;
+  options.render.feature_samples = 64;
+  const Framebuffer few = render(stage.context(), front(), options);
+  int slivers = 0;
+  int missed = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const float sliver = std::min(exact.alpha[i], 1 - exact.alpha[i]);
+    if (sliver < 0.04F || sliver > 0.08F) continue;
+    ++slivers;
+    if (few.alpha[i] <= 0 || few.alpha[i] >= 1) ++missed;
+  }
+  EXPECT_GT(slivers, 100);
+  EXPECT_LT(missed, slivers / 20);
 }
 
 TEST(Denoise, WhatHasNoNoiseStays) {
