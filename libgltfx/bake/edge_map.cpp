@@ -16,9 +16,10 @@ EdgeMap::EdgeMap(const Bvh& bvh, const View& view, const RenderOptions& options,
                  std::uint32_t top)
     : left_(left), top_(top) {
   const auto ray_of = [&](std::size_t place) {
-    const double x = left + static_cast<double>(place % kColumns) - 0.5;
-    const double y = top + static_cast<double>(place / kColumns) - 0.5;
-    return view.ray(x / options.width, y / options.height);
+    const std::size_t column = place % kColumns;
+    const std::size_t row = place / kColumns;
+    return view.ray((left + static_cast<double>(column) - 0.5) / options.width,
+                    (top + static_cast<double>(row) - 0.5) / options.height);
   };
   std::array<Ray, Bvh::kCameraPacket> rays;
   std::array<std::optional<Hit>, Bvh::kCameraPacket> hits;
