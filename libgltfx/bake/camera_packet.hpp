@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Samples of a pixel, whose rays are close together: to trace them together takes a fraction of
-/// the time.
+/// Samples of a pixel, or of pixels side by side, whose rays are close together: to trace them
+/// together takes a fraction of the time.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace gltfx::bake {
 
-/// Calls visit(sample, hit) for the samples [first, last) of a pixel, in their order. sample_of(i)
-/// gives a CameraSample; `hit` is the first layer along its ray.
+/// Calls visit(sample, hit) for the samples [first, last), in their order. sample_of(i) gives a
+/// CameraSample; `hit` is the first layer along its ray.
 template <class SampleOf, class Visit>
 void visit_camera_samples(const Bvh& bvh, std::uint32_t first, std::uint32_t last,
                           const SampleOf& sample_of, const Visit& visit) {

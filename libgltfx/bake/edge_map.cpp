@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/edge_map.hpp"
 
-#include <algorithm>
 #include <optional>
-#include <span>
+
+#include "bake/camera_packet.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -15,21 +15,17 @@ constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 EdgeMap::EdgeMap(const Bvh& bvh, const View& view, const RenderOptions& options, std::uint32_t left,
                  std::uint32_t top)
     : left_(left), top_(top) {
-  const auto ray_of = [&](std::size_t place) {
-    const std::size_t column = place % kColumns;
-    const std::size_t row = place / kColumns;
-    return view.ray((left + static_cast<double>(column) - 0.5) / options.width,
-                    (top + static_cast<double>(row) - 0.5) / options.height);
+  const auto sample_of = [&](std::uint32_t place) {
+    const std::uint32_t column = place % kColumns;
+    const std::uint32_t row = place / kColumns;
+    return CameraSample{.ray = view.ray((left + static_cast<double>(column) - 0.5) / options.width,
+                                        (top + static_cast<double>(row) - 0.5) / options.height)};
   };
-  std::array<Ray, Bvh::kCameraPacket> rays;
-  std::array<std::optional<Hit>, Bvh::kCameraPacket> hits;
-  for (std::size_t first = 0; first < bodies_.size(); first += rays.size()) {
-    const std::size_t count = std::min(rays.size(), bodies_.size() - first);
-    for (std::size_t i = 0; i < count; ++i) rays[i] = ray_of(first + i);
-    bvh.first_layers(std::span(rays).first(count), hits);
-    for (std::size_t i = 0; i < count; ++i)
-      bodies_[first + i] = hits[i] ? hits[i]->body() : kNothing;
-  }
+  auto* body = bodies_.data();
+  visit_camera_samples(bvh, 0, kColumns * kRows, sample_of,
+                       [&](const CameraSample& /*sample*/, const std::optional<Hit>& hit) {
+                         *body++ = hit ? hit->body() : kNothing;
+                       });
 }
 
 bool EdgeMap::is_near_edge(std::uint32_t x, std::uint32_t y) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Pixels near edges, of which few samples may see one side only.
+/// Finds pixels near edges, of which few samples may see one side only.
 #pragma once
 
 #include <array>
@@ -26,10 +26,10 @@ class EdgeMap {
   bool is_near_edge(std::uint32_t x, std::uint32_t y) const;
 
  private:
-  static constexpr std::size_t kColumns = kTileWidth + 2, kRows = kTileHeight + 2;
+  static constexpr std::uint32_t kColumns = kTileWidth + 2, kRows = kTileHeight + 2;
 
   std::uint32_t left_, top_;
-  std::array<std::uint64_t, kColumns * kRows> bodies_;  // row by row
+  std::array<std::uint64_t, std::size_t{kColumns} * kRows> bodies_;  // row by row
 };
 
 }  // namespace gltfx::bake

@@ -28,8 +28,8 @@ struct RenderOptions {
   double deviation = 0;
   /// Samples of the features, those of the light among them, where they differ within a pixel; at
   /// edges of the subject up to twice as many. Pixels near edges between bodies take up to 64 to
-  /// find out whether they differ. A power of two is stratified best. 0: no more than the samples
-  /// of the light.
+  /// find out whether anything differs within them. A power of two is stratified best. 0: no more
+  /// than the samples of the light.
   std::uint32_t feature_samples = 0;
   std::uint32_t seed = 0;
   unsigned jobs = 1;
