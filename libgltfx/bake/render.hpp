@@ -23,7 +23,7 @@ struct RenderOptions {
   std::uint32_t samples = 64;  ///< of each pixel; with an adaptive SampleMap on average, at most
   /// Pixels whose samples have this standard deviation, as part of the range of the finished
   /// picture, get `samples`; others get more or fewer in proportion. The average is at most
-  /// `samples`, and with shared sky samples at least 17/32 of it; without them, or if 0, it is
+  /// `samples`, and with shared sky samples at least 7/16 of it; without them, or if 0, it is
   /// `samples`.
   double deviation = 0;
   /// Samples of the features, those of the light among them, where they differ within a pixel; at

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
 // The range of a pixel's count around the average:
-constexpr std::uint32_t kTimesLess = 8, kTimesMore = 4;
+constexpr std::uint32_t kTimesLess = 10, kTimesMore = 4;
 // With a deviation, the least average as part of RenderOptions::samples. Without the sky, a sample
 // has fewer shadow rays: it is cheap, and adds less.
-constexpr double kLeastWithSky = 17.0 / 32, kLeastWithoutSky = 1;
+constexpr double kLeastWithSky = 7.0 / 16, kLeastWithoutSky = 1;
 constexpr double kMostError = 0.25;  // of the range from black to white: more counts as this
 constexpr double kDark = 0.02;       // least albedo by which light is divided
 

@@ -21,7 +21,7 @@ class SampleMap {
   /// Estimates the variance from a few samples that do not count otherwise, and allocates
   /// `options.samples` for each pixel in proportion to the standard deviation (Neyman allocation),
   /// which leaves the least error in the whole picture, or with `options.deviation` in all pictures
-  /// together. A pixel gets at least an eighth of `options.samples` and at most four times as many.
+  /// together. A pixel gets at least a tenth of `options.samples` and at most four times as many.
   /// The same for any number of jobs. With too few samples for an estimate, or where time or noise
   /// ends the rendering, all pixels get the same count.
   SampleMap(const TraceContext& context, const View& view, const RenderOptions& options);

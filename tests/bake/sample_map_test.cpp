@@ -51,7 +51,7 @@ TEST(SampleMap, SharesOutWhatThereIs) {
     const double mean = sum / (options.width * options.height);
     EXPECT_LE(mean, samples);
     EXPECT_GT(mean, 0.9 * samples);
-    EXPECT_GE(least, samples / 8);
+    EXPECT_GE(least, samples / 10);
     EXPECT_LE(most, samples * 4);
     EXPECT_EQ(most, shares.most());
     EXPECT_LT(2 * least, most);

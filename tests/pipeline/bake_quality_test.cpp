@@ -53,9 +53,10 @@ TEST(BakeQuality, DraftStandardAndFinalShowTheSame) {
 TEST(BakeQuality, SamplesAndBouncesOverride) {
   BakeOptions options;
   options.sizes = {{24, 16}};
+  options.quality = BakeQuality::final;
   const BakeReport usual = bake_file(kBowl, options);
-  options.samples = 36;
-  options.bounces = 6;
+  options.samples = 256;
+  options.bounces = 12;
   EXPECT_EQ(bake_file(kBowl, options).pixels.bytes, usual.pixels.bytes);
   options.samples = 3;
   EXPECT_NE(bake_file(kBowl, options).pixels.bytes, usual.pixels.bytes);

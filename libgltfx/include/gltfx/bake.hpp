@@ -32,7 +32,7 @@ enum class BakeLights : std::uint8_t { studio, asset, both };
 /// How much work goes into a picture.
 enum class BakeQuality : std::uint8_t {
   draft,     ///< 4 samples; surfaces that are not seen themselves are lit by an open sky
-  standard,  ///< up to 36 samples on average, fewer if the picture has little noise
+  standard,  ///< up to 44 samples on average, fewer if the picture has little noise
   final,     ///< 256 samples and 12 bounces
 };
 
