@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "bake/camera_packet.hpp"
@@ -197,17 +198,18 @@ class Renderer {
 // An estimate by a grid of rays.
 DepthRange depth_range(const TraceContext& context, const View& view) {
   constexpr std::uint32_t kProbes = 96;  // along a side
+  const auto sample_of = [&view](std::uint32_t i) {
+    return CameraSample{.ray =
+                            view.ray((i % kProbes + 0.5) / kProbes, (i / kProbes + 0.5) / kProbes)};
+  };
   DepthRange range;
-  for (std::uint32_t i = 0; i < kProbes * kProbes; ++i) {
-    const std::uint32_t column = i % kProbes;
-    const std::uint32_t row = i / kProbes;
-    const auto hit =
-        context.bvh.first_layer(view.ray((column + 0.5) / kProbes, (row + 0.5) / kProbes));
-    if (!hit) continue;
+  const auto add = [&range](const CameraSample& /*sample*/, const std::optional<Hit>& hit) {
+    if (!hit) return;
     const auto z = static_cast<float>(hit->distance);
     range.nearest = range.nearest == 0 ? z : std::min(range.nearest, z);
     range.farthest = std::max(range.farthest, z);
-  }
+  };
+  visit_camera_samples(context.bvh, 0, kProbes * kProbes, sample_of, add);
   return range;
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -47,16 +49,14 @@ struct Face {
   bool degenerate = false;  ///< two corners in one place: no part of the surface
 };
 
-/// One side of an edge between two welded vertices.
+/// One side of an edge between two welded vertices, of which the lower one is known.
 struct Edge {
-  std::uint32_t low, high;
+  std::uint32_t high;
   bool backward;         ///< from high to low
   std::uint32_t corner;  ///< it begins at
 
-  bool joins(const Edge& other) const { return low == other.low && high == other.high; }
   bool operator<(const Edge& other) const {
-    return std::tie(low, high, backward, corner) <
-           std::tie(other.low, other.high, other.backward, other.corner);
+    return std::tie(high, backward, corner) < std::tie(other.high, other.backward, other.corner);
   }
 };
 
@@ -164,25 +164,42 @@ class TangentSpace {
                      unit(across) == zero;
   }
 
-  // Faces on both sides of an edge run along it in opposite directions. Where there are more than
-  // two the first that runs one way goes with the first that runs the other, and so on.
-  void find_neighbours() {
-    std::vector<Edge> edges;
-    edges.reserve(faces_.size() * 3);
+  // visit(lower vertex, edge) for those of all faces.
+  template <class Visit>
+  void for_edges(const Visit& visit) const {
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
       for (std::uint32_t k = 0; k < 3 && !faces_[f].degenerate; ++k) {
         const std::uint32_t from = faces_[f].welded[k];
         const std::uint32_t to = faces_[f].welded[(k + 1) % 3];
-        edges.push_back({std::min(from, to), std::max(from, to), from > to, f * 3 + k});
+        visit(std::min(from, to), Edge{std::max(from, to), from > to, f * 3 + k});
       }
     }
+  }
+
+  // A counting sort by the lower vertex leaves few edges to compare.
+  void find_neighbours() {
+    std::vector<std::uint32_t> ends(geometry_.positions.size() + 1);
+    for_edges([&](std::uint32_t low, const Edge& /*edge*/) { ++ends[low + 1]; });
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Edge> edges(ends.back());
+    for_edges([&](std::uint32_t low, const Edge& edge) { edges[ends[low]++] = edge; });
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : ends) {
+      connect_sides(std::span(edges).subspan(first, end - first));
+      first = end;
+    }
+  }
+
+  // Faces on both sides of an edge run along it in opposite directions. Where there are more than
+  // two the first that runs one way goes with the first that runs the other, and so on.
+  void connect_sides(std::span<Edge> edges) {
     std::sort(edges.begin(), edges.end());
     for (std::size_t first = 0; first < edges.size();) {
+      const std::uint32_t high = edges[first].high;
       std::size_t back = first;
-      while (back < edges.size() && edges[back].joins(edges[first]) && !edges[back].backward)
-        ++back;
+      while (back < edges.size() && edges[back].high == high && !edges[back].backward) ++back;
       std::size_t end = back;
-      while (end < edges.size() && edges[end].joins(edges[first])) ++end;
+      while (end < edges.size() && edges[end].high == high) ++end;
       for (std::size_t i = 0; first + i < back && back + i < end; ++i) {
         connect(edges[first + i].corner, edges[back + i].corner);
       }
