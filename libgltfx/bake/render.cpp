@@ -199,8 +199,9 @@ class Renderer {
 DepthRange depth_range(const TraceContext& context, const View& view) {
   constexpr std::uint32_t kProbes = 96;  // along a side
   const auto sample_of = [&view](std::uint32_t i) {
-    return CameraSample{.ray =
-                            view.ray((i % kProbes + 0.5) / kProbes, (i / kProbes + 0.5) / kProbes)};
+    const std::uint32_t column = i % kProbes;
+    const std::uint32_t row = i / kProbes;
+    return CameraSample{.ray = view.ray((column + 0.5) / kProbes, (row + 0.5) / kProbes)};
   };
   DepthRange range;
   const auto add = [&range](const CameraSample& /*sample*/, const std::optional<Hit>& hit) {

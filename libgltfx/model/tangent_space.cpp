@@ -234,8 +234,8 @@ class TangentSpace {
     const auto* const at = std::find(face.welded.begin(), face.welded.end(), group.vertex);
     const auto k = static_cast<std::uint32_t>(at - face.welded.begin());
     if (k == 3 || groups_of_[f * 3 + k] != kNone) return kNone;
-    const bool untouched = groups_of_[f * 3] == kNone && groups_of_[f * 3 + 1] == kNone &&
-                           groups_of_[f * 3 + 2] == kNone;
+    const auto* const corners = &groups_of_[std::size_t{f} * 3];
+    const bool untouched = std::all_of(corners, corners + 3, [](auto g) { return g == kNone; });
     if (face.shapeless && untouched) face.plain = group.plain;
     if (face.plain != group.plain) return kNone;
     groups_of_[f * 3 + k] = id;
