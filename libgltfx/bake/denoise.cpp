@@ -89,7 +89,7 @@ class TileFilter {
     }
   }
 
-  // Else the tile stays black.
+  // Whether the tile or its margin has any light; else it stays black.
   bool has_light() const {
     const auto is_set = [](float each) { return each != 0; };
     return std::any_of(y_.begin(), y_.end(), is_set) ||
@@ -179,7 +179,7 @@ class TileFilter {
   }
 
   Equations equations_of(int row) const {
-    Equations sums;
+    Equations equations;
     std::array<Row, Terms> terms;
     terms[0].fill(1);
     std::size_t offset = 0;
@@ -187,25 +187,25 @@ class TileFilter {
       for (int dx = -kReach; dx <= kReach; ++dx, ++offset) {
         set_terms(row, dx, dy, terms);
         add(weights_[offset][static_cast<std::size_t>(row)], terms,
-            at(row + kMargin + dy, kMargin + dx), sums);
+            at(row + kMargin + dy, kMargin + dx), equations);
       }
     }
-    return sums;
+    return equations;
   }
 
   void add(const Row& weights, const std::array<Row, Terms>& terms, std::size_t first,
-           Equations& sums) const {
+           Equations& equations) const {
     std::size_t product = 0;
     for (std::size_t i = 0; i < Terms; ++i) {
       Row weighted;
       for (std::size_t x = 0; x < kFilterWidth; ++x) weighted[x] = weights[x] * terms[i][x];
       for (std::size_t j = 0; j <= i; ++j, ++product) {
-        Row& sum = sums.products[product];
+        Row& sum = equations.products[product];
         for (std::size_t x = 0; x < kFilterWidth; ++x) sum[x] += weighted[x] * terms[j][x];
       }
       for (std::size_t c = 0; c < layer_.values.size(); ++c) {
         const float* value = values_[c].data() + first;
-        Row& sum = sums.colors[c][i];
+        Row& sum = equations.colors[c][i];
         for (std::size_t x = 0; x < kFilterWidth; ++x) sum[x] += weighted[x] * value[x];
       }
     }

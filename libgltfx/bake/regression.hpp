@@ -48,8 +48,8 @@ struct NormalEquations {
     for (std::size_t x = 0; x < Pixels; ++x) quotient[x] = a[x] / b[x];
   }
 
-  // Cholesky's decomposition. Of the pixels for which there is none, the result is 0 instead of 1,
-  // and the root arbitrary.
+  // Cholesky's decomposition. Returns 1 for each pixel, or 0 where there is none and the root means
+  // nothing.
   Row factor(float ridge, std::array<Row, kProducts>& root) const {
     Row solvable;
     solvable.fill(1);
