@@ -134,6 +134,26 @@ class TileFilter {
         const float weight = kernel(std::max(distances[x] / std::max(confidences[x], 1e-6F), 0.0F));
         row[x] = confidences[x] > 0 ? weight * weight_[b + x] : 0.0F;
       }
+      if constexpr (Terms > 3) weigh_normals(at(y + kMargin, kMargin), b, row);
+    }
+  }
+
+  // Light is linear in the normal only between neighbours with similar normals. A pixel within
+  // which normals differ has the mean of their light: it is similar to more neighbours.
+  void weigh_normals(std::size_t a, std::size_t b, Row& weights) const {
+    constexpr float kSimilar = 1.0F / 32;
+    Row apart{};    // squared
+    Row lengths{};  // squared; less than 1 where normals differ within a pixel
+    for (std::size_t f = 0; f < 3; ++f) {
+      for (std::size_t x = 0; x < kFilterWidth; ++x) {
+        const float from = features_[f][a + x];
+        const float to = features_[f][b + x];
+        apart[x] += (to - from) * (to - from);
+        lengths[x] += (from * from + to * to) / 2;
+      }
+    }
+    for (std::size_t x = 0; x < kFilterWidth; ++x) {
+      weights[x] *= kernel(apart[x] / (kSimilar + std::max(1 - lengths[x], 0.0F)));
     }
   }
 

@@ -2,9 +2,9 @@
 /// Denoising of a picture of few samples, by nonlinearly weighted first-order regression.
 ///
 /// The value of a pixel is that of a plane fitted to its neighbours, over position, normal, depth
-/// and albedo. Weights of neighbours are those of non-local means: the distance of the patches
-/// around two pixels. After B. Bitterli et al., Nonlinearly Weighted First-order Regression for
-/// Denoising Monte Carlo Renderings (EGSR 2016).
+/// and albedo. Weights of neighbours are those of non-local means, by the distance of the patches
+/// around two pixels, times those of the distance between two normals. After B. Bitterli et al.,
+/// Nonlinearly Weighted First-order Regression for Denoising Monte Carlo Renderings (EGSR 2016).
 #pragma once
 
 #include "bake/denoise_layers.hpp"
