@@ -69,23 +69,16 @@ void PixelSums::add_features(const PathSample& sample) {
   if (material == kNone) material = sample.features.material;
 }
 
-bool PixelSums::is_edge() const {
-  const double covered = static_cast<double>(features.alpha);
-  return covered > 0 && covered < features.count * (1 - 1e-4);
-}
-
-bool PixelSums::is_mixed() const {
-  constexpr double kColors = 2e-5;  // variances of the mean of all samples
-  constexpr double kNormals = 6e-4;
-  if (clear || features.alpha <= 0) return false;
+FeatureVariance PixelSums::feature_variance() const {
+  if (clear || features.alpha <= 0) return {};
   const double count = features.count;
-  if (is_edge()) return true;
-  const auto spread = [count](float squares, const Float3& sum) {
+  const auto variance = [count](float squares, const Float3& sum) {
     const Vec3d mean = to_vec(sum) / count;
-    return (static_cast<double>(squares) / count - dot(mean, mean)) / count;
+    return std::max(static_cast<double>(squares) / count - dot(mean, mean), 0.0);
   };
-  return spread(albedo_square, features.albedo) > kColors ||
-         spread(normal_square, features.normal) > kNormals;
+  const double covered = static_cast<double>(features.alpha) / count;
+  return {covered * (1 - covered), variance(albedo_square, features.albedo),
+          variance(normal_square, features.normal)};
 }
 
 void Film::reserve(std::uint32_t rows) {
@@ -125,6 +118,7 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   sums.light.reflected_square += squared(reflected);
   sums.light.scattered_square += squared(scattered);
   sums.add_features(sample);
+  if (half == 1) add_to(sums.odd_albedo, sample.features.albedo);
 }
 
 void Film::add_features(std::size_t pixel, const FeatureSums& sums, std::uint32_t material) {

@@ -32,6 +32,11 @@ struct LightSums {
   float square = 0, reflected_square = 0, scattered_square = 0;
 };
 
+/// Variances of the features of single samples; of vectors, sums over their components.
+struct FeatureVariance {
+  double alpha = 0, albedo = 0, normal = 0;
+};
+
 /// Sums over the samples of one pixel. One thread adds to it, in the order of samples.
 struct PixelSums {
   std::uint32_t samples = 0;
@@ -41,13 +46,12 @@ struct PixelSums {
   LightSums light;
   FeatureSums features;
   float albedo_square = 0, normal_square = 0;  ///< sums of squared lengths
+  Float3 odd_albedo{};                         ///< sum over the odd samples
 
   /// Adds the features of a sample only.
   void add_features(const PathSample& sample);
-  /// Whether the subject covers a part of the pixel.
-  bool is_edge() const;
-  /// Whether the features of the samples differ so much that their means are uncertain.
-  bool is_mixed() const;
+  /// 0 where the subject is not seen, or through glass, where features have noise.
+  FeatureVariance feature_variance() const;
 };
 
 /// Parts of the light that have noise.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -20,7 +22,7 @@ namespace {
 constexpr std::uint32_t kRound = 8;  // samples of a pixel between two checks of time and noise
 // Samples of the features that miss no edge, far from edges between bodies and near them:
 constexpr std::uint32_t kSure = 16, kSureNearEdge = 64;
-constexpr std::uint32_t kAtOnce = 4;  // feature samples between two checks whether they differ
+constexpr std::uint32_t kAtOnce = 8;  // feature samples between two checks whether they differ
 
 class Renderer {
  public:
@@ -71,13 +73,51 @@ class Renderer {
     std::uint32_t material;
   };
 
-  // Edges are not denoised: a tile with few of them has more samples for each.
-  std::uint32_t samples_of_edges(std::uint32_t tile) const {
+  // How many feature samples the pixels of a tile take.
+  struct FeatureSampling {
+    double stratification = 1;  // variance of a mean albedo, as part of that of random samples
+    std::uint32_t most = 0;     // of a pixel
+  };
+
+  // By the two halves of the samples of the light, as the denoiser does for its variance.
+  double stratification(std::uint32_t tile) const {
+    double random = 0;
+    double stratified = 0;
+    for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
+      const PixelSums& sums = film_.at(std::size_t{y} * options_.width + x);
+      if (sums.samples < 2) return;
+      const Vec3d odd = to_vec(sums.odd_albedo);
+      const Vec3d even = to_vec(sums.features.albedo) - odd;
+      const Vec3d apart = (even - odd) / static_cast<double>(sums.samples);
+      stratified += dot(apart, apart);
+      random += sums.feature_variance().albedo / (sums.samples - 1);
+    });
+    return random > 0 ? std::min(stratified / random, 1.0) : 1;
+  }
+
+  // Whether the means of so many samples are exact enough. Over an edge, the variance of a mean of
+  // stratified samples falls with the power 1.5 of their number.
+  bool is_certain(const FeatureVariance& variance, double stratification, double count) const {
+    constexpr double kAlbedo = 5e-6;
+    constexpr double kNormal = 12;  // relative to alpha
+    const double part = count / options_.feature_samples;
+    const double edge = part * std::sqrt(part) / 4;  // that of half a pixel by all samples
+    return variance.alpha <= edge && variance.normal <= kNormal * edge &&
+           variance.albedo * stratification <= kAlbedo * count;
+  }
+
+  // A tile with few edges has more samples for each.
+  FeatureSampling feature_sampling(std::uint32_t tile) const {
+    FeatureSampling sampling{stratification(tile)};
+    const std::uint32_t few = std::max(options_.feature_samples / 4, 8U);
     std::uint32_t edges = 0;
     for_pixels(tile, [&](std::uint32_t x, std::uint32_t y) {
-      edges += film_.at(std::size_t{y} * options_.width + x).is_edge() ? 1U : 0U;
+      const PixelSums& sums = film_.at(std::size_t{y} * options_.width + x);
+      edges += is_certain(sums.feature_variance(), sampling.stratification, few) ? 0U : 1U;
     });
-    return options_.feature_samples * (edges <= kTileWidth * kTileHeight / 2 ? 2 : 1);
+    const std::uint32_t share = few * kTileWidth * kTileHeight / std::max(edges, 1U);
+    sampling.most = std::min(options_.feature_samples, std::bit_floor(share));
+    return sampling;
   }
 
   // Edges and textures are finer than the samples of the light.
@@ -87,12 +127,12 @@ class Renderer {
         done_.size(), options_.jobs,
         [&](std::size_t tile) {
           const auto number = static_cast<std::uint32_t>(tile);
-          const std::uint32_t of_edges = samples_of_edges(number);
+          const FeatureSampling sampling = feature_sampling(number);
           const EdgeMap edges(context_.bvh, view_, options_, left_of(number), top_of(number));
           for_pixels(number, [&](std::uint32_t x, std::uint32_t y) {
             const std::uint32_t enough =
                 edges.is_near_edge(x, y) ? kSureNearEdge : std::min(kSure, options_.samples);
-            const auto seen = sample_pixel_features(x, y, enough, of_edges);
+            const auto seen = sample_pixel_features(x, y, enough, sampling);
             if (seen.sums.count > 0) found[tile].push_back(seen);
           });
         },
@@ -106,16 +146,17 @@ class Renderer {
 
   // None, to save memory, where all samples of the pixel see nearly the same.
   PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y, std::uint32_t enough,
-                                      std::uint32_t of_edges) const {
+                                      const FeatureSampling& sampling) const {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
     PixelSums sums = film_.at(pixel);
     FeatureSums more;
+    bool same = true;  // as far as was seen at any time
     for (std::uint32_t i = samples_.samples(x, y);;) {
-      const bool certain = sums.features.count >= enough && !sums.is_mixed();
-      if (sums.clear || certain) return {pixel, {}, sums.material};
-      const std::uint32_t most = sums.is_edge() ? of_edges : options_.feature_samples;
-      if (i >= most) break;
-      const std::uint32_t end = std::min(i + kAtOnce, most);
+      const std::uint32_t count = sums.features.count;
+      const bool certain = is_certain(sums.feature_variance(), sampling.stratification, count);
+      same = sums.clear || (same && certain);
+      if (sums.clear || (certain && count >= enough) || i >= sampling.most) break;
+      const std::uint32_t end = std::min(i + kAtOnce, sampling.most);
       visit_samples(x, y, i, end, [&](const CameraSample& camera, const auto& hit) {
         const PathSample sample = sample_features(context_, camera, hit);
         more.add(sample);
@@ -123,7 +164,7 @@ class Renderer {
       });
       i = end;
     }
-    return {pixel, more, sums.material};
+    return {pixel, same ? FeatureSums() : more, sums.material};
   }
 
   std::uint32_t left_of(std::uint32_t tile) const { return tile % columns_ * kTileWidth; }

@@ -24,9 +24,9 @@ struct QualityLevel {
 };
 const QualityLevel& level_of(BakeQuality quality) {
   static const std::array<QualityLevel, 3> kLevels{{
-      {4, 6, 8, 0, {1, 1, 1, true}},
-      {44, 6, 96, 0.098, {4, 2, 4, false}},
-      {256, 12, 256, 0, {1, 2, 4, false}},
+      {4, 6, 16, 0, {1, 1, 1, true}},
+      {44, 6, 256, 0.11, {4, 2, 4, false}},
+      {256, 12, 1024, 0, {1, 2, 4, false}},
   }};
   return kLevels[static_cast<std::size_t>(quality)];
 }

@@ -2,8 +2,11 @@
 #include "bake/render.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,6 +14,7 @@
 
 #include "bake/lighting.hpp"
 #include "bake/picture.hpp"
+#include "bake/sampler.hpp"
 #include "rendering.hpp"
 #include "studio_stage.hpp"
 
@@ -230,7 +234,7 @@ TEST(Denoise, ComesNearer) {
 TEST(Denoise, FewSamplesMissNoEdge) {
   const Stage stage = square_and_ball();
   PictureOptions options = denoised(16);
-  options.render.feature_samples = 48;
+  options.render.feature_samples = 128;
   const Framebuffer few = render(stage.context(), front(), options);
   options.render.samples = 256;
   options.denoise = false;
@@ -265,9 +269,51 @@ TEST(Denoise, EdgesHaveTheMostSamples) {
     EXPECT_GT(edges, 50);
     return std::sqrt(sum / edges);
   };
-  const double many = error(64);
+  const double many = error(128);
   EXPECT_LT(many, 0.012);
   EXPECT_LT(many, error(0) / 3);
+}
+
+// A square whose texels, all almost the same grey, are finer than the pixels.
+Stage grainy_square() {
+  constexpr std::uint32_t kSide = 256;
+  static const auto kTexels = [] {
+    std::array<std::uint8_t, kSide * kSide> texels{};
+    for (std::uint32_t i = 0; i < texels.size(); ++i) {
+      texels[i] = static_cast<std::uint8_t>(120 + mix_bits(i) % 16);
+    }
+    return texels;
+  }();
+  Scene scene = scene_of(quad(4), matte(Rgb(1)));
+  scene.materials[0].factors.unlit = true;
+  scene.materials[0].use(Slot::base_color).texture = 0;
+  scene.textures.push_back({kSide, kSide, 1, 8, std::as_bytes(std::span(kTexels)), nullptr});
+  Stage stage(std::move(scene));
+  stage.world.environment.emplace(even_light());
+  return stage;
+}
+
+// Feature samples that make a mean certain are part of it.
+TEST(Denoise, TexturesHaveMoreSamples) {
+  const Stage stage = grainy_square();
+  const auto albedo_of = [&](std::uint32_t samples, std::uint32_t features) {
+    PictureOptions options = denoised(samples);
+    options.layers.albedo = true;
+    options.render.feature_samples = features;
+    options.render.seed = samples + features;  // no picture is part of another one
+    return render(stage.context(), front(), options).albedo;
+  };
+  const std::vector<Float3> exact = albedo_of(1024, 0);
+  const auto error = [&](std::uint32_t features) {
+    const std::vector<Float3> albedo = albedo_of(8, features);
+    double sum = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      const auto apart = static_cast<double>(albedo[i][0] - exact[i][0]);
+      sum += apart * apart;
+    }
+    return std::sqrt(sum / static_cast<double>(exact.size()));
+  };
+  EXPECT_LT(error(256), error(0) * 0.7);
 }
 
 // A pixel of which an edge cuts off a twentieth may seem whole to 16 samples.
