@@ -7,6 +7,7 @@
 #include "bake/camera_packet.hpp"
 #include "bake/render.hpp"
 #include "bake/storage.hpp"
+#include "bake/surface.hpp"
 #include "bake/tonemap.hpp"
 #include "base/parallel.hpp"
 
@@ -16,9 +17,10 @@ namespace {
 constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
 // The range of a pixel's count around the average:
 constexpr std::uint32_t kTimesLess = 10, kTimesMore = 4;
-// With a deviation, the least average as part of RenderOptions::samples. Without the sky, a sample
-// has fewer shadow rays: it is cheap, and adds less.
-constexpr double kLeastWithSky = 7.0 / 16, kLeastWithoutSky = 1;
+// With a deviation, the least average as part of RenderOptions::samples: of pictures of opaque
+// surfaces; of those with surfaces that transmit light, behind which the denoiser knows nothing;
+// and of those without the sky, where a sample has fewer shadow rays: it is cheap, and adds less.
+constexpr double kLeastOpaque = 6.0 / 16, kLeastTransmissive = 7.0 / 16, kLeastWithoutSky = 1;
 constexpr double kMostError = 0.25;  // of the range from black to white: more counts as this
 constexpr double kDark = 0.02;       // least albedo by which light is divided
 
@@ -76,6 +78,14 @@ class PixelVariance {
   bool clear_ = false;
 };
 
+double least_average(const TraceContext& context) {
+  if (!context.world.sky) return kLeastWithoutSky;
+  const auto transmits = [](const SceneMaterial& each) { return is_transmissive(each.factors); };
+  const auto& materials = context.scene.materials;
+  return std::any_of(materials.begin(), materials.end(), transmits) ? kLeastTransmissive
+                                                                    : kLeastOpaque;
+}
+
 // Pixels of part of a picture.
 struct PixelBlock {
   std::uint32_t left, top, right, bottom;
@@ -99,7 +109,7 @@ SampleMap::SampleMap(const TraceContext& context, const View& view, const Render
   std::vector<float> variances = estimate_variance(context, view, options);
   blur(variances);
   for (float& each : variances) each = std::sqrt(each);
-  allocate(variances, options, context.world.sky ? kLeastWithSky : kLeastWithoutSky);
+  allocate(variances, options, least_average(context));
 }
 
 std::vector<float> SampleMap::estimate_variance(const TraceContext& context, const View& view,

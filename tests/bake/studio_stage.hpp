@@ -9,10 +9,12 @@
 
 namespace gltfx::bake {
 
-inline Stage studio_stage() {
+/// `transmission`: of the ball.
+inline Stage studio_stage(double transmission = 0) {
   Scene scene = scene_of(sphere(1, 16), matte({0.8, 0.4, 0.2}));
   scene.materials[0].factors.specular = 1;
   scene.materials[0].factors.roughness = 0.4;
+  scene.materials[0].factors.transmission = transmission;
   scene.meshes.push_back(cube(0.5F));
   scene.instances.push_back({1, moved(1.2F, -0.5F, 0.8F)});
   scene.instances.push_back({1, moved(-1.2F, -0.5F, 0.8F)});

@@ -42,7 +42,7 @@ void declare_scene(CLI::App& app, RawBakeOptions& words) {
 void declare_quality(CLI::App& app, RawBakeOptions& words) {
   add_word(app, "--quality", words.quality, "NAME", "Quality: draft, standard (default) or final");
   add_word(app, "--samples", words.samples, "N",
-           "Samples per pixel (4, up to 32 or 256 by --quality)");
+           "Samples per pixel (4, up to 44 or 256 by --quality)");
   add_word(app, "--bounces", words.bounces, "N", "Maximum path depth (default: 6; final 12)");
   add_word(app, "--seed", words.seed, "N", "Random seed (default: 0)");
   add_word(app, "--denoise", words.denoise, "on|off", "Denoise the picture (default: on)");
