@@ -42,7 +42,8 @@ double inverse_norm(const Matrix34& m) {
   for (const Vec3d& row : {cross(y, z), cross(z, x), cross(x, y)}) {
     const double sum = (std::fabs(row.x) + std::fabs(row.y) + std::fabs(row.z)) / std::fabs(volume);
     const bool fits = sum < kMost && std::fabs(dot(row, place) / volume) < kFarthest;
-    most = std::max(most, fits ? sum : std::numeric_limits<double>::infinity());
+    if (!fits) return std::numeric_limits<double>::infinity();
+    most = std::max(most, sum);
   }
   return most;
 }

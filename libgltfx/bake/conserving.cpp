@@ -64,7 +64,9 @@ EnergyCompensation::EnergyCompensation(const Fresnel& fresnel, const Microfacets
   highest_f0_ = lowest_f0_ = max_value(fresnel.f0);
   if (fresnel.film.strength > 0) {
     f90_ = 1;
-    for (double t = 0; t <= 1; t += 1.0 / 12) {
+    constexpr int kSteps = 12;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double t = static_cast<double>(i) / kSteps;
       const double cosine = 0.015 + 0.985 * t * std::sqrt(t);
       const double f0 = f0_through(max_value(fresnel.at(cosine)), f90_, cosine);
       highest_f0_ = std::clamp(f0, highest_f0_, 1.0);

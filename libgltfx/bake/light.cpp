@@ -197,8 +197,9 @@ EmissiveTriangle Emitters::sample(const Scene& scene, const Vec3d& from,
 
 double Emitters::density(std::size_t number) const {
   const std::size_t rows = (areas_.size() + kRow - 1) / kRow;
+  const std::size_t row = number / kRow;
   const Float2 point{(static_cast<float>(number % kRow) + 0.5F) / kRow,
-                     (static_cast<float>(number / kRow) + 0.5F) / static_cast<float>(rows)};
+                     (static_cast<float>(row) + 0.5F) / static_cast<float>(rows)};
   return choice_.density(point) / static_cast<double>(rows * kRow);
 }
 

@@ -22,7 +22,7 @@ const char* DirectoryReader::next() {
   if (stream_ == nullptr) return nullptr;
   do {
     errno = 0;
-    entry_ = ::readdir(stream_);
+    entry_ = ::readdir(stream_);  // NOLINT(concurrency-mt-unsafe): no other thread has the stream
     if (entry_ == nullptr) {
       error_.assign(errno, std::generic_category());
       return nullptr;

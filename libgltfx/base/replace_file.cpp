@@ -17,10 +17,6 @@ namespace fs = std::filesystem;
 using Trouble = std::optional<Error>;
 
 constexpr mode_t kOwnerOnly = 0600;
-
-namespace fs = std::filesystem;
-using Trouble = std::optional<Error>;
-
 constexpr mode_t kWritable = 0222;
 
 Error refusal(const fs::path& path, std::string_view why) {

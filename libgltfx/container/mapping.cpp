@@ -117,6 +117,7 @@ void ReadMeter::add(std::size_t bytes) const {
   if (mapping_ == nullptr || mapping_->read.fetch_add(bytes) + bytes < kMostResident) return;
   mapping_->read = 0;
   const std::uintptr_t begin = mapping_->begin;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): a number, so that a signal handler may read it
   ::madvise(reinterpret_cast<void*>(begin), mapping_->end - begin, MADV_DONTNEED);
 }
 

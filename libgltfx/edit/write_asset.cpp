@@ -79,7 +79,7 @@ class Writer {
       return failure;
     }
     if (auto failure = not_written(replace_files())) return failure;
-    const Failure failure = not_written(draft.publish());
+    Failure failure = not_written(draft.publish());
     std::error_code ignored;
     if (failure && to_.backup) fs::remove(copy, ignored);
     return failure;
