@@ -150,7 +150,7 @@ class Renderer {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
     PixelSums sums = film_.at(pixel);
     FeatureSums more;
-    bool same = true;  // as far as was seen at any time
+    bool same = true;  // at every check
     for (std::uint32_t i = samples_.samples(x, y);;) {
       const std::uint32_t count = sums.features.count;
       const bool certain = is_certain(sums.feature_variance(), sampling.stratification, count);

@@ -28,9 +28,9 @@ struct RenderOptions {
   double deviation = 0;
   /// The most samples of the features of a pixel, those of the light among them: edges of the
   /// subject take so many, finer differences fewer. In a tile full of edges and textures each pixel
-  /// takes a quarter at most, but 8. Pixels near edges between bodies take up to 64 to find out
-  /// whether anything differs within them. A power of two is stratified best. 0: no more than the
-  /// samples of the light.
+  /// takes at most a quarter of them, or 8 if that is more. Pixels near edges between bodies take
+  /// up to 64 to find out whether anything differs within them. A power of two is stratified best.
+  /// 0: no more than the samples of the light.
   std::uint32_t feature_samples = 0;
   std::uint32_t seed = 0;
   unsigned jobs = 1;

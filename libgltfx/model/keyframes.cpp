@@ -62,7 +62,7 @@ Values linear(const Values& from, const Values& to, double t) {
 // The spline of appendix C.5; `span` is the time between the keyframes.
 Values cubic(const Curve& curve, std::uint64_t keyframe, std::uint64_t width, double t,
              double span) {
-  Values from = elements_of(curve, keyframe, 1, width);
+  const Values from = elements_of(curve, keyframe, 1, width);
   const Values out = elements_of(curve, keyframe, 2, width);
   const Values in = elements_of(curve, keyframe + 1, 0, width);
   const Values to = elements_of(curve, keyframe + 1, 1, width);
@@ -98,7 +98,7 @@ Values between(const Curve& curve, std::uint64_t keyframe, std::uint64_t width, 
   if (curve.interpolation == Interpolation::cubic_spline) {
     return cubic(curve, keyframe, width, t, span);
   }
-  const Values from = elements_of(curve, keyframe, 0, width);
+  Values from = elements_of(curve, keyframe, 0, width);
   if (curve.interpolation == Interpolation::step) return from;
   const Values to = elements_of(curve, keyframe + 1, 0, width);
   if (rotation) return values_of(slerp(quaternion(from), quaternion(to), t));

@@ -80,7 +80,7 @@ TEST(SampleMap, QuietPicturesGetLess) {
   EXPECT_LT(between, all - 2);
 }
 
-// What is behind a surface the denoiser does not know.
+// The denoiser does not know what is behind a surface.
 TEST(SampleMap, TransmissionTakesMore) { EXPECT_NEAR(mean_under_sky(1, 0.5), 14, 1); }
 
 TEST(SampleMap, WithoutASkyNoneAreSaved) {
