@@ -110,12 +110,11 @@ Result<SceneOptions> scene_options(const model::Asset& asset, const BakeOptions&
   return wanted;
 }
 
-Result<std::unique_ptr<bake::Scene>> build(const validate::ValidatedAsset& asset,
-                                           const BakeOptions& options) {
+Result<BuiltScene> build(const validate::ValidatedAsset& asset, const BakeOptions& options) {
   const auto wanted = scene_options(model::Asset(asset.asset().document()), options);
   if (!wanted) return wanted.error();
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
-  return std::make_unique<bake::Scene>(build_scene(asset, *schemas, *wanted));
+  return build_scene(asset, *schemas, *wanted);
 }
 
 std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
@@ -133,20 +132,20 @@ std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
 }
 
 // Points and lines are to be seen in a picture of all that is there.
-void give_markers_size(bake::Scene& scene, const BakeSize& size) {
+void give_markers_size(BuiltScene& built, const BakeSize& size) {
+  bake::Scene& scene = built.scene;
   const bool any = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                [](const auto& mesh) { return !mesh.marker_directions.empty(); });
   if (!any) return;
   const auto subject = bake::find_subject(scene, bake::Which::framed);
-  if (subject)
-    bake::give_markers_size(scene,
-                            bake::marker_radius(*subject, std::max(size.width, size.height)));
+  if (!subject) return;
+  bake::give_markers_size(scene, bake::marker_radius(*subject, std::max(size.width, size.height)));
+  built.subject = bake::find_subject(scene);
 }
 
 BakeScene prepared(BakeScene result, const BakeOptions& options) {
   if (!result.scene) return result;
-  auto subject = bake::find_subject(*result.scene);
-  if (!subject) {
+  if (!result.subject) {
     return failed(std::move(result), BakeProblem::nothing_to_see, "nothing in it is visible");
   }
   if (!options.frame.empty()) {
@@ -163,7 +162,6 @@ BakeScene prepared(BakeScene result, const BakeOptions& options) {
   // What a machine with more memory draws is not refused.
   if (!bvh) return failed(std::move(result), BakeProblem::unreadable, bvh.error().message);
   result.bvh.emplace(*std::move(bvh));
-  result.subject = std::move(subject);
   return result;
 }
 
@@ -186,19 +184,20 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
   if (errors > 0 && (options.strict || forbids_picture(result.report.validation))) {
     return failed(std::move(result), BakeProblem::invalid, "it has errors");
   }
-  auto scene = build(asset, options);
-  if (!scene) return failed(std::move(result), BakeProblem::refused, scene.error().message);
-  if (auto trouble = light(**scene, options)) {
+  auto made = build(asset, options);
+  if (!made) return failed(std::move(result), BakeProblem::refused, made.error().message);
+  if (auto trouble = light(made->scene, options)) {
     return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
   }
-  give_markers_size(**scene, options.sizes.front());
-  result.report.notes = (*scene)->notes;
+  give_markers_size(*made, options.sizes.front());
+  result.report.notes = made->scene.notes;
   if (errors > 0) {
     result.report.notes.push_back(
         fmt::format("it has {} error{}, which gltfx validate names; what can be drawn is drawn",
                     errors, errors == 1 ? "" : "s"));
   }
-  result.scene = *std::move(scene);
+  result.scene = std::make_unique<const bake::Scene>(std::move(made->scene));
+  result.subject = std::move(made->subject);
   return result;
 }
 

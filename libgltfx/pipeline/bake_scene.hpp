@@ -32,7 +32,7 @@ struct BakeScene {
     if (subject) subject->forget_faces();
     framed.reset();
   }
-  bool ready() const { return subject.has_value(); }
+  bool ready() const { return bvh.has_value(); }
 };
 
 /// Opens, validates, reads and poses. Nothing is written.

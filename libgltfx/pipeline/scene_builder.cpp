@@ -149,7 +149,7 @@ class SceneBuilder {
     animate(schemas);
   }
 
-  bake::Scene run(const model::SceneRoots& roots) {
+  BuiltScene run(const model::SceneRoots& roots) {
     if (!roots.note.empty() && !views_.nodes.empty()) notes_.add(roots.note);
     const model::Pose pose = model::compute_pose(asset_, views_, roots, animated_);
     model::DracoMeshes draco;
@@ -163,9 +163,12 @@ class SceneBuilder {
     SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
                        notes_, scene_);
     place_all(pose, meshes);
-    textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, options_.picture_side);
+    std::optional<bake::Subject> subject = bake::find_subject(scene_);
+    const double pixel =
+        subject && options_.picture_side > 0 ? subject->size() / options_.picture_side : 0;
+    textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
     light(roots);
-    return std::move(scene_);
+    return {std::move(scene_), std::move(subject)};
   }
 
  private:
@@ -323,8 +326,8 @@ std::vector<bool> images_in_use(const model::Asset& asset, std::optional<std::ui
 
 }  // namespace
 
-bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
-                        const SceneOptions& options) {
+BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
+                       const SceneOptions& options) {
   SceneNotes notes;
   const model::OpenedAsset& opened = validated.asset();
   const model::Asset asset(opened.document());
@@ -335,9 +338,9 @@ bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema:
   model::LoadedResources loaded =
       model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
   for (std::string& note : loaded.notes) notes.add(std::move(note));
-  bake::Scene scene = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run(roots);
-  scene.notes = notes.take();
-  return scene;
+  BuiltScene built = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run(roots);
+  built.scene.notes = notes.take();
+  return built;
 }
 
 }  // namespace gltfx

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "bake/framing.hpp"
 #include "bake/scene.hpp"
 #include "schema/set.hpp"
 #include "validate/validated_asset.hpp"
@@ -29,11 +30,16 @@ struct SceneOptions {
   std::uint64_t free_pixel_bytes = std::uint64_t{1} << 30U;
 };
 
+struct BuiltScene {
+  bake::Scene scene;
+  std::optional<bake::Subject> subject;  ///< as bake::find_subject() finds it there
+};
+
 /// Reads, decodes and poses what is visible. What is invalid is left out, and named in the notes
 /// of the scene, as is all else that is not drawn. Nothing outside of the resolver's root is
 /// opened; images and Draco bitstreams are decoded by worker processes. Keeps no reference.
 /// Precondition: the asset has a document.
-bake::Scene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
-                        const SceneOptions& options);
+BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
+                       const SceneOptions& options);
 
 }  // namespace gltfx

@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 
-#include "bake/framing.hpp"
 #include "bake/storage.hpp"
 #include "bake/surface.hpp"
 #include "bake/texture.hpp"
@@ -88,14 +86,12 @@ class PlacedMesh {
 }  // namespace
 
 std::vector<std::uint32_t> find_halvings(const bake::Scene& scene,
-                                         const std::vector<ImageSize>& images, std::uint32_t side) {
-  const auto subject = bake::find_subject(scene);
-  if (!subject || side == 0) return std::vector<std::uint32_t>(images.size(), 0);
+                                         const std::vector<ImageSize>& images, double pixel) {
   std::vector<TexelDensity> densities(images.size());
   for (const bake::Instance& instance : scene.instances) {
     for (std::uint32_t i = 0; i < instance.count; ++i) {
       const bake::Mesh& mesh = scene.meshes[instance.mesh + i];
-      const PlacedMesh placed(mesh, instance.to_world, subject->size() / side);
+      const PlacedMesh placed(mesh, instance.to_world, pixel);
       for (const bake::TextureUse& use : bake::material_of(scene, mesh).textures) {
         if (use.texture == bake::kNone || images[use.texture].width == 0) continue;
         placed.add_to(densities[use.texture], use, images[use.texture]);

@@ -15,9 +15,9 @@ struct ImageSize {
 };
 
 /// For each texture of a scene, how often both sides of its image can be halved so that two texels
-/// at least stay for each pixel of a picture with the whole scene in it. `images`: by texture;
-/// `side`: pixels along the longer side of the picture. 0 where nothing is known.
+/// at least stay for each pixel of a picture. `images`: by texture; `pixel`: length of the side of
+/// a pixel where the scene is, in its unit. 0 where nothing is known.
 std::vector<std::uint32_t> find_halvings(const bake::Scene& scene,
-                                         const std::vector<ImageSize>& images, std::uint32_t side);
+                                         const std::vector<ImageSize>& images, double pixel);
 
 }  // namespace gltfx

@@ -207,11 +207,11 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
 }
 
 // An image has the detail that its textures need, where it is worth a look at them.
-void SceneTextures::choose_detail(std::uint32_t side) {
+void SceneTextures::choose_detail(double pixel) {
   std::vector<ImageSize> sizes(textures_.size());
   std::vector<Job*> jobs(textures_.size());
   bool any = false;
-  for (std::size_t i = 0; side > 0 && i < textures_.size(); ++i) {
+  for (std::size_t i = 0; pixel > 0 && i < textures_.size(); ++i) {
     for (const std::uint32_t image : textures_[i].images) {
       const auto job = job_of_.find(image);
       if (job == job_of_.end()) continue;
@@ -224,16 +224,16 @@ void SceneTextures::choose_detail(std::uint32_t side) {
     }
   }
   if (!any) return;
-  const std::vector<std::uint32_t> halvings = find_halvings(scene_, sizes, side);
+  const std::vector<std::uint32_t> halvings = find_halvings(scene_, sizes, pixel);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (jobs[i] != nullptr) jobs[i]->halvings = std::min(jobs[i]->halvings, halvings[i]);
   }
 }
 
 void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget,
-                           std::uint32_t side) {
+                           double pixel) {
   plan(budget);
-  choose_detail(side);
+  choose_detail(pixel);
   const auto worth = static_cast<unsigned>(std::min<std::uint64_t>(pixels_ / kWorkerPixels, 64));
   std::atomic<bool> stopped = false;
   int costly = 0;

@@ -52,10 +52,9 @@ class SceneTextures {
   std::uint32_t use(std::uint32_t texture);
 
   /// Decodes the images of all textures in use, on up to `jobs` threads. What cannot be had becomes
-  /// a texture that is marked as missing, with a note. `side`: of a picture of all meshes in the
-  /// scene, in pixels, for which large images need no more texels than show; 0: all texels.
-  void decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget,
-              std::uint32_t side);
+  /// a texture that is marked as missing, with a note. `pixel`: see find_halvings(); large images
+  /// get no more texels than show.
+  void decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget, double pixel);
 
  private:
   struct Job {
@@ -67,7 +66,7 @@ class SceneTextures {
   /// Why an image is not even tried, or empty.
   std::string obstacle(std::uint32_t image) const;
   void plan(model::MemoryBudget& budget);
-  void choose_detail(std::uint32_t side);
+  void choose_detail(double pixel);
   void finish(std::uint32_t index);
 
   const model::Asset& asset_;

@@ -22,7 +22,7 @@ inline bake::Scene scene_of_text(const std::string& text, const SceneOptions& op
       {"a.gltf", container::open_bytes(bytes, "a.gltf"), container::Resolver()}, {});
   EXPECT_FALSE(asset.asset().document().empty()) << text;
   if (asset.asset().document().empty()) return {};
-  return build_scene(asset, *schema::builtin_set(), options);
+  return build_scene(asset, *schema::builtin_set(), options).scene;
 }
 
 /// `members`: those of the root object beside the accessors.

@@ -2,6 +2,7 @@
 // How many texels a picture needs.
 #include "pipeline/scene_detail.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -26,14 +27,17 @@ bake::Scene square(float uv_scale) {
   return scene;
 }
 
+// The side of a pixel of a picture with the square in it, which has so many of them along its side.
+double pixel(int side) { return std::sqrt(8.0) / side; }
+
 TEST(SceneDetail, TwoTexelsStayForEachPixel) {
   const std::vector<ImageSize> image{{2048, 2048}};
   // 2048 texels on 2 m, 256 pixels on 2.83 m: 11.3 texels a pixel, of which 2.8 stay.
-  EXPECT_THAT(find_halvings(square(1), image, 256), ElementsAre(2));
-  EXPECT_THAT(find_halvings(square(1), image, 512), ElementsAre(1));
-  EXPECT_THAT(find_halvings(square(1), image, 2048), ElementsAre(0));
-  EXPECT_THAT(find_halvings(square(4), image, 256), ElementsAre(4));
-  EXPECT_THAT(find_halvings(square(0.1F), image, 256), ElementsAre(0));
+  EXPECT_THAT(find_halvings(square(1), image, pixel(256)), ElementsAre(2));
+  EXPECT_THAT(find_halvings(square(1), image, pixel(512)), ElementsAre(1));
+  EXPECT_THAT(find_halvings(square(1), image, pixel(2048)), ElementsAre(0));
+  EXPECT_THAT(find_halvings(square(4), image, pixel(256)), ElementsAre(4));
+  EXPECT_THAT(find_halvings(square(0.1F), image, pixel(256)), ElementsAre(0));
 }
 
 // A small part that is stretched does not count; a larger one does.
@@ -41,20 +45,22 @@ TEST(SceneDetail, TheLeastDetailDecides) {
   bake::Scene scene = square(1);
   bake::Mesh& mesh = scene.meshes.front();
   mesh.uvs = {{{0, 0}, {1, 0}, {1, 1}, {1, 1}}};
-  EXPECT_THAT(find_halvings(scene, {{2048, 2048}}, 256), ElementsAre(0)) << "half has no detail";
+  EXPECT_THAT(find_halvings(scene, {{2048, 2048}}, pixel(256)), ElementsAre(0))
+      << "half has no detail";
   bake::Mesh stretched = bake::quad(0.1F);
   stretched.uvs = {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}};
   scene = square(1);
   stretched.material = 0;
   scene.meshes.push_back(stretched);
   scene.instances.push_back({1, bake::kIdentity});
-  EXPECT_THAT(find_halvings(scene, {{2048, 2048}}, 256), ElementsAre(2)) << "1 % has no detail";
+  EXPECT_THAT(find_halvings(scene, {{2048, 2048}}, pixel(256)), ElementsAre(2))
+      << "1 % has no detail";
 }
 
-TEST(SceneDetail, NothingIsKnownWithoutAPictureOrASurface) {
+TEST(SceneDetail, NothingIsKnownWithoutAPixelAnImageOrASurface) {
   EXPECT_THAT(find_halvings(square(1), {{2048, 2048}}, 0), ElementsAre(0));
-  EXPECT_THAT(find_halvings(square(1), {{0, 0}}, 256), ElementsAre(0));
-  EXPECT_THAT(find_halvings({}, {{2048, 2048}}, 256), ElementsAre(0));
+  EXPECT_THAT(find_halvings(square(1), {{0, 0}}, pixel(256)), ElementsAre(0));
+  EXPECT_THAT(find_halvings({}, {{2048, 2048}}, pixel(256)), ElementsAre(0));
 }
 
 }  // namespace
