@@ -120,15 +120,8 @@ Affine operator*(const Affine& outer, const Affine& inner) {
   return product;
 }
 
-double dot(const Vector3& a, const Vector3& b) { return inner_product(a, b); }
-
 Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector3 unit(const Vector3& a) {
-  const double length = std::sqrt(dot(a, a));
-  return length > 0 ? times(a, 1 / length) : Vector3{};
 }
 
 Quaternion unit(const Quaternion& q) {

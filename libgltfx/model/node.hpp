@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -41,10 +42,17 @@ struct Affine {
 /// `inner` first, then `outer`.
 Affine operator*(const Affine& outer, const Affine& inner);
 
-double dot(const Vector3& a, const Vector3& b);
+inline double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 Vector3 cross(const Vector3& a, const Vector3& b);
 /// In the direction of `a` with length 1; zero where it has none.
-Vector3 unit(const Vector3& a);
+inline Vector3 unit(const Vector3& a) {
+  const double length = std::sqrt(dot(a, a));
+  if (!(length > 0)) return {};
+  const double scale = 1 / length;
+  return {a[0] * scale, a[1] * scale, a[2] * scale};
+}
 
 /// Between two rotations along the shorter arc, for `t` from 0 to 1; of unit length.
 Quaternion slerp(const Quaternion& from, const Quaternion& to, double t);

@@ -215,15 +215,15 @@ class TangentSpace {
   void grow(std::uint32_t face, std::uint32_t corner) {
     const auto id = static_cast<std::uint32_t>(groups_.size());
     groups_.push_back({faces_[face].welded[corner], faces_[face].plain, {}});
-    std::vector<std::uint32_t> waiting{face};
-    while (!waiting.empty()) {
-      const std::uint32_t f = waiting.back();
-      waiting.pop_back();
+    waiting_.push_back(face);
+    while (!waiting_.empty()) {
+      const std::uint32_t f = waiting_.back();
+      waiting_.pop_back();
       if (f == kNone) continue;
       const auto k = join(f, id);
       if (k == kNone) continue;
-      waiting.push_back(faces_[f].beyond[k]);
-      waiting.push_back(faces_[f].beyond[(k + 2) % 3]);
+      waiting_.push_back(faces_[f].beyond[k]);
+      waiting_.push_back(faces_[f].beyond[(k + 2) % 3]);
     }
   }
 
@@ -316,6 +316,7 @@ class TangentSpace {
   std::vector<Face> faces_;
   std::vector<std::uint32_t> groups_of_;  ///< by corner
   std::vector<Group> groups_;
+  std::vector<std::uint32_t> waiting_;  ///< faces that grow() is to look at
 };
 
 }  // namespace
