@@ -295,7 +295,7 @@ class Denoiser {
   // Emission has no noise.
   void start() {
     for (std::size_t i = pixel(0, rows_.first); i < pixel(0, rows_.last); ++i) {
-      const FeatureSums seen = film_.features(i);
+      const FeatureSums& seen = film_.features(i);
       buffer_.radiance[i] = to_float3(to_vec(seen.emitted) / Rgb(std::max(seen.count, 1U)));
     }
   }

@@ -108,7 +108,7 @@ FeaturePlanes features_of(const Film& film, const DepthRange& depths, unsigned j
   FeaturePlanes features;
   for (Plane& plane : features) plane.resize(film.size());
   for_pixels(film, jobs, [&](std::size_t i, std::size_t pixel) {
-    const FeatureSums seen = film.features(pixel);
+    const FeatureSums& seen = film.features(pixel);
     if (seen.alpha <= 0) return;
     for (std::size_t c = 0; c < 3; ++c) {
       features[c][i] = seen.normal[c] / seen.alpha;

@@ -50,17 +50,6 @@ void FeatureSums::add(const PathSample& sample) {
   depth += static_cast<float>(sample.features.depth);
 }
 
-void FeatureSums::add(const FeatureSums& other) {
-  count += other.count;
-  add_to(emitted, to_vec(other.emitted));
-  add_to(background, to_vec(other.background));
-  alpha += other.alpha;
-  add_to(albedo, to_vec(other.albedo));
-  add_to(specular_albedo, to_vec(other.specular_albedo));
-  add_to(normal, to_vec(other.normal));
-  depth += other.depth;
-}
-
 void PixelSums::add_features(const PathSample& sample) {
   features.add(sample);
   albedo_square += static_cast<float>(dot(sample.features.albedo, sample.features.albedo));
@@ -121,7 +110,7 @@ void Film::add(std::size_t pixel, const PathSample& sample) {
   if (half == 1) add_to(sums.odd_albedo, sample.features.albedo);
 }
 
-void Film::add_features(std::size_t pixel, const FeatureSums& sums, std::uint32_t material) {
+void Film::set_features(std::size_t pixel, const FeatureSums& sums, std::uint32_t material) {
   const std::size_t held = pixel - first_pixel();
   pixels_[held].material = material;
   std::uint32_t& place = feature_samples_[held];
@@ -135,11 +124,9 @@ void Film::add_features(std::size_t pixel, const FeatureSums& sums, std::uint32_
   }
 }
 
-FeatureSums Film::features(std::size_t pixel) const {
-  FeatureSums sum = at(pixel).features;
-  const std::uint32_t more = feature_samples_[pixel - first_pixel()];
-  if (more != kNone) sum.add(feature_sums_[more]);
-  return sum;
+const FeatureSums& Film::features(std::size_t pixel) const {
+  const std::uint32_t all = feature_samples_[pixel - first_pixel()];
+  return all == kNone ? at(pixel).features : feature_sums_[all];
 }
 
 Rgb Film::radiance(std::size_t pixel) const {

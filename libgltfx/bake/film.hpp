@@ -21,7 +21,6 @@ struct FeatureSums {
   float depth = 0;
 
   void add(const PathSample& sample);
-  void add(const FeatureSums& other);
 };
 
 /// Sums of light with noise: even and odd samples apart, as independent estimates.
@@ -84,10 +83,11 @@ class Film {
   void add(std::size_t pixel, const PathSample& sample);
   const PixelSums& at(std::size_t pixel) const { return pixels_[pixel - first_pixel()]; }
 
-  /// Adds feature samples, once at most for a pixel; `material`: the first one that any sample met.
-  void add_features(std::size_t pixel, const FeatureSums& sums, std::uint32_t material);
+  /// Sets the features of all samples of a pixel, feature samples among them, once at most;
+  /// `material`: the first one that any sample met.
+  void set_features(std::size_t pixel, const FeatureSums& sums, std::uint32_t material);
   /// Features of samples and feature samples.
-  FeatureSums features(std::size_t pixel) const;
+  const FeatureSums& features(std::size_t pixel) const;
   /// The number of pixels that are held, and the first one of them.
   std::size_t size() const { return pixels_.size(); }
   std::size_t first_pixel() const { return std::size_t{held_.first} * width_; }

@@ -9,7 +9,7 @@ namespace gltfx::bake {
 namespace {
 
 void resolve_features(const Film& film, std::size_t pixel, Framebuffer& buffer) {
-  const FeatureSums seen = film.features(pixel);
+  const FeatureSums& seen = film.features(pixel);
   const bool something = seen.alpha > 0;
   const std::uint32_t count = std::max(seen.count, 1U);
   const double share = something ? 1.0 / count : 0.0;

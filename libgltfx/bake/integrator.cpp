@@ -37,8 +37,10 @@ PathSample through_layers(const TraceContext& context, const CameraSample& camer
       hit = context.bvh.first_layer(rest);
     }
     const double covered = hit && !last ? static_cast<double>(context.bvh.coverage(*hit)) : 1.0;
-    ++sum.rays;
-    trace(rest, hit, layer, left * covered, sum);
+    PathSample sample = trace(rest, hit, layer);
+    ++sample.rays;
+    if (layer == 0 && covered >= 1) return sample;
+    sum.add(sample, left * covered);
     left *= 1 - covered;
     if (left < kLeastWeight) return sum;
     const Vec3d behind = rest.origin + rest.direction * hit->distance;
@@ -65,25 +67,26 @@ void PathSample::add(const PathSample& sample, double weight) {
 
 PathSample trace_path(const TraceContext& context, const CameraSample& camera,
                       const std::optional<Hit>& first) {
-  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t layer,
-                         double weight, PathSample& sum) {
+  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t layer) {
     const std::uint32_t colors = hit ? colors_at(context.scene, *hit) : 1;
-    const PathSampler sampler(camera.random, layer);
-    for (std::uint32_t i = 0; i < colors; ++i) {
-      Path path{rest, sampler.split(i, colors)};
+    const auto trace_color = [&](std::uint32_t i) {
+      Path path{rest, PathSampler(camera.random, layer).split(i, colors)};
       FeatureRecorder features;
       PathSample sample = incident_radiance(context, path, features, hit, camera.point);
       sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);
-      sum.add(sample, weight / colors);
-    }
+      return sample;
+    };
+    if (colors == 1) return trace_color(0);
+    PathSample sum;
+    for (std::uint32_t i = 0; i < colors; ++i) sum.add(trace_color(i), 1.0 / colors);
+    return sum;
   };
   return through_layers(context, camera, first, trace);
 }
 
 PathSample sample_features(const TraceContext& context, const CameraSample& camera,
                            const std::optional<Hit>& first) {
-  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t /*layer*/,
-                         double weight, PathSample& sum) {
+  const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t /*layer*/) {
     PathSample sample;
     if (hit) {
       const Surface surface = surface_at(context.scene, *hit, rest);
@@ -97,7 +100,7 @@ PathSample sample_features(const TraceContext& context, const CameraSample& came
     } else {
       sample.background = background(context, rest.direction, camera.point);
     }
-    sum.add(sample, weight);
+    return sample;
   };
   return through_layers(context, camera, first, trace);
 }

@@ -124,10 +124,9 @@ Material material_at(const SlotReader& reader) {
   const Float4 tint = color_at(mesh, reader.hit());
   m.base_color *= to_vec({tint[0], tint[1], tint[2]});
   // The depth of a volume is that of the paths through it.
-  for (std::size_t i = 0; i < kMaterialSlots; ++i) {
-    const auto slot = static_cast<Slot>(i);
-    if (slot == Slot::thickness || !reader.has(slot)) continue;
-    if (!m.unlit || slot == Slot::base_color) scale_by_slot(reader, slot, m);
+  for (const TextureUse& use : material.textures) {
+    if (use.slot == Slot::thickness || use.texture == kNone) continue;
+    if (!m.unlit || use.slot == Slot::base_color) scale_by_slot(reader, use.slot, m);
   }
   if (mesh.unlit && !m.unlit) {
     m.base_color += m.emissive;

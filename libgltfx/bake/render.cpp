@@ -138,7 +138,7 @@ class Renderer {
         },
         [&](std::size_t tile) {
           for (const auto& [pixel, sums, material] : found[tile]) {
-            film_.add_features(pixel, sums, material);
+            film_.set_features(pixel, sums, material);
           }
           found[tile] = {};
         });
@@ -149,7 +149,6 @@ class Renderer {
                                       const FeatureSampling& sampling) const {
     const std::size_t pixel = std::size_t{y} * options_.width + x;
     PixelSums sums = film_.at(pixel);
-    FeatureSums more;
     bool same = true;  // at every check
     for (std::uint32_t i = samples_.samples(x, y);;) {
       const std::uint32_t count = sums.features.count;
@@ -158,13 +157,11 @@ class Renderer {
       if (sums.clear || (certain && count >= enough) || i >= sampling.most) break;
       const std::uint32_t end = std::min(i + kAtOnce, sampling.most);
       visit_samples(x, y, i, end, [&](const CameraSample& camera, const auto& hit) {
-        const PathSample sample = sample_features(context_, camera, hit);
-        more.add(sample);
-        sums.add_features(sample);
+        sums.add_features(sample_features(context_, camera, hit));
       });
       i = end;
     }
-    return {pixel, same ? FeatureSums() : more, sums.material};
+    return {pixel, same ? FeatureSums() : sums.features, sums.material};
   }
 
   std::uint32_t left_of(std::uint32_t tile) const { return tile % columns_ * kTileWidth; }

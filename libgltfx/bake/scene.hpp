@@ -59,6 +59,7 @@ constexpr const SlotReading& reading(Slot slot) {
 
 /// One use of a texture by a material.
 struct TextureUse {
+  Slot slot{};
   std::uint32_t texture = kNone;  ///< index in Scene::textures
   std::uint32_t uv_set = 0;       ///< TEXCOORD_n; one that the mesh lacks reads (0, 0)
   /// Rows of the affine transform of (u, v, 1) that KHR_texture_transform describes.
@@ -115,7 +116,7 @@ struct SceneMaterial {
 inline TextureUse& SceneMaterial::use(Slot slot) {
   std::uint8_t& place = places[static_cast<std::size_t>(slot)];
   if (place == 0) {
-    textures.emplace_back();
+    textures.push_back({slot});
     place = static_cast<std::uint8_t>(textures.size());
   }
   return textures[place - 1U];

@@ -58,8 +58,9 @@ TEST(Film, HoldsSomeRowsOnly) {
   film.add(1, sample);
   FeatureSums more;
   more.add(sample);
-  film.add_features(0, more, 0);
-  film.add_features(1, more, 3);
+  more.add(sample);
+  film.set_features(0, more, 0);
+  film.set_features(1, more, 3);
   film.hold({1, 4});
   EXPECT_EQ(film.size(), 3U);
   EXPECT_EQ(film.first_pixel(), 1U);
