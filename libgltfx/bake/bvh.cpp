@@ -197,8 +197,8 @@ Bvh::Bvh(Bvh&&) noexcept = default;
 Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 Bvh::~Bvh() = default;
 
-Result<Bvh> Bvh::build(const Scene& scene) {
-  auto state = std::make_unique<State>(scene);
+Result<Bvh> Bvh::build(const Scene& scene, BvhMethod method) {
+  auto state = std::make_unique<State>(scene, method);
   if (!state->build()) {
     State::keep(std::move(state));
     return Error{"there is not enough memory to prepare the scene for rays"};

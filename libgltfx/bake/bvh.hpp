@@ -21,12 +21,18 @@ enum class Backs : std::uint8_t {
   solid    ///< yes: all later rays
 };
 
+/// How the triangles of a hierarchy are grouped.
+enum class BvhMethod : std::uint8_t {
+  sah,    ///< by the surface area heuristic: rays take the least time
+  morton  ///< along a Morton curve: built in a fifth of the time, for pictures of few samples
+};
+
 /// Immutable once built; any number of threads may trace. Rays pass triangles that are culled or
 /// cut out by alpha. The same scene gives the same hits on any number of threads.
 class Bvh {
  public:
   /// `scene` must outlive the result. An Error when there is not enough memory.
-  static Result<Bvh> build(const Scene& scene);
+  static Result<Bvh> build(const Scene& scene, BvhMethod method = BvhMethod::sah);
 
   /// The first surface along the ray. `key` decides, surface by surface, whether a ray passes
   /// through what is partly transparent by alpha.

@@ -34,12 +34,8 @@ void share_triangles(RTCGeometry geometry, const std::vector<Triangle>& triangle
                              0, 12, triangles.size());
 }
 
-bool attach(RTCDevice device, RTCScene scene, RTCGeometry geometry, std::uint32_t number) {
-  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, number);
-  rtcReleaseGeometry(geometry);
-  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+RTCBuildQuality quality_of(BvhMethod method) {
+  return method == BvhMethod::sah ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
 }
 
 // On one thread: with more the order of triangles, and with it which of two at one place is hit,
@@ -61,16 +57,6 @@ bool has_volumes(const Scene& scene) {
                      [](const SceneMaterial& each) { return each.factors.volumetric(); });
 }
 
-RTCScene new_scene(RTCDevice device, bool watertight) {
-  RTCScene scene = rtcNewScene(device);
-  if (scene != nullptr) {
-    const unsigned robust = watertight ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE;
-    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(robust));
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-  }
-  return scene;
-}
-
 }  // namespace
 
 Bvh::State::~State() {
@@ -85,6 +71,24 @@ void Bvh::State::keep(std::unique_ptr<State> failed) {
   static std::atomic<State*> kept{nullptr};
   State* const state = failed.release();
   state->kept_before = kept.exchange(state);
+}
+
+RTCScene Bvh::State::new_scene() const {
+  RTCScene made = rtcNewScene(device);
+  if (made != nullptr) {
+    const unsigned robust = watertight_ ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE;
+    rtcSetSceneFlags(made, static_cast<RTCSceneFlags>(robust));
+    rtcSetSceneBuildQuality(made, quality_of(method_));
+  }
+  return made;
+}
+
+bool Bvh::State::attach(RTCScene target, RTCGeometry geometry, std::uint32_t number) const {
+  rtcSetGeometryBuildQuality(geometry, quality_of(method_));
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(target, geometry, number);
+  rtcReleaseGeometry(geometry);
+  return rtcGetDeviceError(device) == RTC_ERROR_NONE;
 }
 
 std::span<const Float3> Bvh::State::add_points(RTCGeometry geometry, const Group& group,
@@ -142,13 +146,13 @@ bool Bvh::State::add_groups(RTCScene target, const TreatedGroups& treated, bool 
       return false;
     }
     set_filters(geometry, static_cast<Treatment>(i), in_world, in_world && group.mirrored);
-    if (!attach(device, target, geometry, i)) return false;
+    if (!attach(target, geometry, i)) return false;
   }
   return true;
 }
 
 bool Bvh::State::add_shared(const TreatedGroups& treated) {
-  RTCScene own = new_scene(device, watertight_);
+  RTCScene own = new_scene();
   if (own == nullptr) return false;
   shared.push_back(own);
   if (!add_groups(own, treated, false)) return false;
@@ -161,14 +165,14 @@ bool Bvh::State::add_instance(std::uint32_t index) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, shared[groups.shape[index]]);
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, instance.to_world.data());
-  return attach(device, top, geometry, static_cast<std::uint32_t>(kTreatments + index));
+  return attach(top, geometry, static_cast<std::uint32_t>(kTreatments + index));
 }
 
 bool Bvh::State::build() {
   device = rtcNewDevice(GLTFX_TBB ? "set_affinity=0" : "set_affinity=0,threads=1");
   if (device == nullptr) return false;
   watertight_ = has_volumes(scene);
-  top = new_scene(device, watertight_);
+  top = new_scene();
   if (top == nullptr || !add_groups(top, groups.flat, true)) return false;
   for (const TreatedGroups& treated : groups.shared) {
     if (!add_shared(treated)) return false;

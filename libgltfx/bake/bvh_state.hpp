@@ -19,7 +19,7 @@ struct RTCHit;
 namespace gltfx::bake {
 
 struct Bvh::State {
-  explicit State(const Scene& s) : scene(s), groups(group_instances(s)) {}
+  State(const Scene& s, BvhMethod method) : scene(s), groups(group_instances(s)), method_(method) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State();
@@ -48,6 +48,10 @@ struct Bvh::State {
   bool add_shared(const TreatedGroups& treated);
   bool add_instance(std::uint32_t index);
 
+  RTCScene new_scene() const;
+  bool attach(RTCScene target, RTCGeometry geometry, std::uint32_t number) const;
+
+  const BvhMethod method_;
   bool watertight_ = false;
 };
 

@@ -158,7 +158,9 @@ BakeScene prepared(BakeScene result, const BakeOptions& options) {
                                 quoted(options.frame, 60)));
     }
   }
-  auto bvh = bake::Bvh::build(*result.scene);
+  const bool draft = options.quality == BakeQuality::draft;
+  auto bvh =
+      bake::Bvh::build(*result.scene, draft ? bake::BvhMethod::morton : bake::BvhMethod::sah);
   // What a machine with more memory draws is not refused.
   if (!bvh) return failed(std::move(result), BakeProblem::unreadable, bvh.error().message);
   result.bvh.emplace(*std::move(bvh));
