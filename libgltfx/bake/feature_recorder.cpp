@@ -2,6 +2,11 @@
 #include "bake/feature_recorder.hpp"
 
 namespace gltfx::bake {
+namespace {
+
+Rgb specular_albedo(const Material& m) { return m.base_color * m.metallic + Rgb(1 - m.metallic); }
+
+}  // namespace
 
 void Features::add(const Features& other, double weight) {
   albedo += other.albedo * weight;
@@ -12,9 +17,18 @@ void Features::add(const Features& other, double weight) {
   clear = clear || other.clear;
 }
 
-void FeatureRecorder::record_first(const Scene& scene, const Hit& hit, const Surface& surface) {
+Features features_of(const Scene& scene, const Hit& hit, const Surface& surface) {
   const Material& m = surface.material;
-  features_.specular_albedo = m.base_color * m.metallic + Rgb(1 - m.metallic);
+  return {scattering_color(m),
+          specular_albedo(m),
+          surface.frame.normal,
+          hit.distance,
+          scene.meshes[hit.mesh].material,
+          may_be_clear(m)};
+}
+
+void FeatureRecorder::record_first(const Scene& scene, const Hit& hit, const Surface& surface) {
+  features_.specular_albedo = specular_albedo(surface.material);
   features_.material = scene.meshes[hit.mesh].material;
 }
 

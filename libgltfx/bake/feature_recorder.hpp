@@ -8,6 +8,9 @@
 
 namespace gltfx::bake {
 
+/// Those of a surface alone, whatever it lets through.
+Features features_of(const Scene& scene, const Hit& hit, const Surface& surface);
+
 /// Material and specular albedo are those of the first surface; albedo, normal and depth those of
 /// the first vertex that is not clear glass, filtered by the glass before it.
 class FeatureRecorder {

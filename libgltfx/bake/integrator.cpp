@@ -24,8 +24,8 @@ std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
 // Layers of alpha before the camera are not sampled at random: each has a path of its own, whose
 // weight is its coverage times what the layers before it let through.
 template <class Trace>
-PathSample through_layers(const TraceContext& context, const CameraSample& camera,
-                          std::optional<Hit> hit, const Trace& trace) {
+PathSample blend_layers(const TraceContext& context, const CameraSample& camera,
+                        std::optional<Hit> hit, const Trace& trace) {
   PathSample sum;
   Ray rest = camera.ray;
   double left = 1;
@@ -37,15 +37,19 @@ PathSample through_layers(const TraceContext& context, const CameraSample& camer
       hit = context.bvh.first_layer(rest);
     }
     const double covered = hit && !last ? static_cast<double>(context.bvh.coverage(*hit)) : 1.0;
-    PathSample sample = trace(rest, hit, layer);
-    ++sample.rays;
-    if (layer == 0 && covered >= 1) return sample;
-    sum.add(sample, left * covered);
+    sum.add(trace(rest, hit, layer), left * covered);
     left *= 1 - covered;
     if (left < kLeastWeight) return sum;
     const Vec3d behind = rest.origin + rest.direction * hit->distance;
     rest.origin = beside(behind, rest.direction, context.scene_size);
   }
+}
+
+template <class Trace>
+PathSample through_layers(const TraceContext& context, const CameraSample& camera,
+                          const std::optional<Hit>& hit, const Trace& trace) {
+  const bool single = !hit || context.bvh.coverage(*hit) >= 1;
+  return single ? trace(camera.ray, hit, 0) : blend_layers(context, camera, hit, trace);
 }
 
 }  // namespace
@@ -74,6 +78,7 @@ PathSample trace_path(const TraceContext& context, const CameraSample& camera,
       FeatureRecorder features;
       PathSample sample = incident_radiance(context, path, features, hit, camera.point);
       sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);
+      ++sample.rays;
       return sample;
     };
     if (colors == 1) return trace_color(0);
@@ -88,13 +93,10 @@ PathSample sample_features(const TraceContext& context, const CameraSample& came
                            const std::optional<Hit>& first) {
   const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t /*layer*/) {
     PathSample sample;
+    ++sample.rays;
     if (hit) {
       const Surface surface = surface_at(context.scene, *hit, rest);
-      FeatureRecorder recorder;
-      recorder.record_first(context.scene, *hit, surface);
-      recorder.record(Path{rest, {camera.random, 0}}, *hit, surface);
-      sample.features = recorder.features();
-      sample.features.clear = may_be_clear(surface.material);
+      sample.features = features_of(context.scene, *hit, surface);
       sample.emitted = emitted(surface.material, surface.frame.to_local(-rest.direction));
       sample.alpha = 1;
     } else {

@@ -55,6 +55,8 @@ class HitTriangle {
       if (mesh_.tangents[corners_[0]][3] < 0) sign = -sign;
     } else if (needs_tangents(material)) {
       tangent = along_u(material, normal, sign);
+    } else {
+      return frame_around(normal);
     }
     tangent = tangent - normal * dot(tangent, normal);
     const double norm = length(tangent);
@@ -159,9 +161,13 @@ bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface) 
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  const HitTriangle triangle(scene, hit);
+  // Textures first: what is known of the triangle need not be kept over calls then.
   const SlotReader reader(scene, mesh, material, hit);
-  Surface surface{triangle.position(), triangle.flat_normal(), Frame(), material_at(reader)};
+  Surface surface{{}, {}, {}, material_at(reader)};
+  const auto bump = mapped_normal(reader, Slot::normal);
+  const HitTriangle triangle(scene, hit);
+  surface.position = triangle.position();
+  surface.flat_normal = triangle.flat_normal();
   const bool front = dot(surface.flat_normal, ray.direction) < 0;
   surface.front = front;
   const Vec3d smooth = triangle.smooth_normal(surface.flat_normal);
@@ -177,7 +183,6 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   };
 
   const Frame plain = triangle.frame(smooth, material);
-  const auto bump = mapped_normal(reader, Slot::normal);
   const Vec3d shading = oriented(bump ? plain.to_world(*bump) : smooth);
   surface.frame = shading == smooth ? plain : turned(plain, shading);
   surface.flat_normal *= side * outward;
