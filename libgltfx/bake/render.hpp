@@ -23,8 +23,8 @@ struct RenderOptions {
   std::uint32_t samples = 64;  ///< of each pixel; with an adaptive SampleMap on average, at most
   /// Pixels whose samples have this standard deviation, as part of the range of the finished
   /// picture, get `samples`; others get more or fewer in proportion. The average is at most
-  /// `samples`, and with shared sky samples at least 6/16 of it, or 7/16 where a material transmits
-  /// light; without them, or if 0, it is `samples`.
+  /// `samples`, and with shared sky samples at least 11/32 of it, or 14/32 where a material
+  /// transmits light; without them, or if 0, it is `samples`.
   double deviation = 0;
   /// The most samples of the features of a pixel, those of the light among them: edges of the
   /// subject take so many, finer differences fewer. In a tile full of edges and textures each pixel
