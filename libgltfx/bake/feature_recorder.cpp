@@ -17,14 +17,8 @@ void Features::add(const Features& other, double weight) {
   clear = clear || other.clear;
 }
 
-Features features_of(const Scene& scene, const Hit& hit, const Surface& surface) {
-  const Material& m = surface.material;
-  return {scattering_color(m),
-          specular_albedo(m),
-          surface.frame.normal,
-          hit.distance,
-          scene.meshes[hit.mesh].material,
-          may_be_clear(m)};
+Features features_of(const Material& m, const Vec3d& normal, double depth, std::uint32_t material) {
+  return {scattering_color(m), specular_albedo(m), normal, depth, material, may_be_clear(m)};
 }
 
 void FeatureRecorder::record_first(const Scene& scene, const Hit& hit, const Surface& surface) {

@@ -8,8 +8,8 @@
 
 namespace gltfx::bake {
 
-/// Those of a surface alone, whatever it lets through.
-Features features_of(const Scene& scene, const Hit& hit, const Surface& surface);
+/// Those of a surface alone, whatever it lets through. `material`: index in the scene, or kNone.
+Features features_of(const Material& m, const Vec3d& normal, double depth, std::uint32_t material);
 
 /// Material and specular albedo are those of the first surface; albedo, normal and depth those of
 /// the first vertex that is not clear glass, filtered by the glass before it.

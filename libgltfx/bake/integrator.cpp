@@ -96,7 +96,8 @@ PathSample sample_features(const TraceContext& context, const CameraSample& came
     ++sample.rays;
     if (hit) {
       const Surface surface = surface_at(context.scene, *hit, rest);
-      sample.features = features_of(context.scene, *hit, surface);
+      sample.features = features_of(surface.material, surface.frame.normal, hit->distance,
+                                    context.scene.meshes[hit->mesh].material);
       sample.emitted = emitted(surface.material, surface.frame.to_local(-rest.direction));
       sample.alpha = 1;
     } else {

@@ -100,7 +100,7 @@ void SlotReader::scale(double& value, Slot slot, std::uint32_t channel) const {
 Float2 SlotReader::uv_of(const TextureUse& use) const {
   if (use.uv_set != set_) {
     set_ = use.uv_set;
-    uv_ = uv_at(mesh_, set_, hit_);
+    uv_ = set_ < uvs_.size() ? uvs_[set_] : uv_at(mesh_, set_, hit_);
   }
   return transform_uv(use, uv_);
 }

@@ -5,6 +5,7 @@
 #include <gltfx/material.hpp>
 
 #include <optional>
+#include <span>
 
 #include "bake/ray.hpp"
 #include "bake/scene.hpp"
@@ -18,6 +19,9 @@ class SlotReader {
  public:
   SlotReader(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, const Hit& hit)
       : scene_(scene), mesh_(mesh), material_(material), hit_(hit) {}
+
+  /// Reads at the coordinates of each set of the mesh, which must outlive it, instead of the hit's.
+  void read_at(std::span<const Float2> uvs) { uvs_ = uvs; }
 
   const Mesh& mesh() const { return mesh_; }
   const SceneMaterial& material() const { return material_; }
@@ -40,6 +44,7 @@ class SlotReader {
   const Mesh& mesh_;
   const SceneMaterial& material_;
   const Hit& hit_;
+  std::span<const Float2> uvs_;  // empty: those at the hit
   // What was worked out last: most slots of a material share it.
   mutable std::uint32_t set_ = kNone;
   mutable Float2 uv_{};  // of set_

@@ -12,6 +12,7 @@
 #include "bake/camera_packet.hpp"
 #include "bake/denoise.hpp"
 #include "bake/edge_map.hpp"
+#include "bake/pixel_surface.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 #include "base/parallel.hpp"
@@ -130,9 +131,7 @@ class Renderer {
           const FeatureSampling sampling = feature_sampling(number);
           const EdgeMap edges(context_.bvh, view_, options_, left_of(number), top_of(number));
           for_pixels(number, [&](std::uint32_t x, std::uint32_t y) {
-            const std::uint32_t enough =
-                edges.is_near_edge(x, y) ? kSureNearEdge : std::min(kSure, options_.samples);
-            const auto seen = sample_pixel_features(x, y, enough, sampling);
+            const auto seen = sample_pixel_features(x, y, edges.is_near_edge(x, y), sampling);
             if (seen.sums.count > 0) found[tile].push_back(seen);
           });
         },
@@ -145,10 +144,14 @@ class Renderer {
   }
 
   // None, to save memory, where all samples of the pixel see nearly the same.
-  PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y, std::uint32_t enough,
+  PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y, bool near_edge,
                                       const FeatureSampling& sampling) const {
+    constexpr double kSmooth = 1e-3;  // variance of normals
+    const std::uint32_t enough = near_edge ? kSureNearEdge : std::min(kSure, options_.samples);
     const std::size_t pixel = std::size_t{y} * options_.width + x;
     PixelSums sums = film_.at(pixel);
+    PixelSurface surface(context_.scene);
+    bool fits = false;
     bool same = true;  // at every check
     for (std::uint32_t i = samples_.samples(x, y);;) {
       const std::uint32_t count = sums.features.count;
@@ -156,10 +159,19 @@ class Renderer {
       same = sums.clear || (same && certain);
       if (sums.clear || (certain && count >= enough) || i >= sampling.most) break;
       const std::uint32_t end = std::min(i + kAtOnce, sampling.most);
+      if (fits) {
+        for (; i < end; ++i) sums.add_features(surface.at(point_of(x, y, i)));
+        continue;
+      }
       visit_samples(x, y, i, end, [&](const CameraSample& camera, const auto& hit) {
-        sums.add_features(sample_features(context_, camera, hit));
+        const PathSample sample = sample_features(context_, camera, hit);
+        surface.add(camera.point, hit, sample);
+        sums.add_features(sample);
       });
       i = end;
+      const FeatureVariance variance = sums.feature_variance();
+      // The texture of one smooth surface takes no more rays.
+      fits = !near_edge && variance.alpha <= 0 && variance.normal <= kSmooth && surface.fit();
     }
     return {pixel, same ? FeatureSums() : sums.features, sums.material};
   }
@@ -205,6 +217,12 @@ class Renderer {
     const Rgb mean = film_.radiance(pixel);
     const double y = luminance(mean);
     return shown_luminance(y + error) - shown_luminance(y);
+  }
+
+  Float2 point_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample) const {
+    const auto [px, py] = camera_point(options_.width, options_.height, x, y,
+                                       {options_.seed, y * options_.width + x, sample});
+    return {static_cast<float>(px), static_cast<float>(py)};
   }
 
   template <class Visit>

@@ -4,6 +4,7 @@
 
 #include <gltfx/vec3.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -37,19 +38,24 @@ struct CameraSample {
   SampleStream random{};
 };
 
-/// A sample in a picture of width x height pixels. Positions are distributed by a tent filter two
-/// pixels wide: edges are smooth, and samples of different pixels stay independent.
+/// The point of the picture of a sample in width x height pixels. Positions are distributed by a
+/// tent filter two pixels wide: edges are smooth, and samples of different pixels stay independent.
+inline std::array<double, 2> camera_point(std::uint32_t width, std::uint32_t height,
+                                          std::uint32_t x, std::uint32_t y,
+                                          const SampleStream& random) {
+  const auto tent = [](float uniform) {
+    const double r = static_cast<double>(uniform) * 2;
+    return r < 1 ? std::sqrt(r) - 1 : 1 - std::sqrt(2 - r);
+  };
+  const Float2 jitter = random.pair(0);
+  return {(x + 0.5 + tent(jitter[0])) / width, (y + 0.5 + tent(jitter[1])) / height};
+}
+
 inline CameraSample camera_sample(const View& view, std::uint32_t width, std::uint32_t height,
                                   std::uint32_t seed, std::uint32_t x, std::uint32_t y,
                                   std::uint32_t sample) {
-  const auto tent = [](float random) {
-    const double r = static_cast<double>(random) * 2;
-    return r < 1 ? std::sqrt(r) - 1 : 1 - std::sqrt(2 - r);
-  };
   const SampleStream random(seed, y * width + x, sample);
-  const Float2 jitter = random.pair(0);
-  const double px = (x + 0.5 + tent(jitter[0])) / width;
-  const double py = (y + 0.5 + tent(jitter[1])) / height;
+  const auto [px, py] = camera_point(width, height, x, y, random);
   return {view.ray(px, py), {static_cast<float>(px), static_cast<float>(py)}, random};
 }
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/pixel_surface.hpp"
+
+#include <algorithm>
+
+#include "bake/directions.hpp"
+#include "bake/feature_recorder.hpp"
+#include "bake/material_at.hpp"
+#include "bake/storage.hpp"
+#include "bake/surface.hpp"
+
+namespace gltfx::bake {
+namespace {
+
+bool is_plain(const Mesh& mesh, const SceneMaterial& material) {
+  return mesh.colors.empty() && !mesh.unlit && !material.factors.unlit && !has_holes(material) &&
+         !(max_value(material.factors.emissive) > 0);
+}
+
+}  // namespace
+
+void PixelSurface::add(const Float2& point, const std::optional<Hit>& hit,
+                       const PathSample& sample) {
+  if (!hit || count_ == kMost || (count_ > 0 && hit->body() != seen_[0].hit.body())) {
+    missed_ = true;
+    return;
+  }
+  seen_[count_++] = {point, *hit};
+  mean_.add(sample.features, 1);
+}
+
+Vec3d PixelSurface::from_middle(const Float2& point) const {
+  return Vec3d(point[0], point[1], 0) - middle_;
+}
+
+Float2 PixelSurface::uv_at(std::size_t set, const Float2& point) const {
+  const Vec3d p = from_middle(point);
+  const auto at = [&p](const Affine& along) {
+    return static_cast<float>(along.middle + along.along_x * p.x + along.along_y * p.y);
+  };
+  return {at(sets_[set][0]), at(sets_[set][1])};
+}
+
+bool PixelSurface::fit(std::size_t set) {
+  constexpr double kMostApart = 0.25;  // of the standard deviation within the pixel
+  const Mesh& mesh = scene_.meshes[seen_[0].hit.mesh];
+  std::array<Float2, kMost> uvs;
+  for (std::size_t i = 0; i < kMost; ++i) {
+    uvs[i] = bake::uv_at(mesh, static_cast<std::uint32_t>(set), seen_[i].hit);
+    for (std::size_t k = 0; k < 2; ++k) {
+      sets_[set][k].middle += static_cast<double>(uvs[i][k]) / kMost;
+    }
+  }
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  double spread = 0;
+  for (std::size_t i = 0; i < kMost; ++i) {
+    const Vec3d p = from_middle(seen_[i].point);
+    xx += p.x * p.x;
+    xy += p.x * p.y;
+    yy += p.y * p.y;
+    for (std::size_t k = 0; k < 2; ++k) {
+      Affine& along = sets_[set][k];
+      const double apart = static_cast<double>(uvs[i][k]) - along.middle;
+      along.along_x += apart * p.x;
+      along.along_y += apart * p.y;
+      spread += apart * apart / kMost;
+    }
+  }
+  const double determinant = xx * yy - xy * xy;
+  if (!(determinant > 0)) return false;
+  for (Affine& along : sets_[set]) {
+    along = {along.middle, (along.along_x * yy - along.along_y * xy) / determinant,
+             (along.along_y * xx - along.along_x * xy) / determinant};
+  }
+  return std::all_of(seen_.begin(), seen_.end(), [&](const SeenPoint& each) {
+    const Float2 exact = bake::uv_at(mesh, static_cast<std::uint32_t>(set), each.hit);
+    const Float2 found = uv_at(set, each.point);
+    const auto u = static_cast<double>(found[0] - exact[0]);
+    const auto v = static_cast<double>(found[1] - exact[1]);
+    return u * u + v * v <= spread * square(kMostApart);
+  });
+}
+
+bool PixelSurface::fit() {
+  if (missed_ || count_ < kMost) return false;
+  const Mesh& mesh = scene_.meshes[seen_[0].hit.mesh];
+  const std::size_t sets = mesh.uvs.size();
+  if (sets == 0 || sets > kMostSets || !is_plain(mesh, material_of(scene_, mesh))) return false;
+  for (const SeenPoint& each : seen_) middle_ += Vec3d(each.point[0], each.point[1], 0) / kMost;
+  mean_.normal = mean_.normal / kMost;
+  mean_.depth /= kMost;
+  for (std::size_t set = 0; set < sets; ++set) {
+    if (!fit(set)) return false;
+  }
+  return true;
+}
+
+PathSample PixelSurface::at(const Float2& point) const {
+  const Hit& hit = seen_[0].hit;
+  const Mesh& mesh = scene_.meshes[hit.mesh];
+  std::array<Float2, kMostSets> uvs{};
+  for (std::size_t set = 0; set < mesh.uvs.size(); ++set) uvs[set] = uv_at(set, point);
+  SlotReader reader(scene_, mesh, material_of(scene_, mesh), hit);
+  reader.read_at(uvs);
+  PathSample sample;
+  sample.features = features_of(material_at(reader), mean_.normal, mean_.depth, mesh.material);
+  sample.alpha = 1;
+  return sample;
+}
+
+}  // namespace gltfx::bake

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The texture of a smooth surface within a pixel, sampled without rays.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "bake/integrator.hpp"
+#include "bake/ray.hpp"
+#include "bake/scene.hpp"
+
+namespace gltfx::bake {
+
+/// Where one smooth surface fills a pixel, its texture coordinates are an affine function of the
+/// point of the picture. A few rays tell which one.
+class PixelSurface {
+ public:
+  /// The scene must outlive it.
+  explicit PixelSurface(const Scene& scene) : scene_(scene) {}
+
+  /// A feature sample, by a ray through `point` of the picture.
+  void add(const Float2& point, const std::optional<Hit>& hit, const PathSample& sample);
+  /// Finds the function by least squares. False where the rays met several bodies or none, where
+  /// the surface has more than two sets of texture coordinates or none, holes, emission, or colours
+  /// by vertex, and where coordinates differ from the function by a seventh of a pixel.
+  bool fit();
+
+  /// After fit(): a feature sample at a point of the picture.
+  PathSample at(const Float2& point) const;
+
+ private:
+  static constexpr std::uint32_t kMost = 8;  // rays
+  static constexpr std::size_t kMostSets = 2;
+  struct SeenPoint {
+    Float2 point;
+    Hit hit;
+  };
+  /// One texture coordinate by the point of the picture, relative to the middle.
+  struct Affine {
+    double middle = 0, along_x = 0, along_y = 0;
+  };
+  using Coordinates = std::array<Affine, 2>;  // u and v
+
+  bool fit(std::size_t set);
+  Vec3d from_middle(const Float2& point) const;
+  Float2 uv_at(std::size_t set, const Float2& point) const;
+
+  const Scene& scene_;
+  std::uint32_t count_ = 0;
+  bool missed_ = false;
+  std::array<SeenPoint, kMost> seen_;
+  Features mean_;  ///< sums, before fit()
+  Vec3d middle_;   ///< mean of the points; z is 0
+  std::array<Coordinates, kMostSets> sets_{};
+};
+
+}  // namespace gltfx::bake
