@@ -14,14 +14,13 @@
 namespace gltfx::bake {
 
 /// Reads the texture slots of a material at one hit, by the texture coordinates of the mesh.
-/// References must outlive it.
+/// References and spans must outlive it.
 class SlotReader {
  public:
-  SlotReader(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, const Hit& hit)
-      : scene_(scene), mesh_(mesh), material_(material), hit_(hit) {}
-
-  /// Reads at the coordinates of each set of the mesh, which must outlive it, instead of the hit's.
-  void read_at(std::span<const Float2> uvs) { uvs_ = uvs; }
+  /// `uvs`: by set of the mesh, in place of those at the hit.
+  SlotReader(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, const Hit& hit,
+             std::span<const Float2> uvs = {})
+      : scene_(scene), mesh_(mesh), material_(material), hit_(hit), uvs_(uvs) {}
 
   const Mesh& mesh() const { return mesh_; }
   const SceneMaterial& material() const { return material_; }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/pixel_surface.hpp"
 
-#include <algorithm>
-
 #include "bake/directions.hpp"
 #include "bake/feature_recorder.hpp"
 #include "bake/material_at.hpp"
@@ -21,12 +19,14 @@ bool is_plain(const Mesh& mesh, const SceneMaterial& material) {
 
 void PixelSurface::add(const Float2& point, const std::optional<Hit>& hit,
                        const PathSample& sample) {
-  if (!hit || count_ == kMost || (count_ > 0 && hit->body() != seen_[0].hit.body())) {
+  if (!hit || count_ == kRays || (count_ > 0 && hit->body() != seen_[0].hit.body())) {
     missed_ = true;
     return;
   }
   seen_[count_++] = {point, *hit};
-  mean_.add(sample.features, 1);
+  middle_ += Vec3d(point[0], point[1], 0) / kRays;
+  normal_ += sample.features.normal / kRays;
+  depth_ += sample.features.depth / kRays;
 }
 
 Vec3d PixelSurface::from_middle(const Float2& point) const {
@@ -44,18 +44,18 @@ Float2 PixelSurface::uv_at(std::size_t set, const Float2& point) const {
 bool PixelSurface::fit(std::size_t set) {
   constexpr double kMostApart = 0.25;  // of the standard deviation within the pixel
   const Mesh& mesh = scene_.meshes[seen_[0].hit.mesh];
-  std::array<Float2, kMost> uvs;
-  for (std::size_t i = 0; i < kMost; ++i) {
+  std::array<Float2, kRays> uvs;
+  for (std::size_t i = 0; i < kRays; ++i) {
     uvs[i] = bake::uv_at(mesh, static_cast<std::uint32_t>(set), seen_[i].hit);
     for (std::size_t k = 0; k < 2; ++k) {
-      sets_[set][k].middle += static_cast<double>(uvs[i][k]) / kMost;
+      sets_[set][k].middle += static_cast<double>(uvs[i][k]) / kRays;
     }
   }
   double xx = 0;
   double xy = 0;
   double yy = 0;
   double spread = 0;
-  for (std::size_t i = 0; i < kMost; ++i) {
+  for (std::size_t i = 0; i < kRays; ++i) {
     const Vec3d p = from_middle(seen_[i].point);
     xx += p.x * p.x;
     xy += p.x * p.y;
@@ -65,7 +65,7 @@ bool PixelSurface::fit(std::size_t set) {
       const double apart = static_cast<double>(uvs[i][k]) - along.middle;
       along.along_x += apart * p.x;
       along.along_y += apart * p.y;
-      spread += apart * apart / kMost;
+      spread += apart * apart / kRays;
     }
   }
   const double determinant = xx * yy - xy * xy;
@@ -74,23 +74,20 @@ bool PixelSurface::fit(std::size_t set) {
     along = {along.middle, (along.along_x * yy - along.along_y * xy) / determinant,
              (along.along_y * xx - along.along_x * xy) / determinant};
   }
-  return std::all_of(seen_.begin(), seen_.end(), [&](const SeenPoint& each) {
-    const Float2 exact = bake::uv_at(mesh, static_cast<std::uint32_t>(set), each.hit);
-    const Float2 found = uv_at(set, each.point);
-    const auto u = static_cast<double>(found[0] - exact[0]);
-    const auto v = static_cast<double>(found[1] - exact[1]);
-    return u * u + v * v <= spread * square(kMostApart);
-  });
+  for (std::size_t i = 0; i < kRays; ++i) {
+    const Float2 found = uv_at(set, seen_[i].point);
+    const auto u = static_cast<double>(found[0] - uvs[i][0]);
+    const auto v = static_cast<double>(found[1] - uvs[i][1]);
+    if (!(u * u + v * v <= spread * square(kMostApart))) return false;
+  }
+  return true;
 }
 
 bool PixelSurface::fit() {
-  if (missed_ || count_ < kMost) return false;
+  if (missed_ || count_ < kRays) return false;
   const Mesh& mesh = scene_.meshes[seen_[0].hit.mesh];
   const std::size_t sets = mesh.uvs.size();
   if (sets == 0 || sets > kMostSets || !is_plain(mesh, material_of(scene_, mesh))) return false;
-  for (const SeenPoint& each : seen_) middle_ += Vec3d(each.point[0], each.point[1], 0) / kMost;
-  mean_.normal = mean_.normal / kMost;
-  mean_.depth /= kMost;
   for (std::size_t set = 0; set < sets; ++set) {
     if (!fit(set)) return false;
   }
@@ -102,10 +99,9 @@ PathSample PixelSurface::at(const Float2& point) const {
   const Mesh& mesh = scene_.meshes[hit.mesh];
   std::array<Float2, kMostSets> uvs{};
   for (std::size_t set = 0; set < mesh.uvs.size(); ++set) uvs[set] = uv_at(set, point);
-  SlotReader reader(scene_, mesh, material_of(scene_, mesh), hit);
-  reader.read_at(uvs);
+  const SlotReader reader(scene_, mesh, material_of(scene_, mesh), hit, uvs);
   PathSample sample;
-  sample.features = features_of(material_at(reader), mean_.normal, mean_.depth, mesh.material);
+  sample.features = features_of(material_at(reader), normal_, depth_, mesh.material);
   sample.alpha = 1;
   return sample;
 }

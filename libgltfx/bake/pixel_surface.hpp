@@ -17,10 +17,13 @@ namespace gltfx::bake {
 /// point of the picture. A few rays tell which one.
 class PixelSurface {
  public:
+  static constexpr std::uint32_t kRays = 8;
+
   /// The scene must outlive it.
   explicit PixelSurface(const Scene& scene) : scene_(scene) {}
 
-  /// A feature sample, by a ray through `point` of the picture.
+  /// A feature sample, by a ray through `point` of the picture. After more than kRays of them
+  /// there is nothing to find.
   void add(const Float2& point, const std::optional<Hit>& hit, const PathSample& sample);
   /// Finds the function by least squares. False where the rays met several bodies or none, where
   /// the surface has more than two sets of texture coordinates or none, holes, emission, or colours
@@ -31,7 +34,6 @@ class PixelSurface {
   PathSample at(const Float2& point) const;
 
  private:
-  static constexpr std::uint32_t kMost = 8;  // rays
   static constexpr std::size_t kMostSets = 2;
   struct SeenPoint {
     Float2 point;
@@ -50,9 +52,11 @@ class PixelSurface {
   const Scene& scene_;
   std::uint32_t count_ = 0;
   bool missed_ = false;
-  std::array<SeenPoint, kMost> seen_;
-  Features mean_;  ///< sums, before fit()
-  Vec3d middle_;   ///< mean of the points; z is 0
+  std::array<SeenPoint, kRays> seen_;
+  // Means of kRays of them:
+  Vec3d middle_;  ///< of the points; z is 0
+  Vec3d normal_;
+  double depth_ = 0;
   std::array<Coordinates, kMostSets> sets_{};
 };
 

@@ -23,7 +23,8 @@ namespace {
 constexpr std::uint32_t kRound = 8;  // samples of a pixel between two checks of time and noise
 // Samples of the features that miss no edge, far from edges between bodies and near them:
 constexpr std::uint32_t kSure = 16, kSureNearEdge = 64;
-constexpr std::uint32_t kAtOnce = 8;  // feature samples between two checks whether they differ
+constexpr std::uint32_t kAtOnce =
+    PixelSurface::kRays;  // feature samples between two checks whether they differ
 
 class Renderer {
  public:

@@ -51,6 +51,7 @@ inline std::array<double, 2> camera_point(std::uint32_t width, std::uint32_t hei
   return {(x + 0.5 + tent(jitter[0])) / width, (y + 0.5 + tent(jitter[1])) / height};
 }
 
+/// The ray of a sample through its point.
 inline CameraSample camera_sample(const View& view, std::uint32_t width, std::uint32_t height,
                                   std::uint32_t seed, std::uint32_t x, std::uint32_t y,
                                   std::uint32_t sample) {

@@ -275,7 +275,7 @@ TEST(Denoise, EdgesHaveTheMostSamples) {
 }
 
 // A square whose texels, all almost the same grey, are finer than the pixels.
-Stage grainy_square() {
+Stage grainy_square(bool unlit) {
   constexpr std::uint32_t kSide = 256;
   static const auto kTexels = [] {
     std::array<std::uint8_t, kSide * kSide> texels{};
@@ -285,7 +285,7 @@ Stage grainy_square() {
     return texels;
   }();
   Scene scene = scene_of(quad(4), matte(Rgb(1)));
-  scene.materials[0].factors.unlit = true;
+  scene.materials[0].factors.unlit = unlit;
   scene.materials[0].use(Slot::base_color).texture = 0;
   scene.textures.push_back({kSide, kSide, 1, 8, std::as_bytes(std::span(kTexels)), nullptr});
   Stage stage(std::move(scene));
@@ -294,18 +294,20 @@ Stage grainy_square() {
 }
 
 // Feature samples that make a mean certain are part of it.
-TEST(Denoise, TexturesHaveMoreSamples) {
-  const Stage stage = grainy_square();
-  const auto albedo_of = [&](std::uint32_t samples, std::uint32_t features) {
+class DenoiseTexture : public testing::TestWithParam<bool> {};
+
+TEST_P(DenoiseTexture, HasMoreSamples) {
+  const auto albedo_of = [](const Stage& stage, std::uint32_t samples, std::uint32_t features) {
     PictureOptions options = denoised(samples);
     options.layers.albedo = true;
     options.render.feature_samples = features;
     options.render.seed = samples + features;  // no picture is part of another one
     return render(stage.context(), front(), options).albedo;
   };
-  const std::vector<Float3> exact = albedo_of(1024, 0);
+  const std::vector<Float3> exact = albedo_of(grainy_square(true), 1024, 0);
+  const Stage stage = grainy_square(GetParam());
   const auto error = [&](std::uint32_t features) {
-    const std::vector<Float3> albedo = albedo_of(8, features);
+    const std::vector<Float3> albedo = albedo_of(stage, 8, features);
     double sum = 0;
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const auto apart = static_cast<double>(albedo[i][0] - exact[i][0]);
@@ -315,6 +317,8 @@ TEST(Denoise, TexturesHaveMoreSamples) {
   };
   EXPECT_LT(error(256), error(0) * 0.7);
 }
+
+INSTANTIATE_TEST_SUITE_P(UnlitOrLit, DenoiseTexture, testing::Bool());
 
 // A pixel of which an edge cuts off a twentieth may seem whole to 16 samples.
 TEST(Denoise, FewSamplesMissNoSliver) {
