@@ -13,20 +13,18 @@
 
 namespace gltfx::bake {
 
-/// Calls visit(sample, hit) for the samples [first, last), in their order. sample_of(i) gives a
-/// CameraSample; `hit` is the first layer along its ray.
-template <class SampleOf, class Visit>
-void visit_camera_samples(const Bvh& bvh, std::uint32_t first, std::uint32_t last,
-                          const SampleOf& sample_of, const Visit& visit) {
+/// Calls visit(sample, hit) for the samples [first, last), in their order. fill(i, samples) sets
+/// those from number `i` on; `hit` is the first layer along the ray of a sample.
+template <class Fill, class Visit>
+void visit_camera_samples(const Bvh& bvh, std::uint32_t first, std::uint32_t last, const Fill& fill,
+                          const Visit& visit) {
   std::array<CameraSample, Bvh::kCameraPacket> samples;
   std::array<Ray, Bvh::kCameraPacket> rays;
   std::array<std::optional<Hit>, Bvh::kCameraPacket> hits;
   while (first < last) {
     const std::uint32_t count = std::min(last - first, Bvh::kCameraPacket);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      samples[i] = sample_of(first + i);
-      rays[i] = samples[i].ray;
-    }
+    fill(first, std::span(samples).first(count));
+    for (std::uint32_t i = 0; i < count; ++i) rays[i] = samples[i].ray;
     bvh.first_layers(std::span(rays).first(count), hits);
     for (std::uint32_t i = 0; i < count; ++i) visit(samples[i], hits[i]);
     first += count;

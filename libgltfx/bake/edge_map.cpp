@@ -2,6 +2,7 @@
 #include "bake/edge_map.hpp"
 
 #include <optional>
+#include <span>
 
 #include "bake/camera_packet.hpp"
 
@@ -15,14 +16,17 @@ constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 EdgeMap::EdgeMap(const Bvh& bvh, const View& view, const RenderOptions& options, std::uint32_t left,
                  std::uint32_t top)
     : left_(left), top_(top) {
-  const auto sample_of = [&](std::uint32_t place) {
-    const std::uint32_t column = place % kColumns;
-    const std::uint32_t row = place / kColumns;
-    return CameraSample{.ray = view.ray((left + static_cast<double>(column) - 0.5) / options.width,
-                                        (top + static_cast<double>(row) - 0.5) / options.height)};
+  const auto fill = [&](std::uint32_t place, std::span<CameraSample> samples) {
+    for (CameraSample& sample : samples) {
+      const std::uint32_t column = place % kColumns;
+      const std::uint32_t row = place / kColumns;
+      sample.ray = view.ray((left + static_cast<double>(column) - 0.5) / options.width,
+                            (top + static_cast<double>(row) - 0.5) / options.height);
+      ++place;
+    }
   };
   auto* body = bodies_.data();
-  visit_camera_samples(bvh, 0, kColumns * kRows, sample_of,
+  visit_camera_samples(bvh, 0, kColumns * kRows, fill,
                        [&](const CameraSample& /*sample*/, const std::optional<Hit>& hit) {
                          *body++ = hit ? hit->body() : kNothing;
                        });

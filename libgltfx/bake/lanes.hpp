@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Four floats that are computed together.
+/// Four numbers that are computed together.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 namespace gltfx::bake {
 
 inline constexpr std::size_t kLanes = 4;
 using Lanes [[gnu::vector_size(16)]] = float;
+using IntLanes [[gnu::vector_size(16)]] = std::int32_t;
+using UintLanes [[gnu::vector_size(16)]] = std::uint32_t;
 
 inline Lanes load_lanes(const float* values) {
   Lanes lanes;

@@ -56,15 +56,13 @@ void add_direct_light(const TraceContext& context, Path& path, const Hit& hit,
   const std::uint32_t candidates = first ? context.effort.light_candidates : 1;
   const std::uint32_t samples = first ? context.effort.light_samples : 1;
   path.sky_pdf = context.world.sky_pdf(receiver_of(surface), samples);
-  std::array<Float2, Bvh::kShadowPacket> randoms;
+  static_assert(Bvh::kShadowPacket <= kLanes);
   std::array<Candidate, Bvh::kShadowPacket> chosen;
   for (std::uint32_t from = 0; from < samples; from += Bvh::kShadowPacket) {
     const std::uint32_t count = std::min(samples - from, Bvh::kShadowPacket);
     const auto sampler_of = [&](std::uint32_t i) { return path.sampler.split(from + i, samples); };
     if (sees_environment(context, path)) {
-      for (std::uint32_t i = 0; i < count; ++i) {
-        randoms[i] = sampler_of(i).pair(Dimension::environment);
-      }
+      const auto randoms = path.sampler.pairs(Dimension::environment, from, samples);
       light.sample_environment(std::span(randoms).first(count), path.sky_pdf, chosen);
       add_unoccluded(context, path, std::span(chosen).first(count), 1.0 / samples, L);
     }

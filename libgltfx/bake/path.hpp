@@ -4,8 +4,10 @@
 
 #include <gltfx/material.hpp>
 
+#include <array>
 #include <cstdint>
 
+#include "bake/lanes.hpp"
 #include "bake/medium.hpp"
 #include "bake/ray.hpp"
 #include "bake/sampler.hpp"
@@ -52,6 +54,17 @@ class PathSampler {
   Float2 pair(Dimension d) const {
     return step_ < kStratified ? stream_.pair(number(d), branch_, branches_)
                                : stream_.random_pair(number(d), branch_, branches_);
+  }
+  /// The pairs of the branches from number `from` on of split(), for as many as there are lanes.
+  std::array<Float2, kLanes> pairs(Dimension d, std::uint32_t from, std::uint32_t count) const {
+    if (count == 1) return {pair(d)};
+    const std::uint32_t first = branch_ * count + from;
+    const std::uint32_t branches = branches_ * count;
+    if (step_ < kStratified) return stream_.pairs(number(d), first, branches);
+    std::array<Float2, kLanes> points;
+    for (std::uint32_t i = 0; i < kLanes; ++i)
+      points[i] = stream_.random_pair(number(d), first + i, branches);
+    return points;
   }
   double single(Dimension d) const {
     return static_cast<double>(step_ < kStratified

@@ -214,18 +214,26 @@ bool russian_roulette(Path& path) {
   return true;
 }
 
-// Splits a path at the first surface (J. Arvo and D. Kirk, Particle Transport and Image Synthesis,
-// 1990). Mirrors and gloss get a branch of their own: reflections are sharp, but would get few
-// paths by their albedo. Light that is transmitted varies most, and gets several branches.
+// How a path splits at the first surface (J. Arvo and D. Kirk, Particle Transport and Image
+// Synthesis, 1990). Mirrors and gloss get a branch of their own: reflections are sharp, but would
+// get few paths by their albedo. Light that is transmitted varies most, and gets several branches.
+struct Splitting {
+  double reflecting;  // probability
+  bool apart;         // mirrors and gloss
+  std::uint32_t others;
+
+  Splitting(const Material& m, const Bsdf& bsdf, const Effort& effort)
+      : reflecting(bsdf.reflection_chance()),
+        apart(reflecting > 0 && reflecting < 1 && sharpest(m) < kSharp),
+        others(is_transmissive(m) && reflecting < 1 ? effort.transmitted_paths : 1) {}
+  std::uint32_t branches() const { return others + (apart ? 1 : 0); }
+};
+
 void add_branches(const TraceContext& context, const Path& path, const FeatureRecorder& features,
-                  const SurfaceVertex& vertex, const Bsdf& bsdf, const Float2& point,
-                  PathSample& L) {
-  const Material& m = vertex.surface.material;
-  const double reflecting = bsdf.reflection_chance();
-  const bool transmits = is_transmissive(m);
-  const bool apart = reflecting > 0 && reflecting < 1 && sharpest(m) < kSharp;
-  const std::uint32_t others = transmits && reflecting < 1 ? context.effort.transmitted_paths : 1;
-  const std::uint32_t count = others + (apart ? 1 : 0);
+                  const SurfaceVertex& vertex, const Bsdf& bsdf, const Splitting& splitting,
+                  const Float2& point, PathSample& L) {
+  const auto& [reflecting, apart, others] = splitting;
+  const std::uint32_t count = splitting.branches();
   L.alpha = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const bool mirrors = i == others;
@@ -297,9 +305,12 @@ PathSample incident_radiance(const TraceContext& context, Path& path, FeatureRec
 
     // Sample the BSDF for the next ray; at the first surface, for the rays of several branches.
     if (path.depth == 1) {
-      L.features = features.features();
-      add_branches(context, path, features, vertex, bsdf, point, L);
-      return L;
+      const Splitting splitting(surface.material, bsdf, context.effort);
+      if (splitting.branches() > 1) {
+        L.features = features.features();
+        add_branches(context, path, features, vertex, bsdf, splitting, point, L);
+        return L;
+      }
     }
     const Random3 random = bsdf_random(path.sampler);
     if (!sample_bsdf(context, vertex, bsdf, random, path, features)) break;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bake/camera_packet.hpp"
@@ -161,7 +162,9 @@ class Renderer {
       if (sums.clear || (certain && count >= enough) || i >= sampling.most) break;
       const std::uint32_t end = std::min(i + kAtOnce, sampling.most);
       if (fits) {
-        for (; i < end; ++i) sums.add_features(surface.at(point_of(x, y, i)));
+        samples_of(x, y).visit_points(
+            i, end, [&](const Float2& point) { sums.add_features(surface.at(point)); });
+        i = end;
         continue;
       }
       visit_samples(x, y, i, end, [&](const CameraSample& camera, const auto& hit) {
@@ -220,19 +223,18 @@ class Renderer {
     return shown_luminance(y + error) - shown_luminance(y);
   }
 
-  Float2 point_of(std::uint32_t x, std::uint32_t y, std::uint32_t sample) const {
-    const auto [px, py] = camera_point(options_.width, options_.height, x, y,
-                                       {options_.seed, y * options_.width + x, sample});
-    return {static_cast<float>(px), static_cast<float>(py)};
+  PixelSamples samples_of(std::uint32_t x, std::uint32_t y) const {
+    return {options_.width, options_.height, options_.seed, x, y};
   }
 
   template <class Visit>
   void visit_samples(std::uint32_t x, std::uint32_t y, std::uint32_t first, std::uint32_t last,
                      const Visit& visit) const {
-    const auto sample_of = [&](std::uint32_t number) {
-      return camera_sample(view_, options_.width, options_.height, options_.seed, x, y, number);
+    const PixelSamples samples = samples_of(x, y);
+    const auto fill = [&](std::uint32_t number, std::span<CameraSample> packet) {
+      samples.fill(view_, number, packet);
     };
-    visit_camera_samples(context_.bvh, first, last, sample_of, visit);
+    visit_camera_samples(context_.bvh, first, last, fill, visit);
   }
 
   bool out_of_time() const {
@@ -255,10 +257,13 @@ class Renderer {
 // An estimate by a grid of rays.
 DepthRange depth_range(const TraceContext& context, const View& view) {
   constexpr std::uint32_t kProbes = 96;  // along a side
-  const auto sample_of = [&view](std::uint32_t i) {
-    const std::uint32_t column = i % kProbes;
-    const std::uint32_t row = i / kProbes;
-    return CameraSample{.ray = view.ray((column + 0.5) / kProbes, (row + 0.5) / kProbes)};
+  const auto fill = [&view](std::uint32_t i, std::span<CameraSample> samples) {
+    for (CameraSample& sample : samples) {
+      const std::uint32_t column = i % kProbes;
+      const std::uint32_t row = i / kProbes;
+      sample.ray = view.ray((column + 0.5) / kProbes, (row + 0.5) / kProbes);
+      ++i;
+    }
   };
   DepthRange range;
   const auto add = [&range](const CameraSample& /*sample*/, const std::optional<Hit>& hit) {
@@ -267,7 +272,7 @@ DepthRange depth_range(const TraceContext& context, const View& view) {
     range.nearest = range.nearest == 0 ? z : std::min(range.nearest, z);
     range.farthest = std::max(range.farthest, z);
   };
-  visit_camera_samples(context.bvh, 0, kProbes * kProbes, sample_of, add);
+  visit_camera_samples(context.bvh, 0, kProbes * kProbes, fill, add);
   return range;
 }
 

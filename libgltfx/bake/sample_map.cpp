@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "bake/camera_packet.hpp"
 #include "bake/render.hpp"
@@ -119,10 +120,11 @@ std::vector<float> SampleMap::estimate_variance(const TraceContext& context, con
   const std::uint32_t seed = mix_bits(options.seed, 1);
   const auto variance_at = [&](std::uint32_t x, std::uint32_t y) {
     PixelVariance variance;
-    const auto sample_of = [&](std::uint32_t number) {
-      return camera_sample(view, options.width, options.height, seed, x, y, number);
+    const PixelSamples pixel(options.width, options.height, seed, x, y);
+    const auto fill = [&](std::uint32_t first, std::span<CameraSample> packet) {
+      pixel.fill(view, first, packet);
     };
-    visit_camera_samples(context.bvh, 0, samples, sample_of,
+    visit_camera_samples(context.bvh, 0, samples, fill,
                          [&](const CameraSample& camera, const auto& hit) {
                            variance.add(trace_path(context, camera, hit));
                          });

@@ -4,10 +4,13 @@
 
 #include <gltfx/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
+#include "bake/lanes.hpp"
 #include "bake/ray.hpp"
 #include "bake/sampler.hpp"
 #include "bake/scene.hpp"
@@ -38,26 +41,53 @@ struct CameraSample {
   SampleStream random{};
 };
 
-/// The point of the picture of a sample in width x height pixels. Positions are distributed by a
+/// The samples of one pixel in a picture of width x height pixels. Positions are distributed by a
 /// tent filter two pixels wide: edges are smooth, and samples of different pixels stay independent.
-inline std::array<double, 2> camera_point(std::uint32_t width, std::uint32_t height,
-                                          std::uint32_t x, std::uint32_t y,
-                                          const SampleStream& random) {
-  const auto tent = [](float uniform) {
-    const double r = static_cast<double>(uniform) * 2;
-    return r < 1 ? std::sqrt(r) - 1 : 1 - std::sqrt(2 - r);
-  };
-  const Float2 jitter = random.pair(0);
-  return {(x + 0.5 + tent(jitter[0])) / width, (y + 0.5 + tent(jitter[1])) / height};
-}
+class PixelSamples {
+ public:
+  PixelSamples(std::uint32_t width, std::uint32_t height, std::uint32_t seed, std::uint32_t x,
+               std::uint32_t y)
+      : random_(seed, y * width + x, 0), width_(width), height_(height), x_(x + 0.5), y_(y + 0.5) {}
 
-/// The ray of a sample through its point.
-inline CameraSample camera_sample(const View& view, std::uint32_t width, std::uint32_t height,
-                                  std::uint32_t seed, std::uint32_t x, std::uint32_t y,
-                                  std::uint32_t sample) {
-  const SampleStream random(seed, y * width + x, sample);
-  const auto [px, py] = camera_point(width, height, x, y, random);
-  return {view.ray(px, py), {static_cast<float>(px), static_cast<float>(py)}, random};
-}
+  /// Samples from number `first` on.
+  void fill(const View& view, std::uint32_t first, std::span<CameraSample> samples) const {
+    CameraSample* sample = samples.data();
+    const auto last = first + static_cast<std::uint32_t>(samples.size());
+    visit(first, last, [&](std::uint32_t number, double x, double y) {
+      *sample++ = {view.ray(x, y), to_float2(x, y), random_.later(number)};
+    });
+  }
+
+  /// Calls visit(point) for the points of the picture of the samples [first, last).
+  template <class Visit>
+  void visit_points(std::uint32_t first, std::uint32_t last, const Visit& visit_point) const {
+    visit(first, last, [&](std::uint32_t, double x, double y) { visit_point(to_float2(x, y)); });
+  }
+
+ private:
+  static Float2 to_float2(double x, double y) {
+    return {static_cast<float>(x), static_cast<float>(y)};
+  }
+
+  template <class Visit>
+  void visit(std::uint32_t first, std::uint32_t last, const Visit& visit_sample) const {
+    while (first < last) {
+      for (const Float2& jitter : random_.later(first).following_pairs(0)) {
+        visit_sample(first, (x_ + tent(jitter[0])) / width_, (y_ + tent(jitter[1])) / height_);
+        if (++first == last) break;
+      }
+    }
+  }
+
+  static double tent(float uniform) {
+    const double r = static_cast<double>(uniform) * 2;
+    const double inwards = 1 - std::sqrt(r < 1 ? r : 2 - r);
+    return r < 1 ? -inwards : inwards;
+  }
+
+  SampleStream random_;
+  double width_, height_;
+  double x_, y_;  // of the middle
+};
 
 }  // namespace gltfx::bake

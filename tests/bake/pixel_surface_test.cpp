@@ -40,7 +40,9 @@ class Pixel {
     View view;
     view.origin = {0, 0, 4};
     view.half_width = view.half_height = 0.27;
-    return camera_sample(view, kPixels, kPixels, 3, x_, y_, number);
+    CameraSample sample;
+    PixelSamples(kPixels, kPixels, 3, x_, y_).fill(view, number, {&sample, 1});
+    return sample;
   }
   PathSample seen(const CameraSample& camera) const {
     return sample_features(stage_.context(), camera, stage_.context().bvh.first_layer(camera.ray));

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/sampler.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "bake/path.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -48,6 +51,34 @@ TEST(Sampler, DrawsAreIndependent) {
     }
   }
   EXPECT_NEAR(sum / 4096, 0, 0.006);
+}
+
+TEST(Sampler, PairsTogetherAreThoseOneByOne) {
+  for (const std::uint32_t sample : {0U, 5U, 1000003U}) {
+    const SampleStream stream(3, 77, sample);
+    const auto parts = stream.pairs(6, 8, 20);
+    const auto following = stream.following_pairs(2);
+    for (std::uint32_t i = 0; i < kLanes; ++i) {
+      EXPECT_EQ(parts[i], stream.pair(6, 8 + i, 20));
+      EXPECT_EQ(following[i], SampleStream(3, 77, sample + i).pair(2));
+      EXPECT_EQ(following[i], stream.later(i).pair(2));
+    }
+  }
+}
+
+// At the steps of stratified numbers and after them.
+TEST(Sampler, PairsOfBranchesTogetherAreThoseOneByOne) {
+  PathSampler sampler(SampleStream(3, 77, 5), 1);
+  sampler = sampler.split(1, 3);
+  for (int step = 0; step < 15; ++step, sampler.next_step()) {
+    for (const std::uint32_t branches : {1U, 7U}) {
+      const auto points = sampler.pairs(Dimension::environment, branches / 2, branches);
+      for (std::uint32_t i = 0; i < std::min<std::uint32_t>(branches, kLanes); ++i) {
+        const PathSampler branch = sampler.split(branches / 2 + i, branches);
+        EXPECT_EQ(points[i], branch.pair(Dimension::environment));
+      }
+    }
+  }
 }
 
 TEST(Sampler, TheSameCounterDrawsTheSame) {
