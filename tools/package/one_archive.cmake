@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The library as one archive with all that it links, so that who links it needs a compiler alone. To be
-# included where the modules are known (`module_targets`).
+# included where the modules are known (`module_targets`), and how to drop code for link-time optimisation
+# (`drop_lto`).
 set(parts fmt::fmt simdjson::simdjson meshoptimizer::meshoptimizer)
 if(GLTFX_BAKE)
   set(embree_parts embree)  # Embree has an archive for each instruction set, and for each of its libraries
@@ -23,7 +24,10 @@ list(JOIN archives "\n" archives)
 set(one ${CMAKE_CURRENT_BINARY_DIR}/libgltfx.a)
 set(script ${CMAKE_CURRENT_BINARY_DIR}/libgltfx.mri)  # for ar
 file(GENERATE OUTPUT ${script} CONTENT "CREATE ${one}\n${archives}\nSAVE\nEND\n")
-add_custom_command(OUTPUT ${one} COMMAND sh -c "\"${CMAKE_AR}\" -M <\"${script}\""
+if(GLTFX_LTO)
+  set(then_drop_lto COMMAND ${drop_lto} ${one})
+endif()
+add_custom_command(OUTPUT ${one} COMMAND sh -c "\"${CMAKE_AR}\" -M <\"${script}\"" ${then_drop_lto}
   DEPENDS ${module_targets} ${script} VERBATIM)
 add_custom_target(gltfx_one_archive ALL DEPENDS ${one})
 install(FILES ${one} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
