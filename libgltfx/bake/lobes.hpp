@@ -12,8 +12,10 @@ namespace gltfx::bake {
 
 /// Members of all leaves.
 struct Lobe {
-  double power = 0;
-  bool is_delta = false;
+  double power;
+  bool is_delta;
+
+  explicit Lobe(double most = 0, bool delta = false) : power(most), is_delta(delta) {}
 };
 
 /// diffuse_brdf(color): Lambert.

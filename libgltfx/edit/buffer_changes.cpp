@@ -88,8 +88,9 @@ Result<ChangedBuffers> change_buffers(const json::Document& document,
                                       json::Editor& editor) {
   ChangedBuffers changed;
   Buffers buffers(document, container, resolver, editor);
-  for (auto& [index, content] : contents) {
-    if (auto error = buffers.change(index, std::move(content), changed)) return *std::move(error);
+  for (auto& change : contents) {
+    auto error = buffers.change(change.first, std::move(change.second), changed);
+    if (error) return *std::move(error);
   }
   return changed;
 }
