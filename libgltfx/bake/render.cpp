@@ -278,10 +278,10 @@ DepthRange depth_range(const TraceContext& context, const View& view) {
 
 // Enough tiles that threads seldom wait for each other. Values do not depend on it.
 std::uint32_t rows_at_once(const RenderOptions& options) {
-  constexpr std::uint32_t kTilesPerJob = 32;
+  constexpr std::uint32_t kTilesPerJob = 16;
   if (options.seconds > 0) return options.height;
   const std::uint32_t jobs = options.jobs == 0 ? default_jobs() : options.jobs;
-  const std::uint32_t tiles = kTilesPerJob * std::clamp(jobs, 4U, 256U);
+  const std::uint32_t tiles = kTilesPerJob * std::min(jobs, 256U);
   const std::uint32_t columns = (options.width + kTileWidth - 1) / kTileWidth;
   return (tiles + columns - 1) / columns * kTileHeight;
 }
