@@ -4,7 +4,6 @@
 
 #include <gltfx/vec3.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
