@@ -276,14 +276,21 @@ DepthRange depth_range(const TraceContext& context, const View& view) {
   return range;
 }
 
-// Enough tiles that threads seldom wait for each other. Values do not depend on it.
+// Enough tiles that threads seldom wait for each other, but in wide pictures fewer: the denoiser
+// holds rows above and below besides. Values do not depend on it.
 std::uint32_t rows_at_once(const RenderOptions& options) {
-  constexpr std::uint32_t kTilesPerJob = 16;
+  constexpr std::uint32_t kMostTilesPerJob = 32, kLeastTilesPerJob = 16;
+  constexpr std::uint32_t kHeldPixels = 16'384;
   if (options.seconds > 0) return options.height;
-  const std::uint32_t jobs = options.jobs == 0 ? default_jobs() : options.jobs;
-  const std::uint32_t tiles = kTilesPerJob * std::min(jobs, 256U);
+  const std::uint32_t jobs = std::min(options.jobs == 0 ? default_jobs() : options.jobs, 256U);
   const std::uint32_t columns = (options.width + kTileWidth - 1) / kTileWidth;
-  return (tiles + columns - 1) / columns * kTileHeight;
+  const auto rows_of = [columns](std::uint32_t tiles) {
+    return (tiles + columns - 1) / columns * kTileHeight;
+  };
+  const std::uint32_t held = kHeldPixels / options.width;
+  const std::uint32_t fitting = (held - std::min(held, 2 * kDenoiseReach)) / kTileHeight;
+  return std::clamp(fitting * kTileHeight, rows_of(kLeastTilesPerJob * jobs),
+                    rows_of(kMostTilesPerJob * jobs));
 }
 
 // Progress of the picture by the progress of some rows.
