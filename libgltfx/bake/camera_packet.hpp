@@ -31,4 +31,14 @@ void visit_camera_samples(const Bvh& bvh, std::uint32_t first, std::uint32_t las
   }
 }
 
+/// The same for the samples of one pixel.
+template <class Visit>
+void visit_camera_samples(const Bvh& bvh, std::uint32_t first, std::uint32_t last, const View& view,
+                          const PixelSamples& pixel, const Visit& visit) {
+  const auto fill = [&](std::uint32_t number, std::span<CameraSample> samples) {
+    pixel.fill(view, number, samples);
+  };
+  visit_camera_samples(bvh, first, last, fill, visit);
+}
+
 }  // namespace gltfx::bake

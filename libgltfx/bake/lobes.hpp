@@ -15,7 +15,7 @@ struct Lobe {
   double power;
   bool is_delta;
 
-  explicit Lobe(double most = 0, bool delta = false) : power(most), is_delta(delta) {}
+  explicit Lobe(double power_ = 0, bool delta = false) : power(power_), is_delta(delta) {}
 };
 
 /// diffuse_brdf(color): Lambert.

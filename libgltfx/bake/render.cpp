@@ -230,11 +230,7 @@ class Renderer {
   template <class Visit>
   void visit_samples(std::uint32_t x, std::uint32_t y, std::uint32_t first, std::uint32_t last,
                      const Visit& visit) const {
-    const PixelSamples samples = samples_of(x, y);
-    const auto fill = [&](std::uint32_t number, std::span<CameraSample> packet) {
-      samples.fill(view_, number, packet);
-    };
-    visit_camera_samples(context_.bvh, first, last, fill, visit);
+    visit_camera_samples(context_.bvh, first, last, view_, samples_of(x, y), visit);
   }
 
   bool out_of_time() const {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "bake/camera_packet.hpp"
 #include "bake/render.hpp"
@@ -121,10 +120,7 @@ std::vector<float> SampleMap::estimate_variance(const TraceContext& context, con
   const auto variance_at = [&](std::uint32_t x, std::uint32_t y) {
     PixelVariance variance;
     const PixelSamples pixel(options.width, options.height, seed, x, y);
-    const auto fill = [&](std::uint32_t first, std::span<CameraSample> packet) {
-      pixel.fill(view, first, packet);
-    };
-    visit_camera_samples(context.bvh, 0, samples, fill,
+    visit_camera_samples(context.bvh, 0, samples, view, pixel,
                          [&](const CameraSample& camera, const auto& hit) {
                            variance.add(trace_path(context, camera, hit));
                          });

@@ -36,7 +36,8 @@ void keep_standard_streams() {
 // then, which double the memory that a verb takes for a large asset. Its "fast bins" are merged
 // whenever something large is freed. And memory at the end of the heap, which is asked for again
 // soon, goes back to the system and comes with the next call. Both are a tenth of the time that a
-// verb takes for a large asset. But `bake` would take a seventh more memory, and as much time.
+// verb takes for a large asset. Not for `bake`: it would take a seventh more memory and about the
+// same time.
 void tune_the_heap() {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
