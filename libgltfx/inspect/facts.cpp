@@ -13,6 +13,7 @@
 #include "inspect/uses.hpp"
 #include "model/camera.hpp"
 #include "model/fields.hpp"
+#include "model/format_set.hpp"
 #include "model/info.hpp"
 #include "model/light.hpp"
 #include "model/resource_data.hpp"
@@ -61,6 +62,22 @@ void read_header(const Source& source, AssetFacts& facts) {
   facts.textures = source.asset.count(RootArray::textures);
 }
 
+std::optional<std::uint64_t> accessors_for(const Source& source,
+                                           const schema::Extension& extension) {
+  if (!extension.attachment_points.empty()) return std::nullopt;
+  std::uint64_t sum = model::count_with_added_format(source.asset, source.views, extension);
+  bool formats = !extension.vertex_attributes.empty() || !extension.morph_attributes.empty();
+  for (const auto& [place, values] : extension.enum_additions) {
+    if (place != "accessor/componentType") continue;
+    formats = true;
+    for (const model::Accessor& accessor : source.views.accessors) {
+      const std::string type = std::to_string(static_cast<unsigned>(accessor.format.component));
+      sum += std::find(values.begin(), values.end(), type) != values.end() ? 1 : 0;
+    }
+  }
+  return formats ? std::optional(sum) : std::nullopt;
+}
+
 std::vector<ExtensionFacts> extensions_of(const Source& source) {
   std::map<std::string, ExtensionFacts> by_name;
   const schema::CheckResult& checked = source.uses.checked;
@@ -77,6 +94,8 @@ std::vector<ExtensionFacts> extensions_of(const Source& source) {
       facts.status = schema::status_name(extension.status);
       facts.spec = extension.spec;
       facts.successor = extension.successor;
+      facts.has_objects = !extension.attachment_points.empty();
+      facts.accessors = accessors_for(source, extension);
     }
     list.push_back(std::move(facts));
   }

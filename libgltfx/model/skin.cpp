@@ -29,7 +29,10 @@ Deformation read_deformation(const Mesh& mesh) {
   deformation.known = true;
   deformation.morph_targets = mesh.primitives.front().targets.size();
   for (const Primitive& primitive : mesh.primitives) {
-    if (!names_joints(primitive)) continue;
+    if (!names_joints(primitive)) {
+      deformation.has_rigid = true;
+      continue;
+    }
     deformation.names_joints = true;
     deformation.has_joints = deformation.has_joints || joint_sets(primitive) != 0;
   }

@@ -41,6 +41,7 @@ struct Deformation {
   bool known = false;               ///< the mesh has a list of primitives, all of them objects
   bool has_joints = false;          ///< a primitive binds vertices to joints
   bool names_joints = false;        ///< a primitive has JOINTS_n, be it in gaps or without weights
+  bool has_rigid = false;           ///< a primitive has no JOINTS_n
   std::uint64_t morph_targets = 0;  ///< of the first primitive, which stands for all
 };
 

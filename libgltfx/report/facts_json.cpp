@@ -96,6 +96,7 @@ void write(Writer& writer, const ExtensionFacts& facts) {
   writer.member("used", facts.used);
   writer.member("required", facts.required);
   writer.member("seen", facts.seen);
+  if (facts.accessors) writer.member("accessors", *facts.accessors);
   member_if(writer, "spec", facts.spec);
   member_if(writer, "successor", facts.successor);
 }

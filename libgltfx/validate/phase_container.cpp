@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/codes.hpp"
 #include "validate/context.hpp"
 #include "validate/fix.hpp"
@@ -48,7 +50,39 @@ bool check_promised_glb(const container::Container& container, Collector& collec
   return false;
 }
 
+// --- Padding of the JSON chunk ---
+
+/// What fills the JSON chunk up to a multiple of 4, as part of its text. More than that is white
+/// space of the text itself, as is all in a file without chunks.
+Span json_padding(const container::Container& container) {
+  if (container.format != container::Format::glb || container.chunks.empty()) return {};
+  const std::string_view json = *container.json;
+  const std::size_t end = json.find_last_not_of(" \t\r\n") + 1;
+  const bool aligned = container.chunks.front().length % 4 == 0;
+  if (!aligned || end == 0 || json.size() - end > 3) return {};
+  return {static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(json.size())};
+}
+
+void check_json_padding(const container::Container& container, Collector& collector) {
+  const Span padding = json_padding(container);
+  const std::size_t at = padding.in(*container.json).find_first_not_of(' ');
+  if (at == std::string_view::npos) return;
+  const std::size_t byte = padding.begin + at;
+  collector.report_offset(
+      Phase::container, container.json_offset + byte,
+      make(Code::GLB_JSON_PADDING,
+           fmt::format("The JSON chunk is padded with 0x{:02x}; it must be padded with spaces.",
+                       static_cast<unsigned char>((*container.json)[byte]))));
+}
+
 // --- Fixes: a container that is written anew has right lengths and padding ---
+
+bool pad_with_spaces(Fixing& fixing, Span) {
+  const Span padding = json_padding(fixing.opened().container());
+  if (padding.begin == padding.end) return false;
+  fixing.replace_text(padding, std::string(padding.end - padding.begin, ' '));
+  return true;
+}
 
 bool rewrite(Fixing& fixing, Span) {
   fixing.rewrite_container();
@@ -71,6 +105,7 @@ constexpr FixEntry kContainerFixes[] = {
     {Code::GLB_CHUNK_LENGTH_UNALIGNED, rewrite, FixStage::container},
     {Code::GLB_CHUNK_TOO_BIG, rewrite, FixStage::container},
     {Code::GLB_EXTRA_DATA, drop_trailing_zeros, FixStage::container},
+    {Code::GLB_JSON_PADDING, pad_with_spaces, FixStage::syntax},
 };
 
 }  // namespace
@@ -84,6 +119,7 @@ bool check_container(const container::Container& container, const std::string& n
                      FileReport& report, Collector& collector) {
   report_errors(container.errors, Phase::container, collector);
   report_errors(container.late_errors, Phase::container_end, collector);
+  if (container.json) check_json_padding(container, collector);
   if (container.format == container::Format::git_lfs_pointer) {
     report.unverified = 1;
     collector.report_file(

@@ -41,6 +41,16 @@ bool is_fallback(const Context& context, json::NodeId buffer) {
 
 std::uint64_t padded(std::uint64_t length) { return length + (4 - length % 4) % 4; }
 
+// What fills the chunk up is behind the bytes of the buffer.
+void check_bin_padding(const Resource& resource, std::string_view chunk, std::uint64_t declared) {
+  if (chunk.size() <= declared || chunk.size() > padded(declared)) return;
+  const std::size_t at = chunk.find_first_not_of('\0', static_cast<std::size_t>(declared));
+  if (at == std::string_view::npos) return;
+  resource.find(Code::GLB_BIN_PADDING, "",
+                fmt::format("The BIN chunk is padded with 0x{:02x}; it must be padded with zeros.",
+                            static_cast<unsigned char>(chunk[at])));
+}
+
 // Buffer 0 of a GLB without a uri is the BIN chunk.
 std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared) {
   const container::Container& glb = resource.context.container;
@@ -57,8 +67,10 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared)
                   fmt::format("The BIN chunk is {} bytes longer than the padded buffer.",
                               glb.bin->length - padded(declared)));
   }
-  return glb.bytes.part(static_cast<std::size_t>(glb.bin->offset),
-                        static_cast<std::size_t>(glb.bin->length));
+  Bytes chunk = glb.bytes.part(static_cast<std::size_t>(glb.bin->offset),
+                               static_cast<std::size_t>(glb.bin->length));
+  check_bin_padding(resource, chunk.text(), declared);
+  return chunk;
 }
 
 std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uint64_t declared,
@@ -185,8 +197,18 @@ bool declare_whole_chunk(Fixing& fixing, Span place) {
          fixing.replace_scalar(length, std::to_string(bin->length));
 }
 
+bool pad_with_zeros(Fixing& fixing, Span place) {
+  const auto declared =
+      model::unsigned_member(fixing.document(), fixing.node_at(place), "byteLength");
+  std::string* const chunk = fixing.content(0);
+  if (!declared || chunk == nullptr || chunk->size() < *declared) return false;
+  std::fill(chunk->begin() + static_cast<std::ptrdiff_t>(*declared), chunk->end(), '\0');
+  return true;
+}
+
 constexpr FixEntry kBufferFixes[] = {{Code::BUFFER_BYTE_LENGTH_MISMATCH, declare_actual_length},
-                                     {Code::BUFFER_GLB_CHUNK_TOO_BIG, declare_whole_chunk}};
+                                     {Code::BUFFER_GLB_CHUNK_TOO_BIG, declare_whole_chunk},
+                                     {Code::GLB_BIN_PADDING, pad_with_zeros}};
 
 }  // namespace
 

@@ -198,6 +198,29 @@ TEST(Extensions, AreToldWithTheirStatus) {
 }
 
 // Numbers, types and links that no valid asset has: everything has an answer, and a quick one.
+TEST(Extensions, WithoutObjectsAreCountedByTheirFormats) {
+  const auto of = [](const std::string& extension, const std::string& members) {
+    return facts_of(R"({"asset": {"version": "2.0"}, "extensionsUsed": [")" + extension + "\"], " +
+                    members + "}")
+        .extensions.at(0);
+  };
+  const auto positions = [](const std::string& type) {
+    return R"("accessors": [{"type": "VEC3", "componentType": )" + type + R"(, "count": 3},
+                            {"type": "VEC3", "componentType": 5126, "count": 3}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}},
+                                 {"attributes": {"POSITION": 1}, "targets": [{"POSITION": 0}]}]}])";
+  };
+  const ExtensionFacts used = of("KHR_mesh_quantization", positions("5122"));
+  EXPECT_FALSE(used.seen || used.has_objects);
+  EXPECT_EQ(used.accessors, 1U);
+  EXPECT_EQ(of("KHR_mesh_quantization", positions("5126")).accessors, 0U);
+  EXPECT_EQ(of("KHR_accessor_float64", positions("5130")).accessors, 1U);
+  EXPECT_EQ(of("GODOT_single_root", positions("5130")).accessors, std::nullopt);
+  const ExtensionFacts splats = of("KHR_gaussian_splatting", positions("5126"));
+  EXPECT_TRUE(splats.has_objects);
+  EXPECT_EQ(splats.accessors, std::nullopt);
+}
+
 TEST(Hostile, AnythingHasFacts) {
   for (
       const char* text :

@@ -37,6 +37,17 @@ TEST_F(Inspect, TablesTellWhatIsInAnAsset) {
                                  HasSubstr("0  Beacon  point")));
 }
 
+TEST_F(Inspect, ExtensionsWithoutObjectsAreToldByWhatTheyAllow) {
+  folder_.write("a.gltf", R"({"asset": {"version": "2.0"},
+    "extensionsUsed": ["KHR_mesh_quantization", "KHR_texture_transform", "GODOT_single_root"],
+    "accessors": [{"type": "VEC3", "componentType": 5122, "count": 3}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})");
+  const std::string out = here({"a.gltf"}).out;
+  EXPECT_THAT(out, HasSubstr("used      1 accessor has its formats"));
+  EXPECT_THAT(out, HasSubstr("KHR_texture_transform  ratified  used      no object has it"));
+  EXPECT_EQ(out.find("has it"), out.rfind("has it")) << "nothing is told of the third: " << out;
+}
+
 TEST_F(Inspect, LegacyObjectsAreToldWithWhatUpgradeMakesOfThem) {
   const Outcome outcome =
       here({fixture("legacy/awning.gltf"), fixture("legacy/on-request/candle.gltf")});

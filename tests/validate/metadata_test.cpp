@@ -54,6 +54,17 @@ TEST(Metadata, LanguagesAreNumberedAndComplete) {
             Lines{"XMP_LANGUAGE_INVALID" + kPacket + "/dc:title/rdf:one"});
 }
 
+TEST(Metadata, AValueStandsByItselfUnlessItHasALanguage) {
+  EXPECT_EQ(packet(R"("dc:a": {"@language": "en", "@value": "x"})"), Lines{});
+  EXPECT_EQ(packet(R"("dc:a": {"@context": {"@language": "en"}, "dc:b": "x"})"), Lines{});
+  EXPECT_EQ(packet(R"("dc:a": {"@value": "x", "@type": "dc:b"})"),
+            Lines{"XMP_FORM_FORBIDDEN" + kPacket + "/dc:a/@value"});
+  EXPECT_EQ(packet(R"("dc:a": {"@set": [{"@value": 1}]})"),
+            Lines{"XMP_FORM_FORBIDDEN" + kPacket + "/dc:a/@set/0/@value"});
+  EXPECT_EQ(packet(R"("dc:a": {"@context": "http://example.org/", "dc:b": "x"})"),
+            Lines{"XMP_FORM_FORBIDDEN" + kPacket + "/dc:a/@context"});
+}
+
 TEST(Metadata, ANamespaceHasOnePrefix) {
   EXPECT_EQ(packet(R"("a:x": 1)", R"("@context": {"a": "http://example.org/", "b":
     "http://example.org/", "c": "http://example.com/"})"),

@@ -104,6 +104,23 @@ TEST(NodeMesh, SkinAndJointsGoTogether) {
   EXPECT_EQ(meshes(R"({"mesh": 1})"), Lines{"NODE_SKINNED_MESH_WITHOUT_SKIN /nodes/0"});
 }
 
+TEST(NodeMesh, EachPrimitiveOfASkinnedMeshHasJoints) {
+  const auto skinned = [](const std::string& first, const std::string& second, Profile profile) {
+    return findings(R"("nodes": [{"mesh": 0, "skin": 0}], "skins": [{"joints": [0]}],
+                      "meshes": [{"primitives": [{"attributes": )" +
+                        first + R"(}, {"attributes": )" + second + "}]}]" + kAccessors,
+                    {"NODE_SKIN_W"}, profile);
+  };
+  const std::string joints = R"({"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 1})";
+  const std::string rigid = R"({"POSITION": 0})";
+  const Lines found{"NODE_SKIN_WITH_NON_SKINNED_MESH /nodes/0"};
+  EXPECT_EQ(skinned(joints, joints, Profile::standard), Lines{});
+  EXPECT_EQ(skinned(joints, rigid, Profile::standard), found);
+  EXPECT_EQ(skinned(rigid, joints, Profile::standard), found);
+  EXPECT_EQ(skinned(rigid, joints, Profile::khronos), Lines{});
+  EXPECT_EQ(skinned(rigid, rigid, Profile::khronos), found);
+}
+
 TEST(NodeMesh, BrokenSkinOrJointsAreReportedOnce) {
   EXPECT_EQ(meshes(R"({"mesh": 1, "skin": 9})"), Lines{});
   EXPECT_EQ(meshes(R"({"mesh": 3, "skin": 0})"), Lines{});

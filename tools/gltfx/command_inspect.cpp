@@ -142,19 +142,26 @@ class Page {
     text_ += files.text(4, style_);
   }
 
+  static std::string extension_note(const ExtensionFacts& extension) {
+    if (extension.accessors == 0U) return "no accessor has its formats";
+    if (extension.accessors == 1U) return "1 accessor has its formats";
+    if (extension.accessors) {
+      return fmt::format("{} accessors have its formats", grouped(*extension.accessors));
+    }
+    if (!extension.seen && extension.has_objects) return "no object has it";
+    return extension.successor.empty() ? "" : "successor: " + extension.successor;
+  }
+
   void write_extensions(const std::vector<ExtensionFacts>& extensions) {
     if (extensions.empty()) return;
     title("Extensions");
     TextTable table("llll", {"name", "status", "declared", ""});
     for (const ExtensionFacts& each : extensions) {
-      const std::string note = !each.seen               ? "no object has it"
-                               : each.successor.empty() ? ""
-                                                        : "successor: " + each.successor;
       table.add({cell(each.name), each.status,
                  each.required ? "required"
                  : each.used   ? "used"
                                : "not declared",
-                 note});
+                 extension_note(each)});
     }
     text_ += table.text(4, style_);
   }

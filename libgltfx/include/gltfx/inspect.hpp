@@ -53,6 +53,9 @@ struct ExtensionFacts {
   bool used = false;            ///< in extensionsUsed
   bool required = false;        ///< in extensionsRequired
   bool seen = false;            ///< some object has it
+  bool has_objects = true;      ///< by its schema; others allow what they are for without any
+  /// Accessors in a format that an extension without objects adds; absent where it adds none.
+  std::optional<std::uint64_t> accessors = std::nullopt;
 };
 
 /// Of one mesh, drawn once. Triangles and vertices as accessors declare them.

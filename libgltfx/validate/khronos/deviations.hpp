@@ -114,6 +114,10 @@ struct Deviations : schema::Deviations {
   /// Specification ("Joint Hierarchy"): all joints have one. Seen: its source.
   bool common_root_starts_anew = false;
 
+  /// Khronos: a node may have a skin where any primitive of its mesh has joints. Specification
+  /// ("Node"): all primitives have them. Seen: meshes of which one primitive has none that pass.
+  bool one_skinned_primitive_is_enough = false;
+
   /// Khronos: a matrix that is taken apart and put together again must have the same norm.
   /// Specification ("Transformations"): matrices cannot shear. Seen: sheared matrices that pass.
   bool matrices_compare_by_norm = false;

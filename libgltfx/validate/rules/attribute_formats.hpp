@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,20 +11,14 @@
 #include <vector>
 
 #include "model/accessor.hpp"
+#include "model/format_set.hpp"
 #include "model/mesh.hpp"
 #include "validate/context.hpp"
 
 namespace gltfx::validate {
 
-/// Any of some element types with any of some component types.
-struct FormatSet {
-  std::uint16_t types = 0;       ///< bit n: ElementType n
-  std::uint32_t components = 0;  ///< two bits a component type: plain, normalized
-  bool allows(const model::Format& format) const;
-};
-
 /// Alternatives; empty allows nothing.
-using FormatList = std::vector<FormatSet>;
+using FormatList = std::vector<model::FormatSet>;
 /// Those of each core semantic, in the order of model::SemanticKind.
 using CoreFormats = std::array<FormatList, model::kCoreSemanticCount>;
 bool allows(const FormatList& list, const model::Format& format);
@@ -56,8 +49,5 @@ class AttributeFormats {
 std::string_view extension_that_allows(const schema::Set& schemas,
                                        const model::Attribute& attribute, bool target,
                                        const model::Format& format);
-
-/// Whether an attribute of the asset has one of the formats that the extension brings.
-bool uses_formats_of(const Context& context, const schema::Extension& extension);
 
 }  // namespace gltfx::validate

@@ -146,7 +146,8 @@ void report_status(const Entry& entry, const schema::Extension& extension) {
 bool is_unused(const Entry& entry, const schema::Extension& extension) {
   if (!extension.attachment_points.empty()) return !entry.names.seen.contains(extension.name);
   const bool formats = !extension.vertex_attributes.empty() || !extension.morph_attributes.empty();
-  return formats && !uses_formats_of(entry.context, extension);
+  const Context& context = entry.context;
+  return formats && model::count_with_added_format(context.asset, context.views, extension) == 0;
 }
 
 void report_use(const Entry& entry, const schema::Extension& extension) {

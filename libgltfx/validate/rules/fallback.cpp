@@ -68,9 +68,6 @@ void check_object(const Context& context, json::NodeId object, const Path& path,
       continue;
     }
     Finding finding(Code::NON_REQUIRED_EXTENSION);
-    // An accessor or buffer without bytes is legal in itself and reads as zeros: the asset loads
-    // everywhere and looks wrong, so this is a warning and no error.
-    finding.severity = Severity::warning;
     finding.message =
         fmt::format("The data has no fallback for {}, which is not in extensionsRequired.", name);
     finding.help = fmt::format("add \"{}\" to extensionsRequired", name);

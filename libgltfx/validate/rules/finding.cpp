@@ -62,10 +62,13 @@ Finding finding_on(const Context& context, json::NodeId value, Code code, std::s
 }
 
 void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
-                   std::string_view member, Code code, std::string message, std::string help) {
+                   std::string_view member, Code code, std::string message, std::string help,
+                   std::optional<Severity> severity) {
   const json::NodeId value = context.document.find(object, member);
-  sink.report(Path(path, member), finding_on(context, value != json::kNoNode ? value : object, code,
-                                             std::move(message), std::move(help)));
+  Finding finding = finding_on(context, value != json::kNoNode ? value : object, code,
+                               std::move(message), std::move(help));
+  finding.severity = severity;
+  sink.report(Path(path, member), std::move(finding));
 }
 
 void report_link(const Context& context, const Path& path, json::NodeId place, Code code,

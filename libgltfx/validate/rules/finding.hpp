@@ -19,7 +19,8 @@ Finding finding_on(const Context& context, json::NodeId value, Code code, std::s
 /// Reports a finding on a member of the object at `path`: at the member when it is there, and
 /// otherwise at the object, with the pointer of the member in both cases.
 void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
-                   std::string_view member, Code code, std::string message, std::string help = {});
+                   std::string_view member, Code code, std::string message, std::string help = {},
+                   std::optional<Severity> severity = {});
 
 /// Reports a finding of phase 4 at `path` that marks `place` (as finding_on() does) or exactly the
 /// span, such as one number of an array.

@@ -2,6 +2,7 @@
 // KHR_interactivity: the order of a graph's nodes, lengths and kinds of values, indices inside
 // configurations. This file is about that one extension and names it.
 #include <array>
+#include <map>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -41,16 +42,25 @@ const Signature* find_signature(std::string_view name) {
   return found == kSignatures.end() ? nullptr : found;
 }
 
-// Operations whose configuration holds indices of another list of the graph.
-struct IndexSetting {
+// Settings that operations have no default for: indices of a list of the graph, or a text, or a
+// boolean.
+struct NeededSetting {
   std::string_view operation, setting, list;
+  bool text = false;
 };
-constexpr IndexSetting kIndexSettings[] = {
+constexpr NeededSetting kNeededSettings[] = {
     {"variable/get", "variable", "variables"},
     {"variable/set", "variables", "variables"},
     {"variable/interpolate", "variable", "variables"},
+    {"variable/interpolate", "useSlerp", ""},
     {"event/send", "event", "events"},
     {"event/receive", "event", "events"},
+    {"pointer/get", "pointer", "", true},
+    {"pointer/get", "type", "types"},
+    {"pointer/set", "pointer", "", true},
+    {"pointer/set", "type", "types"},
+    {"pointer/interpolate", "pointer", "", true},
+    {"pointer/interpolate", "type", "types"},
 };
 
 class GraphCheck {
@@ -90,9 +100,34 @@ class GraphCheck {
   }
 
   void read_operations() {
+    const Path list(path_, "declarations");
+    std::unordered_map<std::string, std::size_t> known;
     for (const json::NodeId each : object_list(document_, graph_, "declarations")) {
       operations_.push_back(model::string_member(document_, each, "op"));
+      if (operations_.back().empty()) continue;
+      const auto [first, fresh] = known.try_emplace(identity(each), operations_.size() - 1);
+      if (fresh) continue;
+      report_link(context_, Path(list, operations_.size() - 1), each,
+                  Code::INTERACTIVITY_DECLARATION_REPEATED,
+                  fmt::format("Declaration {} already declares {}.", first->second,
+                              quoted(operations_.back())));
     }
+  }
+
+  // What makes declarations equal: the operation, its extension, names and types of its inputs.
+  std::string identity(json::NodeId declaration) const {
+    std::string identity =
+        operations_.back() + '\n' + model::string_member(document_, declaration, "extension");
+    const json::NodeId sockets = model::object_member(document_, declaration, "inputValueSockets");
+    if (sockets == json::kNoNode) return identity;
+    std::map<std::string_view, std::uint64_t> inputs;
+    for (const auto socket : document_.members(sockets)) {
+      if (!document_.is_object(socket.value)) continue;
+      const auto type = model::unsigned_member(document_, socket.value, "type");
+      inputs.emplace(document_.key(socket.key_id), type.value_or(UINT64_MAX));
+    }
+    for (const auto& [name, type] : inputs) identity += fmt::format("\n{}\n{}", name, type);
+    return identity;
   }
 
   void check_values_of(std::string_view member) {
@@ -171,7 +206,7 @@ class GraphCheck {
     check_order(node, "flows", index, path);
     const auto operation = model::unsigned_member(document_, node, "declaration");
     if (!operation || *operation >= operations_.size()) return;
-    for (const IndexSetting& setting : kIndexSettings) {
+    for (const NeededSetting& setting : kNeededSettings) {
       if (setting.operation == operations_[*operation]) check_setting(node, setting, path);
     }
   }
@@ -199,11 +234,29 @@ class GraphCheck {
     }
   }
 
-  void check_setting(json::NodeId node, const IndexSetting& setting, const Path& path) {
+  bool has_kind(const NeededSetting& setting, json::NodeId value) const {
+    if (value == json::kNoNode || !document_.is_array(value)) return false;
+    const bool numbers = document_.kind(value) == json::Kind::number_array;
+    if (numbers || !setting.list.empty()) return numbers && !setting.list.empty();
+    if (document_.array_size(value) != 1) return false;
+    const json::NodeId element = *document_.elements(value).begin();
+    return setting.text ? document_.is_string(element) : document_.is_boolean(element);
+  }
+
+  void check_setting(json::NodeId node, const NeededSetting& setting, const Path& path) {
     const json::NodeId map = model::object_member(document_, node, "configuration");
     const json::NodeId object = model::object_member(document_, map, setting.setting);
     const json::NodeId value = document_.find(object, "value");
-    if (value == json::kNoNode || document_.kind(value) != json::Kind::number_array) return;
+    if (!has_kind(setting, value)) {
+      report_link(context_, path, node, Code::INTERACTIVITY_SETTING_MISSING,
+                  fmt::format("{} requires the configuration {} with {}.",
+                              quoted(setting.operation), quoted(setting.setting),
+                              setting.text           ? "a string"
+                              : setting.list.empty() ? "a boolean"
+                                                     : "an index"));
+      return;
+    }
+    if (setting.list.empty()) return;
     const std::size_t count = list_size(setting.list);
     const Path configuration(path, "configuration");
     const Path name(configuration, setting.setting);

@@ -28,10 +28,12 @@ void check_alpha_cutoff(const Context& context, json::NodeId material, const Pat
   // A wrong mode or a wrong cutoff has been reported; which of the two was meant is not known.
   const auto sound = [&] { return is_known_mode(mode) && document.number(cutoff).value >= 0; };
   if (!consequences && !sound()) return;
+  // Readers ignore it beside another mode; without a mode it must not be there.
   report_member(context.schema_sink, context, path, material, "alphaCutoff",
                 Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE,
                 fmt::format("alphaCutoff has no effect because alphaMode is {}.",
-                            mode.empty() ? "'OPAQUE' (the default)" : gltfx::quoted(mode)));
+                            mode.empty() ? "'OPAQUE' (the default)" : gltfx::quoted(mode)),
+                {}, mode.empty() ? Severity::error : Severity::warning);
 }
 
 constexpr FixEntry kMaterialFixes[] = {{Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE, remove_marked}};

@@ -58,7 +58,6 @@ void MaterialNeeds::add_directions(const Context& context) {
         model::extension_object(context.document, materials[i], "KHR_materials_anisotropy");
     const auto strength = model::number_member(context.document, object, "anisotropyStrength");
     if (!strength || !(*strength > 0)) continue;
-    needs_[i].direction_alone = !needs_[i].tangent_space;
     needs_[i].tangent_space = true;
   }
 }

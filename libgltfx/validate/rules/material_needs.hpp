@@ -41,9 +41,8 @@ struct TexCoordNeed {
 
 struct MaterialNeed {
   std::vector<TexCoordNeed> texcoords;
-  bool tangent_space = false;    ///< some texture is read in tangent space
-  bool direction_alone = false;  ///< no texture is, but a direction is meant
-  bool normal_texture = false;   ///< the core one, from which tangents are made up
+  bool tangent_space = false;   ///< some texture is read in tangent space
+  bool normal_texture = false;  ///< the core one, from which tangents are made up
 };
 
 /// Needs of all materials, from the texture slots the walk has met.

@@ -75,12 +75,12 @@ class NodeCheck {
 
   void check_skinned(const model::Node& node, const model::Deformation& mesh, const Path& path) {
     // Joints that are there but not in order are reported at the mesh.
-    const bool told = mesh.names_joints && !context_.deviations.consequences_are_reported;
-    if (mesh.has_joints || told) return;
-    report_link(
-        context_, path, node.skin_value, Code::NODE_SKIN_WITH_NON_SKINNED_MESH,
-        fmt::format("The node has {}, but {} has no JOINTS_0 and WEIGHTS_0.",
-                    object_label(context_, model::RootArray::skins, *node.skin), mesh_label(node)));
+    const bool one_is_enough = context_.deviations.one_skinned_primitive_is_enough;
+    if (one_is_enough ? mesh.has_joints : !mesh.has_rigid) return;
+    report_link(context_, path, node.skin_value, Code::NODE_SKIN_WITH_NON_SKINNED_MESH,
+                fmt::format("The node has {}, but {}{} has no JOINTS_0 and WEIGHTS_0.",
+                            object_label(context_, model::RootArray::skins, *node.skin),
+                            mesh.names_joints ? "a primitive of " : "", mesh_label(node)));
   }
 
   void report_override(const model::ParentOverride& found, const Path& parent) {

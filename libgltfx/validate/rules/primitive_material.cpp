@@ -32,10 +32,9 @@ struct MaterialUse {
     return object_label(state.context, model::RootArray::materials, *primitive.material);
   }
 
-  void report(Code code, std::string message, std::optional<Severity> severity = {}) const {
-    Finding finding = finding_on(state.context, place, code, std::move(message));
-    finding.severity = severity;
-    state.context.link_sink.report(path, std::move(finding));
+  void report(Code code, std::string message) const {
+    state.context.link_sink.report(path,
+                                   finding_on(state.context, place, code, std::move(message)));
   }
 };
 
@@ -65,9 +64,7 @@ void check_tangent_space(const MaterialUse& material_use, const MaterialNeed& ne
         Code::MESH_PRIMITIVE_NO_TANGENT_SPACE,
         fmt::format(
             "The primitive has no {}, but {} requires a tangent space and has no normal texture.",
-            missing, material_use.material()),
-        // Highlights that lie another way are a lesser evil than bumps that do.
-        need.direction_alone ? std::optional(Severity::warning) : std::nullopt);
+            missing, material_use.material()));
   }
 }
 
@@ -94,21 +91,24 @@ void check_unused_texcoords(const Context& context, const TexCoords& texcoords, 
 void MaterialCheck::check_variants() {
   const Context& context = state_.context;
   SeenVariants seen;
-  for_each_mapping(
-      context, state_.active, primitive_.node, path_,
-      [&](json::NodeId mapping, std::uint64_t index, const Path& at) {
-        if (!check_variants_exist(context, mapping, at)) return;
-        check_unique_variants(context, mapping, index, at, seen);
-        const json::NodeId value = context.document.find(mapping, "material");
-        report_references(context, value);
-        const auto material = context.asset.index(mapping, "material", model::RootArray::materials);
-        if (!material) return;
-        const MaterialNeed& need = state_.materials.of(*material);
-        const Path place(at, "material");
-        check_texcoords({state_, primitive_, value, place}, need, texcoords_);
-        tangent_space_ = tangent_space_ ||
-                         (need.tangent_space && !context.deviations.fewer_materials_need_tangents);
-      });
+  for_each_mapping(context, state_.active, primitive_.node, path_,
+                   [&](json::NodeId mapping, std::uint64_t index, const Path& at) {
+                     if (!check_variants_exist(context, mapping, at)) return;
+                     check_unique_variants(context, mapping, index, at, seen);
+                     const json::NodeId value = context.document.find(mapping, "material");
+                     report_references(context, value);
+                     const auto material =
+                         context.asset.index(mapping, "material", model::RootArray::materials);
+                     if (!material) return;
+                     const MaterialNeed& need = state_.materials.of(*material);
+                     const Path place(at, "material");
+                     const MaterialUse material_use{state_, primitive_, value, place};
+                     check_texcoords(material_use, need, texcoords_);
+                     if (!need.tangent_space || context.deviations.fewer_materials_need_tangents)
+                       return;
+                     tangent_space_ = true;
+                     if (!need.normal_texture) check_tangent_space(material_use, need);
+                   });
 }
 
 void MaterialCheck::check_material() {

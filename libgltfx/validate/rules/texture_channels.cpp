@@ -87,6 +87,23 @@ void check_alpha(const TexturePhase& phase, const TextureSlot& slot) {
   }
 }
 
+// --- Bits ---
+
+// The slots of the core specification that are sRGB hold 8 bits; extensions do not say so.
+void check_bits(const TexturePhase& phase, const TextureSlot& slot) {
+  const schema::TypeId owner = slot.use->owner_type;
+  if (!slot.srgb || owner == schema::kNone) return;
+  if (phase.context.schemas.type(owner).extension != schema::kNone) return;
+  for (const std::uint32_t image : slot.images) {
+    const Header* header = phase.header(image);
+    if (header == nullptr || header->format != image::Format::png || header->bits <= 8) continue;
+    report_slot(phase.context, phase.sink, slot, Code::TEXTURE_NOT_8_BIT,
+                fmt::format("{} must have 8 bits per channel, but {} has {}.", slot.property,
+                            image_label(phase.context, image), header->bits));
+    return;
+  }
+}
+
 // --- Colours that are data ---
 
 // Why R, G and B of an image are equal, as the end of a sentence; empty where they differ or nobody
@@ -230,6 +247,7 @@ void check_channels(const TexturePhase& phase) {
   check_factors(phase);
   for (const TextureSlot& slot : phase.slots) {
     check_alpha(phase, slot);
+    check_bits(phase, slot);
     check_equal_channels(phase, slot);
   }
   check_coverage(phase);

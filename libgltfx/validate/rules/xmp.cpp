@@ -58,7 +58,10 @@ class PacketCheck {
       }
       const Entry entry = frame.entries[frame.next++];
       if (frame.is_array) {
-        if (document_.is_object(entry.value)) open(entry.value, Path(frame.path, entry.index));
+        const Path element(frame.path, entry.index);
+        if (document_.is_object(entry.value) && !refuse_value(entry.value, element)) {
+          open(entry.value, Path(frame.path, entry.index));
+        }
       } else {
         check_member(frame, entry);
       }
@@ -116,7 +119,7 @@ class PacketCheck {
   void check_member(const Frame& frame, const Entry& entry) {
     const Path path(frame.path, entry.name);
     const bool keyword = entry.name.starts_with('@');
-    if (entry.name == "@context") return;
+    if (entry.name == "@context") return check_context(entry, path);
     if (!keyword && !check_name(entry, path)) return;
     if (frame.is_languages && keyword && entry.name != "@type" && entry.name != "@id") {
       return report_link(
@@ -126,7 +129,10 @@ class PacketCheck {
     }
     if (frame.is_languages && !keyword) return check_language(entry, path);
     if (!json_ld_ && is_dictionary(entry.value)) return;
-    if (document_.is_object(entry.value)) return open(entry.value, Path(frame.path, entry.name));
+    if (document_.is_object(entry.value)) {
+      if (refuse_value(entry.value, path) || refuse_language(entry, path)) return;
+      return open(entry.value, Path(frame.path, entry.name));
+    }
     if (!document_.is_array(entry.value)) return;
     if (json_ld_ && entry.name != "@list" && entry.name != "@set" && entry.name != "@type") {
       return report_link(
@@ -136,6 +142,43 @@ class PacketCheck {
     if (document_.kind(entry.value) == json::Kind::array) {
       open(entry.value, Path(frame.path, entry.name));
     }
+  }
+
+  // Only the packet has a context; what is inside may have a language.
+  void check_context(const Entry& entry, const Path& path) const {
+    if (frames_.size() < 2 || !json_ld_) return;
+    const bool object = document_.is_object(entry.value);
+    bool language = object;
+    if (object) {
+      for (const auto member : document_.members(entry.value)) {
+        language = language && document_.key(member.key_id) == "@language";
+      }
+    }
+    if (language) return;
+    report_link(context_, path, entry.value, Code::XMP_FORM_FORBIDDEN,
+                "A @context inside of a packet may only have a @language.");
+  }
+
+  // A text in a language may be written as {"@language": ..., "@value": ...}, nothing else.
+  bool refuse_value(json::NodeId object, const Path& path) const {
+    const json::NodeId value = document_.find(object, "@value");
+    if (!json_ld_ || value == json::kNoNode) return false;
+    if (document_.find(object, "@language") != json::kNoNode) return false;
+    report_link(context_, Path(path, "@value"), value, Code::XMP_FORM_FORBIDDEN,
+                "A @value without a @language is not allowed; the value must stand by itself.");
+    return true;
+  }
+
+  // A language alternative outside of an object of their type.
+  bool refuse_language(const Entry& entry, const Path& path) const {
+    const bool numbered = entry.name.starts_with(fmt::format("{}:_", prefixes_.rdf()));
+    if (!json_ld_ || !numbered) return false;
+    if (document_.find(entry.value, "@language") == json::kNoNode) return false;
+    report_link(context_, path, entry.key, Code::XMP_LANGUAGE_INVALID,
+                fmt::format("{} is a language alternative, but the @type of the object is not "
+                            "{}:Alt.",
+                            gltfx::quoted(entry.name), prefixes_.rdf()));
+    return true;
   }
 
   bool check_name(const Entry& entry, const Path& path) {
@@ -185,6 +228,12 @@ void check_namespaces(const Context& context, json::NodeId object, const Path& p
   for (const auto member : context.document.members(object)) {
     if (!context.document.is_string(member.value)) continue;
     const std::string_view prefix = context.document.key(member.key_id);
+    if (context.document.string(member.value).starts_with('@')) {
+      report_link(
+          context, Path(path, prefix), member.value, Code::XMP_FORM_FORBIDDEN,
+          fmt::format("{} is an alias of a keyword, which is not allowed.", gltfx::quoted(prefix)));
+      continue;
+    }
     const auto [first, fresh] = seen.emplace(context.document.string(member.value), prefix);
     if (fresh || prefix == first->second) continue;
     report_link(
