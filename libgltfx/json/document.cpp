@@ -42,10 +42,12 @@ NodeId step_into(const Document& document, NodeId at, const std::string& step) {
 
 // The child of `at` that is `id` or holds it, with its step appended to `pointer`.
 NodeId descend(const Document& document, NodeId at, NodeId id, std::string& pointer) {
-  for (const Members::Member& member : document.members(at)) {
-    if (id >= document.next(member.value)) continue;
-    append_pointer_step(pointer, document.key(member.key_id));
-    return id == member.key ? id : member.value;
+  if (document.is_object(at)) {
+    // What is out of sight is in the text all the same.
+    NodeId key = at + 1;
+    while (document.next(key + 1) <= id) key = document.next(key + 1);
+    append_pointer_step(pointer, document.key(document.node(key).next));
+    return id == key ? id : key + 1;
   }
   std::uint64_t index = 0;
   for (const NodeId element : document.elements(at)) {

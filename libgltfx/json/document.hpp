@@ -61,8 +61,7 @@ struct Number {
 
 class Document;
 
-/// Forward range over the members of an object, in the order of the text (repeats included, hidden
-/// ones not).
+/// Forward range over the members of an object that are in sight, in the order of the text.
 class Members {
  public:
   struct Member {
@@ -137,8 +136,8 @@ class NumberCursor {
 };
 
 /// Immutable once built, but for what hide() and strip() take out of sight; any number of threads
-/// may read it. Owns its text. A default-constructed document has no nodes: check `empty()` before
-/// `root()`.
+/// may read it. Of members with one name the last is in sight. Owns its text. A default-constructed
+/// document has no nodes: check `empty()` before `root()`.
 class Document {
  public:
   Document() = default;
@@ -170,7 +169,7 @@ class Document {
 
   /// Number of elements of any array; linear in a number_array of many.
   std::size_t array_size(NodeId array) const;
-  /// Number of members of an object, repeats included; linear in it.
+  /// Number of members of an object that are in sight; linear in it.
   std::size_t object_size(NodeId object) const;
 
   /// The value of the last member with that name (of repeated names the last wins), or kNoNode.

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json/equal.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -16,6 +21,36 @@ std::unordered_map<KeyId, NodeId> members_by_key(const Document& document, NodeI
   return members;
 }
 
+// Two texts with half surrogates read alike, whatever they are.
+bool is_certain(std::string_view unescaped) {
+  constexpr std::string_view kReplacement = "\uFFFD";
+  return unescaped.find(kReplacement) == unescaped.npos;
+}
+
+bool same_string(const Document& document, NodeId one, NodeId other) {
+  if (document.raw(one) == document.raw(other)) return true;
+  const std::string content = document.string(one);
+  return content == document.string(other) && is_certain(content);
+}
+
+// Up to 15 digits, no two numbers have the same nearest double.
+bool is_told_apart(const Number& number, std::string_view text) {
+  constexpr std::ptrdiff_t kDigits = 15;
+  const std::string_view literal = number.span.in(text);
+  const std::string_view digits = literal.substr(0, literal.find_first_of("eE"));
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (number.value == 0) return digits.find_first_of("123456789") == digits.npos;
+  return std::isnormal(number.value) &&
+         std::count_if(digits.begin(), digits.end(), is_digit) <= kDigits;
+}
+
+bool same_number(const Document& document, const Number& one, const Number& other) {
+  const std::string_view text = document.text();
+  if (one.span.in(text) == other.span.in(text)) return true;
+  return one.value == other.value && std::signbit(one.value) == std::signbit(other.value) &&
+         is_told_apart(one, text) && is_told_apart(other, text);
+}
+
 // What is left to compare is added to `pairs`.
 bool same_members(const Document& document, NodeId one, NodeId other, Pairs& pairs) {
   const auto ours = members_by_key(document, one);
@@ -23,7 +58,7 @@ bool same_members(const Document& document, NodeId one, NodeId other, Pairs& pai
   if (ours.size() != theirs.size()) return false;
   for (const auto& [key, value] : ours) {
     const auto found = theirs.find(key);
-    if (found == theirs.end()) return false;
+    if (found == theirs.end() || !is_certain(document.key(key))) return false;
     pairs.emplace_back(value, found->second);
   }
   return true;
@@ -44,7 +79,7 @@ bool same_numbers(const Document& document, NodeId one, NodeId other) {
   NumberCursor ours(document, one);
   NumberCursor theirs(document, other);
   for (; ours.valid() && theirs.valid(); ours.advance(), theirs.advance()) {
-    if (ours.number().value != theirs.number().value) return false;
+    if (!same_number(document, ours.number(), theirs.number())) return false;
   }
   return !ours.valid() && !theirs.valid();
 }
@@ -65,9 +100,9 @@ bool equal(const Document& document, NodeId one, NodeId other) {
     } else if (document.is_array(ours)) {
       same = same_elements(document, ours, theirs, pairs);
     } else if (document.is_number(ours)) {
-      same = document.number(ours).value == document.number(theirs).value;
-    } else if (document.is_string(ours)) {
-      same = document.string(ours) == document.string(theirs);
+      same = same_number(document, document.number(ours), document.number(theirs));
+    } else if (document.is_string(ours) || document.kind(ours) == Kind::key) {
+      same = same_string(document, ours, theirs);
     }
     if (!same) return false;
   }

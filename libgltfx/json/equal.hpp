@@ -6,8 +6,10 @@
 
 namespace gltfx::json {
 
-/// Numbers are compared by value, objects whatever the order of their members (the last of those
-/// with one name counts). Iterative; linear in both values. Both are nodes of `document`.
+/// Numbers are compared by their exact value and sign, half surrogates as they are written, objects
+/// whatever the order of their members (the last of those with one name counts). Where that is not
+/// certain, values are different. Iterative; linear in both values. Both are values, or keys, of
+/// `document`.
 bool equal(const Document& document, NodeId one, NodeId other);
 
 }  // namespace gltfx::json

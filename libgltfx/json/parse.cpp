@@ -111,7 +111,7 @@ bool Parser::can_follow_without_comma(const char* p) const {
 }
 
 // Repeats are found: every name is stamped with the object that has it; a stamp that is there
-// already is a repeat.
+// already is a repeat, which takes the place of the one before it.
 void Parser::end_members(NodeId object) {
   const NodeId end = nodes_[object].next;
   std::uint32_t members = 0;
@@ -124,6 +124,8 @@ void Parser::end_members(NodeId object) {
     }
     warn(SyntaxError::duplicate_key, document_.span(key), "duplicate key; the last value is used",
          document_.span(stamp.key));
+    nodes_[stamp.key].hidden = true;
+    stamp.key = key;
   }
   if (members >= Document::kManyMembers) document_.sort_members(object);
 }

@@ -42,7 +42,7 @@ struct ParseError {
   SyntaxError error;
   Span span;           ///< bytes of the text to mark; never empty but at the end of the text
   std::string detail;  ///< what was found and expected, printable; may be empty
-  Span other;          ///< duplicate_key: the first key; unclosed bracket: where it was opened
+  Span other;          ///< duplicate_key: the key before; unclosed bracket: where it was opened
 };
 
 struct Limits {

@@ -109,9 +109,9 @@ std::string help_for(const json::ParseError& error, std::string_view text,
     case json::SyntaxError::missing_comma:
       return comma_help(error, text, lines);
     case json::SyntaxError::duplicate_key: {
-      const Location first = lines.locate(error.other);
-      return fmt::format("remove this one or the first one at line {}, column {}", first.line,
-                         first.column);
+      const Location before = lines.locate(error.other);
+      return fmt::format("remove this one or the one at line {}, column {}", before.line,
+                         before.column);
     }
     case json::SyntaxError::byte_order_mark:
       return "save the file as UTF-8 without a byte order mark";
@@ -169,14 +169,13 @@ struct TextErrors {
     errors = json::parse(fixing.opened().container().json, limits).errors;
     for (const json::ParseError& error : errors) {
       if (error.error == json::SyntaxError::duplicate_key) {
-        firsts.emplace(error.span.begin, error.other);
+        repeated.emplace(error.span.begin, error.other);
       }
     }
   }
   std::vector<json::ParseError> errors;
   std::set<json::SyntaxError> done;
-  std::unordered_map<std::uint32_t, Span>
-      firsts;  ///< of repeated keys, by the begin of a later one
+  std::unordered_map<std::uint32_t, Span> repeated;  ///< keys, by where the next one begins
 };
 
 template <class Fix>
@@ -208,15 +207,28 @@ bool add_comma(Fixing& fixing, Span) {
   });
 }
 
-// Whichever of two equal values a reader takes, it is the same.
+bool has_repeats(const json::Document& document, json::NodeId value) {
+  for (json::NodeId at = value; at < document.next(value); ++at) {
+    if (document.node(at).hidden) return true;
+  }
+  return false;
+}
+
+// Whichever of two equal values a reader takes, it is the same. Most take the last, which stays.
 bool remove_equal_repeat(Fixing& fixing, Span place) {
+  const json::Document& document = fixing.document();
   const json::NodeId key = fixing.node_at(place);
-  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
-  const auto& firsts = fixing.table<TextErrors>().firsts;
-  const auto first = firsts.find(place.begin);
-  const json::NodeId other = first == firsts.end() ? json::kNoNode : fixing.node_at(first->second);
-  return other != json::kNoNode && json::equal(fixing.document(), other + 1, key + 1) &&
-         fixing.remove_member(key + 1);
+  if (key == json::kNoNode || document.kind(key) != json::Kind::key) return false;
+  const auto& repeated = fixing.table<TextErrors>().repeated;
+  const auto found = repeated.find(place.begin);
+  const json::NodeId before =
+      found == repeated.end() ? json::kNoNode : fixing.node_at(found->second);
+  if (before == json::kNoNode) return false;
+  const bool same_text = document.raw(before + 1) == document.raw(key + 1);
+  const bool equal =
+      same_text || (json::equal(document, before + 1, key + 1) &&
+                    !has_repeats(document, before + 1) && !has_repeats(document, key + 1));
+  return equal && json::equal(document, before, key) && fixing.remove_member(before + 1);
 }
 
 constexpr FixEntry kTextFixes[] = {

@@ -91,6 +91,35 @@ TEST(TextErrors, KhronosProfileReadsOnBehindAByteOrderMark) {
   EXPECT_EQ(test::verdict(text, Profile::khronos), wanted);
 }
 
+// What stands before it is not looked at: of indices of one attribute the last one leads somewhere.
+TEST(TextErrors, OfEqualKeysTheLastValueIsJudged) {
+  const auto with = [](const std::string& attributes, const std::string& more) {
+    return R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {)" +
+           attributes + "}}]}], \"accessors\": [" + more +
+           R"({"componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})";
+  };
+  ValidateOptions options;
+  options.ignore = {"UNUSED_OBJECT", "ACCESSOR_WITHOUT_DATA"};
+  const std::string sound = R"("POSITION": 9, "POSITION": 0)";
+  const std::string place = "/meshes/0/primitives/0/attributes/POSITION";
+  using Lines = std::vector<std::string>;
+  const auto found = [&](const std::string& attributes) {
+    Lines lines = test::verdict(with(attributes, ""), options);
+    std::erase_if(lines, [](const std::string& line) {
+      return !line.ends_with("POSITION") && !line.starts_with("JSON");
+    });
+    return lines;
+  };
+  EXPECT_EQ(found(sound), Lines{"JSON_DUPLICATE_KEY "});
+  EXPECT_EQ(found(R"("POSITION": 0, "POSITION": 9)"),
+            (Lines{"JSON_DUPLICATE_KEY ", "UNRESOLVED_REFERENCE " + place}));
+  EXPECT_EQ(found(R"("POSITION": 9, "POSITION": 9, "POSITION": 0)"),
+            (Lines{"JSON_DUPLICATE_KEY ", "JSON_DUPLICATE_KEY "}));
+  options.profile = Profile::khronos;
+  EXPECT_EQ(found(sound), Lines{});
+  EXPECT_EQ(found(R"("POSITION": 0, "POSITION": 9)"), Lines{"UNRESOLVED_REFERENCE " + place});
+}
+
 TEST(TextErrors, KhronosProfileTakesTheLastOfTwoKeysInSilence) {
   EXPECT_TRUE(test::verdict(R"({"asset": {"version": "1.0", "version": "2.0"}})", Profile::khronos)
                   .empty());
