@@ -229,8 +229,31 @@ void check_scales(const Context& context) {
 
 // --- Fixes ---
 
+/// Both forms of a transform.
+struct Forms {
+  Forms(Fixing& fixing, Span matrix)
+      : node(model::read_node(fixing.elements(), fixing.parent(fixing.node_at(matrix)))),
+        parts(model::read_transform(fixing.document(), node)) {
+    std::swap(whole.matrix, parts.matrix);
+  }
+  /// What is malformed here may be what another reader draws.
+  bool are_sound() const {
+    const auto is_sound = [](json::NodeId member, const auto& value) {
+      return member == json::kNoNode || value;
+    };
+    const auto& m = whole.matrix;
+    return m && (*m)[3] == 0 && (*m)[7] == 0 && (*m)[11] == 0 && (*m)[15] == 1 &&
+           is_sound(node.translation, parts.translation) &&
+           is_sound(node.rotation, parts.rotation) && is_sound(node.scale, parts.scale);
+  }
+  bool are_equal() const;
+
+  model::Node node;
+  model::Transform parts, whole;
+};
+
 // To the precision of single floats.
-bool are_equal(const model::Transform& whole, const model::Transform& parts) {
+bool Forms::are_equal() const {
   const auto affine = [](const auto& list, auto otherwise) {
     for (std::size_t i = 0; list && i < otherwise.size(); ++i) otherwise[i] = double{(*list)[i]};
     return otherwise;
@@ -249,21 +272,23 @@ bool are_equal(const model::Transform& whole, const model::Transform& parts) {
   return true;
 }
 
-// Of two forms the one that moves nothing goes; of two equal ones the matrix.
+// Most viewers draw the matrix, and so does `bake`. So it goes where the other form is equal, and
+// parts go where they move nothing; a matrix that moves nothing while parts do stays.
 bool keep_one_form(Fixing& fixing, Span place) {
-  const json::NodeId object = fixing.parent(fixing.node_at(place));
-  const model::Node node = model::read_node(fixing.elements(), object);
-  model::Transform parts = model::read_transform(fixing.document(), node);
-  model::Transform whole;
-  std::swap(whole.matrix, parts.matrix);
-  if (!whole.matrix) return false;
-  if (whole.is_identity() || are_equal(whole, parts)) return fixing.remove_member(node.matrix);
-  if (!parts.is_identity()) return false;
+  const Forms forms(fixing, place);
+  if (!forms.are_sound()) return false;
+  if (forms.are_equal()) return fixing.remove_member(forms.node.matrix);
+  if (!forms.parts.is_identity()) return false;
   bool removed = false;
-  for (const json::NodeId part : {node.translation, node.rotation, node.scale}) {
+  for (const json::NodeId part : {forms.node.translation, forms.node.rotation, forms.node.scale}) {
     if (part != json::kNoNode) removed = fixing.remove_member(part) || removed;
   }
   return removed;
+}
+
+bool remove_default_matrix(Fixing& fixing, Span place) {
+  const Forms forms(fixing, place);
+  return forms.are_sound() && forms.parts.is_identity() && remove_marked(fixing, place);
 }
 
 // The same rotation: readers normalize, or scale with the square of the length.
@@ -282,7 +307,7 @@ bool make_unit(Fixing& fixing, Span place) {
                         fmt::format("[{}, {}, {}, {}]", unit[0], unit[1], unit[2], unit[3]));
 }
 
-constexpr FixEntry kTransformFixes[] = {{Code::NODE_MATRIX_DEFAULT, remove_marked},
+constexpr FixEntry kTransformFixes[] = {{Code::NODE_MATRIX_DEFAULT, remove_default_matrix},
                                         {Code::NODE_MATRIX_TRS, keep_one_form},
                                         {Code::ROTATION_NON_UNIT, make_unit}};
 

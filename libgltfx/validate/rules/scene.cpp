@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes: lists of roots (specification section 3.5.1).
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -39,36 +42,40 @@ void check_scenes(const Context& context) {
   }
 }
 
-struct GraphOfScenes {
-  explicit GraphOfScenes(Fixing& fixing) : graph(fixing.elements(), fixing.views().nodes) {}
+/// A list of roots is read once, whatever the number of findings in it.
+struct RootLists {
+  explicit RootLists(Fixing& fixing) : graph(fixing.elements(), fixing.views().nodes) {}
   model::SceneGraph graph;
+  std::map<json::NodeId, bool> done;  ///< whether children were removed from a list
 };
 
-// The node is drawn below its root, where the scene has that, too: once, and not twice.
-bool remove_child(Fixing& fixing, Span place) {
-  const json::Document& document = fixing.document();
-  const json::NodeId list = fixing.node_around(place);
-  if (list == json::kNoNode || document.kind(list) != json::Kind::number_array) return false;
-  if (fixing.is_claimed(list)) return true;
-  const model::SceneGraph& graph = fixing.table<GraphOfScenes>().graph;
+// A node that is listed behind its root is drawn below that, once; before, it would be drawn
+// without what is above it.
+bool remove_children(Fixing& fixing, const model::SceneGraph& graph, json::NodeId list) {
   std::set<std::uint32_t> roots;
-  const auto each = [&](const auto& use) {
-    model::for_each_index(fixing.elements(), list, model::RootArray::nodes, use);
-  };
-  each([&](std::uint64_t, std::optional<std::uint32_t> node, Span) {
-    if (node && graph.is_root(*node)) roots.insert(*node);
-  });
   std::string text = "[";
   bool drawn = true;
-  each([&](std::uint64_t, std::optional<std::uint32_t> node, Span span) {
-    if (node && !graph.is_root(*node)) {
-      drawn = drawn && roots.contains(graph.root(*node));
-      return;
-    }
-    if (text.size() > 1) text += ", ";
-    text += span.in(document.text());
-  });
+  model::for_each_index(fixing.elements(), list, model::RootArray::nodes,
+                        [&](std::uint64_t, std::optional<std::uint32_t> node, Span span) {
+                          if (node && !graph.is_root(*node)) {
+                            drawn = drawn && roots.contains(graph.root(*node));
+                            return;
+                          }
+                          if (node) roots.insert(*node);
+                          if (text.size() > 1) text += ", ";
+                          text += span.in(fixing.document().text());
+                        });
   return drawn && fixing.replace(list, text + "]");
+}
+
+bool remove_child(Fixing& fixing, Span place) {
+  const json::NodeId list = fixing.node_around(place);
+  if (list == json::kNoNode || fixing.document().kind(list) != json::Kind::number_array)
+    return false;
+  RootLists& lists = fixing.table<RootLists>();
+  const auto [known, is_new] = lists.done.try_emplace(list, false);
+  if (is_new) known->second = remove_children(fixing, lists.graph, list);
+  return known->second;
 }
 
 }  // namespace
