@@ -75,7 +75,9 @@ void Users::read(Fixing& fixing) {
     for (const model::SparsePart* part : {&sparse->indices, &sparse->values}) {
       if (!part->buffer_view) continue;
       uses_[*part->buffer_view].insert(ViewUse::other);
-      ++sparse_parts_[*part->buffer_view];
+      sparse_parts_[*part->buffer_view].push_back(
+          {sparse->count.value_or(0), std::uint64_t{model::component_size(part->format.component)} *
+                                          model::component_count(part->format.type)});
     }
   }
   for (const model::Mesh& mesh : views_.meshes) {
@@ -197,11 +199,19 @@ bool remove_stride(Fixing& fixing, std::uint32_t view) {
   const auto& accessors = users.accessors_in(view);
   // Attributes that share a view need its stride.
   if (users.uses_of_view(view).contains(ViewUse::vertices) && accessors.size() > 1) return false;
-  const bool in_place = std::all_of(accessors.begin(), accessors.end(), [&](std::uint32_t index) {
-    const model::Accessor& accessor = fixing.views().accessors[index];
-    if (accessor.count == 1U) return true;
-    return strided.byte_stride && model::packed_stride(accessor.format) == *strided.byte_stride;
-  });
+  const auto stays = [&](std::uint64_t count, std::uint64_t size) {
+    return count == 1 || strided.byte_stride == size;
+  };
+  const auto& sparse = users.sparse_parts_in(view);
+  const bool in_place =
+      std::all_of(accessors.begin(), accessors.end(),
+                  [&](std::uint32_t index) {
+                    const model::Accessor& accessor = fixing.views().accessors[index];
+                    return stays(accessor.count.value_or(0), model::packed_stride(accessor.format));
+                  }) &&
+      std::all_of(sparse.begin(), sparse.end(), [&](const SparseElements& elements) {
+        return stays(elements.count, elements.size);
+      });
   return in_place && fixing.remove_member(member);
 }
 

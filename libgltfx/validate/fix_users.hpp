@@ -27,6 +27,11 @@ class ExtensionsSeen {
   bool all_known_ = true;
 };
 
+/// Indices or values of a sparse accessor.
+struct SparseElements {
+  std::uint64_t count, size;  ///< of elements, of one in bytes
+};
+
 /// By index of the root arrays.
 class Users {
  public:
@@ -42,7 +47,9 @@ class Users {
   /// bytes are compressed.
   bool has_others(std::uint32_t view) const { return others_[view] || unknown_; }
   /// Indices or values of sparse accessors that lie in a buffer view.
-  std::uint32_t sparse_parts_in(std::uint32_t view) const { return sparse_parts_[view]; }
+  const std::vector<SparseElements>& sparse_parts_in(std::uint32_t view) const {
+    return sparse_parts_[view];
+  }
   /// Names of members that refer to an accessor: "NORMAL", "input"; those of morph targets begin
   /// with "target ".
   const std::set<std::string>& roles_of(std::uint32_t accessor) const { return roles_[accessor]; }
@@ -59,7 +66,7 @@ class Users {
   std::vector<std::set<model::ViewUse>> uses_;
   std::vector<std::vector<std::uint32_t>> accessors_;
   std::vector<bool> others_, overlaps_;
-  std::vector<std::uint32_t> sparse_parts_;
+  std::vector<std::vector<SparseElements>> sparse_parts_;
   std::vector<std::set<std::string>> roles_;
   bool unknown_ = false;
 };

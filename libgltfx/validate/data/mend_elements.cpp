@@ -76,7 +76,7 @@ std::optional<Elements> Elements::open(Fixing& fixing, std::uint32_t index, std:
   const auto& roles = users.roles_of(index);
   const bool fits_role = role.empty() || (roles.size() == 1 && *roles.begin() == role);
   const std::uint32_t view_index = *accessor.buffer_view;
-  if (!fits_role || users.has_others(view_index) || users.sparse_parts_in(view_index) > 0 ||
+  if (!fits_role || users.has_others(view_index) || !users.sparse_parts_in(view_index).empty() ||
       !users.lies_apart(view_index) ||
       users.uses_of_view(view_index).contains(model::ViewUse::image)) {
     return std::nullopt;

@@ -217,9 +217,11 @@ std::string name_at(const Fixing& fixing, Span place) {
   return text ? fixing.document().string(name) : std::string();
 }
 
+// An object of that name in a wrong place may be what is meant.
 bool forget(Fixing& fixing, Span place) {
   const std::string name = name_at(fixing, place);
   if (name.empty() || !fixing.extensions_used().has(name)) return false;
+  if (fixing.document().key_id(name) != json::kNoKey) return false;
   while (fixing.extensions_used().has(name)) fixing.extensions_used().remove(name);
   while (fixing.extensions_required().has(name)) fixing.extensions_required().remove(name);
   return true;
