@@ -118,7 +118,7 @@ class Baker {
   }
 
   void embed() {
-    if (auto trouble = embed_thumbnail(report_.path, report_.pixels)) {
+    if (auto trouble = embed_thumbnail(report_.path, report_.pixels, options_)) {
       fail(BakeProblem::not_written, std::move(trouble->message));
       return;
     }
