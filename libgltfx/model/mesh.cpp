@@ -42,6 +42,13 @@ std::vector<json::NodeId> whole_targets(const json::Document& document, json::No
   return broken ? std::vector<json::NodeId>() : targets;
 }
 
+// Whether `targets` is there and not empty, but has no whole_targets().
+bool is_broken(const json::Document& document, json::NodeId targets) {
+  if (targets == json::kNoNode) return false;
+  const bool is_empty = document.is_array(targets) && document.array_size(targets) == 0;
+  return !is_empty && whole_targets(document, targets).empty();
+}
+
 std::optional<std::uint32_t> index_at(const Asset& asset, json::NodeId value, RootArray array) {
   const json::Document& document = asset.document();
   if (value == json::kNoNode || !document.is_number(value)) return std::nullopt;
@@ -137,6 +144,7 @@ Primitive read_primitive(const Asset& asset, json::NodeId object) {
   }
   primitive.attributes = read_attributes(asset, primitive.attributes_node);
   primitive.targets = whole_targets(document, targets);
+  primitive.targets_are_broken = primitive.targets.empty() && is_broken(document, targets);
   primitive.indices = index_at(asset, primitive.indices_node, RootArray::accessors);
   primitive.material = index_at(asset, primitive.material_node, RootArray::materials);
   if (mode == json::kNoNode) {
@@ -169,6 +177,10 @@ std::vector<json::NodeId> primitives(const json::Document& document, json::NodeI
 
 std::vector<json::NodeId> morph_targets(const json::Document& document, json::NodeId primitive) {
   return whole_targets(document, document.find(primitive, "targets"));
+}
+
+bool has_broken_targets(const json::Document& document, json::NodeId primitive) {
+  return is_broken(document, document.find(primitive, "targets"));
 }
 
 }  // namespace gltfx::model

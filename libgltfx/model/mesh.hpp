@@ -75,6 +75,7 @@ struct Primitive {
   json::NodeId attributes_node = json::kNoNode;
   std::vector<Attribute> attributes;
   std::vector<json::NodeId> targets;  ///< objects with the attributes of a morph target
+  bool targets_are_broken = false;    ///< there are some, but not all are whole: `targets` is empty
   json::NodeId indices_node = json::kNoNode;
   std::optional<std::uint32_t> indices;  ///< leads to an object
   json::NodeId material_node = json::kNoNode;
@@ -102,5 +103,7 @@ std::vector<json::NodeId> primitives(const json::Document& document, json::NodeI
 
 /// The objects of a primitive's `targets`; empty when there are none, or one is empty or no object.
 std::vector<json::NodeId> morph_targets(const json::Document& document, json::NodeId primitive);
+/// Whether there are some, but not all are whole.
+bool has_broken_targets(const json::Document& document, json::NodeId primitive);
 
 }  // namespace gltfx::model

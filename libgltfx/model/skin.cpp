@@ -28,6 +28,7 @@ Deformation read_deformation(const Mesh& mesh) {
   if (mesh.primitives.empty() || mesh.has_holes) return deformation;
   deformation.known = true;
   deformation.morph_targets = mesh.primitives.front().targets.size();
+  deformation.targets_are_broken = mesh.primitives.front().targets_are_broken;
   for (const Primitive& primitive : mesh.primitives) {
     if (!names_joints(primitive)) {
       deformation.has_rigid = true;

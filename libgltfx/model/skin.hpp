@@ -43,6 +43,7 @@ struct Deformation {
   bool names_joints = false;        ///< a primitive has JOINTS_n, be it in gaps or without weights
   bool has_rigid = false;           ///< a primitive has no JOINTS_n
   std::uint64_t morph_targets = 0;  ///< of the first primitive, which stands for all
+  bool targets_are_broken = false;  ///< as in Primitive: nobody knows how many there are
 };
 
 /// By index of the mesh. Linear in the meshes.

@@ -233,6 +233,8 @@ INSTANTIATE_TEST_SUITE_P(
         Detected{"scene.no-default", R"("scenes": [{"nodes": [0]}], "nodes": [{}])"},
         Detected{"node.matrix", R"("nodes": [{"matrix": [2,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])"},
         Detected{"node.negative-scale", R"("nodes": [{"scale": [-1, 1, 1]}])"},
+        Detected{"node.negative-scale",
+                 R"("nodes": [{"matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])"},
         Detected{"node.zero-scale", R"("nodes": [{"scale": [1, 0, 1]}])"},
         Detected{"node.name-doubled", R"("nodes": [{"name": "a"}, {"name": "\u0061"}])"},
         Detected{"node.name-special", R"("nodes": [{"name": "arm.l"}])"},

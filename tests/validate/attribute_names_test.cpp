@@ -147,5 +147,30 @@ TEST(Mesh, HasOneWeightForEachTarget) {
   EXPECT_EQ(of_mesh(two, two, R"(, "weights": ["a"])"), Lines{});
 }
 
+// Nobody knows how many there are: the one that is broken is the one finding.
+TEST(Mesh, MorphTargetsOfWhichOneIsBrokenAreNotCounted) {
+  const std::string broken = R"(, "targets": [{"POSITION": 0}, {}])";
+  const std::string one = R"(, "targets": [{"POSITION": 0}])";
+  const std::string weights = R"(, "weights": [0, 1])";
+  EXPECT_EQ(of_mesh(broken, broken, weights), Lines{});
+  EXPECT_EQ(of_mesh(broken, one, ""), Lines{});
+  EXPECT_EQ(of_mesh(one, broken, ""), Lines{});
+  EXPECT_EQ(of_mesh(R"(, "targets": [])", "", weights),
+            Lines{"MESH_INVALID_WEIGHTS_COUNT /meshes/0/weights"});
+  const auto animated = [](const std::string& targets) {
+    return selected(asset_with(R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0})" +
+                               targets + R"(}]}], "nodes": [{"mesh": 0, "weights": [1, 1]}],
+"animations": [{"samplers": [{"input": 0, "output": 1}], "channels": [{"sampler": 0,
+"target": {"node": 0, "path": "weights"}}]}], "accessors": [
+{"componentType": 5126, "type": "SCALAR", "count": 1, "min": [0], "max": [0]},
+{"componentType": 5126, "type": "SCALAR", "count": 2}])"),
+                    {"NODE_WEIGHTS_INVALID", "ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS",
+                     "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_COUNT"});
+  };
+  EXPECT_EQ(animated(broken), Lines{});
+  EXPECT_EQ(animated(one).size(), 2U);
+  EXPECT_EQ(animated("").size(), 2U);
+}
+
 }  // namespace
 }  // namespace gltfx::test

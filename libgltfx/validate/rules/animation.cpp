@@ -241,7 +241,8 @@ class AnimationCheck {
 
   void check_weights(const AnimationChannel& channel, const model::Node& node, const Path& at) {
     const bool unresolved = node.mesh_value != json::kNoNode && !node.mesh;
-    const bool known = node.mesh && deformations_[*node.mesh].known;
+    const bool known = node.mesh && deformations_[*node.mesh].known &&
+                       !deformations_[*node.mesh].targets_are_broken;
     if (morph_targets(node) != 0) return;
     const bool broken = unresolved || (node.mesh && !known);
     if (broken && !context_.deviations.broken_values_are_absent) return;
@@ -270,7 +271,10 @@ class AnimationCheck {
     std::uint64_t values = 1;
     if (channel.path == AnimationPath::weights) {
       if (!channel.node) return;
-      values = morph_targets(context_.views.nodes[*channel.node]);
+      const model::Node& node = context_.views.nodes[*channel.node];
+      const bool broken = node.mesh && deformations_[*node.mesh].targets_are_broken;
+      if (broken && !context_.deviations.broken_values_are_absent) return;
+      values = morph_targets(node);
     }
     check_output_count(context_, sampler, values, channel.object, path);
   }

@@ -65,6 +65,7 @@ class NodeCheck {
   void check_weights(const model::Node& node, const model::Deformation& mesh, const Path& path) {
     const json::Document& document = context_.document;
     if (document.kind(node.weights) != json::Kind::number_array) return;
+    if (mesh.targets_are_broken && !context_.deviations.broken_values_are_absent) return;
     const std::size_t count = document.array_size(node.weights);
     if (count == mesh.morph_targets) return;
     report_link(context_, Path(path, "weights"), node.weights, Code::NODE_WEIGHTS_INVALID,

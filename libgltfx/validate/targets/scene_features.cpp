@@ -79,6 +79,10 @@ class SceneFeatures {
   }
 
   void find_scale(const model::Node& node) {
+    if (const auto matrix = model::float_array<16>(document_, node.matrix)) {
+      const bool mirrors = model::Affine::from_matrix(*matrix).determinant() < 0;
+      return note_if(mirrors, "node.negative-scale", node.object);
+    }
     const auto scale = model::float_array<3>(document_, node.scale);
     if (!scale) return;
     const float product = (*scale)[0] * (*scale)[1] * (*scale)[2];
