@@ -81,8 +81,8 @@ FixReport fix_opened(EditedAsset opened, const FixOptions& options) {
   }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const OpenedAsset old(opened.asset.name(), opened.asset.container(), opened.asset.resolver());
-  FixedAsset fixed =
-      fix_in_rounds({std::move(opened.asset), fix_judgement(schemas)}, options, schemas);
+  const ValidateOptions judgement = fix_judgement(schemas, asked_of(old, options));
+  FixedAsset fixed = fix_in_rounds({std::move(opened.asset), judgement}, options, schemas);
   if (const auto obstacle = find_obstacle(fixed.after.asset())) {
     note_failure(report, EditProblem::unreadable, obstacle->message);
     return report;

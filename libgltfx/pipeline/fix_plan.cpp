@@ -90,8 +90,14 @@ class Remains {
 
 }  // namespace
 
-ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas) {
+ValidateOptions asked_of(const OpenedAsset& asset, const FixOptions& options) {
+  return options.validation ? options.validation(asset.name()) : ValidateOptions();
+}
+
+ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas,
+                              const ValidateOptions& asked) {
   ValidateOptions options;
+  options.inline_suppressions = asked.inline_suppressions;
   options.profile = Profile::strict;
   options.pixels = PixelLevel::headers;
   options.jobs = 1;

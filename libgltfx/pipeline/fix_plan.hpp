@@ -2,6 +2,8 @@
 /// What fixes of rules come to in one asset, and whether that makes it worse.
 #pragma once
 
+#include <gltfx/fix.hpp>
+
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -17,8 +19,13 @@
 
 namespace gltfx {
 
-/// How the verb judges: all that headers of images tell, hints too.
-ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas);
+/// What is asked of the asset.
+ValidateOptions asked_of(const model::OpenedAsset& asset, const FixOptions& options);
+
+/// How the verb judges: all that headers of images tell, hints too, but for what the asset may
+/// suppress.
+ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas,
+                              const ValidateOptions& asked);
 
 /// Changes of one asset by fixes, and which sites they are about, by position.
 struct PlannedFixes {

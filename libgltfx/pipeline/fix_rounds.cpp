@@ -13,6 +13,7 @@
 #include "base/codes.hpp"
 #include "base/pages.hpp"
 #include "json/parse.hpp"
+#include "validate/collector.hpp"
 #include "validate/context.hpp"
 
 namespace gltfx {
@@ -38,10 +39,12 @@ SitePlace place_of(const Site& site) {
 class Tally {
  public:
   explicit Tally(bool done) : is_done_(done) {}
-  void add(const json::Document& document, const Site& site, const std::string& why_not = {}) {
+  void add(const json::Document& document, const Site& site, Severity severity,
+           const std::string& why_not = {}) {
     FixAction& action = actions_[{code_name(site.code), why_not.empty()}];
     action.code = code_name(site.code);
     action.kind = validate::description(site.code).fix;
+    action.severity = std::min(action.severity, severity);
     action.done = is_done_;
     if (action.why_not.empty()) action.why_not = why_not;
     ++action.count;
@@ -117,6 +120,7 @@ class Rounds {
          const std::shared_ptr<const schema::Set>& schemas, const FixEffort& effort)
       : asset_(std::move(before)),
         options_(options),
+        asked_(asked_of(asset_.asset(), options)),
         schemas_(schemas),
         first_{asset_.asset().container().json, asset_.sites()},
         dropped_(first_.sites.size()),
@@ -143,11 +147,17 @@ class Rounds {
     give_back_memory();
   }
 
-  bool is_asked_for(Code code) const {
-    const RuleDescription& rule = validate::description(code);
+  Severity severity_of(const Site& site) const {
+    const auto wanted = asked_.severity.find(validate::description(site.code).code);
+    return wanted == asked_.severity.end() ? site.severity : wanted->second;
+  }
+
+  bool is_asked_for(const Site& site) const {
+    const RuleDescription& rule = validate::description(site.code);
     if (options_.skip.contains(rule.code)) return false;
-    if (rule.fix == Fix::safe) return options_.only.empty() || options_.only.contains(rule.code);
-    return options_.unsafe && options_.only.contains(rule.code);
+    const bool named = options_.only.contains(rule.code);
+    if (rule.fix != Fix::safe) return named && options_.unsafe;
+    return options_.only.empty() ? validate::accepts(asked_, site.code, severity_of(site)) : named;
   }
 
   Tally done() const {
@@ -156,7 +166,7 @@ class Rounds {
     const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), edits_);
     for (std::size_t i = 0; i < gone.size(); ++i) {
       const Site& site = first_.sites[i];
-      if (gone[i] && is_asked_for(site.code)) done.add(first.document, site);
+      if (gone[i] && is_asked_for(site)) done.add(first.document, site, severity_of(site));
     }
     return done;
   }
@@ -165,8 +175,8 @@ class Rounds {
     Tally left(false);
     for (std::size_t i = 0; i < dropped_.size(); ++i) {
       const Site& site = asset_.sites()[i];
-      if (!is_asked_for(site.code)) continue;
-      left.add(asset_.asset().document(), site, reasons_[dropped_[i]]);
+      if (!is_asked_for(site)) continue;
+      left.add(asset_.asset().document(), site, severity_of(site), reasons_[dropped_[i]]);
     }
     return left;
   }
@@ -179,7 +189,7 @@ class Rounds {
   bool advance() {
     std::vector<bool> wanted;
     for (std::size_t i = 0; i < dropped_.size(); ++i) {
-      wanted.push_back(dropped_[i] == 0 && is_asked_for(asset_.sites()[i].code));
+      wanted.push_back(dropped_[i] == 0 && is_asked_for(asset_.sites()[i]));
     }
     PlannedFixes planned = plan(wanted);
     if (planned.changes.empty() && planned.obstacle.empty()) {
@@ -224,7 +234,7 @@ class Rounds {
     const bool was_read = !asset_.asset().document().empty();
     const Names names = declared(planned);
     forget_document();
-    ValidatedAsset next(*std::move(changed), fix_judgement(schemas_));
+    ValidatedAsset next(*std::move(changed), fix_judgement(schemas_, asked_));
     const auto worse = worse_codes(findings_by_code(asset_.report()), next.report());
     // What could not be read could not be found.
     if (!worse.empty() && (was_read || next.asset().document().empty())) {
@@ -308,6 +318,7 @@ class Rounds {
 
   ValidatedAsset asset_;
   const FixOptions& options_;
+  const ValidateOptions asked_;
   const std::shared_ptr<const schema::Set>& schemas_;
   const struct {
     SharedText text;

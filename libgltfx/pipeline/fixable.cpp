@@ -14,6 +14,7 @@
 #include "pipeline/edit_asset.hpp"
 #include "pipeline/fix_rounds.hpp"
 #include "pipeline/open_asset.hpp"
+#include "schema/compile.hpp"
 #include "validate/context.hpp"
 
 namespace gltfx {
@@ -47,16 +48,19 @@ struct FixRehearsal {
   FindingsByCode before;      ///< of the verb's own judgement
 };
 
-FixRehearsal rehearse(const ValidatedAsset& validated, const SchemaSet& schemas) {
+FixRehearsal rehearse(const ValidatedAsset& validated, const ValidateOptions& asked,
+                      const SchemaSet& schemas) {
   const OpenedAsset& asset = validated.asset();
   const Sites& sites = validated.sites();
   FixRehearsal rehearsal{std::vector<bool>(sites.size()), {}};
   if (asset.document().node_count() > kMostNodes) return rehearsal;
   if (!is_any_planned(asset, sites, *schemas)) return rehearsal;
   OpenedAsset again(asset.name(), without_zero_padding(asset.container()), asset.resolver());
-  ValidatedAsset before(std::move(again), fix_judgement(schemas));
+  ValidatedAsset before(std::move(again), fix_judgement(schemas, asked));
   rehearsal.before = findings_by_code(before.report());
-  const FixedAsset fixed = fix_in_rounds(std::move(before), FixOptions(), schemas, kEffort);
+  FixOptions options;
+  options.validation = [&asked](const std::string&) { return asked; };
+  const FixedAsset fixed = fix_in_rounds(std::move(before), options, schemas, kEffort);
   if (!fixed.changes || find_obstacle(fixed.after.asset())) return rehearsal;
   rehearsal.removed = sites_gone(sites, fixed.after.sites(), fixed.edits);
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -80,6 +84,7 @@ FindingPlace place_of(const Site& site, std::uint64_t json_offset) {
 std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& validated,
                                             const FindingsByCode& before,
                                             const std::vector<bool>& wanted, std::string_view does,
+                                            const ValidateOptions& asked,
                                             const SchemaSet& schemas) {
   const OpenedAsset& asset = validated.asset();
   const auto planned =
@@ -88,7 +93,7 @@ std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& validated,
   if (planned.changes.container || !planned.changes.buffers.files.empty()) return nullptr;
   auto changed = with_changes(asset, planned.changes);
   if (!changed) return nullptr;
-  const ValidatedAsset after(*std::move(changed), fix_judgement(schemas));
+  const ValidatedAsset after(*std::move(changed), fix_judgement(schemas, asked));
   if (!worse_codes(before, after.report()).empty()) return nullptr;
   ProposedFix fix;
   fix.description = does;
@@ -99,7 +104,8 @@ std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& validated,
   return std::make_shared<const ProposedFix>(std::move(fix));
 }
 
-void propose(ValidatedAsset& validated, const FixRehearsal& rehearsal, const SchemaSet& schemas) {
+void propose(ValidatedAsset& validated, const FixRehearsal& rehearsal, const ValidateOptions& asked,
+             const SchemaSet& schemas) {
   const Sites& sites = validated.sites();
   std::set<std::string_view> done;
   for (Diagnostic& finding : validated.report().diagnostics) {
@@ -108,16 +114,17 @@ void propose(ValidatedAsset& validated, const FixRehearsal& rehearsal, const Sch
     for (std::size_t i = 0; i < sites.size(); ++i) {
       wanted[i] = wanted[i] && code_name(sites[i].code) == finding.code;
     }
-    finding.fix =
-        proposal(validated, rehearsal.before, wanted, find_rule(finding.code)->fix_does, schemas);
+    finding.fix = proposal(validated, rehearsal.before, wanted, find_rule(finding.code)->fix_does,
+                           asked, schemas);
   }
 }
 
 }  // namespace
 
-void mark_fixable(ValidatedAsset& validated, const SchemaSet& schemas, bool proposes) {
+void mark_fixable(ValidatedAsset& validated, const ValidateOptions& asked) {
+  const SchemaSet schemas = asked.schemas ? asked.schemas : schema::builtin_set();
   const Sites& sites = validated.sites();
-  const FixRehearsal rehearsal = rehearse(validated, schemas);
+  const FixRehearsal rehearsal = rehearse(validated, asked, schemas);
   FileReport& report = validated.report();
   const container::Container& container = validated.asset().container();
   std::set<FindingPlace> places;
@@ -130,7 +137,9 @@ void mark_fixable(ValidatedAsset& validated, const SchemaSet& schemas, bool prop
     finding.fixable = places.contains(place_of(finding));
   }
   const bool is_text = container.format == container::Format::gltf;
-  if (proposes && is_text && report.fixable > 0) propose(validated, rehearsal, schemas);
+  if (asked.propose_fixes && is_text && report.fixable > 0) {
+    propose(validated, rehearsal, asked, schemas);
+  }
 }
 
 }  // namespace gltfx

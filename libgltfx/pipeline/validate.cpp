@@ -145,7 +145,8 @@ void add_names(HashParts& parts, const Names& names) {
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
   const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, max_issues, changed_lines,
-               propose_fixes, targets, jobs, select, ignore, severity, schemas, cache] = options;
+               count_fixable, propose_fixes, targets, jobs, select, ignore, severity, schemas,
+               cache] = options;
   // The same report comes of any number of threads, with and without cache; with lines that changed
   // nothing is kept.
   static_cast<void>(changed_lines);
@@ -163,6 +164,7 @@ Hash128 validation_key(const ValidateOptions& options, const std::string& folder
   parts.add(root.empty() ? root
                          : (std::filesystem::path(folder) / root).lexically_normal().native());
   parts.add(max_issues);
+  parts.add(std::uint64_t{count_fixable});
   parts.add(std::uint64_t{propose_fixes});
   add_names(parts, select);
   add_names(parts, ignore);
@@ -269,9 +271,8 @@ container::Resolver resolver_of(const MemoryAsset& asset, const ValidateOptions&
 validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options) {
   validate::ValidatedAsset validated(std::move(asset), options);
   if (options.propose_fixes) propose_fix(validated, options);
-  if (options.profile != Profile::khronos && !validated.sites().empty()) {
-    mark_fixable(validated, options.schemas ? options.schemas : schema::builtin_set(),
-                 options.propose_fixes);
+  if (options.count_fixable && options.profile != Profile::khronos && !validated.sites().empty()) {
+    mark_fixable(validated, options);
   }
   return validated;
 }

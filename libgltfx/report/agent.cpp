@@ -56,7 +56,7 @@ class AgentWriter final : public ReportWriter {
     if (summary.unreadable > 0) {
       out += fmt::format("; {} could not be read", counted(summary.unreadable, "file"));
     }
-    if (summary.fixable > 0) out += "; " + fixable_note(summary);
+    if (summary.fixable > 0) out += "; " + fixable_note(summary, options_.profile);
     if (summary.unverified > 0) out += "; " + unverified_note(summary.unverified);
     if (summary.images_decoded < summary.images_wanted) {
       out += "; " + pixels_note(summary, options_.pixel_level);

@@ -81,7 +81,7 @@ std::string text_summary(const RunSummary& summary, const FormatOptions& options
   out += unlisted_note(summary, options);
   add(pixels_note(summary, options.pixel_level));
   if (summary.unreadable > 0) add(counted(summary.unreadable, "file") + " could not be read");
-  if (summary.fixable > 0) add(fixable_note(summary));
+  if (summary.fixable > 0) add(fixable_note(summary, options.profile));
   if (summary.unverified > 0) add(unverified_note(summary.unverified));
   if (summary.suppressed > 0) {
     add(counted(summary.suppressed, "finding") + " known to the baseline");

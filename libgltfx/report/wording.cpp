@@ -72,15 +72,15 @@ std::string unchanged_note(std::uint64_t unchanged) {
   return counted(unchanged, "finding") + " not shown, on lines that did not change (--diff-base)";
 }
 
-std::string fixable_note(const RunSummary& summary) {
+std::string fixable_note(const RunSummary& summary, std::string_view profile) {
   // A path that a shell would read as something else is left to the reader.
   const std::string& path = summary.fixable_path;
   const bool plain = !path.empty() && path.front() != '-' &&
                      path.find_first_not_of(
                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-/") ==
                          std::string::npos;
-  return fmt::format("{} of these can be fixed: gltfx fix {}", summary.fixable,
-                     plain ? path : "PATH");
+  return fmt::format("{} of these can be fixed: gltfx fix {}{}", summary.fixable,
+                     plain ? path : "PATH", profile == "strict" ? " --profile strict" : "");
 }
 
 std::string unverified_note(std::uint64_t unverified) {

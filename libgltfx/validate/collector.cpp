@@ -205,7 +205,7 @@ void Collector::add(Phase phase, const Path& path, Finding finding) {
       suppressions_->covers(finding.code, path, static_cast<std::size_t>(phase), finding.count)) {
     return;
   }
-  keep_site(phase, finding);
+  keep_site(phase, severity, finding);
   if (leave_out(phase, severity, finding) || fold(phase, severity, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
@@ -213,22 +213,22 @@ void Collector::add(Phase phase, const Path& path, Finding finding) {
 void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
   const Severity severity = severity_of(finding);
   if (!wants(finding, severity)) return;
-  keep_site(phase, finding);
+  keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, offset);
 }
 
 void Collector::report_file(Phase phase, Finding finding) {
   const Severity severity = severity_of(finding);
   if (!wants(finding, severity)) return;
-  keep_site(phase, finding);
+  keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, std::nullopt);
 }
 
-void Collector::keep_site(Phase phase, const Finding& finding) {
+void Collector::keep_site(Phase phase, Severity severity, const Finding& finding) {
   constexpr std::size_t kMostSites = 1U << 20U;
   Sites& sites = phases_[static_cast<std::size_t>(phase)].sites;
   if (sites.size() == kMostSites || find_fix(finding.code) == nullptr) return;
-  sites.push_back({finding.code, finding.span});
+  sites.push_back({finding.code, severity, finding.span});
 }
 
 Sites Collector::take_sites() {

@@ -119,7 +119,7 @@ class Collector {
 
   void add(Phase phase, const Path& path, Finding finding);
   bool wants(const Finding& finding, Severity severity);
-  void keep_site(Phase phase, const Finding& finding);
+  void keep_site(Phase phase, Severity severity, const Finding& finding);
   bool leave_out(Phase phase, Severity severity, const Finding& finding);
   bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);
   Severity severity_of(const Finding& finding) const;

@@ -3,6 +3,8 @@
 /// that a finding marks and adds to the changes of one asset (validate/fix.hpp).
 #pragma once
 
+#include <gltfx/diagnostic.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +16,7 @@ namespace gltfx::validate {
 /// What a finding of a rule that has a fix marks in the text; empty: nothing.
 struct Site {
   Code code;
+  Severity severity;
   Span span;
 };
 using Sites = std::vector<Site>;

@@ -344,8 +344,11 @@ TEST(Fixable, IsWhatOneRunRemoves) {
     const std::string name = bytes.starts_with("glTF") ? "a.glb" : "a.gltf";
     const auto path = folder.write(name, bytes);
     const FileReport before = validate_file(path.native(), strict);
-    const FixReport fixed = fix_file(path.native(), in_place());
+    FixOptions options = in_place();
+    options.validation = [&strict](const std::string&) { return strict; };
+    const FixReport fixed = fix_file(path.native(), options);
     EXPECT_EQ(before.fixable > 0, fixed.written) << rule.code;
+    EXPECT_EQ(before.fixable, fixed.fixed()) << rule.code;
     auto after = counts_of(validate_file(path.native(), strict));
     std::uint64_t gone = 0;
     for (const auto& [code, count] : counts_of(before)) {

@@ -2,6 +2,7 @@
 #include <gltfx/decoders.hpp>
 #include <gltfx/pipeline.hpp>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -92,7 +93,13 @@ class FixRun {
 
   ExitCode verdict(const FixReport& report) const {
     if (report.problem != EditProblem::none) return exit_code_of(report.problem);
-    return request_.check && report.changes ? ExitCode::findings : ExitCode::ok;
+    if (!request_.check || !report.changes) return ExitCode::ok;
+    if (request_.fail_on == Severity::hint) return ExitCode::findings;
+    const auto fails = [this](const FixAction& action) {
+      return action.done && request_.fail_on && action.severity <= *request_.fail_on;
+    };
+    return std::any_of(report.actions.begin(), report.actions.end(), fails) ? ExitCode::findings
+                                                                            : ExitCode::ok;
   }
 
   const FixRequest& request_;

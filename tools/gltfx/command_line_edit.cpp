@@ -54,6 +54,9 @@ void declare_fix(CLI::App& app, RawFixOptions& words) {
   add_list(app, "--skip", words.skip, "CODES",
            "Leave these codes alone (comma-separated, repeatable)");
   app.add_flag("--unsafe", words.unsafe, "With --only: allow fixes that lose something");
+  add_selection(app, words.validate);
+  add_fail_on(app, words.validate.fail_on,
+              "With --check: exit 1 at error, warning, info or never (default: any fix)");
   declare_sources(app, words);
 }
 

@@ -82,6 +82,18 @@ void add_root(CLI::App& app, std::string& root) {
   add_word(app, "--root", root, "DIR", "Root of resources (default: folder of the asset)");
 }
 
+void add_selection(CLI::App& app, RawValidateOptions& words) {
+  add_word(app, "--profile", words.profile, "NAME",
+           "default, khronos (as the Khronos validator), strict");
+  add_list(app, "--select", words.select, "CODES",
+           "Only these codes (comma-separated, repeatable)");
+  add_list(app, "--ignore", words.ignore, "CODES", "Not these codes (comma-separated, repeatable)");
+  add_list(app, "--severity", words.severities, "CODE=LEVEL", "Severity of a code (repeatable)");
+  app.add_flag_callback(
+      "--inline-suppressions", [&words] { words.inline_suppressions = "true"; },
+      "Apply suppressions in extras.gltfx, also of errors");
+}
+
 void add_fail_on(CLI::App& app, std::string& level, const char* text) {
   add_word(app, "--fail-on", level, "LEVEL", text);
 }

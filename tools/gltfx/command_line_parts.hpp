@@ -44,6 +44,9 @@ void add_listing(CLI::App& app, ListingWords& words);
 /// --root of the verbs that open what assets refer to.
 void add_root(CLI::App& app, std::string& root);
 
+/// Which findings count, of the verbs that list or fix them.
+void add_selection(CLI::App& app, RawValidateOptions& words);
+
 /// --fail-on of the verbs that give a verdict.
 void add_fail_on(CLI::App& app, std::string& level, const char* text);
 

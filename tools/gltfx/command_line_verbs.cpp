@@ -54,15 +54,7 @@ void declare_quality(CLI::App& app, RawBakeOptions& words) {
 }
 
 void declare_filters(CLI::App& app, RawValidateOptions& words) {
-  add_word(app, "--profile", words.profile, "NAME",
-           "default, khronos (as the Khronos validator), strict");
-  add_list(app, "--select", words.select, "CODES",
-           "Only these codes (comma-separated, repeatable)");
-  add_list(app, "--ignore", words.ignore, "CODES", "Not these codes (comma-separated, repeatable)");
-  add_list(app, "--severity", words.severities, "CODE=LEVEL", "Severity of a code (repeatable)");
-  app.add_flag_callback(
-      "--inline-suppressions", [&words] { words.inline_suppressions = "true"; },
-      "Apply suppressions in extras.gltfx, also of errors");
+  add_selection(app, words);
   add_word(app, "--max-issues", words.max_issues, "N",
            "Maximum findings per file (default: 0, no limit)");
 }

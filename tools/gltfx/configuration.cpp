@@ -178,6 +178,11 @@ void Configuration::apply(RawUpgradeOptions& words) const {
   if (words.targets.empty()) words.targets = words_of(*find_config_key("targets"), {});
 }
 
+void Configuration::apply(RawFixOptions& words) const {
+  apply(static_cast<RawEditOptions&>(words));
+  fill("fail-on", words.validate.fail_on);
+}
+
 void Configuration::apply(RawEditOptions& words) const {
   fill("root", words.root);
   add_excludes(words.inputs.exclude);
@@ -258,7 +263,19 @@ Result<UpgradeRequest> configured(RawUpgradeOptions words) {
 }
 
 Result<FixRequest> configured(RawFixOptions words) {
-  return request_with_configuration<FixRequest>(std::move(words));
+  words.validate.configuration = words.configuration;
+  words.validate.hook = true;  // its inputs are those of the verb
+  const auto validate = configured(words.validate);
+  if (!validate) return validate.error();
+  auto request = request_with_configuration<FixRequest>(std::move(words));
+  if (!request) return request;
+  request->fix.validation = [common = validate->validation,
+                             by_path = validate->by_path](const std::string& path) {
+    ValidateOptions options = common;
+    if (by_path) by_path->apply(by_path->kind_of(path), options);
+    return options;
+  };
+  return request;
 }
 
 Result<DeleteRequest> configured(RawDeleteOptions words) {

@@ -47,6 +47,7 @@ class Configuration {
                            const std::vector<std::size_t>& overrides) const;
   void apply(RawEditOptions& words) const;
   void apply(RawUpgradeOptions& words) const;
+  void apply(RawFixOptions& words) const;
   void apply(RawBakeOptions& words) const;
   void apply(RawInspectOptions& words) const;
   void apply(RawSchemaOptions& words) const;

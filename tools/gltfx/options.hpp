@@ -127,6 +127,8 @@ struct UpgradeRequest : EditRequest {
 
 struct FixRequest : EditRequest {
   FixOptions fix;  ///< likewise
+  /// The least severe fix that --check tells of; nothing: none.
+  std::optional<Severity> fail_on = Severity::hint;
 };
 
 struct DeleteRequest : EditRequest {

@@ -249,6 +249,7 @@ Result<FixRequest> request_of(const RawFixOptions& words) {
   Reading reading;
   FixRequest request;
   read_edit(reading, words, "fix", request, request.fix);
+  read_word(reading, request.fail_on, words.validate.fail_on, parse_fail_on);
   reading.set(request.fix.only, parse_codes("--only", words.only));
   reading.set(request.fix.skip, parse_codes("--skip", words.skip));
   request.fix.unsafe = words.unsafe;

@@ -81,6 +81,7 @@ struct RawUpgradeOptions : RawEditOptions {
 
 struct RawFixOptions : RawEditOptions {
   std::vector<std::string> skip;
+  RawValidateOptions validate;  ///< which findings there are, and which of them fail
 };
 
 struct RawDeleteOptions : RawEditOptions {
@@ -144,6 +145,7 @@ Result<ValidateRequest> request_of(const RawValidateOptions& words);
 Result<PageRequest> request_of(const RawPageOptions& words, ValidateRequest validate);
 Result<MergeRequest> request_of(const RawMergeOptions& words);
 Result<UpgradeRequest> request_of(const RawUpgradeOptions& words);
+/// But for `validation`.
 Result<FixRequest> request_of(const RawFixOptions& words);
 Result<DeleteRequest> request_of(const RawDeleteOptions& words);
 Result<BakeRequest> request_of(const RawBakeOptions& words);

@@ -6,8 +6,10 @@
 
 #include <gltfx/diagnostic.hpp>
 #include <gltfx/edited_file.hpp>
+#include <gltfx/validate.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,17 +19,23 @@ namespace gltfx {
 
 /// What the findings of one rule came to in one file. Owns its text.
 struct FixAction {
-  std::string_view code;              ///< of the rule, static storage
-  Fix kind = Fix::safe;               ///< safe or unsafe
-  std::uint64_t count = 0;            ///< findings
-  std::vector<std::string> pointers;  ///< of the first of them (RFC 6901); "" is the file itself
-  bool done = false;                  ///< they are fixed in the new file
-  std::string why_not;                ///< one sentence without stop where they are not
+  std::string_view code;               ///< of the rule, static storage
+  Fix kind = Fix::safe;                ///< safe or unsafe
+  Severity severity = Severity::hint;  ///< of the most severe finding
+  std::uint64_t count = 0;             ///< findings
+  std::vector<std::string> pointers;   ///< of the first of them (RFC 6901); "" is the file itself
+  bool done = false;                   ///< they are fixed in the new file
+  std::string why_not;                 ///< one sentence without stop where they are not
 };
 
 /// What a run is asked for.
 struct FixOptions : EditOptions {
-  /// Codes of rules to which the run is limited; empty: all whose fix is safe.
+  /// What validation of the asset at a path is asked for: findings that it reports are fixed, by
+  /// their profile, select, ignore, severity and inline_suppressions. Null: default options.
+  /// Several threads call it.
+  std::function<ValidateOptions(const std::string& path)> validation;
+  /// Codes of rules to which the run is limited, also of hints that validation does not report;
+  /// empty: all whose fix is safe.
   std::set<std::string, std::less<>> only;
   std::set<std::string, std::less<>> skip;  ///< codes that are left alone
   bool unsafe = false;  ///< do unsafe fixes, too, of those rules that `only` names

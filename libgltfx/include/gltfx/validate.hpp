@@ -71,6 +71,8 @@ struct ValidateOptions {
   /// Leave out findings on other lines of the JSON text; those without a place stay when there is
   /// any range. Nothing: all lines.
   std::optional<std::vector<LineRange>> changed_lines;
+  /// Fill FileReport::fixable and Diagnostic::fixable, which takes as long as a run of the fixes.
+  bool count_fixable = true;
   /// Fill Diagnostic::fix where a program can fix the finding and the picture stays the same.
   bool propose_fixes = false;
   /// Engines that the asset is for: what they refuse or ignore is reported. The khronos profile
