@@ -70,21 +70,21 @@ class Asset:
                     files[name] = (path.parent / name).read_bytes()
         return Asset(document, binary, files)
 
-    def write(self, folder):
+    def write(self, folder, name="a"):
         folder.mkdir(parents=True)
         text = json.dumps(self.document, ensure_ascii=False, indent=1).encode("utf-8", "surrogatepass")
         if self.text_change:
             text = self.text_change(text)
-        for name, data in self.files.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(data)
+        for file, data in self.files.items():
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            (folder / file).write_bytes(data)
         if self.binary is None:
-            path = folder / "a.gltf"
+            path = folder / f"{name}.gltf"
             path.write_bytes(text)
             return path
         text += b" " * (-len(text) % 4)
         chunks = [[b"JSON", text]] + ([[b"BIN\0", self.binary + b"\0" * (-len(self.binary) % 4)]] if self.binary else [])
-        path = folder / "a.glb"
+        path = folder / f"{name}.glb"
         path.write_bytes(self.glb_change(chunks) if self.glb_change else glb(chunks))
         return path
 
@@ -187,6 +187,52 @@ def transform(asset, chance):
         node.update({"translation": [0, 0, 0], "scale": [1, 1, 1]})
     else:
         node["rotation"] = [0, 0, chance.choice([2, 0.5, 0]), chance.choice([1, 0])]
+    return True
+
+
+def two_forms(asset, chance):
+    """A matrix and its parts, of which none, one or both move the node."""
+    nodes = objects(asset.document, "nodes")
+    if not nodes:
+        return None
+    node, x = chance.choice(nodes), chance.choice([0, 0.5])
+    node["matrix"] = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1]
+    node.update(chance.choice([{"translation": [0, 0, 0]}, {"translation": [0.5, 0, 0]}, {"scale": [1, 1, 1]},
+                               {"scale": [2, 1, 1]}, {"rotation": [0, 0, 2, 0]}, {"rotation": [0, 1, 0, 0]}]))
+    return True
+
+
+def roots(asset, chance):
+    """Children among the roots of a scene, before or behind what is above them."""
+    scenes = [scene for scene in objects(asset.document, "scenes") if isinstance(scene.get("nodes"), list)]
+    nodes = objects(asset.document, "nodes")
+    if not scenes or len(nodes) < 2:
+        return None
+    child = chance.randrange(len(nodes))
+    parent = (child + 1) % len(nodes)
+    nodes[parent].setdefault("children", [])
+    if not isinstance(nodes[parent]["children"], list):
+        return None
+    nodes[parent]["children"].append(child)
+    nodes[parent]["translation"] = [chance.choice([0, 0.7]), 0, 0]
+    scene = chance.choice(scenes)["nodes"]
+    scene.insert(chance.randrange(len(scene) + 1), chance.choice([child, parent]))
+    return True
+
+
+def said_by_others(asset, chance):
+    """Extras, and an extension that nobody knows."""
+    found = [value for _, _, value in places(asset.document) if isinstance(value, dict)]
+    value = chance.choice([9007199254740993, [], {}, {"id": 2.50, "empty": {}, "list": [1, 1]}, -0.0, None])
+    holder = chance.choice(found)
+    if chance.random() < 0.5:
+        holder["extras"] = {"a": value, "extras": {}}
+    elif isinstance(holder.setdefault("extensions", {}), dict):
+        holder["extensions"]["ACME_parts"] = {"image": 0, "accessor": 0, "nodes": [1, 1], "more": value,
+                                              "extensions": {}}
+        used = asset.document.setdefault("extensionsUsed", [])
+        if isinstance(used, list):
+            used.append("ACME_parts")
     return True
 
 
@@ -304,9 +350,13 @@ def integers(asset, chance):
 
 def text(asset, chance):
     def change(data):
-        kind = chance.randrange(5)
+        kind = chance.randrange(6)
         if kind == 0:
             return b"\xef\xbb\xbf" + data
+        if kind == 5:
+            one, other = chance.choice([(b"9007199254740993", b"9007199254740992"), (b'"\\ud800"', b'"\\ud801"'),
+                                        (b"1.0", b"1"), (b'{"a": 1, "a": 2}', b'{"a": 2}'), (b"[1e1]", b"[10]")])
+            return data.replace(b"{", b'{"extras": %s, "extras": %s, ' % (one, other), 1)
         if kind == 1:
             ends = [i for i, c in enumerate(data) if c in b"]}" and i > 1 and data[i - 1:i] == b"\n" or c in b"]}"]
             at = chance.choice(ends)
@@ -356,7 +406,8 @@ def misspell(asset, chance):
     return place
 
 
-MUTATIONS = [drop_member, other_value, other_number, empty_list, bounds, bounds, names, names, transform, transform,
+MUTATIONS = [two_forms, roots, said_by_others, drop_member, other_value, other_number, empty_list, bounds, bounds,
+             names, names, transform, transform,
              materials, images, images, views, views, buffers, floats, floats, floats, integers, text, container,
              container, animations, misspell]
 
@@ -448,11 +499,11 @@ class Totals:
 
 def compare(mutants, gltfx, peer, safe, work, words, totals):
     before = findings(gltfx, work / "in", words.jobs)
-    fixed = json.loads(run([gltfx, "fix", str(work / "in"), "--isolated", "--format", "json", "-o",
-                            f"{work / 'out'}/", "-j", words.jobs]))
+    strict = [gltfx, "fix", "--isolated", "--profile", "strict", "--format", "json", "-j", words.jobs]
+    fixed = json.loads(run([*strict, str(work / "in"), "-o", f"{work / 'out'}/"]))
     changed = {pathlib.Path(file["path"]).parent.name: file for file in fixed["files"]}
     after = findings(gltfx, work / "out", words.jobs)
-    again = json.loads(run([gltfx, "fix", str(work / "out"), "--isolated", "--format", "json", "-j", words.jobs]))
+    again = json.loads(run([*strict, str(work / "out")]))
     twice = {pathlib.Path(file["path"]).parent.name for file in again["files"] if file["changes"]}
     for name, (path, done, by_peer) in mutants.items():
         totals.mutants += 1
@@ -499,6 +550,21 @@ def compare(mutants, gltfx, peer, safe, work, words, totals):
                 shutil.copytree(path.parent, kept)
 
 
+def valid_assets(gltfx, folders, largest):
+    """Those without errors, with their files no larger than that."""
+    report = json.loads(run([gltfx, "validate", *map(str, folders), "--isolated", "--fail-on", "never", "--format",
+                             "json"]))
+    assets = []
+    for path in sorted(pathlib.Path(file["path"]) for file in report["files"] if file["counts"]["errors"] == 0):
+        try:
+            asset = Asset.read(path)
+        except (ValueError, struct.error, OSError, RecursionError):
+            continue
+        if path.stat().st_size + sum(map(len, asset.files.values())) <= largest:
+            assets.append(asset)
+    return assets
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("gltfx")
@@ -513,20 +579,11 @@ def main():
     words = parser.parse_args()
     print(f"seed {words.seed}", flush=True)
     chance = random.Random(words.seed)
-    seeds = []
     peer = Peer(words.peer) if words.peer else None
-    report = json.loads(run([words.gltfx, "validate", *map(str, words.folders), "--isolated", "--fail-on", "never",
-                             "--format", "json"]))
-    for path in sorted(pathlib.Path(file["path"]) for file in report["files"] if file["counts"]["errors"] == 0):
-        try:
-            asset = Asset.read(path)
-        except (ValueError, struct.error, OSError, RecursionError):
-            continue
-        if path.stat().st_size + sum(map(len, asset.files.values())) <= words.largest:
-            if peer:
-                with tempfile.TemporaryDirectory(prefix="gltfx_valid_") as folder:
-                    asset.by_peer = peer.codes(asset.write(pathlib.Path(folder) / "asset"))
-            seeds.append(asset)
+    seeds = valid_assets(words.gltfx, words.folders, words.largest)
+    for asset in seeds if peer else []:
+        with tempfile.TemporaryDirectory(prefix="gltfx_valid_") as folder:
+            asset.by_peer = peer.codes(asset.write(pathlib.Path(folder) / "asset"))
     rules = json.loads(run([words.gltfx, "rules", "--format", "json"]))["rules"]
     safe = {rule["code"] for rule in rules if rule["fix"] == "safe"}
     totals = Totals()
