@@ -139,9 +139,10 @@ TEST(Help, FitsATerminalOfEightyColumns) {
 TEST(Version, NamesEverythingItWasBuiltWith) {
   const Outcome outcome = gltfx({"--version"});
   EXPECT_EQ(outcome.code, 0);
-  for (const char* name : {"gltfx 0.", "CLI11 2.", "fmt ", "nlohmann_json 3.", "simdjson 3.",
-                           "TBB 20", "tomlplusplus 3.", "meshoptimizer 0.", "Draco 1.", "libpng 1.",
-                           "libjpeg ", "libwebp 1.", "OpenEXR 3.", "zstd 1.", "compiled by "}) {
+  for (const char* name :
+       {"gltfx 0.", "CLI11 2.", "fmt ", "nlohmann_json 3.", "simdjson 3.", "TBB 20",
+        "tomlplusplus 3.", "meshoptimizer 0.", "Draco 1.", "libpng 1.", "libjpeg ", "libwebp 1.",
+        "OpenEXR 3.", "zstd 1.", "libavif ", "compiled by "}) {
     EXPECT_THAT(outcome.out, HasSubstr(name));
   }
 }
