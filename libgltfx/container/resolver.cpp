@@ -81,6 +81,11 @@ std::string from_root(int root, const std::string& base, std::string_view path) 
   return path.ends_with('/') ? inside + '/' : inside;
 }
 
+// Of a path as container::Uri has it: ".." is only at the front.
+bool leads_out(std::string_view path) {
+  return path == ".." || path.starts_with("../") || path.starts_with('/');
+}
+
 }  // namespace
 
 Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
@@ -142,7 +147,11 @@ Resolved Resolver::open(std::string_view path) const {
 Resolved Resolver::open(const Uri& uri) const {
   if (!read_) return open(uri.path);
   Resolved resolved;
-  auto bytes = read_(uri.normalized);
+  if (names_ == ReadNames::paths && leads_out(uri.path)) {
+    resolved.error = ResolveError::outside_root;
+    return resolved;
+  }
+  auto bytes = read_(names_ == ReadNames::uris ? uri.normalized : uri.path);
   if (!bytes) {
     resolved.error = ResolveError::not_found;
     return resolved;

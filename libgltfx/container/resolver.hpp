@@ -31,8 +31,11 @@ struct Resolved {
   FileState state;      ///< of a file on the disk
 };
 
-/// Gives the bytes behind a URI, spelled as Uri::normalized, or nothing when there are none.
+/// Gives the bytes behind a URI, or nothing when there are none.
 using ReadUri = std::function<std::optional<Bytes>(const std::string& uri)>;
+
+/// How a ReadUri is asked: for any Uri::normalized, or for each Uri::path that stays in the folder.
+enum class ReadNames : std::uint8_t { uris, paths };
 
 /// What a Resolver was asked for, and what it found. Safe to use from several threads.
 class LookupLog {
@@ -62,10 +65,11 @@ class Resolver {
            Confinement confinement = Confinement::automatic);
 
   /// Looks nothing up on a disk: open(const Uri&) asks `read`, other look-ups answer `no_root`.
-  explicit Resolver(ReadUri read) : read_(std::move(read)) {}
+  explicit Resolver(ReadUri read, ReadNames names = ReadNames::uris)
+      : read_(std::move(read)), names_(names) {}
 
   /// Whether it knows URIs that are not relative.
-  bool reads_any_uri() const { return read_ != nullptr; }
+  bool reads_any_uri() const { return read_ != nullptr && names_ == ReadNames::uris; }
   /// Opens what a URI names that is a relative path, or any but a data URI where reads_any_uri().
   Resolved open(const Uri& uri) const;
   /// Opens `path` (percent-decoded, '/' separated). A path may leave the root as far as it names
@@ -92,7 +96,8 @@ class Resolver {
   std::string problem_;
   Confinement confinement_ = Confinement::automatic;
   std::map<std::string, Bytes, std::less<>> added_;
-  ReadUri read_;                    ///< null: files are looked up
+  ReadUri read_;  ///< null: files are looked up
+  ReadNames names_ = ReadNames::uris;
   std::shared_ptr<LookupLog> log_;  ///< may be null
   Origin origin_ = new_origin();
 };

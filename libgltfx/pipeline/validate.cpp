@@ -261,7 +261,9 @@ container::Resolver resolver_of(const MemoryAsset& asset, const ValidateOptions&
           auto bytes = read(uri);
           if (!bytes) return std::nullopt;
           return container::Bytes::from_string(*std::move(bytes));
-        });
+        },
+        asset.names == MemoryAsset::Names::uris ? container::ReadNames::uris
+                                                : container::ReadNames::paths);
   }
   return options.root.empty() ? container::Resolver() : resolver_for(options.root, options.root);
 }

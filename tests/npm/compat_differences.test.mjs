@@ -194,6 +194,60 @@ row("`KHR_node_visibility`", async () => {
   );
 });
 
+row("integer beyond 2^53, such as `1e300`", async () => {
+  for (const [number, expected] of [
+    ["9007199254740992", []],
+    ["1e16", ["TYPE_MISMATCH"]],
+    ["1e300", ["TYPE_MISMATCH"]],
+  ]) {
+    const accessor = `{"componentType":5126,"type":"SCALAR","count":${number}}`;
+    const json = `{"asset":{"version":"2.0"},"accessors":[${accessor}]}`;
+    const [theirs, mine] = await both((validator) => validator.validateString(json));
+    assert.deepEqual([errorsOf(theirs), errorsOf(mine)], [[], expected], number);
+  }
+});
+
+row("empty JSON chunk, then one longer than the file", async () => {
+  const bytes = new Uint8Array(32);
+  const view = new DataView(bytes.buffer);
+  [0x46546c67, 2, bytes.length, 0, 0x4e4f534a, 100, 0x004e4942].forEach((word, at) =>
+    view.setUint32(4 * at, word, true),
+  );
+  const [theirs, mine] = await both((validator) => validator.validateBytes(bytes, { format: "glb" }));
+  assert.deepEqual(
+    errorsOf(theirs).filter((code) => code !== "INVALID_JSON"),
+    errorsOf(mine),
+  );
+  assert.ok(errorsOf(theirs).includes("INVALID_JSON") && errorsOf(mine).length > 0);
+});
+
+row("skinned mesh in a child node", async () => {
+  const accessor = (componentType, type, more) => ({ componentType, type, count: 3, ...more });
+  const asset = (parent) => ({
+    asset: { version: "2.0" },
+    nodes: [{ children: [1], ...parent }, { mesh: 0, skin: 0 }, {}],
+    scenes: [{ nodes: [0, 2] }],
+    skins: [{ joints: [2] }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, JOINTS_0: 1, WEIGHTS_0: 2 } }] }],
+    accessors: [
+      accessor(5126, "VEC3", { min: [0, 0, 0], max: [0, 0, 0] }),
+      accessor(5121, "VEC4"),
+      accessor(5126, "VEC4"),
+    ],
+  });
+  for (const [parent, more] of [
+    [{}, []],
+    [{ translation: [1, 0, 0] }, [["NODE_SKINNED_MESH_PARENT_TRANSFORMS", 1]]],
+  ]) {
+    const found = await both((one) => one.validateString(JSON.stringify(asset(parent))));
+    const [theirs, mine] = found.map(({ report }) =>
+      report.issues.messages.map(({ code, severity }) => [code, severity]),
+    );
+    assert.deepEqual(theirs, [["NODE_SKINNED_MESH_NON_ROOT", 1]]);
+    assert.deepEqual(mine, [...more, ["NODE_SKINNED_MESH_NON_ROOT", 2]]);
+  }
+});
+
 test("the table has these rows and no others", () => {
   const page = readFileSync(join(root, "docs/npm.md"), "utf8");
   const table = page

@@ -2,7 +2,7 @@
 // The package as its users have it: modules, CommonJS, types, the entry of browsers.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { copyFileSync, existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
@@ -12,7 +12,7 @@ import { importFrom, install, modules, requireFrom, root, version } from "./pack
 const folder = install({ native: false });
 const installed = join(folder, "node_modules/gltfx");
 const fixture = (name) => new Uint8Array(readFileSync(join(root, "fixtures", name)));
-const besides = (place) => (uri) => readFile(join(root, "fixtures", place, uri));
+const besides = (place) => (path) => readFile(join(root, "fixtures", place, path));
 const readFile = async (path) => new Uint8Array(readFileSync(path));
 
 test("the archive has no dependency, no script, the version of the project", () => {
@@ -69,8 +69,72 @@ test("validate: resources, profiles, misuse", async () => {
   );
   await assert.rejects(validate("leaf.gltf"), TypeError);
   await assert.rejects(validate(leaf, null), TypeError);
-  await assert.rejects(validate(leaf, { resources: "." }), TypeError);
   await assert.rejects(validate(leaf, { resources: () => "text" }), TypeError);
+});
+
+test("resources are asked for by decoded paths, as a function or as a Map", async () => {
+  const { inspect, upgrade, validate } = await importFrom(folder, "gltfx/index.mjs");
+  const bytes = new Uint8Array(4);
+  for (const [uri, path] of [
+    ["my%20data.bin", "my data.bin"],
+    ["my data.bin", "my data.bin"],
+    ["sub/./%C3%A4.bin", "sub/\u00e4.bin"],
+    ["a%23b%3F.bin", "a#b?.bin"],
+    ["100%25.bin", "100%.bin"],
+  ]) {
+    const asset = Buffer.from(JSON.stringify({ asset: { version: "2.0" }, buffers: [{ uri, byteLength: 4 }] }));
+    const asked = [];
+    const sources = [
+      new Map([[path, bytes]]),
+      async (name) => (asked.push(name), bytes),
+      (name) => {
+        if (name !== path) throw new Error("ENOENT");
+        return bytes;
+      },
+    ];
+    for (const resources of sources) {
+      const { findings } = await validate(asset, { resources });
+      assert.ok(!findings.some(({ code }) => code === "IO_ERROR"), uri);
+      assert.equal((await inspect(asset, { resources })).problems.length, 0);
+      await upgrade(asset, { resources });
+    }
+    assert.deepEqual([...new Set(asked)], [path]);
+    const { findings } = await validate(asset, { resources: () => { throw new Error("ENOENT"); } });
+    assert.ok(findings.some(({ code }) => code === "IO_ERROR"), uri);
+  }
+});
+
+test("wrong options are refused, and the engine lives on", async () => {
+  const gltfx = await importFrom(folder, "gltfx/index.mjs");
+  const bytes = fixture("good/bowl.glb");
+  const refusal = { name: "TypeError", message: /^gltfx: / };
+  for (const options of [
+    { profile: "Khronos" },
+    { onlyIssues: "x" },
+    { onlyIssues: ["NO_SUCH_CODE"] },
+    { ignoredIssues: ["io_error"] },
+    { severityOverrides: { NO_SUCH_CODE: 1 } },
+    { maxIssues: -1 },
+    { resources: "." },
+  ])
+    await assert.rejects(gltfx.validate(bytes, options), refusal, JSON.stringify(options));
+  await assert.rejects(gltfx.upgrade(bytes, { only: "KHR_materials_unlit" }), refusal);
+  await assert.rejects(gltfx.inspect(bytes, { unsafe: true }), refusal);
+  const right = { uri: "a", format: "glb", profile: "strict", maxIssues: 1, onlyIssues: ["IO_ERROR"] };
+  assert.equal((await gltfx.validate(bytes, right)).counts.errors, 0);
+});
+
+test("the example of the page", () => {
+  const page = readFileSync(join(root, "docs/npm.md"), "utf8");
+  const [, code] = /```js\n([^]*?)```/.exec(page);
+  const place = join(folder, "example");
+  mkdirSync(place);
+  const buffers = [{ uri: "my%20data.bin", byteLength: 4 }];
+  writeFileSync(join(place, "model.gltf"), JSON.stringify({ asset: { version: "2.0" }, buffers }));
+  writeFileSync(join(place, "my data.bin"), "1234");
+  const print = "console.log(counts.errors, findings.length > 0, asset.length > 0, files.size, facts.version)";
+  writeFileSync(join(place, "example.mjs"), code + print);
+  assert.equal(`${execFileSync("node", ["example.mjs"], { cwd: place })}`, "0 true true 0 2.0\n");
 });
 
 test("upgrade and inspect: the asset of before is left alone, the new one is upgraded", async () => {
@@ -150,8 +214,9 @@ test("types", (t) => {
   writeFileSync(
     join(folder, "user.ts"),
     `
-    import { inspect, upgrade, validate, validateBytes } from "gltfx";
+    import gltfx, { inspect, upgrade, validate, validateBytes } from "gltfx";
     import * as compat from "gltfx/compat";
+    import validator from "gltfx/compat";
     async function run(bytes: Uint8Array): Promise<number> {
       const one = await validate(bytes, { profile: "khronos", resources: async (uri: string) => null });
       const two = await validate(bytes, { resources: new Map([["a", bytes]]) });
@@ -159,11 +224,18 @@ test("types", (t) => {
       await validateBytes(bytes, { externalResourceFunction: async () => bytes });
       const { asset, files } = await upgrade(bytes, { only: ["X"] });
       await inspect(asset);
+      await gltfx.inspect(asset, { resources: (path) => bytes });
+      const named: string = gltfx.version() + validator.version() + validator.supportedExtensions().length;
+      const four = await validator.validateBytes(bytes, { uri: named });
+      const five = await gltfx.validate(bytes, { profile: "khronos" });
+      // @ts-expect-error it has no such function
+      validator.inspect(asset);
       // @ts-expect-error text is no asset
       await validate("model.gltf");
       // @ts-expect-error no such severity
       await compat.validateString("{}", { severityOverrides: { A: 4 } });
-      return one.issues.numErrors + two.counts.errors + three.issues.numHints + files.size;
+      const errors = two.counts.errors + four.issues.numErrors + five.issues.numErrors;
+      return one.issues.numErrors + errors + three.issues.numHints + files.size;
     }
     export default run;`,
   );

@@ -120,6 +120,32 @@ TEST_F(Validate, AnAssetInMemoryHasItsResourcesFromAFunction) {
   EXPECT_EQ(asked.size(), 3U);
 }
 
+TEST_F(Validate, AFunctionOfPathsIsAskedForThoseBelowTheAssetAlone) {
+  std::vector<std::string> asked;
+  const auto validated = [&](const std::string& uri) {
+    MemoryAsset asset{with_buffer(uri), "a.gltf", AssetFormat::detect, {}};
+    asset.names = MemoryAsset::Names::paths;
+    asset.read = [&](const std::string& path) -> std::optional<std::string> {
+      asked.push_back(path);
+      return "1234";
+    };
+    ValidateOptions options;
+    options.jobs = 1;
+    return validate_bytes(std::move(asset), options);
+  };
+  EXPECT_FALSE(has(validated("sub/../some%20data.bin"), "IO_ERROR"));
+  EXPECT_THAT(asked, ElementsAre("some data.bin"));
+  for (const char* uri :
+       {"../a", "sub/../../a", "%2e%2e/a", "%2E%2E%2Fa", "%2Fdev/zero", "..%5Ca", "a//../../b"}) {
+    EXPECT_TRUE(has(validated(uri), "URI_OUTSIDE_ROOT")) << uri;
+  }
+  for (const char* uri :
+       {"/dev/zero", "//host/a", "file:///dev/zero", "https://example.org/a", "C:/a"}) {
+    EXPECT_GT(validated(uri).counts.errors + validated(uri).counts.warnings, 0U) << uri;
+  }
+  EXPECT_EQ(asked.size(), 1U) << asked.back();
+}
+
 TEST_F(Validate, AnAssetInMemoryIsWhatItIsSaidToBe) {
   const auto validated = [](AssetFormat format) {
     return validate_bytes({kMinimal, "a", format, {}});

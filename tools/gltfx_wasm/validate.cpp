@@ -14,7 +14,8 @@
 
 #include <emscripten.h>
 
-// The bytes behind a URI, allocated here, with their number in `size`; null when there are none.
+// The bytes behind a URI or a path, allocated here, with their number in `size`; null when there
+// are none.
 EM_JS(char*, gltfx_read_resource, (const char* uri, std::size_t* size), {
   const bytes = Module.readResource(UTF8ToString(uri));
   if (!bytes) return 0;
@@ -75,6 +76,9 @@ const char* gltfx_version() {
   return text.c_str();
 }
 
+// Whether there is a rule of that code.
+int gltfx_is_code(const char* code) { return gltfx::find_rule(code) != nullptr ? 1 : 0; }
+
 // For an asset of that size, which the caller writes to gltfx_request_bytes(); null: there is not
 // enough memory.
 Request* gltfx_request(std::size_t size) {
@@ -97,6 +101,11 @@ void gltfx_request_name(Request* request, const char* name) { request->asset.nam
 void gltfx_request_kind(Request* request, int format, int profile) {
   request->asset.format = static_cast<AssetFormat>(format);
   request->options.profile = static_cast<Profile>(profile);
+}
+
+// Resources are asked for by paths below the folder of the asset, and not by URIs.
+void gltfx_request_paths(Request* request) {
+  request->asset.names = gltfx::MemoryAsset::Names::paths;
 }
 
 void gltfx_request_limit(Request* request, double issues) {

@@ -74,3 +74,12 @@ export function supportedExtensions(): string[];
 /** Rejected with a string for misuse. */
 export function validateBytes(data: Uint8Array, options?: ValidationOptions | null): Promise<KhronosReport>;
 export function validateString(json: string, options?: ValidationOptions | null): Promise<KhronosReport>;
+
+/** All of them. */
+declare const compat: {
+  version: typeof version;
+  supportedExtensions: typeof supportedExtensions;
+  validateBytes: typeof validateBytes;
+  validateString: typeof validateString;
+};
+export default compat;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+import type compat from "./compat.js";
 import type { AssetInfo, KhronosReport } from "./compat.js";
 export * from "./compat.js";
 
-/** Bytes by URI as the asset has it, or a function that reads them; null: there are none. */
+/**
+ * Bytes of buffers and images, or a function that reads them, by path from the folder of the asset: decoded, with "/",
+ * never one that leads out of that folder. null: there are none.
+ */
 export type Resources =
   | ReadonlyMap<string, Uint8Array | null>
-  | ((uri: string) => Uint8Array | null | undefined | PromiseLike<Uint8Array | null | undefined>);
+  | ((path: string) => Uint8Array | null | undefined | PromiseLike<Uint8Array | null | undefined>);
 
 export interface ValidateOptions {
   uri?: string;
@@ -79,3 +83,11 @@ export function inspect(
   asset: Uint8Array,
   options?: { resources?: Resources },
 ): Promise<Record<string, unknown>>;
+
+/** All of them, with those of gltfx/compat. */
+declare const gltfx: typeof compat & {
+  validate: typeof validate;
+  upgrade: typeof upgrade;
+  inspect: typeof inspect;
+};
+export default gltfx;

@@ -44,9 +44,15 @@ struct MemoryAsset {
   std::string bytes;                         ///< of the whole file
   std::string name;                          ///< stands in the report
   AssetFormat format = AssetFormat::detect;  ///< what the bytes are taken for
-  /// Where the asset's resources come from, those of absolute URIs too. Empty: from the folder
-  /// `ValidateOptions::root`, or nowhere.
+  /// Where the asset's resources come from. Empty: from the folder `ValidateOptions::root`, or
+  /// nowhere.
   ReadResource read;
+  /// What `read` is asked for.
+  enum class Names : std::uint8_t {
+    uris,   ///< URIs as reports print them, absolute ones too
+    paths,  ///< decoded paths below the folder of the asset; what leads out of it is refused
+  };
+  Names names = Names::uris;
 };
 
 /// Validates an asset in memory, with its resources.

@@ -1,57 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 // validate(), upgrade() and inspect() over bytes.
+import { checkAreCodes, checkOptions } from "./api_options.mjs";
 import { isBytes } from "./compat_options.mjs";
 
-function checkArguments(asset, options) {
-  if (!isBytes(asset)) throw new TypeError("gltfx: the asset must be a Uint8Array");
-  if (options === null || typeof options !== "object")
-    throw new TypeError("gltfx: options must be an object");
-  const { resources } = options;
-  const isSource = resources === undefined || typeof resources === "function" || resources instanceof Map;
-  if (!isSource) throw new TypeError("gltfx: options.resources must be a Map or a function");
+// To Windows, a path that names a drive leads out of any folder.
+const namesDrive = (path) => /^[A-Za-z]:/.test(path);
+
+async function ask(source, path) {
+  try {
+    return namesDrive(path) ? null : await source(path);
+  } catch {
+    return null; // it is not there
+  }
 }
 
-async function load(source, uri) {
-  if (source instanceof Map) return source.get(uri) ?? null;
-  const bytes = await Promise.resolve(source(uri)).catch(() => null); // cannot be had
+async function load(source, path) {
+  const bytes = source instanceof Map ? source.get(path) : await ask(source, path);
   if (bytes === null || bytes === undefined) return null;
-  if (!isBytes(bytes)) throw new TypeError(`gltfx: options.resources gave no Uint8Array for '${uri}'`);
+  if (!isBytes(bytes)) throw new TypeError(`gltfx: options.resources gave no Uint8Array for '${path}'`);
   return bytes;
 }
 
-/** Validates until the engine has all resources that can be had. */
+/** Validates until the engine has all resources that there are. */
 async function validateAll(engine, asset, { resources: source, ...options }) {
   const resources = new Map();
   for (;;) {
     while (!engine.isReady) await engine.start();
-    const answer = engine.validate(asset, { ...options, resources });
-    const wanted = source === undefined ? [] : answer.missing.filter((uri) => !resources.has(uri));
+    const answer = engine.validate(asset, { ...options, paths: true, resources });
+    const wanted = source === undefined ? [] : answer.missing.filter((path) => !resources.has(path));
     if (wanted.length === 0) return { report: JSON.parse(answer.report), resources };
-    for (const uri of new Set(wanted)) resources.set(uri, await load(source, uri));
+    for (const path of new Set(wanted)) resources.set(path, await load(source, path));
   }
-}
-
-// Where a program finds a resource beside the asset; null: nowhere there.
-function pathOf(uri) {
-  const text = uri.replace(/[?#][^]*$/, "");
-  let path = text;
-  try {
-    path = decodeURIComponent(text);
-  } catch {
-    // stands for itself
-  }
-  const leavesFolder = path.split(/[/\\]/).includes("..") || /^([/\\]|[A-Za-z]:)/.test(path);
-  return path === "" || leavesFolder ? null : path;
 }
 
 async function runOver(engine, asset, options, words) {
   const { resources } = await validateAll(engine, asset, { resources: options.resources });
   const name = asset[0] === 0x67 ? "asset.glb" : "asset.gltf";
   const files = new Map();
-  for (const [uri, bytes] of resources) {
-    const path = pathOf(uri);
-    if (path !== null && bytes !== null) files.set(path, bytes);
-  }
+  for (const [path, bytes] of resources) if (bytes !== null) files.set(path, bytes);
   files.set(name, asset);
   const [verb, ...rest] = words;
   const done = await engine.run([verb, name, "--isolated", "--format", "json", ...rest], files);
@@ -74,14 +60,17 @@ function wordsOfUpgrade({ unsafe, strict, prune, only = [], to = [] }) {
 export function createApi(getEngine) {
   return {
     async validate(asset, options = {}) {
-      checkArguments(asset, options);
-      const { report } = await validateAll(await getEngine(), asset, options);
+      const known = checkOptions("validate", asset, options);
+      const engine = await getEngine();
+      while (!engine.isReady) await engine.start();
+      checkAreCodes(engine, known);
+      const { report } = await validateAll(engine, asset, known);
       return report.files?.[0] ?? report; // the report of a run has a list of files
     },
     async upgrade(asset, options = {}) {
-      checkArguments(asset, options);
-      const words = ["upgrade", ...wordsOfUpgrade(options)];
-      const { report, files, name } = await runOver(await getEngine(), asset, options, words);
+      const known = checkOptions("upgrade", asset, options);
+      const words = ["upgrade", ...wordsOfUpgrade(known)];
+      const { report, files, name } = await runOver(await getEngine(), asset, known, words);
       const [done] = report.files;
       if (done.problem === "unreadable") throw new Error(done.error);
       const upgraded = files.get(name) ?? asset;
@@ -89,8 +78,8 @@ export function createApi(getEngine) {
       return { asset: upgraded, files, report: done };
     },
     async inspect(asset, options = {}) {
-      checkArguments(asset, options);
-      const { report } = await runOver(await getEngine(), asset, options, ["inspect", "--top", "0"]);
+      const known = checkOptions("inspect", asset, options);
+      const { report } = await runOver(await getEngine(), asset, known, ["inspect", "--top", "0"]);
       const [found] = report.assets;
       if (found.facts === undefined) throw new Error(found.error);
       return found.facts;

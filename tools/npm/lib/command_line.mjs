@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a command line with the engine over the real file system: what it names is read, what it writes is
-// written.
-import { chmodSync, mkdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { dirname } from "node:path";
-import { collectFiles, realPath, virtualPath, virtualWord } from "./command_files.mjs";
+// Runs a command line with the engine over the files of this machine.
+import { readSync } from "node:fs";
+import { attachHostFiles } from "./host_files.mjs";
+import { virtualPath, virtualWord } from "./paths.mjs";
 import { getEngine } from "../wasm/engine_node.mjs";
-
-// Whole or not at all; the mode of a file that is replaced is kept.
-function writeWhole(path, bytes) {
-  const part = `${path}.${process.pid}.part`;
-  try {
-    mkdirSync(dirname(path), { recursive: true });
-    writeFileSync(part, bytes);
-    const old = statSync(path, { throwIfNoEntry: false });
-    if (old) chmodSync(part, old.mode);
-    renameSync(part, path);
-  } catch (error) {
-    rmSync(part, { force: true });
-    throw error;
-  }
-}
 
 function writeOut(stream, bytes) {
   return new Promise((done) => {
@@ -28,18 +12,43 @@ function writeOut(stream, bytes) {
   });
 }
 
+// Waits for what a pipe that does not block has not got yet.
+function readInput(chunk) {
+  for (;;) {
+    try {
+      return readSync(0, chunk);
+    } catch (error) {
+      if (error.code === "EOF") return 0; // on Windows
+      if (error.code !== "EAGAIN") throw error;
+      Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 10);
+    }
+  }
+}
+
+/** A function that gives the next byte of standard input; null: its end. */
+function standardInput() {
+  const chunk = new Uint8Array(1 << 16);
+  let at = 0;
+  let end = 0;
+  return () => {
+    if (at === end) {
+      at = 0;
+      end = readInput(chunk);
+    }
+    return end === 0 ? null : chunk[at++];
+  };
+}
+
 /** Gives the exit code. */
 export async function runWithEngine(args) {
   const cwd = process.cwd();
   try {
     const engine = await getEngine();
-    const stdin = args.includes("-") ? readFileSync(0) : undefined;
-    const files = collectFiles(args, cwd, stdin);
     const words = args.map((word) => virtualWord(word, cwd));
-    const done = await engine.run(words, files, { cwd: virtualPath(cwd), stdin });
+    const options = { cwd: virtualPath(cwd), nextByte: standardInput() };
+    const done = await engine.runOn(attachHostFiles, words, options);
     await writeOut(process.stdout, done.stdout);
     await writeOut(process.stderr, done.stderr);
-    for (const [path, bytes] of done.files) writeWhole(realPath(path, cwd), bytes);
     return done.code;
   } catch (error) {
     await writeOut(process.stderr, `gltfx: ${error.message}\n`);

@@ -3,7 +3,7 @@
 // Node.js or a browser. createEngine() takes gltfx.wasm and the default export of gltfx-wasm.mjs.
 
 const FORMATS = [undefined, "gltf", "glb"];
-const PROFILES = ["default", "khronos", "strict"];
+export const PROFILES = ["default", "khronos", "strict"];
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 const FOLDER = "/work";
@@ -38,10 +38,16 @@ class Engine {
     return this.#module !== null;
   }
 
+  /** Whether there is a rule of that code. Precondition: isReady. */
+  isCode(code) {
+    return withText(this.#module, code, (at) => this.#module._gltfx_is_code(at)) !== 0;
+  }
+
   /**
    * Validates an asset in memory. `report` is JSON text: the Khronos validator's report in the profile
    * "khronos", that of gltfx otherwise. `missing` lists the URIs, as reports print them, that are neither
-   * in `options.resources` nor in the asset. Precondition: isReady. Throws an Error that says why the engine broke.
+   * in `options.resources` nor in the asset; with `options.paths`, decoded paths below the folder of the asset in
+   * place of URIs. Precondition: isReady. Throws an Error that says why the engine broke.
    */
   validate(asset, options = {}) {
     const module = this.#module;
@@ -65,26 +71,37 @@ class Engine {
    * files that were written, seen from `cwd` where they are below it.
    */
   async run(args, files = new Map(), { cwd = FOLDER, stdin = new Uint8Array() } = {}) {
+    let read = 0;
+    const nextByte = () => (read < stdin.length ? stdin[read++] : null);
+    const { module, ...done } = await this.#call(args, nextByte, ({ FS }) => writeFiles(FS, files, cwd));
+    return { ...done, files: writtenFiles(module.FS, cwd) };
+  }
+
+  /**
+   * Runs the command line in the folder `cwd` of the file system that `attach(module)` gives the module, which it
+   * reads and writes. `nextByte()` gives standard input; null: its end.
+   */
+  async runOn(attach, args, { cwd, nextByte }) {
+    const { code, stdout, stderr } = await this.#call(args, nextByte, (module) => {
+      attach(module);
+      module.FS.chdir(cwd);
+    });
+    return { code, stdout, stderr };
+  }
+
+  async #call(args, nextByte, prepare) {
     const bytes = args.reduce((sum, argument) => sum + argument.length * 3 + 8, 0);
     if (bytes > MOST_ARGUMENT_BYTES) throw new Error("gltfx: the arguments are too long");
     const printed = [new Printed(), new Printed()];
-    let read = 0;
-    const input = () => (read < stdin.length ? stdin[read++] : null);
     const outputs = printed.map((to) => (byte) => to.add(byte));
-    const module = await this.#instance({ preRun: [(starting) => starting.FS.init(input, ...outputs)] });
-    writeFiles(module.FS, files, cwd);
-    let code;
+    const module = await this.#instance({ preRun: [(starting) => starting.FS.init(nextByte, ...outputs)] });
+    prepare(module);
     try {
-      code = module.callMain([...args]);
+      const code = module.callMain([...args]);
+      return { module, code, stdout: printed[0].bytes(), stderr: decoder.decode(printed[1].bytes()) };
     } catch (error) {
       throw brokenEngine(error);
     }
-    return {
-      code,
-      stdout: printed[0].bytes(),
-      stderr: decoder.decode(printed[1].bytes()),
-      files: writtenFiles(module.FS, cwd),
-    };
   }
 
   #instance(settings) {
@@ -105,18 +122,23 @@ function brokenEngine(error) {
   return new Error(`gltfx: the module ended early: ${why}`);
 }
 
+/** Gives what `use` makes of a text in the module's memory. */
+function withText(module, string, use) {
+  const at = allocated(module, encoder.encode(`${string}\0`));
+  const made = use(at);
+  module._free(at);
+  return made;
+}
+
 function validateOnce(module, asset, options) {
   const request = module._gltfx_request(asset.length);
   if (request === 0) throw new Error("out of memory");
   module.HEAPU8.set(asset, module._gltfx_request_bytes(request));
-  const text = (string, use) => {
-    const at = allocated(module, encoder.encode(`${string}\0`));
-    use(at);
-    module._free(at);
-  };
+  const text = (string, use) => withText(module, string, use);
   if (options.uri) text(options.uri, (at) => module._gltfx_request_name(request, at));
   module._gltfx_request_kind(request, position(FORMATS, options.format),
     position(PROFILES, options.profile ?? "default"));
+  if (options.paths) module._gltfx_request_paths(request);
   module._gltfx_request_limit(request, options.maxIssues ?? 0);
   for (const code of options.ignoredIssues ?? []) text(code, (at) => module._gltfx_request_ignore(request, at));
   for (const code of options.onlyIssues ?? []) text(code, (at) => module._gltfx_request_select(request, at));
