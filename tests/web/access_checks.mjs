@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page for those who use a keyboard, a screen reader, the dark or a narrow window.
 import assert from "node:assert/strict";
+import { join } from "node:path";
 import { archive } from "./archives.mjs";
-import { chooseFolder, drop, open, unfold } from "./browsers.mjs";
+import { choose, chooseFolder, drop, open, unfold } from "./browsers.mjs";
 
 async function soundFor(page, axeSource, words) {
   // The page's own policy lets no script in: axe comes through the debugger.
@@ -37,6 +38,32 @@ async function isAccessible(one, url, native, axeSource) {
       assert.deepEqual(page.complaints, []);
       await page.close();
     }
+  }
+}
+
+/** Where parts of the page are: [top, bottom] of each. */
+function places(page, ...selectors) {
+  const at = (all) =>
+    all.map((selector) => {
+      const { top, bottom } = document.querySelector(selector).getBoundingClientRect();
+      return [top, bottom];
+    });
+  return page.evaluate(at, selectors);
+}
+
+async function isLaidOut(one, url, native) {
+  for (const width of [1280, 390]) {
+    const page = await open(one, url, { width });
+    for (const choice of [() => choose(page, "files", join(native.folder, "tour/lamp.gltf")), () =>
+      chooseFolder(one, page, native.folder)]) {
+      await choice();
+      const [[, buttons], [list]] = await places(page, "#downloads", "#list");
+      assert.ok(list - buttons >= 16, `${width} px: ${list - buttons} px between buttons and assets`);
+    }
+    await unfold(page);
+    const [[findings], [facts, factsEnd]] = await places(page, ".asset .findings", ".asset .fact-side");
+    assert.ok(width > 960 ? findings < factsEnd : findings < facts, `${width} px: facts come first`);
+    await page.close();
   }
 }
 
@@ -103,6 +130,7 @@ async function followsTheSystem(one, url) {
 export function accessChecks(one, url, native, axeSource) {
   return [
     ["accessible in both themes, at 1280 and 360 px", () => isAccessible(one, url, native, axeSource)],
+    ["laid out at 1280 and 390 px", () => isLaidOut(one, url, native)],
     ["works by keyboard", () => worksByKeyboard(one, url, native)],
     ["light and dark as the system", () => followsTheSystem(one, url)],
   ];

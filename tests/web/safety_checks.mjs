@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What hostile names, files and archives cannot do; that nothing leaves the page; that it can be stopped.
 import assert from "node:assert/strict";
-import { readdirSync, readFileSync, truncateSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, truncateSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { basename, join } from "node:path";
+import { assetWith, HOSTILE_URIS } from "../npm/hostile_paths.mjs";
 import { BREAKERS, writeHostile } from "../page/hostile.mjs";
 import { archive } from "./archives.mjs";
 import { choose, chooseFolder, download, drop, ended, open, unfold, until } from "./browsers.mjs";
@@ -51,9 +52,9 @@ async function namesCannotLeadOut(one, url) {
     "../up.gltf",
     "/top.gltf",
     "a/../../b.gltf",
-    "a\\b.gltf",
+    "w\\..\\..\\b.gltf",
+    "..\\c.gltf",
     "d//e.gltf",
-    "./f.gltf",
     "g\0.gltf",
     `${"h".repeat(256)}.gltf`,
     "same.gltf",
@@ -68,11 +69,16 @@ async function namesCannotLeadOut(one, url) {
     "C:/c.gltf",
     "line\nbreak.gltf",
     "gltfx-page/assets",
+    "windows\\a\\b.gltf",
+    "./here/./f.gltf",
+    ".\\h.gltf",
+    "folder\\",
+    "./",
   ];
   const files = [...good, ...bad].map((path) => ({ path, bytes: GOOD }));
-  assert.equal(await drop(page, [["names.zip", archive(files)]]), "None of 7 assets has errors.");
+  assert.equal(await drop(page, [["names.zip", archive(files)]]), "None of 10 assets has errors.");
   const why = await leftOut(page);
-  const seen = (path) => `names/${path}`.replace("\0", "\\u0000");
+  const seen = (path) => `names/${path}`.replaceAll("\\", "/").replace("\0", "\\u0000");
   assert.deepEqual(Object.keys(why).sort(), bad.map(seen).sort());
   assert.equal(why["names/../up.gltf"], "its path could lead out of the folder");
   assert.equal(why["names/same.gltf"], "another file has its path");
@@ -88,6 +94,9 @@ async function namesCannotLeadOut(one, url) {
       "names/\\u202eflip\\u200b.gltf",
       "names/line\\u000abreak.gltf",
       "names/same.gltf",
+      "names/windows/a/b.gltf",
+      "names/here/f.gltf",
+      "names/h.gltf",
     ].sort(),
   );
   await unbroken(page);
@@ -102,7 +111,8 @@ const MANY = Array.from({ length: 5 }, (_, i) => ({
   method: 0,
 }));
 
-// Archives that are refused as a whole, or whose file is left out: name, bytes, why.
+// Archives that are refused as a whole, or whose file is left out: name, bytes, why, and what is left out if that is
+// not the archive.
 const REFUSED = [
   ["no archive", Buffer.from("PK, but no archive"), "it is not a whole zip archive"],
   ["cut off", archive(entry(), { cut: 3 }), "it is not a whole zip archive"],
@@ -111,10 +121,10 @@ const REFUSED = [
   ["overlap", archive([...entry(), { path: "b.gltf", bytes: GOOD, same: true }]), "files in it overlap"],
   ["zip64", archive(entry(), { entries: 0xffff }), "it is a ZIP64 archive; unpack it first"],
   ["list", archive(entry(), { entries: 7 }), "its list of files is broken"],
-  ["encrypted", archive(entry({ flags: 0x801 })), "it is encrypted"],
-  ["link", archive(entry({ attributes: 0xa1ff0000 })), "it is a symbolic link"],
-  ["method", archive(entry({ method: 12 })), "it is packed by a method other than deflate"],
-  ["ratio", archive(entry({ size: 100 << 20 })), "its size is wrong"],
+  ["encrypted", archive(entry({ flags: 0x801 })), "it is encrypted", "encrypted/a.gltf"],
+  ["link", archive(entry({ attributes: 0xa1ff0000 })), "it is a symbolic link", "link/a.gltf"],
+  ["method", archive(entry({ method: 12 })), "it is packed by a method other than deflate", "method/a.gltf"],
+  ["ratio", archive(entry({ size: 100 << 20 })), "its size is wrong", "ratio/a.gltf"],
 ];
 
 // Archives whose file turns out to be other than was said when it is read.
@@ -130,10 +140,18 @@ const LYING = [
 
 async function archivesAreRefused(one, url) {
   const page = await open(one, url);
-  for (const [name, bytes, why] of REFUSED) {
-    assert.equal(await drop(page, [[`${name}.zip`, bytes]]), "There is no .gltf or .glb file in it.", name);
-    assert.deepEqual(Object.values(await leftOut(page)), [why], name);
+  for (const [name, bytes, why, path = `${name}.zip`] of REFUSED) {
+    assert.equal(await drop(page, [[`${name}.zip`, bytes]]), `${path} is not checked: ${why}.`, name);
+    assert.deepEqual(await leftOut(page), { [path]: why }, name);
+    assert.equal(await page.$eval("#left-out details", (fold) => fold.open), true, name);
   }
+  const [name, bytes, why] = REFUSED[0];
+  const good = ["good.gltf", GOOD];
+  assert.equal(await drop(page, [good, [`${name}.zip`, bytes]]), `No errors. ${name}.zip is not checked: ${why}.`);
+  assert.equal(
+    await drop(page, [["a.7z", "7z"]]),
+    "a.7z is not checked: it is no .zip archive; unpack it first.",
+  );
   for (const [name, bytes, why] of LYING) {
     assert.equal(await drop(page, [[`${name}.zip`, bytes]]), "Not checked.", name);
     assert.match(await page.$eval("#list .body", (body) => body.textContent), new RegExp(why), name);
@@ -260,6 +278,76 @@ async function markupIsRefused(one, url) {
   await page.close();
 }
 
+/** A folder whose file cannot be read, and one that cannot even be opened, as entries and as handles. */
+async function namesWhatItDoesNotGet(one, url) {
+  const page = await open(one, url);
+  for (const withHandles of [false, true]) {
+    await page.evaluate((areHandles) => {
+      document.getElementById("status").textContent = "";
+      const good = new File(['{"asset": {"version": "2.0"}}'], "good.gltf");
+      const fails = () => Promise.reject(new DOMException("no", "NotReadableError"));
+      const fileEntry = (name, file) => ({ name, isDirectory: false, file });
+      const inside = [
+        fileEntry("good.gltf", (done) => done(good)),
+        fileEntry("locked.bin", (done, failed) => failed(new Error("no"))),
+      ];
+      const folder = {
+        name: "folder",
+        isDirectory: true,
+        createReader: () => ({ readEntries: (done) => done(inside.splice(0)) }),
+      };
+      const handle = {
+        name: "folder",
+        kind: "directory",
+        async *values() {
+          yield { name: "good.gltf", kind: "file", getFile: async () => good };
+          yield { name: "locked.bin", kind: "file", getFile: fails };
+        },
+      };
+      const item = (entry, asHandle) => ({
+        kind: "file",
+        webkitGetAsEntry: () => entry,
+        ...(areHandles ? { getAsFileSystemHandle: asHandle } : {}),
+      });
+      const lost = { name: "lost", isDirectory: true, createReader: () => ({ readEntries: (_, no) => no("no") }) };
+      const event = new DragEvent("drop", { bubbles: true, cancelable: true });
+      const items = [item(folder, async () => handle), item(lost, fails)];
+      Object.defineProperty(event, "dataTransfer", { value: { items, files: [] } });
+      document.getElementById("drop").dispatchEvent(event);
+    }, withHandles);
+    assert.equal(await ended(page), "No errors.");
+    const why = "the browser cannot read it";
+    assert.deepEqual(await leftOut(page), { lost: why, "folder/locked.bin": why });
+  }
+  await page.close();
+}
+
+/** References to what is not the asset's own: the findings are those of the program, and nothing else is read. */
+async function referencesCannotLeadOut(one, url, native) {
+  const page = await open(one, url);
+  const folder = join(native.place, "paths", "asset");
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(native.place, "paths/secret.bin"), "1234");
+  const uris = HOSTILE_URIS.filter(([, needsDisk]) => !needsDisk).map(([uri]) => uri);
+  uris.forEach((uri, i) => writeFileSync(join(folder, `${i}.gltf`), assetWith(uri)));
+  assert.equal(
+    await chooseFolder(one, page, join(native.place, "paths")),
+    `${uris.length} of ${uris.length} assets have errors.`,
+  );
+  await unfold(page);
+  const codes = await page.$$eval("#list details.asset", (all) =>
+    all.map((asset) => [
+      asset.querySelector(".path-line bdi").textContent,
+      [...asset.querySelectorAll(".finding .code")].map((code) => code.textContent),
+    ]),
+  );
+  assert.equal(codes.length, uris.length);
+  for (const [path, found] of codes)
+    assert.deepEqual(found, native.findings(path).map(({ code }) => code), path);
+  await unbroken(page);
+  await page.close();
+}
+
 async function saysWhatIsMissing(one, url, native) {
   const page = await open(one, url);
   assert.equal(
@@ -275,6 +363,8 @@ export function safetyChecks(one, url, file, native) {
   return [
     ["text of assets stays text", () => textStaysText(one, url, native.place)],
     ["names cannot lead out of the folder", () => namesCannotLeadOut(one, url)],
+    ["references cannot lead out of the folder", () => referencesCannotLeadOut(one, url, native)],
+    ["names what it does not get", () => namesWhatItDoesNotGet(one, url)],
     ["hostile archives are refused", () => archivesAreRefused(one, url)],
     ["hostile files cannot break the page", () => filesCannotBreakIt(one, url)],
     ["large files are refused", () => largeFilesAreRefused(one, url, native.place)],

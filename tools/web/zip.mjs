@@ -47,6 +47,11 @@ async function findEnd(blob) {
   throw new Error("it is not a whole zip archive");
 }
 
+/** Some programs write the separators of Windows, or "./" in front. */
+function plainPath(path) {
+  return path.replaceAll("\\", "/").replace(/(^|\/)(\.\/)+/g, "$1");
+}
+
 function readEntry(list, at) {
   if (at + 46 > list.byteLength || list.getUint32(at, true) !== ENTRY)
     throw new Error("its list of files is broken");
@@ -54,7 +59,7 @@ function readEntry(list, at) {
   const next = at + 46 + nameSize + list.getUint16(at + 30, true) + list.getUint16(at + 32, true);
   if (next > list.byteLength) throw new Error("its list of files is broken");
   return {
-    path: new TextDecoder().decode(new Uint8Array(list.buffer, at + 46, nameSize)),
+    path: plainPath(new TextDecoder().decode(new Uint8Array(list.buffer, at + 46, nameSize))),
     nameSize,
     encrypted: (list.getUint16(at + 8, true) & 1) !== 0,
     method: list.getUint16(at + 10, true),
@@ -135,7 +140,7 @@ export async function readZip(blob) {
   }
   refuseBombs(entries, blob, end);
   return entries
-    .filter((entry) => !entry.path.endsWith("/"))
+    .filter((entry) => entry.path !== "" && !entry.path.endsWith("/"))
     .map((entry) => ({
       path: entry.path,
       size: entry.size,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user drops or chooses, as [{path, file}]. Folders are walked without recursion.
+// What a user drops or chooses, as [{path, file}], or [{path, why}] for what the browser does not hand over. Folders
+// are walked without recursion.
 
 const MOST_FILES = 200000; // the worker says what is left out below that
 
@@ -38,11 +39,13 @@ async function walk(roots, kind) {
       if (!kind.isFolder(one)) found.push({ path, file: await kind.file(one) });
       else for (const each of await kind.list(one)) waiting.push([`${path}/${each.name}`, each]);
     } catch {
-      // What may not be read is as if it were not there: an asset that needs it says so.
+      found.push(refused(path));
     }
   }
   return found;
 }
+
+const refused = (path) => ({ path, why: "the browser cannot read it" });
 
 /** Of a drop. All is asked for at once: it is gone when the event is over. */
 export async function fromDrop(transfer) {
@@ -50,9 +53,12 @@ export async function fromDrop(transfer) {
   const files = [...transfer.files];
   const entries = items.map((item) => item.webkitGetAsEntry());
   if (!entries.some((entry) => entry?.isDirectory)) return fromFiles(files);
-  const handles = items.map((item) => item.getAsFileSystemHandle?.());
-  if (handles.some((handle) => handle === undefined)) return walk(entries, ENTRY);
-  return walk(await Promise.all(handles), HANDLE);
+  const handles = items.map((item) => item.getAsFileSystemHandle?.().catch(() => null));
+  const areHandles = !handles.includes(undefined);
+  const roots = areHandles ? await Promise.all(handles) : entries;
+  const nameOf = (i) => entries[i]?.name ?? files[i]?.name ?? "a file";
+  const lost = roots.flatMap((root, i) => (root ? [] : [refused(nameOf(i))]));
+  return [...lost, ...(await walk(roots.filter(Boolean), areHandles ? HANDLE : ENTRY))];
 }
 
 /** Of a field of files or of a folder. */

@@ -175,14 +175,14 @@ export function verdict() {
   return `${grouped(wrong)} of ${all} ${wrong === 1 ? "has" : "have"} errors.`;
 }
 
-export function showLeftOut(files) {
+export function showLeftOut(files, open) {
   if (files.length === 0) return;
   const rows = files.slice(0, ROWS_AT_ONCE).map(({ path, why }) => [isolated(path), isolated(why)]);
   const words = files.length > rows.length ? `The first ${rows.length} of them` : "Files left out";
   byId("left-out").replaceChildren(
     make(
       "details.fold.left-out",
-      {},
+      { open },
       make("summary", {}, make("h3", {}, `${counted(files.length, "file")} left out`)),
       make("div", {}, table(words, [["file"], ["why"]], rows)),
     ),

@@ -6,8 +6,8 @@
 //   in   {make: "html" | "sarif" | "upgraded"}   out  {made: Blob, name} or {made: null, why}
 import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
-import { openFolder, Reading } from "./files.js";
-import { writeZip } from "./zip.js";
+import { openFolder, Reading } from "./files.mjs";
+import { writeZip } from "./zip.mjs";
 
 const COMMON = ["--isolated", "--quiet"];
 let engine = null;

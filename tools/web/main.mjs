@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: files in, a run of checks, downloads out.
-import { Checks } from "./checks.js";
-import { fromDrop, fromFiles, titleOf } from "./dropped.js";
-import { add, clear, finish, showLeftOut, startList, toUpgrade, verdict } from "./list.js";
+import { Checks } from "./checks.mjs";
+import { fromDrop, fromFiles, titleOf } from "./dropped.mjs";
+import { add, clear, finish, showLeftOut, startList, toUpgrade, verdict } from "./list.mjs";
 
+const MOST_ARCHIVES = 3; // that the verdict names; the list of what is left out has all
 const byId = (id) => document.getElementById(id);
 globalThis.report = { rules: Object.create(null) }; // the rules that found something, for details()
 
@@ -12,6 +13,7 @@ let title = "";
 let done = 0;
 let upgradable = 0;
 let paths = []; // of all assets
+let leftOut = []; // {path, why, isArchive, mayHideAssets}
 let upgradedAddress = "";
 
 function say(words, quiet = false) {
@@ -40,6 +42,7 @@ function begin(dropped) {
   title = titleOf(dropped);
   done = upgradable = 0;
   paths = [];
+  leftOut = [];
   clear();
   document.body.classList.add("small");
   byId("title").textContent = visible(title);
@@ -58,10 +61,18 @@ function end(words) {
   say(words);
 }
 
+const notChecked = ({ path, why }) => `${visible(path)} is not checked: ${visible(why)}.`;
+
+/** The verdict, and which archives have no part in it. */
+function verdictOfAll() {
+  const archives = leftOut.filter((one) => one.isArchive).slice(0, MOST_ARCHIVES);
+  return [verdict(), ...archives.map(notChecked)].join(" ");
+}
+
 function hear(said) {
   if (said.assets) {
-    paths = said.assets;
-    showLeftOut(said.leftOut);
+    ({ assets: paths, leftOut } = said);
+    showLeftOut(leftOut, paths.length === 0);
     showProgress();
   } else if (said.asset) {
     Object.assign(report.rules, said.rules);
@@ -73,13 +84,14 @@ function hear(said) {
     if (paths.length === 0) {
       showBusy("");
       byId("results").hidden = byId("left-out").childElementCount === 0;
-      return say("There is no .gltf or .glb file in it.");
+      const cause = leftOut.find((one) => one.mayHideAssets);
+      return say(cause ? notChecked(cause) : "There is no .gltf or .glb file in it.");
     }
     byId("downloads").hidden = false;
     byId("get-upgraded").hidden = upgradable === 0;
     byId("get-upgraded").textContent =
       upgradable === 1 ? "Upgraded file" : `${grouped(upgradable)} upgraded files`;
-    end(verdict());
+    end(verdictOfAll());
   } else if (said.broken) {
     stop(`The checks ended early: ${visible(said.broken)}.`);
   } else {
@@ -91,7 +103,7 @@ function hear(said) {
 function deliver({ made, name, why }) {
   showBusy("");
   if (made === null) return say(`It cannot be written: ${visible(why)}`, true);
-  say(verdict());
+  say(verdictOfAll());
   if (upgradedAddress) URL.revokeObjectURL(upgradedAddress);
   upgradedAddress = URL.createObjectURL(made);
   make("a", { href: upgradedAddress, download: name }).click();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What was dropped, as files by path: which are assets, and which files an asset needs.
-import { readZip } from "./zip.js";
+import { readZip } from "./zip.mjs";
 
 const MOST_FILES = 100000;
 const MOST_BYTES = 2 ** 30; // that one run of the engine gets
@@ -22,6 +22,7 @@ export function pathProblem(path) {
 
 const isAsset = (path) => /\.(gltf|glb)$/i.test(path);
 const isZip = (path) => /^[^/]*\.zip$/i.test(path);
+const isOtherArchive = (path) => /^[^/]*\.(7z|bz2|gz|rar|tar|tgz|xz|zst)$/i.test(path);
 
 /** A set of files. Of two with the same path, the first stays. */
 class Folder {
@@ -31,8 +32,13 @@ class Folder {
 
   add(path, source) {
     const why = source.problem || pathProblem(path) || this.#conflict(path);
-    if (why) this.leftOut.push({ path, why });
+    if (why) this.leftOut.push({ path, why, mayHideAssets: isAsset(path) });
     else this.#keep(path, source);
+  }
+
+  /** An archive as a whole. */
+  leaveOut(path, why) {
+    this.leftOut.push({ path, why, isArchive: true, mayHideAssets: true });
   }
 
   #conflict(path) {
@@ -59,15 +65,17 @@ async function addZip(folder, path, file) {
       if (!entry.path.startsWith("__MACOSX/")) folder.add(`${prefix}/${entry.path}`, entry);
     }
   } catch (error) {
-    folder.leftOut.push({ path, why: error.message });
+    folder.leaveOut(path, error.message);
   }
 }
 
-/** Opens what was dropped, [{path, file}]. A .zip stands for a folder of its name. */
+/** Opens what was dropped, [{path, file}] or [{path, why}]. A .zip stands for a folder of its name. */
 export async function openFolder(dropped) {
   const folder = new Folder();
-  for (const { path, file } of dropped) {
-    if (isZip(path)) await addZip(folder, path, file);
+  for (const { path, file, why } of dropped) {
+    if (why) folder.leftOut.push({ path, why, mayHideAssets: true });
+    else if (isZip(path)) await addZip(folder, path, file);
+    else if (isOtherArchive(path)) folder.leaveOut(path, "it is no .zip archive; unpack it first");
     else folder.add(path, { size: file.size, read: async () => new Uint8Array(await file.arrayBuffer()) });
   }
   folder.assets = [...folder.files.keys()].filter(isAsset).sort();
