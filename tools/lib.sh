@@ -11,7 +11,7 @@ build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libzstd-dev libopenexr-dev
   libembree-dev libxxhash-dev libsodium-dev libstb-dev fonts-dejavu-core)
 test_packages=(libtinygltf-dev libavif-dev lld clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
-  pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc)
+  nodejs pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc)
 package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
 
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only nightly asks for them
@@ -29,7 +29,10 @@ as_root() {
 
 # Node.js from another source brings its own npm, which conflicts with Debian's package.
 is_installed() {
-  [ "$1" = npm ] && command -v npm >/dev/null && return 0
+  case $1 in
+    npm) command -v npm >/dev/null && return 0 ;;
+    nodejs) command -v node >/dev/null && return 0 ;;
+  esac
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 

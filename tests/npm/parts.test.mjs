@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of the package that need no engine.
+import assert from "node:assert/strict";
+import nodePath from "node:path";
+import { test } from "node:test";
+import { checkAreCodes, checkOptions } from "../../tools/npm/lib/api_options.mjs";
+import { hostPath, virtualPath, virtualWord } from "../../tools/npm/lib/paths.mjs";
+import { normalizeUri } from "../../tools/npm/lib/uri.mjs";
+
+test("paths of Windows", () => {
+  const { win32 } = nodePath;
+  const exists = (path) => path === "C:\\here\\a\\b.gltf" || path === "C:\\here\\a";
+  const word = (text) => virtualWord(text, "C:\\here", win32, exists);
+  assert.equal(virtualPath("C:\\here\\a", win32), "/C:/here/a");
+  assert.equal(word("a\\b.gltf"), "a/b.gltf");
+  assert.equal(word("C:\\here\\a\\b.gltf"), "/C:/here/a/b.gltf");
+  assert.equal(word("--format=json=C:\\new.json"), "--format=json=/C:/new.json");
+  assert.equal(word("--ignore=A\\B"), "--ignore=A\\B");
+  assert.equal(hostPath("/C:/here/a", win32), "C:\\here\\a");
+  assert.equal(hostPath("/C:", win32), "C:\\");
+  for (const path of ["/", "/server/share/x", "/CON", "/C"]) assert.equal(hostPath(path, win32), null, path);
+});
+
+test("paths of other systems stay as they are", () => {
+  const { posix } = nodePath;
+  for (const path of ["/a/b", "a\\b", "C:/a"]) {
+    assert.equal(virtualPath(path, posix), path);
+    assert.equal(hostPath(path, posix), path);
+    assert.equal(virtualWord(path, "/here", posix), path);
+  }
+});
+
+// Verb -> what is refused.
+const WRONG = {
+  validate: [
+    { onlyIssues: "x" },
+    { onlyIssues: [""] },
+    { ignoredIssues: [1] },
+    { onlyIssues: [], ignoredIssues: [] },
+    { severityOverrides: [] },
+    { severityOverrides: { IO_ERROR: 4 } },
+    { severityOverrides: { IO_ERROR: "error" } },
+    { maxIssues: -1 },
+    { maxIssues: 0.5 },
+    { maxIssues: "3" },
+    { profile: "Khronos" },
+    { profile: "" },
+    { format: "GLB" },
+    { uri: 1 },
+    { resources: "." },
+    { resources: {} },
+    { externalResourceFunction: () => null },
+    { maxissues: 1 },
+    { toString: 1 },
+    [],
+    null,
+    "x",
+  ],
+  upgrade: [{ only: "KHR" }, { to: [1] }, { only: [""] }, { unsafe: "no" }, { strict: 1 }, { profile: "strict" }],
+  inspect: [{ resources: 1 }, { unsafe: true }],
+};
+
+test("wrong options are refused", () => {
+  const bytes = new Uint8Array(1);
+  for (const [verb, all] of Object.entries(WRONG)) {
+    for (const options of all) {
+      const refusal = { name: "TypeError", message: /^gltfx: / };
+      assert.throws(() => checkOptions(verb, bytes, options), refusal, `${verb} ${JSON.stringify(options)}`);
+    }
+    for (const asset of ["text", [1], new Uint16Array(1), null])
+      assert.throws(() => checkOptions(verb, asset, {}), TypeError);
+    checkOptions(verb, bytes, { resources: undefined });
+    checkOptions(verb, bytes, { resources: new Map() });
+  }
+});
+
+test("right options come through; what is null is as if it were not there", () => {
+  const right = { uri: "a", format: "glb", profile: "strict", onlyIssues: ["A"], ignoredIssues: null };
+  assert.deepEqual(checkOptions("validate", new Uint8Array(1), right), {
+    uri: "a",
+    format: "glb",
+    profile: "strict",
+    maxIssues: 0,
+    onlyIssues: ["A"],
+    ignoredIssues: [],
+    severityOverrides: {},
+  });
+  assert.deepEqual(checkOptions("upgrade", new Uint8Array(1), { only: ["A"], unsafe: false, to: null }), {
+    only: ["A"],
+    unsafe: false,
+  });
+});
+
+test("codes that no rule has are refused", () => {
+  const engine = { isCode: (code) => code === "A" };
+  const none = { ignoredIssues: [], onlyIssues: [], severityOverrides: {} };
+  checkAreCodes(engine, { ignoredIssues: ["A"], onlyIssues: ["A"], severityOverrides: { A: 1 } });
+  for (const wrong of [{ ignoredIssues: ["B"] }, { onlyIssues: ["A", "B"] }, { severityOverrides: { B: 1 } }])
+    assert.throws(() => checkAreCodes(engine, { ...none, ...wrong }), { message: "gltfx: there is no code 'B'" });
+});
+
+test("URIs in the form of the Khronos validator", () => {
+  for (const [uri, normal] of [
+    ["a b", "a%20b"],
+    ["a\\b", "a/b"],
+    ["./a/../b", "b"],
+    ["../../b", "../../b"],
+    ["HTTP://Host/%7e", "http://host/~"],
+  ])
+    assert.equal(normalizeUri(uri), normal);
+  assert.throws(() => normalizeUri(":a"), SyntaxError);
+});
